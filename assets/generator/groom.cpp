@@ -1,0 +1,164 @@
+// Loose hairstyles: every strand falls on its own, then is drawn to its clump's middle, waved or
+// wound into a curl, and cut into vertices.
+#include "braid.hpp"
+#include "fall.hpp"
+#include "generator.hpp"
+#include "head_shape.hpp"
+#include "random.hpp"
+#include "scalp.hpp"
+#include "scatter.hpp"
+
+namespace plait_generator {
+namespace {
+
+// Streams of random numbers; 1 to 9 are the roots'.
+enum Stream : uint64_t {
+    strand_length = 10,
+    strand_layer,
+    strand_phase,
+    strand_stray,
+    strand_thickness,
+    clump_length,
+    clump_phase,
+    clump_hand,
+    clump_radius,
+    clump_pitch
+};
+
+constexpr double clearance = 0.0008;        // m from the head once a strand has left it
+constexpr double least_clearance = 0.00015; // m, of every vertex but the root
+
+class LooseHair {
+  public:
+    LooseHair(const Style& style, const std::vector<Vec3>& roots)
+        : style_(style), roots_(roots),
+          middles_(
+              scatter_roots(std::min<size_t>(style.clumps, roots.size()), scramble(style.seed))),
+          grid_(middles_, 0.02) {
+        for (uint32_t c = 0; c < middles_.size(); ++c)
+            axes_.push_back(resample(fall_from(middles_[c], c, c), samples));
+    }
+
+    Path strand(uint32_t i) const {
+        const uint32_t clump = nearest_clump(roots_[i]);
+        Path path = resample(fall_from(roots_[i], i, clump), samples);
+        draw_together(path, axes_[clump]);
+        path = shaped(path, i, clump);
+        push_out(path, field_, clearance, 0.01);
+        return path;
+    }
+
+  private:
+    static constexpr size_t samples = 128;
+
+    double own(Stream stream, uint32_t i) const { return random(style_.seed, stream, i); }
+    double own_signed(Stream stream, uint32_t i) const { return 2 * own(stream, i) - 1; }
+
+    Vec3 comb(Vec3 p) const {
+        return style_.hairstyle == Hairstyle::Short ? comb_back(p) : comb_parted(p, style_.part);
+    }
+
+    // The ends of loose long hair meet nearly in one line: hair that grows lower is shorter.
+    double length_of(Vec3 root, uint32_t i, uint32_t clump) const {
+        const double uneven = 0.3 * own(strand_length, i) + 0.7 * own(clump_length, clump);
+        const double lower = std::clamp((0.13 - root.y) / 0.21, 0.0, 1.0);
+        return style_.length * (1 - style_.length_variation * uneven) * (1 - 0.3 * lower);
+    }
+
+    Path fall_from(Vec3 root, uint32_t i, uint32_t clump) const {
+        const double layer = style_.volume * mix(0.25, 1.0, own(strand_layer, i));
+        return fall(
+            field_, root, [&](Vec3 p) { return comb(p); },
+            {length_of(root, i, clump), style_.stiffness, clearance, layer, style_.lift, true});
+    }
+
+    // Of the clumps on the same side of the parting.
+    uint32_t nearest_clump(Vec3 root) const {
+        uint32_t best = 0;
+        double best_gap = 1e9;
+        const auto consider = [&](uint32_t c) {
+            const bool across = (middles_[c].x < style_.part) != (root.x < style_.part);
+            const double gap = length(middles_[c] - root) + (across ? 0.05 : 0);
+            if (gap < best_gap || (gap == best_gap && c < best)) {
+                best = c;
+                best_gap = gap;
+            }
+        };
+        grid_.for_each_near(root, consider);
+        if (best_gap > 0.02)
+            for (uint32_t c = 0; c < middles_.size(); ++c)
+                consider(c);
+        return best;
+    }
+
+    void draw_together(Path& path, const Path& axis) const {
+        for (size_t k = 1; k < path.size(); ++k) {
+            const double t = static_cast<double>(k) / static_cast<double>(path.size() - 1);
+            path[k] = mix(path[k], axis[k], style_.clump_tightness * smoothstep(0, 0.7, t));
+        }
+    }
+
+    // Stray wander of the strand, then the clump's wave or curl.
+    Path shaped(const Path& path, uint32_t i, uint32_t clump) const {
+        const double phase = own(clump_phase, clump) + 0.06 * own_signed(strand_phase, i);
+        const double hand = own(clump_hand, clump) < 0.5 ? -1 : 1;
+        Path out = wind(
+            path, {style_.stray * own(strand_stray, i), 0.07, own(strand_phase, i), hand, 0.08});
+        if (style_.wave_amplitude > 0)
+            out = wind(out, {style_.wave_amplitude, style_.wave_length, phase, hand, 0.15});
+        if (style_.curl_radius > 0) {
+            const double radius = 1 + style_.curl_variation * own_signed(clump_radius, clump);
+            const double pitch = 1 + style_.curl_variation * own_signed(clump_pitch, clump);
+            out = wind(resample(out, 3 * samples),
+                       {style_.curl_radius * radius, style_.curl_pitch * pitch, phase, hand, 0.02});
+        }
+        return out;
+    }
+
+    const Style& style_;
+    const std::vector<Vec3>& roots_;
+    Field field_;
+    std::vector<Vec3> middles_; // roots of the clumps
+    PointGrid grid_;
+    std::vector<Path> axes_; // [clumps][samples]
+};
+
+// Vertices between a path's points may cut a corner into the head by less than the field's error.
+Vec3 outside(Vec3 p) {
+    return head_distance(p) < least_clearance ? to_distance(p, least_clearance) : p;
+}
+
+void append(Strands& strands, const Path& path, const Style& style, uint32_t i) {
+    const Path vertices = resample(path, style.vertices, 4);
+    for (size_t k = 0; k < vertices.size(); ++k) {
+        const Vec3 p = k > 0 ? outside(vertices[k]) : vertices[k];
+        for (const double value : {p.x, p.y, p.z})
+            strands.positions.push_back(static_cast<float>(value));
+    }
+    const Uv uv = scalp_uv(path.front());
+    strands.uv.push_back(static_cast<float>(uv.u));
+    strands.uv.push_back(static_cast<float>(uv.v));
+    strands.vertex_counts.push_back(style.vertices);
+    // Diameters of Caucasian scalp hair, 70 to 90 micrometres.
+    strands.thickness.push_back(
+        static_cast<float>(7e-5 + 2e-5 * random(style.seed, strand_thickness, i)));
+}
+
+template <typename Hair> Strands cut(const Hair& hair, const Style& style) {
+    Strands strands;
+    strands.positions.reserve(size_t{3} * style.strands * style.vertices);
+    for (uint32_t i = 0; i < style.strands; ++i)
+        append(strands, hair.strand(i), style, i);
+    return strands;
+}
+
+} // namespace
+
+Strands make_groom(const Style& style) {
+    const std::vector<Vec3> roots = scatter_roots(style.strands, style.seed);
+    if (style.hairstyle == Hairstyle::Braid)
+        return cut(BraidedHair(style, roots), style);
+    return cut(LooseHair(style, roots), style);
+}
+
+} // namespace plait_generator

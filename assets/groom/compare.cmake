@@ -1,0 +1,10 @@
+# cmake -DTOOL=plait-groom -DARGUMENTS=long;--seed;1 -DEXPECTED=long.tfx -DMADE=made.tfx -P compare.cmake
+execute_process(COMMAND ${TOOL} ${ARGUMENTS} --out ${MADE} RESULT_VARIABLE result ERROR_VARIABLE error)
+if(NOT result EQUAL 0)
+  message(FATAL_ERROR "${TOOL} failed: ${error}")
+endif()
+file(SHA256 ${MADE} made)
+file(SHA256 ${EXPECTED} expected)
+if(NOT made STREQUAL expected)
+  message(FATAL_ERROR "${EXPECTED} is not what ${ARGUMENTS} makes: ${MADE} differs")
+endif()

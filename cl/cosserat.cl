@@ -1,0 +1,32 @@
+/* cosserat: one substep of a stable Cosserat rod.
+ *
+ * Items   strands, over lanes.
+ * Reads   rest, pose, lane_material, lane_rest.
+ * Moves   lane_x, lane_v, lane_q, and the steps before.
+ * Source  Hsu et al. 2025; Kugelstadt & Schoemer 2016. Changed: see common/cosserat.clh and
+ *         common/rod.clh; orientations start from the rotation of the substep before, repeated
+ *         (half the error of a substep at no cost), not from where they stood.
+ */
+#pragma OPENCL FP_CONTRACT OFF
+#include "common/cosserat.clh"
+
+__kernel void plait_cosserat(const uint item_count, const plait_lane_params params,
+                             __global const float4* rest, __global const float4* pose,
+                             __global const real* lane_material, __global const real* lane_rest,
+                             __global real* lane_x, __global real* lane_v, __global real* lane_q,
+                             __global real* lane_q_before, __global real* lane_x_before,
+                             __global real* lane_v_before) {
+    lane_step step;
+    if (!lane_begin(&step, item_count, &params, rest, pose, lane_material))
+        return;
+    const lane_buffers state = {lane_x, lane_v, lane_x_before, lane_v_before};
+    rod_state s;
+    vec3 w[PLAIT_VERTICES];
+    lane_predict(&step, &params, state, s.y, w);
+    const rod_problem rod = rod_problem_of(&step, lane_rest);
+    rod_load(&rod, &s, lane_q, lane_q_before);
+
+    cosserat_iterate(&rod, &s, params.iterations);
+
+    rod_store(&step, state, &s, w, lane_q);
+}

@@ -1,0 +1,44 @@
+/* grid_velocity: tent-weighted mean velocity of the vertices in a voxel's slots.
+ *
+ * Items   voxels, one work-group of any size each.
+ * Reads   grid_slot, position, position_prev, grid_density.
+ * Writes  grid_velocity: mean along the grid's axes and, in w, the root mean square speed.
+ * Source  Ugurca 2015, eq. 4.2: V = sum tent v / D, v by Verlet history.
+ * Changed an empty voxel has velocity 0 instead of 0/0; the rms speed, for the floored rule. */
+#pragma OPENCL FP_CONTRACT OFF
+#include "common/grid.clh"
+#include "common/reduce.clh"
+
+/* (tent v, tent |v|^2) of a vertex. */
+static float4 weighted_velocity(const plait_grid_params* params, float3 x, float3 prev) {
+    const float tent = tent_voxel(grid_coordinates(params, x));
+    const float3 v = grid_velocity_of(params, x, prev);
+    return (float4)(tent * v, tent * dot3(v, v));
+}
+
+static float4 mean_and_rms(float4 sum, float density) {
+    if (!(density > 0.0f))
+        return (float4)(0.0f);
+    return (float4)(sum.xyz / density, sqrt(sum.w / density));
+}
+
+__kernel void plait_grid_velocity(const uint item_count, const plait_grid_params params,
+                                  __global const uint* grid_slot, __global const float4* position,
+                                  __global const float4* position_prev,
+                                  __global const float* grid_density,
+                                  __global float4* grid_velocity, __local float4* partial) {
+    const uint voxel = get_group_id(0);
+    const uint item = get_local_id(0);
+    const float density = voxel < item_count ? grid_density[voxel] : 0.0f;
+    const uint end = density > 0.0f ? params.capacity : 0u; /* most voxels hold no hair */
+    float4 sum = (float4)(0.0f);
+    for (uint slot = item; slot < end; slot += (uint)get_local_size(0)) {
+        const uint vertex = grid_slot[(size_t)voxel * params.capacity + slot];
+        if (vertex != PLAIT_SLOT_EMPTY)
+            sum += weighted_velocity(&params, position[vertex].xyz, position_prev[vertex].xyz);
+    }
+    partial[item] = sum;
+    reduce_float4(partial);
+    if (item == 0u && voxel < item_count)
+        grid_velocity[voxel] = mean_and_rms(partial[0], density);
+}

@@ -1,0 +1,38 @@
+/* lane_teleport: carry the lane state rigidly from one root pose to another, motion relative to the
+ * root kept.
+ *
+ * Items   strands, over lanes.
+ * Reads   rest, pose_from, pose_to.
+ * Moves   lane_x, lane_v, lane_q, lane_q_before, and the step before where BDF2 keeps it.
+ */
+#pragma OPENCL FP_CONTRACT OFF
+#include "common/lane_step.clh"
+
+/* Offsets from the root turn with it; row 0, the root itself, is put where it is now. */
+inline void turn_offset(__global real* x, lane_place place, int row, quat turn, vec3 root) {
+    store3(x, place, row, row == 0 ? root : rotate3(turn, load3(x, place, row)));
+}
+
+__kernel void plait_lane_teleport(const uint item_count, const plait_lane_state_params params,
+                                  __global const float4* rest, __global const float4* pose_from,
+                                  __global const float4* pose_to, __global real* lane_x,
+                                  __global real* lane_v, __global real* lane_q,
+                                  __global real* lane_q_before, __global real* lane_x_before,
+                                  __global real* lane_v_before) {
+    const lane_place place = lane_place_of(get_global_id(0));
+    if (!lane_place_used(place, item_count))
+        return;
+    const lane_pose from = lane_load_pose(rest, pose_from, place, item_count);
+    const lane_pose to = lane_load_pose(rest, pose_to, place, item_count);
+    const quat turn = mulq(to.q, conjq(from.q));
+    for (int i = 0; i < (int)params.vertex_stride; ++i) {
+        turn_offset(lane_x, place, i, turn, to.root);
+        store3(lane_v, place, i, rotate3(turn, load3(lane_v, place, i)));
+        storeq(lane_q, place, i, mulq(turn, loadq(lane_q, place, i)));
+        storeq(lane_q_before, place, i, mulq(turn, loadq(lane_q_before, place, i)));
+        if (params.history) {
+            turn_offset(lane_x_before, place, i, turn, to.root);
+            store3(lane_v_before, place, i, rotate3(turn, load3(lane_v_before, place, i)));
+        }
+    }
+}

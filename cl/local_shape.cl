@@ -1,0 +1,53 @@
+/* local_shape: rest-shape constraint between neighbouring segments, root to tip.
+ *
+ * Items   strands, each walked by one work-item.
+ * Reads   rest, vertex_count, pose.
+ * Moves   position.
+ * Source  Han & Harada 2012, section 3; TressFX 4.1. With b the rest strand turned by the root,
+ *         i = 1 .. count-2: R turns b_i - b_(i-1) to p_i - p_(i-1),
+ *         delta = k (R (b_(i+1) - b_i) + p_i - p_(i+1)), k = min(stiffness, 0.95) / 2;
+ *         p_i -= delta and p_(i+1) += delta where free.
+ * Changed all iterations run in one launch: the strand is one work-item's own, so none can read
+ *         another's half-done pass (the original has no barrier between its iterations). */
+#pragma OPENCL FP_CONTRACT OFF
+#include "common/pose.clh"
+#include "common/strand.clh"
+
+/* How far p1 and p2 go towards each other's place in the rest shape; b are rest positions. */
+static float3 shape_delta(float k, float3 b0, float3 b1, float3 b2, float3 p0, float3 p1,
+                          float3 p2) {
+    return k * (turn_between(b1 - b0, p1 - p0, b2 - b1) + p1 - p2);
+}
+
+/* One pass over a strand of count >= 3 vertices, three neighbours at a time in registers. */
+static void shape_pass(float k, uint count, float4 q, __global const float4* rest,
+                       __global float4* position) {
+    float3 b0 = quat_rotate(q, rest[0].xyz), b1 = quat_rotate(q, rest[1].xyz);
+    float4 p0 = position[0], p1 = position[1];
+    for (uint i = 1u; i + 1u < count; ++i) {
+        const float3 b2 = quat_rotate(q, rest[i + 1u].xyz);
+        float4 p2 = position[i + 1u];
+        const float3 delta = shape_delta(k, b0, b1, b2, p0.xyz, p1.xyz, p2.xyz);
+        if (is_free(p1))
+            p1.xyz -= delta;
+        if (is_free(p2))
+            p2.xyz += delta;
+        position[i] = p1;
+        b0 = b1, b1 = b2;
+        p0 = p1, p1 = p2;
+    }
+    position[count - 1u] = p1;
+}
+
+__kernel void plait_local_shape(const uint item_count, const plait_local_shape_params params,
+                                __global const float4* rest, __global const uint* vertex_count,
+                                __global const float4* pose, __global float4* position) {
+    const uint strand = get_global_id(0);
+    if (strand >= item_count || vertex_count[strand] < 3u)
+        return;
+    const size_t root = (size_t)strand * params.vertex_stride;
+    const float4 q = pose_load(pose, strand).q;
+    const float k = 0.5f * min(params.stiffness, 0.95f);
+    for (uint iteration = 0u; iteration < params.iterations; ++iteration)
+        shape_pass(k, vertex_count[strand], q, rest + root, position + root);
+}

@@ -1,0 +1,23 @@
+/* output: interpolate between the last two finished steps, attached to the roots of now.
+ *
+ * Items   vertices.
+ * Reads   position_local (the step before the last), position and pose (the last), pose_now.
+ * Writes  position_out: pose_now(lerp(position_local, pose^-1(position), alpha)), w of position.
+ * Why     fixed steps shown at another rate stutter. Interpolating in the root's frame leaves hair
+ * one step late against itself but never against the head. */
+#pragma OPENCL FP_CONTRACT OFF
+#include "common/pose.clh"
+
+__kernel void plait_output(const uint item_count, const plait_output_params params,
+                           __global const float4* position_local, __global const float4* position,
+                           __global const float4* pose, __global const float4* pose_now,
+                           __global float4* position_out) {
+    const uint item = get_global_id(0);
+    if (item >= item_count)
+        return;
+    const uint strand = item / params.vertex_stride;
+    const float4 x = position[item];
+    const float3 last = pose_apply_inverse(pose_load(pose, strand), x.xyz);
+    const float3 between = (1.0f - params.alpha) * position_local[item].xyz + params.alpha * last;
+    position_out[item] = (float4)(pose_apply(pose_load(pose_now, strand), between), x.w);
+}

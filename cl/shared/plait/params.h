@@ -1,0 +1,205 @@
+/* Parameter blocks and constants shared by the host and every kernel.
+ *
+ * Compiled as C99, C++20 and OpenCL C 1.2. Only 4-byte scalars and arrays of them, so that every
+ * compiler lays the structs out alike; `tests/conformance/layout.cpp` checks it on each device.
+ * Arrays have one dimension: rusticl 22.3 miscounts the size of a by-value struct with nested ones.
+ *
+ * Conventions: SI units, right-handed axes. A quaternion is stored (x, y, z, w), w the scalar part.
+ * A pose maps a point p of the rest (groom) space to q*p + t in the world. Vertex 0 is the root.
+ */
+#ifndef PLAIT_PARAMS_H
+#define PLAIT_PARAMS_H
+
+#ifdef __OPENCL_VERSION__
+typedef uint plait_u32;
+#else
+#include <stdint.h>
+typedef uint32_t plait_u32;
+#endif
+
+/* Per-strand vertex limits. */
+#define PLAIT_MIN_VERTICES 2
+#define PLAIT_MAX_VERTICES 256
+
+/* A slot of the voxel grid that holds no vertex. */
+#define PLAIT_SLOT_EMPTY 0xffffffffu
+
+/* float4 elements per item in packed buffers. */
+#define PLAIT_POSE_STRIDE 2    /* pose: quaternion (x,y,z,w); translation (x,y,z,0) */
+#define PLAIT_MOTION_STRIDE 2  /* strand_motion: quaternion; (translation, blend c) */
+#define PLAIT_CAPSULE_STRIDE 5 /* (a,ra)(b,rb) at step begin, then at its end; (friction,0,0,0) */
+
+/* grid_sum: per voxel, five 64-bit sums as (low, high) words: density, momentum xyz, tent*|v|^2. */
+#define PLAIT_SUM_COUNT 5
+#define PLAIT_SUM_STRIDE 10
+#define PLAIT_SUM_DENSITY_SCALE 16777216.0f    /* 2^24 per unit of tent weight */
+#define PLAIT_SUM_MOMENTUM_SCALE 1073741824.0f /* 2^30 per m/s of weighted velocity */
+#define PLAIT_SUM_ENERGY_SCALE 1048576.0f      /* 2^20 per m^2/s^2 of weighted squared speed */
+#define PLAIT_SUM_MAX_SPEED 1000.0f /* m/s; components beyond are clamped before the sum */
+
+/* Named choices. */
+#define PLAIT_WIND_PUBLISHED 0u
+#define PLAIT_WIND_DRAG 1u
+#define PLAIT_FOLLOW_PUBLISHED 0u
+#define PLAIT_FOLLOW_ROTATING 1u
+#define PLAIT_SHOCK_THRESHOLD 0u  /* c jumps from vsp_coeff to 1 at the threshold (published) */
+#define PLAIT_SHOCK_CONTINUOUS 1u /* c rises linearly to 1 between once and twice the threshold */
+#define PLAIT_SLOT_HASH_THESIS 0u
+#define PLAIT_SLOT_HASH_PCG 1u
+#define PLAIT_TENT_VOXEL 0u     /* eq. 4.1: 1 at the voxel centre, 0 at its faces; own voxel only */
+#define PLAIT_TENT_TRILINEAR 1u /* half-width one edge, nodes at voxel centres; 8 per vertex */
+#define PLAIT_DIFFUSE_THESIS 0u /* |v_c| > ratio * |mean_c| */
+#define PLAIT_DIFFUSE_FLOORED 1u /* |v_c| > ratio * max(|mean_c|, floor * rms) */
+
+/* roots: pose of every strand at fraction `alpha` of a step.
+ * The head pose is interpolated from -> to (nlerp, shorter arc; translation linearly); with
+ * per_root != 0 each strand's own pose, interpolated likewise, comes first (pose = head * root). */
+typedef struct plait_roots_params {
+    float head_from_q[4];
+    float head_from_t[4];
+    float head_to_q[4];
+    float head_to_t[4];
+    float alpha;        /* [0, 1] */
+    plait_u32 per_root; /* 0: root_from/root_to are null and not read */
+} plait_roots_params;
+
+/* reset, teleport, tangents, snapshot, stats: stages that need only the layout. */
+typedef struct plait_layout_params {
+    plait_u32 vertex_stride; /* V: vertices per strand row, 2..256 */
+} plait_layout_params;
+
+/* integrate: Verlet step and, if global_stiffness > 0, the global shape constraint. */
+typedef struct plait_integrate_params {
+    plait_u32 vertex_stride;
+    float h;                /* s */
+    float damping;          /* d in exp(-60 d h), dimensionless at 60 Hz */
+    float global_stiffness; /* s_G, [0, 1] */
+    float global_range;     /* fraction of a strand's vertices, [0, 1] */
+    float gravity[3];       /* m/s^2 */
+} plait_integrate_params;
+
+/* global_shape: the global shape constraint alone (order = shock_before_global). */
+typedef struct plait_global_shape_params {
+    plait_u32 vertex_stride;
+    float stiffness; /* [0, 1] */
+    float range;     /* [0, 1] */
+} plait_global_shape_params;
+
+/* strand_data: rigid motion of the root segment over the step. */
+typedef struct plait_strand_data_params {
+    plait_u32 vertex_stride;
+    float vsp_coeff;           /* c below the threshold, [0, 1] */
+    float vsp_accel_threshold; /* m; compared with |x1 - 2 prev1 + prev2_1| */
+    plait_u32 shock_form;      /* PLAIT_SHOCK_* */
+} plait_strand_data_params;
+
+/* local_shape: rest-shape constraint, root to tip. */
+typedef struct plait_local_shape_params {
+    plait_u32 vertex_stride;
+    float stiffness; /* s_L, [0, 1]; k = min(s_L, 0.95) / 2 */
+    plait_u32 iterations;
+} plait_local_shape_params;
+
+/* wind: published cone of four winds, or aerodynamic drag. */
+typedef struct plait_wind_params {
+    plait_u32 vertex_stride;
+    float h;          /* s */
+    plait_u32 form;   /* PLAIT_WIND_* */
+    float drag;       /* PLAIT_WIND_DRAG: rho_air C_d d / (2 rho A), 1/m */
+    float wind[4];    /* PLAIT_WIND_DRAG: air velocity, m/s (w unused) */
+    float corner[16]; /* PLAIT_WIND_PUBLISHED: the four winds blended per strand, xyz_ each */
+} plait_wind_params;
+
+/* length: red/black edge-length constraint. */
+typedef struct plait_length_params {
+    plait_u32 vertex_stride;
+    plait_u32 iterations;
+} plait_length_params;
+
+/* collide: push out of tapered capsules (a sphere has a == b) with Coulomb friction. */
+typedef struct plait_collide_params {
+    plait_u32 vertex_stride;
+    plait_u32 collider_count;
+    float alpha_from; /* fraction of the step at the substep's begin, [0, 1] */
+    float alpha_to;   /* fraction of the step at the substep's end, [0, 1] */
+} plait_collide_params;
+
+/* clamp: limit the displacement of a vertex per substep. */
+typedef struct plait_clamp_params {
+    plait_u32 vertex_stride;
+    float max_displacement; /* C, m */
+} plait_clamp_params;
+
+/* follow: place follow strands beside their guides. */
+typedef struct plait_follow_params {
+    plait_u32 vertex_stride;
+    plait_u32 guide_count;
+    float tip_separation;
+    plait_u32 form; /* PLAIT_FOLLOW_* */
+} plait_follow_params;
+
+/* grid_clear: fill words of a grid buffer. */
+typedef struct plait_grid_clear_params {
+    plait_u32 value;
+} plait_grid_clear_params;
+
+/* All other grid_* stages. A world point x has grid coordinates p = conj(q)*(x - t); the grid spans
+ * [0, edge_count*voxel_edge) in each; velocities in the grid are components in this frame. */
+typedef struct plait_grid_params {
+    plait_u32 vertex_stride;
+    plait_u32 edge_count;   /* voxels per edge nv, 1..64 */
+    plait_u32 capacity;     /* slots per voxel C, 1..65536 */
+    float voxel_edge;       /* e, m */
+    float q[4];             /* grid orientation */
+    float t[4];             /* world position of the grid's corner (w unused) */
+    float h;                /* s: velocity = (position - position_prev) / h */
+    plait_u32 slot_hash;    /* PLAIT_SLOT_HASH_* */
+    plait_u32 frame;        /* step counter, mixed into the pcg hash */
+    plait_u32 seed;         /* mixed into the pcg hash */
+    plait_u32 tent;         /* PLAIT_TENT_* (grid_splat, grid_diffuse) */
+    plait_u32 diffuse_rule; /* PLAIT_DIFFUSE_* */
+    float diffuse_ratio;    /* thesis: 2 */
+    float diffuse_factor;   /* remaining share of the velocity component, thesis: 0.9 */
+    float diffuse_floor;    /* PLAIT_DIFFUSE_FLOORED: share of the voxel's rms speed */
+} plait_grid_params;
+
+/* chain, cosserat, rod: one substep of a strand model over lanes. */
+typedef struct plait_lane_params {
+    plait_u32 vertex_stride;
+    plait_u32 tile;       /* strands per tile of the lane layout */
+    float h;              /* s */
+    plait_u32 iterations; /* chain: length solves; cosserat: sweeps; rod: Newton steps */
+    plait_u32 bdf2;       /* 0: backward Euler; 1: BDF2, needs the step before */
+    float drag;           /* c, 1/s, relative to the air */
+    float gravity[3];     /* m/s^2 */
+    float air[3];         /* velocity of the air, m/s */
+} plait_lane_params;
+
+/* lane_reset, lane_teleport. */
+typedef struct plait_lane_state_params {
+    plait_u32 vertex_stride;
+    plait_u32 tile;
+    plait_u32 history; /* 1: BDF2's step before is kept; 0: lane_x_before, lane_v_before are null */
+} plait_lane_state_params;
+
+/* lane_pack, lane_unpack. */
+typedef struct plait_lane_layout_params {
+    plait_u32 vertex_stride;
+    plait_u32 tile;
+    float h; /* s: position_prev = position - h v (lane_pack, lane_unpack) */
+} plait_lane_layout_params;
+
+/* lane_material: per vertex row, components of the lane layout. */
+#define PLAIT_LANE_LENGTH 0  /* l_i of the segment after vertex i, m; 0 past the tip */
+#define PLAIT_LANE_STRETCH 1 /* EA_i/l_i, N/m; 0 past the tip */
+#define PLAIT_LANE_BEND 2    /* 4EI/lbar of the joint before segment i, N m; 0 past the tip */
+#define PLAIT_LANE_MASS 3    /* m_i, kg; 1 past the tip */
+#define PLAIT_LANE_MATERIAL_COMPONENTS 4
+
+/* output: interpolate the finished steps and attach the result to the roots of now. */
+typedef struct plait_output_params {
+    plait_u32 vertex_stride;
+    float alpha; /* [0, 1]: 0 shows the step before the last, 1 the last */
+} plait_output_params;
+
+#endif

@@ -1,0 +1,39 @@
+/* tangents: unit tangents towards the tip; and padding as copies of the tip, for display.
+ *
+ * Items   vertices.
+ * Reads   vertex_count, position.
+ * Writes  tangent, w 0; position of padding only.
+ * Source  TressFX 4.1: n(x_(i+1) - x_i), the last vertex has the one before it.
+ * Changed a segment of no length takes the direction of the nearest one towards the root that has
+ *         some, else of the nearest towards the tip, else +y: a tangent is always a unit vector. */
+#pragma OPENCL FP_CONTRACT OFF
+#include "common/vec.clh"
+#include "plait/params.h"
+
+static float3 segment_direction(__global const float4* strand, uint segment) {
+    return normalize_or_zero(strand[segment + 1u].xyz - strand[segment].xyz);
+}
+
+static float3 tangent_at(__global const float4* strand, uint segment, uint count) {
+    float3 direction = segment_direction(strand, segment);
+    for (uint i = segment; i > 0u && dot3(direction, direction) == 0.0f; --i)
+        direction = segment_direction(strand, i - 1u);
+    for (uint i = segment + 1u; i + 1u < count && dot3(direction, direction) == 0.0f; ++i)
+        direction = segment_direction(strand, i);
+    return dot3(direction, direction) == 0.0f ? (float3)(0.0f, 1.0f, 0.0f) : direction;
+}
+
+__kernel void plait_tangents(const uint item_count, const plait_layout_params params,
+                             __global const uint* vertex_count, __global float4* position,
+                             __global float4* tangent) {
+    const uint item = get_global_id(0);
+    if (item >= item_count)
+        return;
+    const uint strand = item / params.vertex_stride;
+    const uint vertex = item % params.vertex_stride;
+    const uint count = vertex_count[strand];
+    __global float4* row = position + (size_t)strand * params.vertex_stride;
+    tangent[item] = (float4)(tangent_at(row, min(vertex, count - 2u), count), 0.0f);
+    if (vertex >= count)
+        row[vertex] = row[count - 1u];
+}

@@ -1,0 +1,41 @@
+# cmake --install: the library, its headers, find_package(plait) and plait.pc.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+set(headers plait.h plait_backend.h)
+if(PLAIT_OPENCL)
+  list(APPEND headers plait_opencl.h)
+endif()
+list(TRANSFORM headers PREPEND ${PROJECT_SOURCE_DIR}/include/plait/)
+file(GLOB wrapper CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/include/plait/*.hpp)
+install(FILES ${headers} ${wrapper} ${PROJECT_SOURCE_DIR}/cl/shared/plait/params.h
+              ${PROJECT_SOURCE_DIR}/cl/shared/plait/stages.def
+        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/plait)
+
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/plait)
+install(TARGETS plait EXPORT plait)
+install(EXPORT plait NAMESPACE plait:: FILE plaitTargets.cmake DESTINATION ${package_dir})
+
+configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/plaitConfig.cmake.in
+                              ${PROJECT_BINARY_DIR}/plaitConfig.cmake INSTALL_DESTINATION ${package_dir})
+# Before 1.0 a minor version may change the face.
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/plaitConfigVersion.cmake
+                                 COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/plaitConfig.cmake ${PROJECT_BINARY_DIR}/plaitConfigVersion.cmake
+        DESTINATION ${package_dir})
+
+set(pc_private "-lstdc++ -lm")
+if(PLAIT_OPENCL)
+  string(PREPEND pc_private "-lOpenCL ")
+endif()
+if(PLAIT_ASSIMP)
+  string(PREPEND pc_private "-lassimp ")
+endif()
+set(pc_cflags "")
+if(NOT BUILD_SHARED_LIBS)
+  set(pc_cflags " -DPLAIT_STATIC")
+endif()
+file(RELATIVE_PATH pc_prefix ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
+string(REGEX REPLACE "/$" "" pc_prefix ${pc_prefix})
+configure_file(${CMAKE_CURRENT_LIST_DIR}/plait.pc.in ${PROJECT_BINARY_DIR}/plait.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/plait.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)

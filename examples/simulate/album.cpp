@@ -1,0 +1,216 @@
+#include "album.hpp"
+#include "video.hpp"
+
+#include "render/render.hpp"
+#include "render/sheet.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <numbers>
+#include <set>
+
+namespace simulate {
+
+using Eigen::Vector3f;
+
+namespace {
+
+constexpr uint32_t compared = 5; // pictures in a row of the A/B sheet
+constexpr uint32_t columns = 4;  // of the contact sheet
+
+// `count` frames spread over all of them, the last one included.
+std::set<uint32_t> spread(uint32_t count, uint32_t frames) {
+    std::set<uint32_t> chosen;
+    for (uint32_t i = 1; i <= count; ++i)
+        chosen.insert((static_cast<uint32_t>(uint64_t{frames} * i / count)) -
+                      (frames >= count ? 1 : 0));
+    return chosen;
+}
+
+std::string caption(const Shot& shot) {
+    char text[32];
+    std::snprintf(text, sizeof text, "t = %.2f s", static_cast<double>(shot.time));
+    return text;
+}
+
+Vector3f towards_camera(const CameraChoice& choice) {
+    const float radians = std::numbers::pi_v<float> / 180.0f;
+    const float azimuth = choice.azimuth * radians, elevation = choice.elevation * radians;
+    return {std::sin(azimuth) * std::cos(elevation), std::sin(elevation),
+            std::cos(azimuth) * std::cos(elevation)};
+}
+
+// The distance from the middle of `box` at which its corners just fit a view with these half
+// angles.
+float fitting_distance(const Eigen::AlignedBox3f& box, const Vector3f& back, float tan_x,
+                       float tan_y) {
+    const Vector3f right = Vector3f::UnitY().cross(back).normalized(), up = back.cross(right);
+    float distance = 0.0f;
+    for (int corner = 0; corner < 8; ++corner) {
+        const auto which = static_cast<Eigen::AlignedBox3f::CornerType>(corner);
+        const Vector3f p = box.corner(which) - box.center();
+        const float needed = std::max(std::abs(p.dot(right)) / tan_x, std::abs(p.dot(up)) / tan_y);
+        distance = std::max(distance, p.dot(back) + needed);
+    }
+    return distance;
+}
+
+// The hair at rest fits the picture with some room for its swing.
+render::Camera fit_camera(const CameraChoice& choice, const PictureChoice& picture,
+                          const Figure& figure) {
+    constexpr float room = 1.12f;
+    render::Camera camera;
+    camera.field_of_view = choice.field_of_view;
+    const float tan_y =
+        std::tan(0.5f * choice.field_of_view * std::numbers::pi_v<float> / 180.0f) / room;
+    const float aspect = static_cast<float>(picture.width) / static_cast<float>(picture.height);
+    const Vector3f back = towards_camera(choice);
+    const float distance = fitting_distance(figure.hair_bounds, back, tan_y * aspect, tan_y);
+    camera.target = choice.target ? Vector3f(choice.target->data()) : figure.hair_bounds.center();
+    camera.eye = camera.target + back * distance / choice.zoom;
+    if (choice.eye)
+        camera.eye = Vector3f(choice.eye->data());
+    return camera;
+}
+
+render::Look make_look(const PictureChoice& choice) {
+    render::Look look;
+    if (choice.hair_root)
+        look.hair_root = Vector3f(choice.hair_root->data());
+    if (choice.hair_tip)
+        look.hair_tip = Vector3f(choice.hair_tip->data());
+    return look;
+}
+
+std::vector<render::SheetRow> in_rows(const std::map<uint32_t, render::Cell>& cells) {
+    std::vector<render::SheetRow> rows;
+    for (const auto& [frame, cell] : cells) {
+        if (rows.empty() || rows.back().cells.size() == columns)
+            rows.emplace_back();
+        rows.back().cells.push_back(cell);
+    }
+    return rows;
+}
+
+} // namespace
+
+struct Album::State {
+    const Scene& scene;
+    const Figure& figure;
+    render::Renderer renderer;
+    render::Camera camera;
+    render::Look look;
+    std::set<uint32_t> sheet_frames, compared_frames;
+    uint32_t video_every;
+    std::unique_ptr<Video> video;
+    std::map<uint32_t, render::Cell> cells, plain_cells; // by frame
+
+    State(const Scene& s, const Figure& f);
+    std::string path(const char* name) const { return scene.out + "/" + name; }
+    render::Image draw(const Shot& shot, uint32_t samples);
+    std::string title() const;
+    void write_sheets(std::vector<std::string>& files) const;
+    void write_comparison(std::vector<std::string>& files) const;
+};
+
+Album::State::State(const Scene& s, const Figure& f)
+    : scene(s), figure(f), camera(fit_camera(s.camera, s.pictures, f)), look(make_look(s.pictures)),
+      sheet_frames(spread(s.pictures.cells, s.frames())),
+      compared_frames(spread(compared, s.frames())),
+      video_every(std::max(1u, s.rate / std::min(s.rate, s.pictures.video_rate))) {
+    if (s.pictures.video && Video::possible())
+        video = std::make_unique<Video>(path("motion.mp4"), s.pictures.width, s.pictures.height,
+                                        static_cast<double>(s.rate) / video_every);
+}
+
+render::Image Album::State::draw(const Shot& shot, uint32_t samples) {
+    const render::Hair hair{shot.positions, shot.vertex_count, shot.row, scene.pictures.hair_width};
+    const render::Mesh head{figure.posed_head(shot.head), figure.head.triangles};
+    const render::Frame frame{static_cast<int>(scene.pictures.width),
+                              static_cast<int>(scene.pictures.height), static_cast<int>(samples),
+                              0};
+    return renderer.draw(hair, head, camera, look, frame);
+}
+
+std::string Album::State::title() const {
+    return std::to_string(figure.info.strands) + " strands x " +
+           std::to_string(figure.info.max_vertices) + ", " + scene.motion + ", " +
+           std::to_string(scene.rate) + " Hz, " + std::to_string(scene.substeps) +
+           " substeps, model " + model_names[scene.sim.model] + ", inter-hair " +
+           interhair_names[scene.sim.params.interhair];
+}
+
+void Album::State::write_sheets(std::vector<std::string>& files) const {
+    std::map<uint32_t, render::Cell> chosen;
+    for (const auto& [frame, cell] : cells)
+        if (sheet_frames.contains(frame))
+            chosen.emplace(frame, cell);
+    if (chosen.empty())
+        return;
+    render::write_sheet({"plait: " + std::filesystem::path(scene.groom.name).filename().string(),
+                         title(), in_rows(chosen)},
+                        path("sheet.png"));
+    files.push_back(path("sheet.png"));
+}
+
+void Album::State::write_comparison(std::vector<std::string>& files) const {
+    if (plain_cells.empty())
+        return;
+    const bool parity = scene.sim.model == PLAIT_MODEL_TRESSFX;
+    const std::string alone = parity ? "TressFX" : model_names[scene.sim.model];
+    const bool sampled = scene.sim.params.interhair == PLAIT_INTERHAIR_SLOTS;
+    render::SheetRow without{"A: " + alone + " alone", {}},
+        with{std::string("B: with the ") + (sampled ? "thesis's" : "exact") + " inter-hair step",
+             {}};
+    for (const auto& [frame, cell] : plain_cells) {
+        without.cells.push_back(cell);
+        with.cells.push_back(cells.at(frame));
+    }
+    render::write_sheet({"plait: " + std::filesystem::path(scene.groom.name).filename().string(),
+                         title(),
+                         {without, with}},
+                        path("ab.png"));
+    files.push_back(path("ab.png"));
+}
+
+std::string Album::why_not() {
+    return "";
+}
+
+Album::Album(const Scene& scene, const Figure& figure)
+    : state_(std::make_unique<State>(scene, figure)) {}
+Album::~Album() = default;
+
+bool Album::wants(uint32_t frame) const {
+    return state_->sheet_frames.contains(frame) || state_->compared_frames.contains(frame) ||
+           (state_->video && frame % state_->video_every == 0);
+}
+
+void Album::take(const Shot& shot) {
+    if (state_->sheet_frames.contains(shot.frame) || state_->compared_frames.contains(shot.frame))
+        state_->cells[shot.frame] = {state_->draw(shot, state_->scene.pictures.samples),
+                                     caption(shot)};
+    if (state_->video && shot.frame % state_->video_every == 0)
+        state_->video->add(state_->draw(shot, state_->scene.pictures.video_samples));
+}
+
+bool Album::wants_plain(uint32_t frame) const {
+    return state_->compared_frames.contains(frame);
+}
+
+void Album::take_plain(const Shot& shot) {
+    state_->plain_cells[shot.frame] = {state_->draw(shot, state_->scene.pictures.samples),
+                                       caption(shot)};
+}
+
+std::vector<std::string> Album::finish() {
+    std::vector<std::string> files;
+    state_->write_sheets(files);
+    state_->write_comparison(files);
+    if (state_->video && state_->video->close())
+        files.push_back(state_->path("motion.mp4"));
+    return files;
+}
+
+} // namespace simulate

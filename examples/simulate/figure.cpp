@@ -1,0 +1,211 @@
+#include "figure.hpp"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+
+namespace simulate {
+
+using Eigen::Vector3f;
+
+namespace {
+
+// The mannequin's neck twists between these heights, m.
+constexpr std::array<float, 2> mannequin_neck{-0.19f, -0.09f};
+
+template <typename T> plait_view view_of(const std::vector<T>& data, size_t components) {
+    return {data.data(), data.size() / components, 0};
+}
+
+template <typename T> std::vector<T> read_field(const plait_groom* groom, plait_groom_field field) {
+    size_t size = 0;
+    check(plait_groom_read(groom, field, nullptr, &size));
+    std::vector<T> data(size / sizeof(T));
+    check(plait_groom_read(groom, field, data.data(), &size));
+    return data;
+}
+
+plait_groom_info describe(const plait_groom* groom) {
+    plait_groom_info info{};
+    info.struct_size = sizeof info;
+    check(plait_groom_describe(groom, &info));
+    return info;
+}
+
+GroomHandle generate(const plait_generator::Style& style) {
+    const plait_generator::Strands strands = make_groom(style);
+    plait_groom_desc desc = plait_groom_desc_defaults();
+    desc.positions = view_of(strands.positions, 3);
+    desc.vertex_counts = view_of(strands.vertex_counts, 1);
+    desc.strand_uv = view_of(strands.uv, 2);
+    desc.thickness = view_of(strands.thickness, 1);
+    plait_groom* groom = nullptr;
+    check(plait_groom_create(&desc, nullptr, &groom));
+    return GroomHandle(groom);
+}
+
+// `wanted` strands spread evenly over the order of the file. Skin and UV are left out.
+GroomHandle thin_out(const plait_groom* groom, uint32_t wanted) {
+    const auto positions = read_field<float>(groom, PLAIT_GROOM_POSITIONS);
+    const auto counts = read_field<uint32_t>(groom, PLAIT_GROOM_VERTEX_COUNTS);
+    std::vector<float> kept;
+    std::vector<uint32_t> kept_counts;
+    size_t first = 0;
+    for (size_t strand = 0; strand < counts.size(); ++strand) {
+        const size_t end = first + counts[strand];
+        if ((strand + 1) * wanted / counts.size() > strand * wanted / counts.size()) {
+            kept.insert(kept.end(), &positions[3 * first], positions.data() + 3 * end);
+            kept_counts.push_back(counts[strand]);
+        }
+        first = end;
+    }
+    plait_groom_desc desc = plait_groom_desc_defaults();
+    desc.positions = view_of(kept, 3);
+    desc.vertex_counts = view_of(kept_counts, 1);
+    plait_groom* thinned = nullptr;
+    check(plait_groom_create(&desc, nullptr, &thinned));
+    return GroomHandle(thinned);
+}
+
+// The info keeps the repairs of the file even when strands are left out.
+GroomHandle load(const GroomChoice& choice, plait_groom_info& info) {
+    plait_import_options options = plait_import_options_defaults();
+    options.scale = choice.scale;
+    options.resample = choice.vertices;
+    plait_groom* loaded = nullptr;
+    check(plait_groom_load(choice.name.c_str(), &options, &loaded));
+    GroomHandle groom(loaded);
+    info = describe(groom.get());
+    if (choice.strands == 0 || choice.strands >= info.strands)
+        return groom;
+    GroomHandle thinned = thin_out(groom.get(), choice.strands);
+    const plait_groom_info whole = info;
+    info = describe(thinned.get());
+    std::copy(std::begin(whole.repairs), std::end(whole.repairs), std::begin(info.repairs));
+    info.repairs_total = whole.repairs_total;
+    std::copy(std::begin(whole.first_repair), std::end(whole.first_repair),
+              std::begin(info.first_repair));
+    return thinned;
+}
+
+std::vector<Vector3f> roots_of(const plait_groom* groom) {
+    const auto positions = read_field<float>(groom, PLAIT_GROOM_POSITIONS);
+    std::vector<Vector3f> roots;
+    size_t vertex = 0;
+    for (const uint32_t count : read_field<uint32_t>(groom, PLAIT_GROOM_VERTEX_COUNTS)) {
+        roots.emplace_back(positions[3 * vertex], positions[3 * vertex + 1],
+                           positions[3 * vertex + 2]);
+        vertex += count;
+    }
+    return roots;
+}
+
+// Least-squares sphere through the roots: |p|^2 = 2 c.p + (r^2 - |c|^2), linear in c and the rest.
+// Coordinates are about their mean, which keeps the system well conditioned.
+void fit_sphere(const std::vector<Vector3f>& roots, Vector3f& centre, float& radius) {
+    Vector3f mean = Vector3f::Zero();
+    for (const Vector3f& root : roots)
+        mean += root / static_cast<float>(roots.size());
+    Eigen::Matrix4f normal = Eigen::Matrix4f::Zero();
+    Eigen::Vector4f right = Eigen::Vector4f::Zero();
+    for (const Vector3f& root : roots) {
+        const Vector3f p = root - mean;
+        const Eigen::Vector4f row(2.0f * p.x(), 2.0f * p.y(), 2.0f * p.z(), 1.0f);
+        normal += row * row.transpose();
+        right += p.squaredNorm() * row;
+    }
+    const Eigen::Vector4f solution = normal.completeOrthogonalDecomposition().solve(right);
+    centre = mean + solution.head<3>();
+    radius = std::sqrt(std::max(0.0f, solution.w() + solution.head<3>().squaredNorm()));
+}
+
+// For a groom from a file: one sphere under the roots, small enough to hold no hair at rest.
+std::vector<Collider> skull_under(const plait_groom* groom) {
+    Vector3f centre;
+    float radius = 0.0f;
+    fit_sphere(roots_of(groom), centre, radius);
+    const auto positions = read_field<float>(groom, PLAIT_GROOM_POSITIONS);
+    std::vector<float> distances;
+    for (size_t v = 0; v < positions.size(); v += 3)
+        distances.push_back(
+            (Vector3f(positions[v], positions[v + 1], positions[v + 2]) - centre).norm());
+    const auto low = distances.begin() + static_cast<ptrdiff_t>(distances.size() / 100);
+    std::nth_element(distances.begin(), low, distances.end());
+    Collider skull{plait_collider_desc_defaults(), true};
+    for (int axis = 0; axis < 3; ++axis)
+        skull.shape.a[axis] = skull.shape.b[axis] = centre[axis];
+    skull.shape.radius_a = skull.shape.radius_b = std::max(1e-4f, std::min(radius, *low));
+    return {skull};
+}
+
+// The capsules are inscribed in the mannequin and only vertices collide, so hair that lies on the
+// shoulders would sink into them. On the head, where hair grows, there is no room for this.
+constexpr float body_margin = 0.012f; // m
+
+std::vector<Collider> mannequin_colliders() {
+    std::vector<Collider> colliders;
+    for (const plait_generator::Capsule& capsule : plait_generator::head_colliders()) {
+        Collider collider{plait_collider_desc_defaults(), capsule.moves_with_head};
+        std::copy_n(capsule.a, 3, collider.shape.a);
+        std::copy_n(capsule.b, 3, collider.shape.b);
+        const float margin = capsule.moves_with_head ? 0 : body_margin;
+        collider.shape.radius_a = capsule.radius_a + margin;
+        collider.shape.radius_b = capsule.radius_b + margin;
+        colliders.push_back(collider);
+    }
+    return colliders;
+}
+
+// Below the middle of the roots, as low as they go: about where the skull meets the spine.
+Vector pivot_under(const std::vector<Vector3f>& roots) {
+    Eigen::AlignedBox3f box;
+    for (const Vector3f& root : roots)
+        box.extend(root);
+    return {box.center().x(), box.min().y(), box.center().z()};
+}
+
+HeadMesh make_head(const Scene& scene) {
+    if (!scene.head.file.empty())
+        return load_head(scene.head.file, scene.groom.scale);
+    return scene.groom.generated ? mannequin() : HeadMesh{};
+}
+
+} // namespace
+
+Figure make_figure(const Scene& scene) {
+    Figure figure{};
+    const bool generated = scene.groom.generated;
+    figure.groom = generated ? generate(scene.groom.style) : load(scene.groom, figure.info);
+    if (generated)
+        figure.info = describe(figure.groom.get());
+    figure.head = make_head(scene);
+    if (scene.colliders)
+        figure.colliders = *scene.colliders;
+    else
+        figure.colliders = generated ? mannequin_colliders() : skull_under(figure.groom.get());
+    figure.pivot = generated ? Vector{} : pivot_under(roots_of(figure.groom.get()));
+    figure.pivot = scene.head.pivot.value_or(figure.pivot);
+    figure.neck = scene.head.neck;
+    if (generated && scene.head.file.empty() && !figure.neck)
+        figure.neck = mannequin_neck;
+    figure.hair_bounds = {Vector3f(figure.info.bounds_min), Vector3f(figure.info.bounds_max)};
+    return figure;
+}
+
+std::vector<Vector3f> Figure::posed_head(const plait_pose& pose) const {
+    const Eigen::Quaternionf turn(pose.q[3], pose.q[0], pose.q[1], pose.q[2]);
+    const Vector3f move(pose.t), centre(pivot.data());
+    const Vector3f offset = turn * centre + move - centre; // of the pivot
+    std::vector<Vector3f> posed;
+    posed.reserve(head.vertices.size());
+    for (const Vector3f& vertex : head.vertices) {
+        const float up = neck ? (vertex.y() - (*neck)[0]) / ((*neck)[1] - (*neck)[0]) : 1.0f;
+        const float share = std::clamp(up, 0.0f, 1.0f);
+        const float smooth = share * share * (3.0f - 2.0f * share);
+        const Eigen::Quaternionf part = Eigen::Quaternionf::Identity().slerp(smooth, turn);
+        posed.push_back(part * (vertex - centre) + centre + smooth * offset);
+    }
+    return posed;
+}
+
+} // namespace simulate

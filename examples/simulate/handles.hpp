@@ -1,0 +1,17 @@
+// plait's objects, owned.
+#pragma once
+
+#include "failure.hpp"
+
+#include <memory>
+
+namespace simulate {
+
+template <auto destroy> struct Destroyer {
+    void operator()(auto* object) const { destroy(object); }
+};
+using ContextHandle = std::unique_ptr<plait_context, Destroyer<plait_context_destroy>>;
+using GroomHandle = std::unique_ptr<plait_groom, Destroyer<plait_groom_destroy>>;
+using SimHandle = std::unique_ptr<plait_sim, Destroyer<plait_sim_destroy>>;
+
+} // namespace simulate

@@ -1,0 +1,150 @@
+#include "head_mesh.hpp"
+#include "failure.hpp"
+
+#include "generator/generator.hpp"
+
+#include <fstream>
+#include <sstream>
+
+#ifdef PLAIT_WITH_ASSIMP
+#include <assimp/Importer.hpp>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+#endif
+
+namespace simulate {
+
+namespace {
+
+// ---- .tfxmesh: sections "numOfX N", then N lines that begin with their index; # starts a comment
+
+class TfxmeshReader {
+  public:
+    explicit TfxmeshReader(const std::string& file) : file_(file), stream_(file) {
+        if (!stream_)
+            throw Failure(file + ": cannot be opened");
+    }
+
+    HeadMesh read() {
+        HeadMesh mesh;
+        skip_lines(section("numOfBones"));
+        const uint32_t vertices = section("numOfVertices");
+        for (uint32_t i = 0; i < vertices; ++i)
+            mesh.vertices.push_back(vertex());
+        const uint32_t triangles = section("numOfTriangles");
+        for (uint32_t i = 0; i < triangles; ++i)
+            mesh.triangles.push_back(triangle(vertices));
+        return mesh;
+    }
+
+  private:
+    [[noreturn]] void fail(const std::string& problem) const {
+        throw Failure(file_ + ":" + std::to_string(line_number_) + ": " + problem);
+    }
+
+    std::istringstream next_line() {
+        std::string line;
+        while (std::getline(stream_, line)) {
+            ++line_number_;
+            if (line.find_first_not_of(" \t\r") != std::string::npos && line[0] != '#')
+                return std::istringstream(line);
+        }
+        fail("the file ends early");
+    }
+
+    uint32_t section(const std::string& name) {
+        std::istringstream line = next_line();
+        std::string word;
+        uint32_t count = 0;
+        if (!(line >> word >> count) || word != name)
+            fail("expected \"" + name + " N\"");
+        return count;
+    }
+
+    void skip_lines(uint32_t count) {
+        for (uint32_t i = 0; i < count; ++i)
+            next_line();
+    }
+
+    Eigen::Vector3f vertex() {
+        std::istringstream line = next_line();
+        uint32_t index = 0;
+        Eigen::Vector3f p;
+        if (!(line >> index >> p.x() >> p.y() >> p.z()))
+            fail("expected an index and a position");
+        return p;
+    }
+
+    std::array<uint32_t, 3> triangle(uint32_t vertices) {
+        std::istringstream line = next_line();
+        uint32_t index = 0;
+        std::array<uint32_t, 3> corners{};
+        if (!(line >> index >> corners[0] >> corners[1] >> corners[2]))
+            fail("expected an index and three vertices");
+        for (const uint32_t corner : corners)
+            if (corner >= vertices)
+                fail("vertex " + std::to_string(corner) + " of " + std::to_string(vertices));
+        return corners;
+    }
+
+    std::string file_;
+    std::ifstream stream_;
+    int line_number_ = 0;
+};
+
+// ---- assimp
+
+#ifdef PLAIT_WITH_ASSIMP
+void append(HeadMesh& head, const aiMesh& mesh) {
+    const auto first = static_cast<uint32_t>(head.vertices.size());
+    for (unsigned v = 0; v < mesh.mNumVertices; ++v)
+        head.vertices.emplace_back(mesh.mVertices[v].x, mesh.mVertices[v].y, mesh.mVertices[v].z);
+    for (unsigned f = 0; f < mesh.mNumFaces; ++f)
+        if (const aiFace& face = mesh.mFaces[f]; face.mNumIndices == 3)
+            head.triangles.push_back(
+                {first + face.mIndices[0], first + face.mIndices[1], first + face.mIndices[2]});
+}
+
+HeadMesh read_by_assimp(const std::string& file) {
+    Assimp::Importer importer;
+    // Only positions matter: without normals and texture coordinates vertices join across seams.
+    importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS,
+                                aiComponent_NORMALS | aiComponent_TEXCOORDS | aiComponent_COLORS);
+    const aiScene* scene = importer.ReadFile(
+        file, aiProcess_Triangulate | aiProcess_RemoveComponent | aiProcess_JoinIdenticalVertices |
+                  aiProcess_PreTransformVertices);
+    if (!scene)
+        throw Failure(file + ": " + importer.GetErrorString());
+    HeadMesh head;
+    for (unsigned m = 0; m < scene->mNumMeshes; ++m)
+        append(head, *scene->mMeshes[m]);
+    return head;
+}
+#else
+HeadMesh read_by_assimp(const std::string& file) {
+    throw Failure(file + ": this plait-simulate was built without assimp and reads .tfxmesh only");
+}
+#endif
+
+} // namespace
+
+HeadMesh mannequin() {
+    const plait_generator::HeadMesh made = plait_generator::make_head(2);
+    HeadMesh head;
+    for (size_t v = 0; v < made.positions.size(); v += 3)
+        head.vertices.emplace_back(made.positions[v], made.positions[v + 1], made.positions[v + 2]);
+    for (size_t t = 0; t < made.triangles.size(); t += 3)
+        head.triangles.push_back({made.triangles[t], made.triangles[t + 1], made.triangles[t + 2]});
+    return head;
+}
+
+HeadMesh load_head(const std::string& file, float scale) {
+    HeadMesh head = file.ends_with(".tfxmesh") ? TfxmeshReader(file).read() : read_by_assimp(file);
+    if (head.triangles.empty())
+        throw Failure(file + ": no triangles");
+    for (Eigen::Vector3f& vertex : head.vertices)
+        vertex *= scale;
+    return head;
+}
+
+} // namespace simulate

@@ -1,0 +1,23 @@
+// The mesh under the hair: the generated mannequin, or a file.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace simulate {
+
+struct HeadMesh {
+    std::vector<Eigen::Vector3f> vertices; // m
+    std::vector<std::array<uint32_t, 3>> triangles;
+};
+
+HeadMesh mannequin();
+
+// .tfxmesh (ASCII, as TressFX 4 exports), or whatever assimp reads. Throws Failure.
+HeadMesh load_head(const std::string& file, float scale);
+
+} // namespace simulate

@@ -1,0 +1,75 @@
+// Strict reading of a JSON object: every value's type and range is checked, unknown keys are errors
+// that name the nearest known one, and each message says where the value came from.
+#pragma once
+
+#include "failure.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace simulate {
+
+using Json = nlohmann::json;
+
+// The name in `known` with the smallest edit distance to `word`.
+std::string_view nearest(std::string_view word, const std::vector<std::string>& known);
+
+// Where a document's keys come from, by top-level key: a file, or the command line.
+struct Origin {
+    std::string file;                   // "" if there is none
+    Json command_line = Json::object(); // the keys that were given as options
+    std::string of(const std::string& top_level_key) const;
+};
+
+// One object of the document. Read every key there is, then call finish().
+class JsonReader {
+  public:
+    JsonReader(const Json& object, const Origin& origin, std::string path = "");
+
+    // Each leaves `target` as it is when the key is absent, and returns whether it is present.
+    bool number(const char* key, float& target, double least, double most);
+    bool number(const char* key, double& target, double least, double most);
+    bool integer(const char* key, uint32_t& target, uint32_t least, uint32_t most);
+    bool integer(const char* key, uint64_t& target);
+    bool flag(const char* key, bool& target);
+    bool text(const char* key, std::string& target);
+    bool numbers(const char* key, std::span<float> target, double least, double most);
+
+    // One of `names`; the target becomes its index.
+    template <typename T>
+    bool choice(const char* key, T& target, std::span<const char* const> names) {
+        int index = static_cast<int>(target);
+        const bool present = choose(key, index, names);
+        target = static_cast<T>(index);
+        return present;
+    }
+
+    // The value itself, for keys that hold objects or lists; null when absent.
+    const Json* value(const char* key);
+    JsonReader object(const Json& value, const char* key) const;
+    JsonReader element(const Json& list, size_t index, const char* key) const;
+
+    void finish() const;
+    [[noreturn]] void fail(const std::string& key, const std::string& problem) const;
+
+  private:
+    bool choose(const char* key, int& index, std::span<const char* const> names);
+    double checked(const std::string& key, const Json& value, double least, double most) const;
+    std::string place(const std::string& key) const;
+
+    const Json& object_;
+    const Origin& origin_;
+    std::string path_; // "params.", or "" at the top
+    std::vector<std::string> known_;
+};
+
+// The document in `file`. Throws Failure with file, line and column when it is not JSON.
+Json read_json(const std::string& file);
+
+} // namespace simulate

@@ -1,0 +1,136 @@
+// plait-simulate: simulate a groom on a moving head and show what came of it.
+#include "album.hpp"
+#include "cache.hpp"
+#include "options.hpp"
+#include "progress.hpp"
+#include "report.hpp"
+
+#include <cstdio>
+#include <filesystem>
+
+namespace simulate {
+
+namespace {
+
+void make_folder(const std::string& path) {
+    std::error_code error;
+    std::filesystem::create_directories(path, error);
+    if (error)
+        throw Failure(path + ": " + error.message());
+}
+
+std::unique_ptr<Album> make_album(const Scene& scene, const Figure& figure) {
+    if (!scene.pictures.wanted)
+        return nullptr;
+    if (const std::string reason = Album::why_not(); !reason.empty()) {
+        std::fprintf(stderr, "plait-simulate: %s\n", reason.c_str());
+        return nullptr;
+    }
+    return std::make_unique<Album>(scene, figure);
+}
+
+Measurements run_scene(const Scene& scene, const Figure& figure, Album* album) {
+    Simulation simulation(scene, figure);
+    std::vector<Watcher> watchers;
+    std::unique_ptr<CacheWriter> cache;
+    if (!scene.cache.empty()) {
+        cache =
+            std::make_unique<CacheWriter>(scene.cache, simulation.vertex_count(), simulation.row(),
+                                          scene.frames(), static_cast<float>(scene.rate));
+        watchers.push_back(
+            {[](uint32_t) { return true; }, [&](const Shot& shot) { cache->append(shot); }});
+    }
+    if (album)
+        watchers.push_back({[album](uint32_t frame) { return album->wants(frame); },
+                            [album](const Shot& shot) { album->take(shot); }});
+    return simulation.run(*make_motion(scene.motion), watchers, "simulating");
+}
+
+// The same run without the inter-hair step, for the A/B sheet and the cost of the step.
+Measurements run_plain(Scene scene, const Figure& figure, Album* album) {
+    scene.sim.params.interhair = PLAIT_INTERHAIR_OFF;
+    std::vector<Watcher> watchers;
+    if (album)
+        watchers.push_back({[album](uint32_t frame) { return album->wants_plain(frame); },
+                            [album](const Shot& shot) { album->take_plain(shot); }});
+    return Simulation(scene, figure).run(*make_motion(scene.motion), watchers, "comparing ");
+}
+
+void finish_report(Report& report, Album* album) {
+    report.interrupted = interrupted();
+    if (album)
+        report.files = album->finish();
+    const Json json = to_json(report);
+    for (const std::string& path : {report.scene.out + "/stats.json", report.scene.json})
+        if (!path.empty()) {
+            write_json(json, path);
+            report.files.push_back(path);
+        }
+    print_report(report);
+}
+
+void simulate_scene(const Scene& scene) {
+    const Figure figure = make_figure(scene);
+    make_folder(scene.out);
+    const std::unique_ptr<Album> album = make_album(scene, figure);
+    Report report{scene, figure, run_scene(scene, figure, album.get()), {}, false, {}};
+    if (album && scene.sim.params.interhair != PLAIT_INTERHAIR_OFF && !interrupted())
+        report.plain = run_plain(scene, figure, album.get());
+    finish_report(report, album.get());
+}
+
+// Draws a trajectory. The scene's groom gives the head, the pivot and the camera.
+void replay(Scene scene) {
+    CacheReader cache(scene.replay);
+    scene.rate = static_cast<uint32_t>(std::max(1.0f, cache.header().rate));
+    scene.seconds = static_cast<float>(cache.frames()) / static_cast<float>(scene.rate);
+    if (cache.frames() == 0)
+        throw Failure(scene.replay + ": holds no whole frame");
+    const Figure figure = make_figure(scene);
+    make_folder(scene.out);
+    const std::unique_ptr<Album> album = make_album(scene, figure);
+    Progress progress("drawing", cache.frames());
+    for (uint32_t frame = 0; frame < cache.frames() && album && !interrupted(); ++frame) {
+        if (album->wants(frame))
+            album->take(cache.read(frame));
+        progress.update(frame + 1);
+    }
+    std::printf("%u of %u frames\n", cache.frames(), cache.header().frames_planned);
+    if (album)
+        for (const std::string& file : album->finish())
+            std::printf("wrote %s\n", file.c_str());
+}
+
+Exit run(const CommandLine& line) {
+    if (line.list_devices) {
+        print_devices();
+        return Exit::ok;
+    }
+    watch_for_interrupt();
+    const Scene scene = make_scene(line.scene_file, line.keys);
+    if (scene.replay.empty())
+        simulate_scene(scene);
+    else
+        replay(scene);
+    return Exit::ok;
+}
+
+} // namespace
+
+} // namespace simulate
+
+int main(int argc, char** argv) {
+    using namespace simulate;
+    const CommandLine line = read_command_line(argc, argv);
+    if (line.exit_code)
+        return *line.exit_code;
+    try {
+        return static_cast<int>(run(line));
+    } catch (const Failure& failure) {
+        std::fprintf(stderr, "plait-simulate: %s\n", failure.what());
+        return static_cast<int>(failure.exit);
+    } catch (const std::exception& failure) {
+        std::fprintf(stderr, "plait-simulate: %s\n", failure.what());
+        return static_cast<int>(Exit::user_error);
+    }
+}

@@ -1,0 +1,70 @@
+#include "options.hpp"
+
+#include <CLI/CLI.hpp>
+
+namespace simulate {
+
+namespace {
+
+constexpr const char* footer =
+    "Leaves in --out: sheet.png (the motion), ab.png (without and with the inter-hair step),\n"
+    "motion.mp4 when ffmpeg is there, and stats.json. Ctrl-C ends early and keeps what there is.\n"
+    "Exit codes: 0 done, 1 the input is at fault, 2 the device is.";
+
+// An option that becomes the scene-file key `key`.
+template <typename T>
+void option(CLI::App& app, Json& keys, const char* flag, const char* key, const char* type,
+            const char* help) {
+    app.add_option_function<T>(
+           flag, [&keys, key](const T& value) { keys[key] = value; }, help)
+        ->type_name(type);
+}
+
+void add_options(CLI::App& app, CommandLine& line) {
+    Json& keys = line.keys;
+    const auto text = [&](auto... rest) { option<std::string>(app, keys, rest...); };
+    const auto count = [&](auto... rest) { option<uint64_t>(app, keys, rest...); };
+    app.add_option("--scene", line.scene_file, "scene file; options win over it")
+        ->type_name("FILE.json");
+    text("--groom", "groom", "NAME|FILE",
+         "long, braid, curly, short, or .tfx .hair .obj .gltf .glb [long]");
+    count("--strands", "strands", "N",
+          "strands; of a file, at most so many [10000, all of a file]");
+    count("--vertices", "vertices", "V", "vertices per strand, 2..256 [16, as in the file]");
+    text("--head", "head", "FILE", "mesh under the hair: .tfxmesh, or what assimp reads");
+    text("--motion", "motion", "NAME|FILE",
+         "still, shake, turn, nod, shake_and_turn, walk, or .csv .json keyframes");
+    option<double>(app, keys, "--seconds", "seconds", "S", "length of the motion [4]");
+    count("--rate", "rate", "HZ", "steps and frames a second [60]");
+    count("--substeps", "substeps", "N", "per step [2]");
+    text("--model", "model", "NAME", "tressfx, chain, cosserat or rod [tressfx]");
+    text("--interhair", "interhair", "NAME", "off, slots (the thesis) or exact [slots]");
+    text("--device", "device", "TEXT", "part of a device's or platform's name [the best]");
+    text("--backend", "backend", "NAME", "opencl or reference [the best]");
+    text("--out", "out", "FOLDER", "where the results go [out]");
+    text("--cache", "cache", "FILE", "write the trajectory here");
+    text("--replay", "replay", "FILE", "draw a trajectory instead of simulating one");
+    text("--json", "json", "FILE", "write the statistics here as well");
+    count("--seed", "seed", "N", "of everything random [1]");
+    app.add_flag_callback(
+        "--no-pictures", [&keys] { keys["pictures"] = false; }, "numbers only");
+    app.add_flag("--list-devices", line.list_devices, "list the devices and stop");
+}
+
+} // namespace
+
+CommandLine read_command_line(int argc, char** argv) {
+    CommandLine line;
+    CLI::App app("Simulates hair on a moving head and shows what came of it.", "plait-simulate");
+    app.footer(footer);
+    add_options(app, line);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        line.exit_code =
+            app.exit(error) == 0 ? static_cast<int>(Exit::ok) : static_cast<int>(Exit::user_error);
+    }
+    return line;
+}
+
+} // namespace simulate

@@ -1,0 +1,143 @@
+#include "report.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+
+namespace simulate {
+
+namespace {
+
+double ms_per_frame(const plait_stage_time& stage, const Measurements& run) {
+    return run.frames ? 1e3 * stage.seconds / run.frames : 0.0;
+}
+
+Json stage_ms(const Measurements& run) {
+    Json stages = Json::object();
+    for (const plait_stage_time& stage : run.stages)
+        if (stage.calls)
+            stages[stage.stage] = ms_per_frame(stage, run);
+    return stages;
+}
+
+std::string hex(uint64_t value) {
+    char text[17];
+    std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(value));
+    return text;
+}
+
+Json measured(const Measurements& run) {
+    return {{"frames", run.frames},
+            {"ms_per_frame", run.median_ms()},
+            {"stage_ms", stage_ms(run)},
+            {"max_stretch", run.max_stretch},
+            {"mean_stretch", run.mean_stretch},
+            {"nonfinite", run.nonfinite},
+            {"grid_outside", run.last.grid_outside},
+            {"hash", hex(run.hash)}};
+}
+
+const char* type_name(plait_device_type type) {
+    return type == PLAIT_DEVICE_CPU ? "CPU" : type == PLAIT_DEVICE_GPU ? "GPU" : "other";
+}
+
+void print_stages(const Measurements& run) {
+    std::vector<plait_stage_time> stages = run.stages;
+    std::sort(stages.begin(), stages.end(),
+              [](const auto& a, const auto& b) { return a.seconds > b.seconds; });
+    double total = 0.0;
+    for (const plait_stage_time& stage : stages)
+        total += ms_per_frame(stage, run);
+    std::printf("%-18s %10s %8s %8s\n", "stage", "ms/frame", "share", "calls");
+    for (const plait_stage_time& stage : stages)
+        if (stage.calls)
+            std::printf("%-18s %10.3f %7.1f%% %8llu\n", stage.stage, ms_per_frame(stage, run),
+                        total > 0.0 ? 100.0 * ms_per_frame(stage, run) / total : 0.0,
+                        static_cast<unsigned long long>(stage.calls));
+    std::printf("%-18s %10.3f\n", "all stages", total);
+}
+
+void print_comparison(const Measurements& main, const Measurements& plain) {
+    std::printf("without the inter-hair step: %.2f ms/frame, worst stretch %.2f %%; the step costs "
+                "%+.2f ms\n",
+                plain.median_ms(), 100.0 * static_cast<double>(plain.max_stretch),
+                main.median_ms() - plain.median_ms());
+}
+
+} // namespace
+
+Json to_json(const Report& report) {
+    const Scene& scene = report.scene;
+    Json json = measured(report.main);
+    json["device"] = report.main.device.name;
+    json["platform"] = report.main.device.platform;
+    json["backend"] = report.main.device.backend;
+    json["driver"] = report.main.device.driver;
+    json["groom"] = scene.groom.name;
+    json["motion"] = scene.motion;
+    json["model"] = model_names[scene.sim.model];
+    json["interhair"] = interhair_names[scene.sim.params.interhair];
+    json["strands"] = report.main.last.strands;
+    json["vertices"] = report.main.last.vertices_per_strand;
+    json["frames_planned"] = scene.frames();
+    json["rate"] = scene.rate;
+    json["substeps"] = scene.substeps;
+    json["seed"] = scene.seed;
+    json["device_bytes"] = report.main.last.device_bytes;
+    json["import_repairs"] = report.figure.info.repairs_total;
+    json["first_repair"] = report.figure.info.first_repair;
+    json["interrupted"] = report.interrupted;
+    if (report.plain)
+        json["without_interhair"] = measured(*report.plain);
+    return json;
+}
+
+void write_json(const Json& json, const std::string& path) {
+    const std::string partial = path + ".part";
+    std::ofstream stream(partial);
+    stream << json.dump(2) << '\n';
+    stream.close();
+    std::error_code error;
+    if (stream)
+        std::filesystem::rename(partial, path, error);
+    if (!stream || error)
+        throw Failure(path + ": cannot be written");
+}
+
+void print_report(const Report& report) {
+    const Measurements& run = report.main;
+    std::printf("%s (%s), %llu strands x %u, %u of %u frames%s\n", run.device.name,
+                run.device.backend, static_cast<unsigned long long>(run.last.strands),
+                run.last.vertices_per_strand, run.frames, report.scene.frames(),
+                report.interrupted ? ", interrupted" : "");
+    print_stages(run);
+    std::printf("median frame %.2f ms; worst stretch %.2f %%, mean at the end %.2f %%; non-finite "
+                "vertices %llu\n",
+                run.median_ms(), 100.0 * static_cast<double>(run.max_stretch),
+                100.0 * static_cast<double>(run.mean_stretch),
+                static_cast<unsigned long long>(run.nonfinite));
+    if (report.plain)
+        print_comparison(run, *report.plain);
+    if (report.figure.info.repairs_total)
+        std::printf("%llu repairs at import; the first: %s\n",
+                    static_cast<unsigned long long>(report.figure.info.repairs_total),
+                    report.figure.info.first_repair);
+    for (const std::string& file : report.files)
+        std::printf("wrote %s\n", file.c_str());
+}
+
+void print_devices() {
+    size_t count = 0;
+    check(plait_devices_list(nullptr, &count));
+    std::vector<plait_device_info> devices(count);
+    for (plait_device_info& device : devices)
+        device.struct_size = sizeof device;
+    check(plait_devices_list(devices.data(), &count));
+    devices.resize(count);
+    for (const plait_device_info& device : devices)
+        std::printf("%-10s %-5s %-40s %s, %u units\n", device.backend, type_name(device.type),
+                    device.name, device.platform, device.compute_units);
+}
+
+} // namespace simulate

@@ -1,0 +1,26 @@
+// What plait-simulate says about a run: a table for people, JSON for programs.
+#pragma once
+
+#include "run.hpp"
+
+namespace simulate {
+
+struct Report {
+    const Scene& scene;
+    const Figure& figure;
+    Measurements main;
+    std::optional<Measurements> plain; // the same without the inter-hair step
+    bool interrupted = false;
+    std::vector<std::string> files;
+};
+
+// The keys are listed in docs/simulate.md.
+Json to_json(const Report& report);
+
+// Whole or not at all: written beside `path`, then renamed.
+void write_json(const Json& json, const std::string& path);
+
+void print_report(const Report& report);
+void print_devices();
+
+} // namespace simulate

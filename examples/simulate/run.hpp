@@ -1,0 +1,63 @@
+// One figure moved through one motion on one device, frame by frame.
+#pragma once
+
+#include "figure.hpp"
+#include "motion.hpp"
+#include "shot.hpp"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace simulate {
+
+// What a run measured. Stretch and non-finite counts are the worst over its frames.
+struct Measurements {
+    uint32_t frames = 0; // done
+    std::vector<double> frame_ms;
+    std::vector<plait_stage_time> stages; // of all frames
+    plait_device_info device{};
+    plait_sim_stats last{};
+    float max_stretch = 0.0f;
+    float mean_stretch = 0.0f; // of the last frame
+    uint64_t nonfinite = 0;
+    uint64_t hash = 0;
+    double median_ms() const;
+};
+
+// `wanted(frame)`: whether see() is to be given that frame's positions.
+struct Watcher {
+    std::function<bool(uint32_t frame)> wanted;
+    std::function<void(const Shot&)> see;
+};
+
+class Simulation {
+  public:
+    Simulation(const Scene& scene, const Figure& figure);
+
+    // Ends early, with what there is, when interrupted. Throws Failure.
+    Measurements run(const Motion& motion, const std::vector<Watcher>& watchers,
+                     const std::string& label);
+
+    uint32_t row() const { return row_; }
+    const std::vector<uint32_t>& vertex_count() const { return vertex_count_; }
+
+  private:
+    void add_colliders();
+    void pose_all(const plait_pose& head);
+    double step_ms(const plait_pose& head);
+    void measure(Measurements& measurements);
+    void show(uint32_t frame, const plait_pose& head, const std::vector<Watcher>& watchers);
+    void finish(Measurements& measurements);
+
+    const Scene& scene_;
+    const Figure& figure_;
+    ContextHandle context_;
+    SimHandle sim_;
+    std::vector<plait_collider_id> moving_;
+    std::vector<float> positions_;
+    std::vector<uint32_t> vertex_count_;
+    uint32_t row_ = 0;
+};
+
+} // namespace simulate

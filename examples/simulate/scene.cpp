@@ -1,0 +1,284 @@
+#include "scene.hpp"
+
+#include <cmath>
+#include <filesystem>
+
+namespace simulate {
+
+using plait_generator::Style;
+
+const std::array<const char*, 4> model_names{"tressfx", "chain", "cosserat", "rod"};
+const std::array<const char*, 3> interhair_names{"off", "slots", "exact"};
+
+namespace {
+
+constexpr std::array wind_names{"published", "drag"};
+constexpr std::array follow_names{"published", "rotating"};
+constexpr std::array shock_names{"threshold", "continuous"};
+constexpr std::array order_names{"published", "shock_before_global"};
+constexpr std::array hash_names{"thesis", "pcg"};
+constexpr std::array tent_names{"voxel", "trilinear"};
+constexpr std::array rule_names{"thesis", "floored"};
+constexpr std::array style_names{"long", "braid", "curly", "short"};
+
+// A path in a scene file is relative to that file, one on the command line to the working
+// directory.
+std::string resolve(const std::string& path, const char* key, const Origin& origin) {
+    if (origin.command_line.contains(key) || origin.file.empty())
+        return path;
+    return (std::filesystem::path(origin.file).parent_path() / path).string();
+}
+
+void read_model(JsonReader& in, plait_sim_params& p) {
+    in.numbers("gravity", p.gravity, -1e4, 1e4);
+    in.number("damping", p.damping, 0, 100);
+    in.number("local_stiffness", p.local_stiffness, 0, 1);
+    in.integer("local_iterations", p.local_iterations, 0, 64);
+    in.number("global_stiffness", p.global_stiffness, 0, 1);
+    in.number("global_range", p.global_range, 0, 1);
+    in.integer("length_iterations", p.length_iterations, 0, 256);
+    in.number("vsp_coeff", p.vsp_coeff, 0, 1);
+    in.number("vsp_accel_threshold", p.vsp_accel_threshold, 0, 1e6);
+    in.number("max_displacement", p.max_displacement, 1e-9, 1e6);
+    in.number("tip_separation", p.tip_separation, 0, 100);
+    in.choice("follow_form", p.follow_form, follow_names);
+    in.choice("shock_form", p.shock_form, shock_names);
+    in.choice("order", p.order, order_names);
+}
+
+void read_material(JsonReader& in, plait_sim_params& p) {
+    in.integer("iterations", p.iterations, 0, 64);
+    in.integer("bdf2", p.bdf2, 0, 1);
+    in.number("line_density", p.line_density, 1e-9, 1e3);
+    in.number("bend_stiffness", p.bend_stiffness, 0, 1e3);
+    in.number("stretch_stiffness", p.stretch_stiffness, 0, 1e9);
+    in.number("tip_stiffness", p.tip_stiffness, 0, 100);
+    in.number("drag", p.drag, 0, 1e4);
+}
+
+void read_air(JsonReader& in, plait_sim_params& p) {
+    in.choice("wind_form", p.wind_form, wind_names);
+    in.numbers("wind", p.wind, -1e3, 1e3);
+    in.number("air_drag", p.air_drag, 0, 1e6);
+    in.number("wind_cone", p.wind_cone, 0, 1.5707964);
+}
+
+void read_interhair(JsonReader& in, plait_sim_params& p) {
+    in.choice("interhair", p.interhair, interhair_names);
+    in.integer("grid_edge_count", p.grid_edge_count, 1, 64);
+    in.integer("slot_capacity", p.slot_capacity, 1, 65536);
+    in.choice("slot_hash", p.slot_hash, hash_names);
+    in.choice("tent", p.tent, tent_names);
+    in.choice("diffuse_rule", p.diffuse_rule, rule_names);
+    in.number("diffuse_ratio", p.diffuse_ratio, 0, 1e6);
+    in.number("diffuse_factor", p.diffuse_factor, 0, 1);
+    in.number("diffuse_floor", p.diffuse_floor, 0, 1);
+    in.integer("grid_in_world", p.grid_in_world, 0, 1);
+    in.numbers("grid_origin", p.grid_origin, -1e6, 1e6);
+    in.number("grid_edge", p.grid_edge, 0, 1e6);
+}
+
+void read_params(const JsonReader& top, const Json& value, plait_sim_params& params) {
+    JsonReader in = top.object(value, "params");
+    read_model(in, params);
+    read_material(in, params);
+    read_air(in, params);
+    read_interhair(in, params);
+    in.finish();
+}
+
+// Ranges are the generator's: style_problem() below.
+void read_style(const JsonReader& top, const Json& value, Style& style) {
+    struct Field {
+        const char* key;
+        double Style::*member;
+    };
+    static constexpr Field fields[] = {{"length", &Style::length},
+                                       {"length_variation", &Style::length_variation},
+                                       {"volume", &Style::volume},
+                                       {"lift", &Style::lift},
+                                       {"part", &Style::part},
+                                       {"clump_tightness", &Style::clump_tightness},
+                                       {"wave_amplitude", &Style::wave_amplitude},
+                                       {"wave_length", &Style::wave_length},
+                                       {"curl_radius", &Style::curl_radius},
+                                       {"curl_pitch", &Style::curl_pitch},
+                                       {"curl_variation", &Style::curl_variation},
+                                       {"bundle_radius", &Style::bundle_radius},
+                                       {"braid_pitch", &Style::braid_pitch},
+                                       {"braid_length", &Style::braid_length}};
+    JsonReader in = top.object(value, "style");
+    for (const Field& field : fields)
+        in.number(field.key, style.*field.member, -1e6, 1e6);
+    in.integer("clumps", style.clumps, 1, 100000);
+    in.finish();
+}
+
+void read_groom(JsonReader& top, const Origin& origin, Scene& scene) {
+    GroomChoice& groom = scene.groom;
+    top.text("groom", groom.name);
+    top.integer("strands", groom.strands, 1, 1000000);
+    top.integer("vertices", groom.vertices, 2, 256);
+    top.number("scale", groom.scale, 1e-6, 1e6);
+    const Json* style = top.value("style");
+    const auto known = std::find(style_names.begin(), style_names.end(), groom.name);
+    groom.generated = known != style_names.end();
+    if (!groom.generated) {
+        if (groom.name.find('.') == std::string::npos)
+            top.fail("groom", "is \"" + groom.name +
+                                  "\", neither a file nor one of long, braid, curly, short");
+        if (style)
+            top.fail("style", "is for generated grooms; \"" + groom.name + "\" is a file");
+        groom.name = resolve(groom.name, "groom", origin);
+        return;
+    }
+    groom.style = make_style(static_cast<plait_generator::Hairstyle>(known - style_names.begin()));
+    groom.style.seed = scene.seed;
+    groom.style.strands = groom.strands ? groom.strands : groom.style.strands;
+    groom.style.vertices = groom.vertices ? groom.vertices : groom.style.vertices;
+    if (style)
+        read_style(top, *style, groom.style);
+    if (const std::string problem = style_problem(groom.style); !problem.empty())
+        top.fail("style", problem);
+}
+
+template <size_t N>
+void read_optional(JsonReader& in, const char* key, std::optional<std::array<float, N>>& target,
+                   double least, double most) {
+    std::array<float, N> numbers{};
+    if (in.numbers(key, numbers, least, most))
+        target = numbers;
+}
+
+void read_head(JsonReader& top, const Origin& origin, HeadChoice& head) {
+    if (top.text("head", head.file))
+        head.file = resolve(head.file, "head", origin);
+    read_optional(top, "neck", head.neck, -1e6, 1e6);
+    read_optional(top, "pivot", head.pivot, -1e6, 1e6);
+    if (head.neck && !((*head.neck)[0] < (*head.neck)[1]))
+        top.fail("neck", "is not a lower height and a higher one");
+}
+
+Collider read_collider(JsonReader in) {
+    Collider collider{plait_collider_desc_defaults(), true};
+    plait_collider_desc& shape = collider.shape;
+    if (!in.numbers("a", shape.a, -1e6, 1e6))
+        in.fail("a", "is missing: the capsule's first end, m");
+    if (!in.numbers("b", shape.b, -1e6, 1e6)) // a sphere
+        std::copy(std::begin(shape.a), std::end(shape.a), std::begin(shape.b));
+    if (!in.number("radius_a", shape.radius_a, 1e-9, 1e3))
+        in.fail("radius_a", "is missing: the radius at a, m, in (0, 1000]");
+    shape.radius_b = shape.radius_a;
+    in.number("radius_b", shape.radius_b, 1e-9, 1e3);
+    in.number("friction", shape.friction, 0, 10);
+    in.flag("moves_with_head", collider.moves_with_head);
+    in.finish();
+    return collider;
+}
+
+void read_colliders(JsonReader& top, std::optional<std::vector<Collider>>& colliders) {
+    const Json* list = top.value("colliders");
+    if (!list)
+        return;
+    if (!list->is_array())
+        top.fail("colliders", "is " + list->dump() + ", not a list");
+    colliders.emplace();
+    for (size_t i = 0; i < list->size(); ++i)
+        colliders->push_back(read_collider(top.element(*list, i, "colliders")));
+}
+
+void read_camera(const JsonReader& top, const Json& value, CameraChoice& camera) {
+    JsonReader in = top.object(value, "camera");
+    in.number("azimuth", camera.azimuth, -360, 360);
+    in.number("elevation", camera.elevation, -89, 89);
+    in.number("zoom", camera.zoom, 0.01, 100);
+    in.number("field_of_view", camera.field_of_view, 1, 120);
+    read_optional(in, "eye", camera.eye, -1e6, 1e6);
+    read_optional(in, "target", camera.target, -1e6, 1e6);
+    in.finish();
+}
+
+void read_pictures(const JsonReader& top, const Json& value, PictureChoice& pictures) {
+    JsonReader in = top.object(value, "picture");
+    in.flag("video", pictures.video);
+    in.integer("width", pictures.width, 16, 4096);
+    in.integer("height", pictures.height, 16, 4096);
+    in.integer("samples", pictures.samples, 1, 256);
+    in.integer("video_samples", pictures.video_samples, 1, 256);
+    in.integer("video_rate", pictures.video_rate, 1, 240);
+    in.integer("cells", pictures.cells, 1, 64);
+    in.number("hair_width", pictures.hair_width, 0, 0.1);
+    read_optional(in, "hair_root", pictures.hair_root, 0, 1);
+    read_optional(in, "hair_tip", pictures.hair_tip, 0, 1);
+    in.finish();
+}
+
+void read_simulation(JsonReader& top, Scene& scene) {
+    top.number("seconds", scene.seconds, 0.001, 3600);
+    top.integer("rate", scene.rate, 1, 1000);
+    top.integer("substeps", scene.substeps, 1, 1000);
+    top.integer("seed", scene.seed);
+    top.choice("model", scene.sim.model, model_names);
+    top.integer("follows_per_guide", scene.sim.follows_per_guide, 0, 64);
+    top.number("follow_radius", scene.sim.follow_radius, 0, 1);
+    top.text("device", scene.device);
+    top.text("backend", scene.backend);
+    if (const Json* params = top.value("params"))
+        read_params(top, *params, scene.sim.params);
+    top.choice("interhair", scene.sim.params.interhair, interhair_names);
+    scene.sim.step = 1.0f / static_cast<float>(scene.rate);
+    scene.sim.substeps = scene.substeps;
+    scene.sim.seed = scene.seed;
+}
+
+void read_output(JsonReader& top, const Origin& origin, Scene& scene) {
+    for (const auto& [key, target] : {std::pair{"out", &scene.out},
+                                      {"cache", &scene.cache},
+                                      {"json", &scene.json},
+                                      {"replay", &scene.replay}})
+        if (top.text(key, *target))
+            *target = resolve(*target, key, origin);
+    top.flag("pictures", scene.pictures.wanted);
+    if (const Json* camera = top.value("camera"))
+        read_camera(top, *camera, scene.camera);
+    if (const Json* picture = top.value("picture"))
+        read_pictures(top, *picture, scene.pictures);
+}
+
+} // namespace
+
+plait_sim_desc Scene::default_sim() {
+    plait_sim_desc sim = plait_sim_desc_defaults();
+    sim.max_steps_per_call = 1;
+    plait_sim_params& p = sim.params;
+    p.local_stiffness = 0.9f;
+    p.global_stiffness = 0.3f;
+    p.global_range = 0.3f;
+    p.length_iterations = 20;
+    p.interhair = PLAIT_INTERHAIR_SLOTS;
+    return sim;
+}
+
+uint32_t Scene::frames() const {
+    return static_cast<uint32_t>(std::max(1L, std::lround(seconds * static_cast<float>(rate))));
+}
+
+Scene make_scene(const std::string& file, const Json& command_line) {
+    Json document = file.empty() ? Json::object() : read_json(file);
+    if (document.is_object())
+        document.update(command_line);
+    const Origin origin{file, command_line};
+    Scene scene;
+    JsonReader top(document, origin);
+    read_simulation(top, scene); // before the groom, which takes its seed
+    read_groom(top, origin, scene);
+    read_head(top, origin, scene.head);
+    read_colliders(top, scene.colliders);
+    if (top.text("motion", scene.motion) && scene.motion.find('.') != std::string::npos)
+        scene.motion = resolve(scene.motion, "motion", origin);
+    read_output(top, origin, scene);
+    top.finish();
+    return scene;
+}
+
+} // namespace simulate

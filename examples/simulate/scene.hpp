@@ -1,0 +1,85 @@
+// What to simulate and what to leave behind: the whole of a scene file and the command line.
+// docs/simulate.md lists every key with its unit, range and default.
+#pragma once
+
+#include "json_reader.hpp"
+
+#include "generator/generator.hpp"
+
+#include <plait/plait.h>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace simulate {
+
+using Vector = std::array<float, 3>;
+
+struct Collider {
+    plait_collider_desc shape;
+    bool moves_with_head = true;
+};
+
+struct GroomChoice {
+    std::string name = "long";    // a generated style, or a file
+    plait_generator::Style style; // when generated
+    uint32_t strands = 0;         // 0: 10,000 when generated, all of a file
+    uint32_t vertices = 0;        // 0: 16 when generated, as in the file
+    float scale = 1.0f;           // file units to metres
+    bool generated = true;
+};
+
+struct HeadChoice {
+    std::string file;                         // "": the mannequin with a generated groom, else none
+    std::optional<std::array<float, 2>> neck; // heights between which the mesh ceases to turn, m
+    std::optional<Vector> pivot;              // about which the head turns, m
+};
+
+struct CameraChoice {
+    float azimuth = 30.0f;  // degrees from +z towards +x
+    float elevation = 4.0f; // degrees
+    float zoom = 1.0f;
+    float field_of_view = 28.0f;
+    std::optional<Vector> eye, target; // m; absent: fitted to the groom and the head
+};
+
+struct PictureChoice {
+    bool wanted = true;
+    bool video = true;
+    uint32_t width = 360, height = 450; // of one picture, pixels
+    uint32_t samples = 16;              // per pixel of a sheet
+    uint32_t video_samples = 4;
+    uint32_t video_rate = 20;                  // frames a second, at most `rate`
+    uint32_t cells = 8;                        // pictures on the contact sheet
+    float hair_width = 0.0f;                   // m; 0: by the number of strands
+    std::optional<Vector> hair_root, hair_tip; // linear RGB
+};
+
+struct Scene {
+    GroomChoice groom;
+    HeadChoice head;
+    CameraChoice camera;
+    PictureChoice pictures;
+    std::optional<std::vector<Collider>> colliders; // absent: made for the groom
+    std::string motion = "shake_and_turn";          // a name or a file
+    float seconds = 4.0f;
+    uint32_t rate = 60; // fixed steps and frames a second
+    uint32_t substeps = 2;
+    uint64_t seed = 1;
+    plait_sim_desc sim = default_sim();
+    std::string device, backend; // "": the best
+    std::string out = "out", cache, json, replay;
+
+    uint32_t frames() const;
+    static plait_sim_desc default_sim(); // what long hair needs under real gravity
+};
+
+// `file` may be ""; `command_line` holds keys of a scene file and wins over it. Throws Failure.
+Scene make_scene(const std::string& file, const Json& command_line);
+
+extern const std::array<const char*, 4> model_names;
+extern const std::array<const char*, 3> interhair_names;
+
+} // namespace simulate

@@ -1,0 +1,20 @@
+// The hair at one moment.
+#pragma once
+
+#include <plait/plait.h>
+
+#include <cstdint>
+#include <span>
+
+namespace simulate {
+
+struct Shot {
+    uint32_t frame = 0;
+    float time = 0.0f; // s
+    plait_pose head{};
+    std::span<const float> positions;       // [strands][row][4], m; the fourth is anything
+    std::span<const uint32_t> vertex_count; // [strands]
+    uint32_t row = 0;
+};
+
+} // namespace simulate

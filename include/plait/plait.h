@@ -1,0 +1,514 @@
+/* plait: real-time hair simulation on any OpenCL device.
+ *
+ * The whole public face, C99. A `plait_context` is a device; a `plait_groom` is immutable hair at
+ * rest; a `plait_sim` is one groom moving on one context. SI units, right-handed axes, quaternions
+ * stored (x, y, z, w). A pose maps a rest-space point p to q*p + t in the world.
+ *
+ * Errors:    every function that can fail returns a plait_result and leaves a sentence that names
+ *            what failed, on what, with which value and range, in plait_last_error() of the thread.
+ *            Output arguments are untouched on failure unless said otherwise.
+ * Threads:   a context and what it made are used by one thread at a time; different contexts are
+ *            independent. Grooms are immutable and may be shared by threads and contexts.
+ * Ownership: what a `_create` or `_load` returned is released by the `_destroy` of the same noun;
+ *            destroying NULL does nothing. Arrays passed in are copied before the call returns.
+ * Structs:   begin with struct_size; fill them, also those that are written to, with their
+ *            `plait_*_init` (or by value, `plait_*_defaults`) and then change fields.
+ */
+#ifndef PLAIT_H
+#define PLAIT_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#if defined(PLAIT_STATIC)
+#define PLAIT_API
+#elif defined(_WIN32)
+#ifdef PLAIT_BUILD
+#define PLAIT_API __declspec(dllexport)
+#else
+#define PLAIT_API __declspec(dllimport)
+#endif
+#else
+#define PLAIT_API __attribute__((visibility("default")))
+#endif
+
+#define PLAIT_VERSION_MAJOR 0
+#define PLAIT_VERSION_MINOR 1
+#define PLAIT_VERSION_PATCH 0
+
+/* ---- results -------------------------------------------------------------------------------- */
+
+/* What the caller can do about it; the message says what happened. */
+#define PLAIT_RESULTS(X)                                                                           \
+    X(OK, 0, "ok")                                                                                 \
+    X(INVALID_ARGUMENT, 1, "an argument is outside its allowed range")                             \
+    X(INVALID_STATE, 2, "the object cannot do this now")                                           \
+    X(OUT_OF_MEMORY, 3, "host or device memory is exhausted")                                      \
+    X(NOT_FOUND, 4, "no such file, device, backend or name")                                       \
+    X(IO, 5, "reading or writing a file failed")                                                   \
+    X(BAD_DATA, 6, "the data is malformed")                                                        \
+    X(UNSUPPORTED, 7, "the backend or format cannot do this")                                      \
+    X(COMPILE, 8, "a kernel did not build; the message holds the compiler's log")                  \
+    X(DEVICE_LOST, 9, "the device is gone; destroy the context")                                   \
+    X(BACKEND, 10, "a driver call failed")                                                         \
+    X(INTERNAL, 11, "a fault in plait; please report it")
+
+typedef enum plait_result {
+#define PLAIT_X(name, value, text) PLAIT_##name = value,
+    PLAIT_RESULTS(PLAIT_X)
+#undef PLAIT_X
+        PLAIT_RESULT_FORCE_32 = 0x7fffffff
+} plait_result;
+
+/* "ok", "an argument is outside its allowed range", ...; static storage, never NULL. */
+PLAIT_API const char* plait_result_string(plait_result result);
+
+/* The sentence of this thread's last failed call; "" if none. Valid until its next failure. */
+PLAIT_API const char* plait_last_error(void);
+
+/* Version of the library that is linked, as major*10000 + minor*100 + patch. */
+PLAIT_API uint32_t plait_version(void);
+
+/* ---- small types ---------------------------------------------------------------------------- */
+
+typedef struct plait_context plait_context;
+typedef struct plait_groom plait_groom;
+typedef struct plait_sim plait_sim;
+
+/* Generational id of a collider inside its sim; zero is null. */
+typedef struct plait_collider_id {
+    uint64_t value;
+} plait_collider_id;
+
+/* An input array: `count` elements, `stride` bytes apart (0: tightly packed). */
+typedef struct plait_view {
+    const void* data;
+    size_t count;
+    size_t stride;
+} plait_view;
+
+/* Rotation (unit quaternion x, y, z, w) and translation in metres. */
+typedef struct plait_pose {
+    float q[4];
+    float t[3];
+} plait_pose;
+
+typedef enum plait_log_level {
+    PLAIT_LOG_DEBUG = 0,
+    PLAIT_LOG_INFO = 1,
+    PLAIT_LOG_WARNING = 2,
+    PLAIT_LOG_ERROR = 3
+} plait_log_level;
+
+/* Called on the thread that makes the call being logged. `text` has no newline at its end. */
+typedef void (*plait_log_fn)(plait_log_level level, const char* text, void* user);
+
+/* Host allocator for plait's own arrays. Both or neither of the functions are set. `allocate` may
+ * return NULL: the call then fails with PLAIT_OUT_OF_MEMORY and leaves its objects as they were. */
+typedef struct plait_allocator {
+    void* (*allocate)(size_t size, size_t alignment, void* user);
+    void (*release)(void* memory, size_t size, size_t alignment, void* user);
+    void* user;
+} plait_allocator;
+
+/* ---- devices and contexts ------------------------------------------------------------------- */
+
+typedef enum plait_device_type {
+    PLAIT_DEVICE_CPU = 0,
+    PLAIT_DEVICE_GPU = 1,
+    PLAIT_DEVICE_OTHER = 2
+} plait_device_type;
+
+typedef struct plait_device_info {
+    uint32_t struct_size;
+    char backend[32];  /* "opencl", "reference", or a registered backend */
+    char platform[96]; /* "Portable Computing Language" */
+    char name[96];
+    char vendor[64];
+    char driver[96];
+    plait_device_type type;
+    uint32_t compute_units;
+    uint64_t memory_bytes;   /* 0: unknown */
+    uint32_t float_width;    /* native vector width in floats, 1 on GPUs */
+    uint32_t lanes;          /* strands a work-item of a strand model steps at once: 1, 4, 8, 16 */
+    uint32_t tile;           /* strands per tile of the lane layout, a multiple of lanes */
+    uint32_t max_group_size; /* work-items per work-group */
+    uint64_t local_memory_bytes;
+} plait_device_info;
+
+/* Every device of every registered backend. dst == NULL: writes the needed count to *count;
+ * otherwise writes at most *count entries, best first, and their number to *count. */
+PLAIT_API plait_result plait_devices_list(plait_device_info* dst, size_t* count);
+PLAIT_API void plait_device_info_init(plait_device_info* info, size_t size);
+
+/* The user's own kernel for one stage, checked against the stage's signature when the context is
+ * made. See docs/backends.md. */
+typedef struct plait_stage_source {
+    const char* stage;  /* "wind" */
+    const char* source; /* OpenCL C, defines plait_<stage>; may include the headers in cl/ */
+    const char* name;   /* file name for the compiler's messages; NULL: "<stage>" */
+} plait_stage_source;
+
+typedef struct plait_context_desc {
+    uint32_t struct_size;
+    const char* backend; /* NULL: the best there is */
+    const char* device;  /* part of a device's or platform's name, any case; NULL: the best */
+    plait_log_fn log;    /* NULL: silent */
+    void* log_user;
+    plait_allocator allocator;
+    uint32_t profile; /* 1: time every stage (a few percent slower) */
+    const plait_stage_source* stage_sources;
+    size_t stage_source_count;
+    uint32_t lanes; /* strands per work-item in the strand models: 1, 4, 8, 16; 0: the device's */
+} plait_context_desc;
+
+PLAIT_API void plait_context_desc_init(plait_context_desc* desc, size_t size);
+
+/* @errors NOT_FOUND (no such device; the message lists those there are), COMPILE, OUT_OF_MEMORY,
+ * BACKEND. `desc` NULL: all defaults. */
+PLAIT_API plait_result plait_context_create(const plait_context_desc* desc, plait_context** out);
+PLAIT_API void plait_context_destroy(plait_context* context); /* after its sims */
+PLAIT_API plait_result plait_context_describe(const plait_context* context, plait_device_info* out);
+
+/* ---- grooms --------------------------------------------------------------------------------- */
+
+/* What to do with strands that cannot be simulated as they are. Nothing is mended silently. */
+typedef enum plait_repair_policy {
+    PLAIT_REPAIR_COUNT = 0, /* mend, count, report the first offender */
+    PLAIT_REPAIR_REFUSE = 1 /* fail with BAD_DATA at the first offender */
+} plait_repair_policy;
+
+typedef enum plait_repair {
+    PLAIT_REPAIR_NONFINITE = 0,      /* position NaN, Inf or beyond 1e6 m: the strand is dropped */
+    PLAIT_REPAIR_SHORT_STRAND = 1,   /* fewer than two vertices, or no length (1e-6 m): dropped */
+    PLAIT_REPAIR_ZERO_SEGMENT = 2,   /* zero-length segment: the vertex is moved along the strand */
+    PLAIT_REPAIR_TINY_SEGMENT = 3,   /* shorter than min_segment of the strand's mean: likewise */
+    PLAIT_REPAIR_DUPLICATE_ROOT = 4, /* same root position as an earlier strand: kept, counted */
+    PLAIT_REPAIR_TOO_LONG = 5,       /* more than 256 vertices: resampled by arc length */
+    PLAIT_REPAIR_COUNT_ = 6
+} plait_repair;
+
+typedef struct plait_import_options {
+    uint32_t struct_size;
+    plait_repair_policy policy;
+    float min_segment; /* tiny: below this share of the strand's mean, default 1e-3 */
+    float scale;       /* file units to metres, default 1 */
+    uint32_t resample; /* 0: keep; 2..256: every strand to so many vertices by arc length */
+    plait_allocator allocator;
+} plait_import_options;
+
+PLAIT_API void plait_import_options_init(plait_import_options* options, size_t size);
+
+typedef struct plait_groom_desc {
+    uint32_t struct_size;
+    plait_view positions;     /* float[3], metres, strand after strand, root first [vertices] */
+    plait_view vertex_counts; /* uint32_t [strands]; or empty: all have vertices_per_strand */
+    uint32_t vertices_per_strand;
+    plait_view strand_uv;    /* float[2] [strands] or empty */
+    plait_view thickness;    /* float, strand diameter in metres [strands] or empty */
+    plait_view bone_indices; /* uint32_t[4] [strands] or empty */
+    plait_view bone_weights; /* float[4] [strands] or empty, sum 1 */
+} plait_groom_desc;
+
+PLAIT_API void plait_groom_desc_init(plait_groom_desc* desc, size_t size);
+
+typedef struct plait_groom_info {
+    uint32_t struct_size;
+    uint64_t strands;
+    uint64_t vertices;     /* all strands together */
+    uint32_t min_vertices; /* per strand */
+    uint32_t max_vertices;
+    uint32_t has_strand_uv;
+    uint32_t has_thickness;
+    uint32_t bones;      /* highest bone index + 1; 0: no skin */
+    float bounds_min[3]; /* m */
+    float bounds_max[3];
+    float mean_length; /* m */
+    float max_length;
+    uint64_t repairs[PLAIT_REPAIR_COUNT_]; /* strands or segments mended, by kind */
+    uint64_t repairs_total;
+    char first_repair[192]; /* "strand 17, vertex 3: segment of 0 m ..." or "" */
+} plait_groom_info;
+
+/* `options` NULL: defaults. @errors INVALID_ARGUMENT, BAD_DATA (nothing left, or policy REFUSE). */
+PLAIT_API plait_result plait_groom_create(const plait_groom_desc* desc,
+                                          const plait_import_options* options, plait_groom** out);
+
+/* By extension: .tfx (TressFX 3 and 4; a .tfxbone beside it is read as skin), .hair (Cem Yuksel),
+ * .obj, .gltf, .glb polylines. @errors NOT_FOUND, IO, BAD_DATA (file, place, value, range),
+ * UNSUPPORTED (unknown extension, or built without assimp). */
+PLAIT_API plait_result plait_groom_load(const char* path, const plait_import_options* options,
+                                        plait_groom** out);
+
+/* By extension: .tfx (version 4; strands must have equal vertex counts) or .hair.
+ * The file appears whole or not at all. @errors IO, UNSUPPORTED. */
+PLAIT_API plait_result plait_groom_save(const plait_groom* groom, const char* path);
+
+PLAIT_API void plait_groom_info_init(plait_groom_info* info, size_t size);
+PLAIT_API plait_result plait_groom_describe(const plait_groom* groom, plait_groom_info* out);
+
+typedef enum plait_groom_field {
+    PLAIT_GROOM_POSITIONS = 0,     /* float[3] [vertices] */
+    PLAIT_GROOM_VERTEX_COUNTS = 1, /* uint32_t [strands] */
+    PLAIT_GROOM_STRAND_UV = 2,     /* float[2] [strands] */
+    PLAIT_GROOM_THICKNESS = 3,     /* float [strands] */
+    PLAIT_GROOM_BONE_INDICES = 4,  /* uint32_t[4] [strands] */
+    PLAIT_GROOM_BONE_WEIGHTS = 5   /* float[4] [strands] */
+} plait_groom_field;
+
+/* dst == NULL: writes the needed size in bytes to *size (0: the groom lacks the field). */
+PLAIT_API plait_result plait_groom_read(const plait_groom* groom, plait_groom_field field,
+                                        void* dst, size_t* size);
+PLAIT_API void plait_groom_destroy(plait_groom* groom); /* sims keep what they need */
+
+/* ---- simulation ----------------------------------------------------------------------------- */
+
+typedef enum plait_model {
+    PLAIT_MODEL_TRESSFX = 0,  /* parity with TressFX and the thesis; see docs/models/tressfx.md */
+    PLAIT_MODEL_CHAIN = 1,    /* inextensible, no bending; see docs/models/chain.md */
+    PLAIT_MODEL_COSSERAT = 2, /* Cosserat rod by alternating solves; see docs/models/cosserat.md */
+    PLAIT_MODEL_ROD = 3       /* Cosserat rod by direct Gauss-Newton; see docs/models/rod.md */
+} plait_model;
+
+#define PLAIT_ITERATIONS_OF_MODEL 0xffffffffu
+
+typedef enum plait_wind_form {
+    PLAIT_WIND_FORM_PUBLISHED = 0,
+    PLAIT_WIND_FORM_DRAG = 1
+} plait_wind_form;
+typedef enum plait_follow_form {
+    PLAIT_FOLLOW_FORM_PUBLISHED = 0,
+    PLAIT_FOLLOW_FORM_ROTATING = 1
+} plait_follow_form;
+typedef enum plait_shock_form {
+    PLAIT_SHOCK_FORM_THRESHOLD = 0,
+    PLAIT_SHOCK_FORM_CONTINUOUS = 1
+} plait_shock_form;
+typedef enum plait_stage_order {
+    PLAIT_ORDER_PUBLISHED = 0,
+    PLAIT_ORDER_SHOCK_BEFORE_GLOBAL = 1
+} plait_stage_order;
+typedef enum plait_interhair {
+    PLAIT_INTERHAIR_OFF = 0,
+    PLAIT_INTERHAIR_SLOTS = 1,
+    PLAIT_INTERHAIR_EXACT = 2
+} plait_interhair;
+typedef enum plait_slot_hash { PLAIT_HASH_THESIS = 0, PLAIT_HASH_PCG = 1 } plait_slot_hash;
+typedef enum plait_tent { PLAIT_TENT_FORM_VOXEL = 0, PLAIT_TENT_FORM_TRILINEAR = 1 } plait_tent;
+typedef enum plait_diffuse_rule {
+    PLAIT_DIFFUSE_RULE_THESIS = 0,
+    PLAIT_DIFFUSE_RULE_FLOORED = 1
+} plait_diffuse_rule;
+
+/* Everything that may change between steps. plait_sim_set_params checks the ranges in brackets. */
+typedef struct plait_sim_params {
+    uint32_t struct_size;
+    float gravity[3]; /* m/s^2, default (0, -9.81, 0), each [-1e4, 1e4] */
+
+    /* model tressfx */
+    float damping;                 /* [0, 100], default 0.08 */
+    float local_stiffness;         /* [0, 1], default 0.9 */
+    uint32_t local_iterations;     /* [0, 64], default 2 */
+    float global_stiffness;        /* [0, 1], default 0 */
+    float global_range;            /* [0, 1], default 0 */
+    uint32_t length_iterations;    /* [0, 256], default 2 */
+    float vsp_coeff;               /* [0, 1], default 0.8 */
+    float vsp_accel_threshold;     /* m, [0, 1e6], default 1.4 */
+    float max_displacement;        /* clamp per substep, m, (0, 1e6], default 1e6: off */
+    float tip_separation;          /* [0, 100], default 0 */
+    plait_wind_form wind_form;     /* default DRAG */
+    plait_follow_form follow_form; /* default ROTATING */
+    plait_shock_form shock_form;   /* default THRESHOLD */
+    plait_stage_order order;       /* default PUBLISHED */
+
+    /* models chain, cosserat, rod: SI material of a strand */
+    uint32_t iterations; /* chain: length solves; cosserat: sweeps; rod: Newton steps; [0, 64], or
+                            PLAIT_ITERATIONS_OF_MODEL (default): 1, 3, 1 */
+    uint32_t bdf2;       /* 0: backward Euler; 1: BDF2, a quarter of the error and little damping */
+    float line_density;  /* rho A, kg/m, [1e-9, 1e3], default 5e-6 */
+    float bend_stiffness;    /* EI, N m^2, [0, 1e3], default 4.7e-9 (a hair of 70 um at 4 GPa) */
+    float stretch_stiffness; /* EA, N, [0, 1e9]; default 0: what lets a strand of its length give 1
+                               % at 10 g (the hair's own 15 N only slows the solve) */
+    float tip_stiffness;     /* bend stiffness at the tip / at the root, linear between, [0, 100],
+                                default 1 */
+    float drag;              /* 1/s, relative to the wind, [0, 1e4], default 1 */
+
+    /* air */
+    float wind[3];   /* m/s, each [-1e3, 1e3], default 0; with no drag: no wind stage */
+    float air_drag;  /* rho_air C_d d / (2 rho A), 1/m, [0, 1e6], default 0 */
+    float wind_cone; /* published form: its half angle, rad, [0, pi/2], default 0.7 */
+
+    /* inter-hair step, once per fixed step */
+    plait_interhair interhair;       /* default OFF */
+    uint32_t grid_edge_count;        /* [1, 64], default 8 */
+    uint32_t slot_capacity;          /* [1, 65536], default 1024 */
+    plait_slot_hash slot_hash;       /* default PCG */
+    plait_tent tent;                 /* default VOXEL (slots is always VOXEL) */
+    plait_diffuse_rule diffuse_rule; /* default FLOORED */
+    float diffuse_ratio;             /* [0, 1e6], default 2 */
+    float diffuse_factor;            /* [0, 1], default 0.9 */
+    float diffuse_floor;             /* [0, 1], default 0.5 */
+    uint32_t grid_in_world;          /* 0: moves and turns with the head; 1: fixed in the world */
+    float grid_origin[3]; /* corner, m, when grid_edge > 0; in the frame of grid_in_world */
+    float grid_edge;      /* whole edge, m; 0: a cube around the groom's bounds x 1.5 */
+} plait_sim_params;
+
+PLAIT_API void plait_sim_params_init(plait_sim_params* params, size_t size);
+
+typedef struct plait_sim_desc {
+    uint32_t struct_size;
+    plait_model model;
+    float step;                  /* fixed step, s, [1e-5, 1], default 1/60 */
+    uint32_t substeps;           /* per fixed step, [1, 1000], default 1 */
+    uint32_t max_steps_per_call; /* time beyond so many is dropped and counted, default 8 */
+    uint32_t interpolate_output; /* 1: positions follow dt, one fixed step late; default 0 */
+    uint32_t follows_per_guide;  /* [0, 64], default 0 */
+    float follow_radius;         /* m, default 0.003 */
+    uint64_t seed;               /* follow offsets and slot hash */
+    plait_sim_params params;
+} plait_sim_desc;
+
+PLAIT_API void plait_sim_desc_init(plait_sim_desc* desc, size_t size);
+
+/* Strands are stored [strands][V], V the groom's longest; shorter strands are padded with copies of
+ * their tip. Guides come first, then follows, guide by guide. The head starts at the identity. */
+PLAIT_API plait_result plait_sim_create(plait_context* context, const plait_groom* groom,
+                                        const plait_sim_desc* desc, plait_sim** out);
+PLAIT_API void plait_sim_destroy(plait_sim* sim);
+
+/* Every vertex to its rest position at the present roots, at rest; clock and accumulator to 0. */
+PLAIT_API plait_result plait_sim_reset(plait_sim* sim);
+
+PLAIT_API plait_result plait_sim_set_params(plait_sim* sim, const plait_sim_params* params);
+PLAIT_API plait_result plait_sim_get_params(const plait_sim* sim, plait_sim_params* params);
+
+/* Where the roots will be at the end of the next plait_sim_step; on the way they interpolate. */
+typedef struct plait_roots {
+    uint32_t struct_size;
+    plait_pose head;
+    plait_view root_poses; /* plait_pose [guides], applied before head; or empty */
+    plait_view bones;      /* float[12], 3x4 row-major skinning matrices [bones], through the
+                              groom's skin (closest rotation of the blend) before head; or empty */
+} plait_roots;
+
+PLAIT_API void plait_roots_init(plait_roots* roots, size_t size);
+PLAIT_API plait_result plait_sim_set_roots(plait_sim* sim, const plait_roots* roots);
+
+/* Carry the hair rigidly to new roots, at once, without dynamics. */
+PLAIT_API plait_result plait_sim_teleport(plait_sim* sim, const plait_roots* roots);
+
+/* Advance by dt seconds, [0, 10]: enqueues the fixed steps that fit; the rest waits for the next
+ * call. Returns before the device is done.
+ * @errors INVALID_ARGUMENT (dt not finite), DEVICE_LOST, BACKEND */
+PLAIT_API plait_result plait_sim_step(plait_sim* sim, double dt);
+
+/* Wait for the device; reports failures of the steps before. */
+PLAIT_API plait_result plait_sim_wait(plait_sim* sim);
+
+typedef enum plait_field {
+    PLAIT_FIELD_POSITION = 0,      /* float[4] [strands][V]: x, y, z, inverse mass; for display */
+    PLAIT_FIELD_TANGENT = 1,       /* float[4] [strands][V], unit, towards the tip */
+    PLAIT_FIELD_VELOCITY = 2,      /* float[4] [guides][V], m/s */
+    PLAIT_FIELD_REST = 3,          /* float[4] [guides][V] */
+    PLAIT_FIELD_VERTEX_COUNT = 4,  /* uint32_t [strands] */
+    PLAIT_FIELD_GRID_DENSITY = 5,  /* float [nv^3], x fastest, then z, then y: y*nv^2 + z*nv + x */
+    PLAIT_FIELD_GRID_VELOCITY = 6, /* float[4] [nv^3]: mean velocity, the grid's frame; rms speed */
+    PLAIT_FIELD_POSITION_PREV = 7, /* float[4] [guides][V]: Verlet history */
+    PLAIT_FIELD_COUNT_ = 8
+} plait_field;
+
+/* Waits. dst == NULL: writes the needed size in bytes. Reading what is off gives INVALID_STATE. */
+PLAIT_API plait_result plait_sim_read(plait_sim* sim, plait_field field, void* dst, size_t* size);
+
+/* Overwrite POSITION (guides only, [guides][V]; w is kept), POSITION_PREV or VELOCITY (guides). The
+ * size must match; non-finite values are refused with their index. */
+PLAIT_API plait_result plait_sim_write(plait_sim* sim, plait_field field, const void* src,
+                                       size_t size);
+
+typedef struct plait_sim_stats {
+    uint32_t struct_size;
+    uint64_t guides;
+    uint64_t strands;             /* guides and follows */
+    uint32_t vertices_per_strand; /* V, the row length */
+    uint64_t steps;               /* fixed steps done */
+    uint64_t steps_dropped;       /* beyond max_steps_per_call */
+    double time;                  /* s simulated */
+    float max_stretch;            /* worst |l/l0 - 1| of any segment, now */
+    float mean_stretch;
+    uint64_t nonfinite;    /* vertices, now */
+    float max_speed;       /* m/s, now */
+    uint64_t grid_outside; /* vertices outside the grid in the last inter-hair step */
+    uint64_t device_bytes; /* buffers of this sim */
+} plait_sim_stats;
+
+PLAIT_API void plait_sim_stats_init(plait_sim_stats* stats, size_t size);
+
+/* Waits and measures. */
+PLAIT_API plait_result plait_sim_stats_get(plait_sim* sim, plait_sim_stats* out);
+
+typedef struct plait_stage_time {
+    char stage[32];
+    uint64_t calls;
+    double seconds; /* device time, all calls; 0 unless the context was made with profile = 1 */
+} plait_stage_time;
+
+/* Times since creation or the last call with `reset`. dst == NULL: writes the needed count. */
+PLAIT_API plait_result plait_sim_stage_times(plait_sim* sim, plait_stage_time* dst, size_t* count,
+                                             uint32_t reset);
+
+/* The dynamic state (no parameters) as bytes that restore on any device. dst == NULL: its size. */
+PLAIT_API plait_result plait_sim_save(plait_sim* sim, void* dst, size_t* size);
+PLAIT_API plait_result plait_sim_restore(plait_sim* sim, const void* src, size_t size);
+
+/* 64-bit hash of the dynamic state: equal states, equal hashes. Waits. */
+PLAIT_API plait_result plait_sim_hash(plait_sim* sim, uint64_t* out);
+
+/* ---- colliders ------------------------------------------------------------------------------ */
+
+typedef struct plait_collider_desc {
+    uint32_t struct_size;
+    float a[3];     /* m, in the collider's own frame */
+    float b[3];     /* a == b: a sphere */
+    float radius_a; /* m, (0, 1e3] */
+    float radius_b;
+    float friction;  /* Coulomb coefficient, [0, 10] */
+    plait_pose pose; /* at creation */
+} plait_collider_desc;
+
+PLAIT_API void plait_collider_desc_init(plait_collider_desc* desc, size_t size);
+PLAIT_API plait_result plait_collider_create(plait_sim* sim, const plait_collider_desc* desc,
+                                             plait_collider_id* out);
+/* Where it will be at the end of the next plait_sim_step; interpolated from where it is. */
+PLAIT_API plait_result plait_collider_set_pose(plait_sim* sim, plait_collider_id collider,
+                                               const plait_pose* pose);
+PLAIT_API plait_result plait_collider_destroy(plait_sim* sim, plait_collider_id collider);
+
+/* ---- defaults, by value --------------------------------------------------------------------- */
+
+#define PLAIT_DEFAULTS(type)                                                                       \
+    static inline type type##_defaults(void) {                                                     \
+        type value;                                                                                \
+        type##_init(&value, sizeof value);                                                         \
+        return value;                                                                              \
+    }
+PLAIT_DEFAULTS(plait_device_info)
+PLAIT_DEFAULTS(plait_context_desc)
+PLAIT_DEFAULTS(plait_import_options)
+PLAIT_DEFAULTS(plait_groom_desc)
+PLAIT_DEFAULTS(plait_groom_info)
+PLAIT_DEFAULTS(plait_sim_params)
+PLAIT_DEFAULTS(plait_sim_desc)
+PLAIT_DEFAULTS(plait_sim_stats)
+PLAIT_DEFAULTS(plait_roots)
+PLAIT_DEFAULTS(plait_collider_desc)
+#undef PLAIT_DEFAULTS
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,209 @@
+// Owning handles over plait.h, for C++17. The only exceptions of plait are thrown here.
+//
+// Each class owns one handle: movable, not copyable, convertible to the C handle, so every function
+// of plait.h stays within reach. A failed call throws plait::Error with its code and sentence.
+#ifndef PLAIT_HPP
+#define PLAIT_HPP
+
+#include <plait/plait.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace plait {
+
+class Error : public std::runtime_error {
+  public:
+    Error(plait_result code, const char* message) : std::runtime_error(message), code_(code) {}
+    plait_result code() const noexcept { return code_; }
+
+  private:
+    plait_result code_;
+};
+
+inline void check(plait_result result) {
+    if (result != PLAIT_OK)
+        throw Error(result, plait_last_error());
+}
+
+// A view of anything with data() and size(): std::vector, std::array, std::span. `width`
+// consecutive values make one element, so floats in threes are view(floats, 3). The container
+// outlives the call it is passed to.
+template <typename Range> plait_view view(const Range& range, std::size_t width = 1) {
+    using Value = std::remove_cv_t<std::remove_pointer_t<decltype(range.data())>>;
+    static_assert(std::is_trivially_copyable_v<Value>, "plait copies elements as bytes");
+    if (width == 0 || range.size() % width != 0)
+        throw Error(PLAIT_INVALID_ARGUMENT, "plait::view: size is not a multiple of width");
+    return {range.data(), range.size() / width, width * sizeof(Value)};
+}
+
+namespace detail {
+template <auto Destroy> struct Destroyer {
+    template <typename Handle> void operator()(Handle* handle) const { Destroy(handle); }
+};
+template <typename Handle, auto Destroy> class Owner {
+  public:
+    explicit Owner(Handle* handle) : handle_(handle) {}
+    Handle* get() const noexcept { return handle_.get(); }
+    operator Handle*() const noexcept { return get(); }
+
+  private:
+    std::unique_ptr<Handle, Destroyer<Destroy>> handle_;
+};
+} // namespace detail
+
+inline std::vector<plait_device_info> devices() {
+    std::size_t count = 0;
+    check(plait_devices_list(nullptr, &count));
+    std::vector<plait_device_info> list(count, plait_device_info_defaults());
+    check(plait_devices_list(list.data(), &count));
+    list.resize(count);
+    return list;
+}
+
+class Context : public detail::Owner<plait_context, plait_context_destroy> {
+  public:
+    explicit Context(const plait_context_desc& desc = plait_context_desc_defaults())
+        : Owner(create(desc)) {}
+
+    plait_device_info describe() const {
+        auto info = plait_device_info_defaults();
+        check(plait_context_describe(get(), &info));
+        return info;
+    }
+
+  private:
+    static plait_context* create(const plait_context_desc& desc) {
+        plait_context* handle = nullptr;
+        check(plait_context_create(&desc, &handle));
+        return handle;
+    }
+};
+
+class Groom : public detail::Owner<plait_groom, plait_groom_destroy> {
+  public:
+    explicit Groom(const plait_groom_desc& desc,
+                   const plait_import_options& options = plait_import_options_defaults())
+        : Owner(create(desc, options)) {}
+
+    static Groom load(const std::string& path,
+                      const plait_import_options& options = plait_import_options_defaults()) {
+        plait_groom* handle = nullptr;
+        check(plait_groom_load(path.c_str(), &options, &handle));
+        return Groom(handle);
+    }
+    void save(const std::string& path) const { check(plait_groom_save(get(), path.c_str())); }
+
+    plait_groom_info describe() const {
+        auto info = plait_groom_info_defaults();
+        check(plait_groom_describe(get(), &info));
+        return info;
+    }
+
+    // T: float for positions, uv, thickness and weights, std::uint32_t for counts and indices.
+    template <typename T> std::vector<T> read(plait_groom_field field) const {
+        std::size_t size = 0;
+        check(plait_groom_read(get(), field, nullptr, &size));
+        std::vector<T> values(size / sizeof(T));
+        check(plait_groom_read(get(), field, values.data(), &size));
+        return values;
+    }
+
+  private:
+    explicit Groom(plait_groom* handle) : Owner(handle) {}
+    static plait_groom* create(const plait_groom_desc& desc, const plait_import_options& options) {
+        plait_groom* handle = nullptr;
+        check(plait_groom_create(&desc, &options, &handle));
+        return handle;
+    }
+};
+
+// Destroy it before its context.
+class Sim : public detail::Owner<plait_sim, plait_sim_destroy> {
+  public:
+    Sim(const Context& context, const Groom& groom,
+        const plait_sim_desc& desc = plait_sim_desc_defaults())
+        : Owner(create(context, groom, desc)) {}
+
+    void step(double dt) { check(plait_sim_step(get(), dt)); }
+    void wait() { check(plait_sim_wait(get())); }
+    void reset() { check(plait_sim_reset(get())); }
+    void set_roots(const plait_roots& roots) { check(plait_sim_set_roots(get(), &roots)); }
+    void teleport(const plait_roots& roots) { check(plait_sim_teleport(get(), &roots)); }
+
+    void set_params(const plait_sim_params& params) { check(plait_sim_set_params(get(), &params)); }
+    plait_sim_params params() const {
+        auto params = plait_sim_params_defaults();
+        check(plait_sim_get_params(get(), &params));
+        return params;
+    }
+
+    // T: std::uint32_t for VERTEX_COUNT, else float.
+    template <typename T = float> std::vector<T> read(plait_field field) const {
+        std::size_t size = 0;
+        check(plait_sim_read(get(), field, nullptr, &size));
+        std::vector<T> values(size / sizeof(T));
+        check(plait_sim_read(get(), field, values.data(), &size));
+        return values;
+    }
+    void write(plait_field field, const std::vector<float>& values) {
+        check(plait_sim_write(get(), field, values.data(), values.size() * sizeof(float)));
+    }
+
+    plait_sim_stats stats() const {
+        auto stats = plait_sim_stats_defaults();
+        check(plait_sim_stats_get(get(), &stats));
+        return stats;
+    }
+    std::vector<plait_stage_time> stage_times(bool reset = false) {
+        std::size_t count = 0;
+        check(plait_sim_stage_times(get(), nullptr, &count, 0));
+        std::vector<plait_stage_time> times(count);
+        check(plait_sim_stage_times(get(), times.data(), &count, reset));
+        times.resize(count);
+        return times;
+    }
+
+    std::vector<unsigned char> save() const {
+        std::size_t size = 0;
+        check(plait_sim_save(get(), nullptr, &size));
+        std::vector<unsigned char> bytes(size);
+        check(plait_sim_save(get(), bytes.data(), &size));
+        return bytes;
+    }
+    void restore(const std::vector<unsigned char>& bytes) {
+        check(plait_sim_restore(get(), bytes.data(), bytes.size()));
+    }
+    std::uint64_t hash() const {
+        std::uint64_t value = 0;
+        check(plait_sim_hash(get(), &value));
+        return value;
+    }
+
+    plait_collider_id create_collider(const plait_collider_desc& desc) {
+        plait_collider_id id{};
+        check(plait_collider_create(get(), &desc, &id));
+        return id;
+    }
+    void set_collider_pose(plait_collider_id id, const plait_pose& pose) {
+        check(plait_collider_set_pose(get(), id, &pose));
+    }
+    void destroy_collider(plait_collider_id id) { check(plait_collider_destroy(get(), id)); }
+
+  private:
+    static plait_sim* create(plait_context* context, const plait_groom* groom,
+                             const plait_sim_desc& desc) {
+        plait_sim* handle = nullptr;
+        check(plait_sim_create(context, groom, &desc, &handle));
+        return handle;
+    }
+};
+
+} // namespace plait
+
+#endif

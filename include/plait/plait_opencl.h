@@ -1,0 +1,43 @@
+/* Interop with OpenCL: adopt the caller's context and queue, borrow a field's cl_mem. */
+#ifndef PLAIT_OPENCL_H
+#define PLAIT_OPENCL_H
+
+#include <plait/plait.h>
+
+#ifndef CL_TARGET_OPENCL_VERSION
+#define CL_TARGET_OPENCL_VERSION 120
+#endif
+#include <CL/cl.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* What plait_open_info.native points to for the backend `opencl`. */
+typedef struct plait_opencl_handles {
+    cl_context context;
+    cl_device_id device;
+    cl_command_queue queue; /* in-order */
+} plait_opencl_handles;
+
+/* A plait context on the caller's queue. The handles are retained until the context is destroyed.
+ * Work is enqueued on `queue` in order, so commands the caller enqueues there see it finished.
+ * `desc` as in plait_context_create; its backend and device are ignored.
+ * @errors INVALID_ARGUMENT (an out-of-order queue, handles that do not belong together), COMPILE */
+PLAIT_API plait_result plait_opencl_context_create(const plait_opencl_handles* handles,
+                                                   const plait_context_desc* desc,
+                                                   plait_context** out);
+
+/* The buffer behind POSITION, TANGENT, REST, VERTEX_COUNT, GRID_DENSITY or GRID_VELOCITY, borrowed:
+ * valid until the sim is destroyed or its grid is resized; read it on the context's queue.
+ * @errors UNSUPPORTED (not an OpenCL context), INVALID_STATE (the field is off) */
+PLAIT_API plait_result plait_opencl_sim_field(plait_sim* sim, plait_field field, cl_mem* out);
+
+/* The queue plait enqueues on, borrowed. */
+PLAIT_API plait_result plait_opencl_context_queue(plait_context* context, cl_command_queue* out);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

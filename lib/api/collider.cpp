@@ -1,0 +1,64 @@
+// Colliders.
+#include "api/objects.hpp"
+#include "api/structs.hpp"
+#include "core/params.hpp"
+
+using namespace plait;
+
+namespace {
+
+plait_collider_desc default_collider() {
+    plait_collider_desc desc{};
+    desc.struct_size = sizeof desc;
+    desc.radius_a = desc.radius_b = 0.1f;
+    desc.pose = identity_pose;
+    return desc;
+}
+
+} // namespace
+
+extern "C" {
+
+void plait_collider_desc_init(plait_collider_desc* desc, size_t size) {
+    api::init_struct(desc, size, default_collider());
+}
+
+plait_result plait_collider_create(plait_sim* sim, const plait_collider_desc* desc,
+                                   plait_collider_id* out) {
+    return api::guard(__func__, [&]() -> Status {
+        PLAIT_TRY(api::need(sim, "sim"));
+        PLAIT_TRY(api::need(out, "out"));
+        plait_collider_desc given = default_collider();
+        PLAIT_TRY(api::read_struct(desc, given, "desc"));
+        PLAIT_TRY(check_collider(given));
+        const auto pose = checked_pose(given.pose, "desc->pose");
+        if (!pose)
+            return pose.error();
+        given.pose = *pose;
+        const auto id = sim->sim.create_collider(given);
+        if (!id)
+            return id.error();
+        *out = *id;
+        return {};
+    });
+}
+
+plait_result plait_collider_set_pose(plait_sim* sim, plait_collider_id collider,
+                                     const plait_pose* pose) {
+    return api::guard(__func__, [&]() -> Status {
+        PLAIT_TRY(api::need(sim, "sim"));
+        PLAIT_TRY(api::need(pose, "pose"));
+        const auto checked = checked_pose(*pose, "pose");
+        if (!checked)
+            return checked.error();
+        return sim->sim.set_collider_pose(collider, *checked);
+    });
+}
+
+plait_result plait_collider_destroy(plait_sim* sim, plait_collider_id collider) {
+    return api::guard(__func__, [&]() -> Status {
+        PLAIT_TRY(api::need(sim, "sim"));
+        return sim->sim.destroy_collider(collider);
+    });
+}
+}

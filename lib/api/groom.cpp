@@ -1,0 +1,235 @@
+// Grooms.
+#include "api/objects.hpp"
+#include "api/structs.hpp"
+#include "api/view.hpp"
+#include "io/io.hpp"
+
+#include <cmath>
+
+namespace plait::api {
+namespace {
+
+plait_import_options default_options() {
+    plait_import_options options{};
+    options.struct_size = sizeof options;
+    options.min_segment = 1e-3f;
+    options.scale = 1;
+    return options;
+}
+
+Status read_options(const plait_import_options* given, plait_import_options& options) {
+    options = default_options();
+    if (!given)
+        return {};
+    PLAIT_TRY(read_struct(given, options, "options"));
+    uint32_t policy; // any number may come from C
+    std::memcpy(&policy, &options.policy, sizeof policy);
+    if (policy > PLAIT_REPAIR_REFUSE)
+        return invalid(format("options->policy is %u, range is [0, 1]", policy));
+    if (!(options.min_segment >= 0 && options.min_segment <= 0.5f))
+        return invalid(
+            format("options->min_segment is %g, range is [0, 0.5]", double(options.min_segment)));
+    if (!(options.scale > 0 && options.scale <= 1e6f))
+        return invalid(format("options->scale is %g, range is (0, 1e6]", double(options.scale)));
+    if (options.resample != 0 &&
+        (options.resample < PLAIT_MIN_VERTICES || options.resample > PLAIT_MAX_VERTICES))
+        return invalid(format("options->resample is %u, range is 0 or [2, 256]", options.resample));
+    return check_allocator(options.allocator, "options->allocator");
+}
+
+// A per-strand field is absent or has one element per strand.
+Status check_count(const plait_view& view, size_t strands, const char* name) {
+    if (view.count == 0 || view.count == strands)
+        return {};
+    return invalid(format("%s.count is %zu, there are %zu strands", name, view.count, strands));
+}
+
+Status copy_counts(const plait_groom_desc& desc, StrandSet& set) {
+    const size_t vertices = desc.positions.count;
+    if (desc.vertex_counts.count == 0) {
+        if (desc.vertices_per_strand == 0)
+            return invalid("desc->vertices_per_strand is 0 and vertex_counts is empty, give one");
+        if (vertices % desc.vertices_per_strand != 0)
+            return invalid(format("desc->positions.count is %zu, not a multiple of "
+                                  "vertices_per_strand, %u",
+                                  vertices, desc.vertices_per_strand));
+        set.vertex_counts.assign(vertices / desc.vertices_per_strand, desc.vertices_per_strand);
+        return {};
+    }
+    PLAIT_TRY(copy_view(desc.vertex_counts, 1, "desc->vertex_counts", set.vertex_counts));
+    uint64_t sum = 0;
+    for (const uint32_t count : set.vertex_counts)
+        sum += count;
+    if (sum != vertices)
+        return invalid(format("desc->vertex_counts add up to %llu, positions.count is %zu",
+                              static_cast<unsigned long long>(sum), vertices));
+    return {};
+}
+
+Status copy_strands(const plait_groom_desc& desc, float scale, StrandSet& set) {
+    PLAIT_TRY(copy_view(desc.positions, 3, "desc->positions", set.positions));
+    PLAIT_TRY(copy_counts(desc, set));
+    const size_t strands = set.vertex_counts.size();
+    PLAIT_TRY(check_count(desc.strand_uv, strands, "desc->strand_uv"));
+    PLAIT_TRY(check_count(desc.thickness, strands, "desc->thickness"));
+    PLAIT_TRY(check_count(desc.bone_indices, strands, "desc->bone_indices"));
+    PLAIT_TRY(check_count(desc.bone_weights, strands, "desc->bone_weights"));
+    if (desc.bone_indices.count != desc.bone_weights.count)
+        return invalid(format("desc->bone_indices.count is %zu, bone_weights.count is %zu: give "
+                              "both or neither",
+                              desc.bone_indices.count, desc.bone_weights.count));
+    PLAIT_TRY(copy_view(desc.strand_uv, 2, "desc->strand_uv", set.strand_uv));
+    PLAIT_TRY(copy_view(desc.thickness, 1, "desc->thickness", set.thickness));
+    PLAIT_TRY(copy_view(desc.bone_indices, 4, "desc->bone_indices", set.bone_indices));
+    PLAIT_TRY(copy_view(desc.bone_weights, 4, "desc->bone_weights", set.bone_weights));
+    for (float& coordinate : set.positions)
+        coordinate *= scale;
+    for (float& diameter : set.thickness)
+        diameter *= scale;
+    return {};
+}
+
+// Mends what `read` (a callable: memory -> Result<StrandSet>) gives and makes the handle.
+template <typename Read>
+Status make_groom(const plait_import_options& options, plait_groom** out, const Read& read) {
+    Memory memory(options.allocator);
+    auto handle = make_in<plait_groom>(&memory, options.allocator);
+    const auto raw = read(&memory);
+    if (!raw)
+        return raw.error();
+    auto groom =
+        build_groom(*raw, {options.policy, options.min_segment, options.resample}, &handle->own);
+    if (!groom)
+        return groom.error();
+    handle->groom = std::move(*groom);
+    *out = handle.release();
+    return {};
+}
+
+plait_groom_info describe(const Groom& groom) {
+    const GroomShape& shape = groom.shape;
+    plait_groom_info info{};
+    info.strands = shape.strands;
+    info.vertices = shape.vertices;
+    info.min_vertices = shape.min_vertices;
+    info.max_vertices = shape.max_vertices;
+    info.has_strand_uv = !groom.strands.strand_uv.empty();
+    info.has_thickness = !groom.strands.thickness.empty();
+    info.bones = shape.bones;
+    std::copy(shape.bounds_min.begin(), shape.bounds_min.end(), info.bounds_min);
+    std::copy(shape.bounds_max.begin(), shape.bounds_max.end(), info.bounds_max);
+    info.mean_length = static_cast<float>(shape.mean_length);
+    info.max_length = static_cast<float>(shape.max_length);
+    std::copy(groom.repairs.count.begin(), groom.repairs.count.end(), info.repairs);
+    info.repairs_total = groom.repairs.total();
+    groom.repairs.first.copy(info.first_repair, sizeof info.first_repair - 1);
+    return info;
+}
+
+template <typename T> std::span<const std::byte> bytes_of(const std::pmr::vector<T>& values) {
+    return std::as_bytes(std::span(values.data(), values.size()));
+}
+
+Result<std::span<const std::byte>> field_bytes(const StrandSet& set, plait_groom_field field) {
+    switch (field) {
+    case PLAIT_GROOM_POSITIONS:
+        return bytes_of(set.positions);
+    case PLAIT_GROOM_VERTEX_COUNTS:
+        return bytes_of(set.vertex_counts);
+    case PLAIT_GROOM_STRAND_UV:
+        return bytes_of(set.strand_uv);
+    case PLAIT_GROOM_THICKNESS:
+        return bytes_of(set.thickness);
+    case PLAIT_GROOM_BONE_INDICES:
+        return bytes_of(set.bone_indices);
+    case PLAIT_GROOM_BONE_WEIGHTS:
+        return bytes_of(set.bone_weights);
+    }
+    return invalid(format("field is %d, range is [0, %d]", field, PLAIT_GROOM_BONE_WEIGHTS));
+}
+
+} // namespace
+} // namespace plait::api
+
+using namespace plait;
+
+extern "C" {
+
+void plait_import_options_init(plait_import_options* options, size_t size) {
+    api::init_struct(options, size, api::default_options());
+}
+
+void plait_groom_desc_init(plait_groom_desc* desc, size_t size) {
+    api::init_struct(desc, size, plait_groom_desc{});
+}
+
+void plait_groom_info_init(plait_groom_info* info, size_t size) {
+    api::init_struct(info, size, plait_groom_info{});
+}
+
+plait_result plait_groom_create(const plait_groom_desc* desc, const plait_import_options* options,
+                                plait_groom** out) {
+    return api::guard(__func__, [&]() -> Status {
+        PLAIT_TRY(api::need(out, "out"));
+        plait_groom_desc given{};
+        PLAIT_TRY(api::read_struct(desc, given, "desc"));
+        plait_import_options rules;
+        PLAIT_TRY(api::read_options(options, rules));
+        return api::make_groom(rules, out, [&](Memory* memory) -> Result<StrandSet> {
+            StrandSet set(memory);
+            PLAIT_TRY(api::copy_strands(given, rules.scale, set));
+            return set;
+        });
+    });
+}
+
+plait_result plait_groom_load(const char* path, const plait_import_options* options,
+                              plait_groom** out) {
+    return api::guard(__func__, [&]() -> Status {
+        PLAIT_TRY(api::need(path, "path"));
+        PLAIT_TRY(api::need(out, "out"));
+        plait_import_options rules;
+        PLAIT_TRY(api::read_options(options, rules));
+        return api::make_groom(rules, out, [&](Memory* memory) {
+            return read_strands(path, {rules.scale, memory});
+        });
+    });
+}
+
+plait_result plait_groom_save(const plait_groom* groom, const char* path) {
+    return api::guard(__func__, [&]() -> Status {
+        PLAIT_TRY(api::need(groom, "groom"));
+        PLAIT_TRY(api::need(path, "path"));
+        return write_strands(path, groom->groom.strands);
+    });
+}
+
+plait_result plait_groom_describe(const plait_groom* groom, plait_groom_info* out) {
+    return api::guard(__func__, [&]() -> Status {
+        PLAIT_TRY(api::need(groom, "groom"));
+        PLAIT_TRY(api::check_output(out, "out"));
+        api::write_struct(out, api::describe(groom->groom));
+        return {};
+    });
+}
+
+plait_result plait_groom_read(const plait_groom* groom, plait_groom_field field, void* dst,
+                              size_t* size) {
+    return api::guard(__func__, [&]() -> Status {
+        PLAIT_TRY(api::need(groom, "groom"));
+        const auto bytes = api::field_bytes(groom->groom.strands, field);
+        if (!bytes)
+            return bytes.error();
+        const auto wanted = api::wants_bytes(dst, size, bytes->size());
+        if (!wanted)
+            return wanted.error();
+        if (*wanted && !bytes->empty())
+            std::memcpy(dst, bytes->data(), bytes->size());
+        return {};
+    });
+}
+
+void plait_groom_destroy(plait_groom* groom) {
+    api::destroy(groom);
+}
+}

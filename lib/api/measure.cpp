@@ -1,0 +1,99 @@
+// Simulation: reading, writing and measuring.
+#include "api/objects.hpp"
+#include "api/structs.hpp"
+
+using namespace plait;
+
+extern "C" {
+
+plait_result plait_sim_read(plait_sim* sim, plait_field field, void* dst, size_t* size) {
+    return api::guard(__func__, [&]() -> Status {
+        PLAIT_TRY(api::need(sim, "sim"));
+        const auto bytes = sim->sim.field_bytes(field);
+        if (!bytes)
+            return bytes.error();
+        const auto wanted = api::wants_bytes(dst, size, *bytes);
+        if (!wanted)
+            return wanted.error();
+        return *wanted ? sim->sim.read(field, dst) : Status{};
+    });
+}
+
+plait_result plait_sim_write(plait_sim* sim, plait_field field, const void* src, size_t size) {
+    return api::guard(__func__, [&]() -> Status {
+        PLAIT_TRY(api::need(sim, "sim"));
+        PLAIT_TRY(api::need(src, "src"));
+        if (field != PLAIT_FIELD_POSITION && field != PLAIT_FIELD_POSITION_PREV &&
+            field != PLAIT_FIELD_VELOCITY)
+            return api::invalid(format("field is %d, only POSITION, POSITION_PREV and VELOCITY can "
+                                       "be written",
+                                       field));
+        const auto needed = sim->sim.field_bytes(PLAIT_FIELD_POSITION_PREV);
+        if (size != *needed)
+            return api::invalid(format("size is %zu bytes, the guides take %zu", size, *needed));
+        return sim->sim.write(field, src);
+    });
+}
+
+plait_result plait_sim_save(plait_sim* sim, void* dst, size_t* size) {
+    return api::guard(__func__, [&]() -> Status {
+        PLAIT_TRY(api::need(sim, "sim"));
+        const auto wanted = api::wants_bytes(dst, size, sim->sim.snapshot_size());
+        if (!wanted)
+            return wanted.error();
+        return *wanted ? sim->sim.save({static_cast<unsigned char*>(dst), *size}) : Status{};
+    });
+}
+
+plait_result plait_sim_restore(plait_sim* sim, const void* src, size_t size) {
+    return api::guard(__func__, [&]() -> Status {
+        PLAIT_TRY(api::need(sim, "sim"));
+        PLAIT_TRY(api::need(src, "src"));
+        return sim->sim.restore({static_cast<const unsigned char*>(src), size});
+    });
+}
+
+plait_result plait_sim_hash(plait_sim* sim, uint64_t* out) {
+    return api::guard(__func__, [&]() -> Status {
+        PLAIT_TRY(api::need(sim, "sim"));
+        PLAIT_TRY(api::need(out, "out"));
+        const auto hash = sim->sim.hash();
+        if (!hash)
+            return hash.error();
+        *out = *hash;
+        return {};
+    });
+}
+
+void plait_sim_stats_init(plait_sim_stats* stats, size_t size) {
+    api::init_struct(stats, size, plait_sim_stats{});
+}
+
+plait_result plait_sim_stats_get(plait_sim* sim, plait_sim_stats* out) {
+    return api::guard(__func__, [&]() -> Status {
+        PLAIT_TRY(api::need(sim, "sim"));
+        PLAIT_TRY(api::check_output(out, "out"));
+        plait_sim_stats stats;
+        PLAIT_TRY(sim->sim.stats(stats));
+        api::write_struct(out, stats);
+        return {};
+    });
+}
+
+plait_result plait_sim_stage_times(plait_sim* sim, plait_stage_time* dst, size_t* count,
+                                   uint32_t reset) {
+    return api::guard(__func__, [&]() -> Status {
+        PLAIT_TRY(api::need(sim, "sim"));
+        PLAIT_TRY(api::need(count, "count"));
+        const size_t available = sim->sim.stage_time_count();
+        if (!dst) {
+            *count = available;
+            return {};
+        }
+        const size_t number = std::min(*count, available);
+        PLAIT_TRY(sim->sim.stage_times({dst, number}, reset != 0));
+        *count = number;
+        return {};
+    });
+}
+}

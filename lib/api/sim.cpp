@@ -1,0 +1,180 @@
+// Simulation: creating, steering and stepping.
+#include "core/sim.hpp"
+
+#include "api/objects.hpp"
+#include "api/structs.hpp"
+#include "api/view.hpp"
+#include "core/params.hpp"
+
+#include <cmath>
+
+namespace plait::api {
+namespace {
+
+Status read_params(const plait_sim_params* given, const char* name, plait_sim_params& params) {
+    params = default_params();
+    PLAIT_TRY(read_struct(given, params, name));
+    return check_params(params);
+}
+
+// The parameters inside a descriptor cannot be longer than the room they have there.
+Status read_desc(const plait_sim_desc* given, plait_sim_desc& desc) {
+    desc = default_sim_desc();
+    if (!given)
+        return {};
+    PLAIT_TRY(read_struct(given, desc, "desc"));
+    const plait_sim_params inner = desc.params;
+    if (inner.struct_size > sizeof inner)
+        return invalid(format("desc->params.struct_size is %u, range is [4, %zu]",
+                              inner.struct_size, sizeof inner));
+    PLAIT_TRY(read_params(&inner, "desc->params", desc.params));
+    return check_sim_desc(desc);
+}
+
+// Owns what a plait_roots names.
+struct RootsCopy {
+    explicit RootsCopy(std::pmr::memory_resource* memory) : own(memory), bones(memory) {}
+    plait_pose head{};
+    std::pmr::vector<plait_pose> own;
+    std::pmr::vector<BoneMatrix> bones;
+
+    RootsInput input() const { return {head, own, bones}; }
+};
+
+Status read_own(const plait_view& view, RootsCopy& copy) {
+    PLAIT_TRY(copy_view(view, 1, "roots->root_poses", copy.own));
+    for (size_t i = 0; i < copy.own.size(); ++i) {
+        const auto pose = checked_pose(copy.own[i], "roots->root_poses");
+        if (!pose)
+            return invalid(format("%s, at index %zu", pose.error().message.c_str(), i));
+        copy.own[i] = *pose;
+    }
+    return {};
+}
+
+Status read_bones(const plait_view& view, RootsCopy& copy) {
+    PLAIT_TRY(copy_view(view, 1, "roots->bones", copy.bones));
+    for (size_t bone = 0; bone < copy.bones.size(); ++bone)
+        for (size_t i = 0; i < 12; ++i)
+            if (const float value = copy.bones[bone][i]; !(std::abs(value) <= 1e6f))
+                return invalid(format("roots->bones[%zu][%zu] is %g, range is [-1e6, 1e6]", bone, i,
+                                      double(value)));
+    return {};
+}
+
+Status read_roots(const plait_roots* given, RootsCopy& copy) {
+    plait_roots roots{};
+    roots.head = identity_pose;
+    PLAIT_TRY(read_struct(given, roots, "roots"));
+    const auto head = checked_pose(roots.head, "roots->head");
+    if (!head)
+        return head.error();
+    copy.head = *head;
+    if (roots.root_poses.count > 0 && roots.bones.count > 0)
+        return invalid("roots->root_poses and roots->bones are both given, give one");
+    PLAIT_TRY(read_own(roots.root_poses, copy));
+    return read_bones(roots.bones, copy);
+}
+
+// The common shape of the calls that take a sim and can fail.
+template <typename Body>
+plait_result with_sim(const char* function, plait_sim* sim, const Body& body) noexcept {
+    return guard(function, [&]() -> Status {
+        PLAIT_TRY(need(sim, "sim"));
+        return body(sim->sim);
+    });
+}
+
+} // namespace
+} // namespace plait::api
+
+using namespace plait;
+
+extern "C" {
+
+void plait_sim_params_init(plait_sim_params* params, size_t size) {
+    api::init_struct(params, size, default_params());
+}
+
+void plait_sim_desc_init(plait_sim_desc* desc, size_t size) {
+    api::init_struct(desc, size, default_sim_desc());
+}
+
+void plait_roots_init(plait_roots* roots, size_t size) {
+    plait_roots defaults{};
+    defaults.head = identity_pose;
+    api::init_struct(roots, size, defaults);
+}
+
+plait_result plait_sim_create(plait_context* context, const plait_groom* groom,
+                              const plait_sim_desc* desc, plait_sim** out) {
+    return api::guard(__func__, [&]() -> Status {
+        PLAIT_TRY(api::need(context, "context"));
+        PLAIT_TRY(api::need(groom, "groom"));
+        PLAIT_TRY(api::need(out, "out"));
+        plait_sim_desc given;
+        PLAIT_TRY(api::read_desc(desc, given));
+        auto parts = make_sim_parts(context->context, groom->groom, given);
+        if (!parts)
+            return parts.error();
+        auto handle =
+            make_in<plait_sim>(&context->context.memory, context->context, std::move(*parts));
+        PLAIT_TRY(handle->sim.start());
+        *out = handle.release();
+        return {};
+    });
+}
+
+void plait_sim_destroy(plait_sim* sim) {
+    api::destroy(sim);
+}
+
+plait_result plait_sim_reset(plait_sim* sim) {
+    return api::with_sim(__func__, sim, [](Sim& s) { return s.reset(); });
+}
+
+plait_result plait_sim_set_params(plait_sim* sim, const plait_sim_params* params) {
+    return api::with_sim(__func__, sim, [&](Sim& s) -> Status {
+        plait_sim_params given;
+        PLAIT_TRY(api::read_params(params, "params", given));
+        return s.set_params(given);
+    });
+}
+
+plait_result plait_sim_get_params(const plait_sim* sim, plait_sim_params* params) {
+    return api::guard(__func__, [&]() -> Status {
+        PLAIT_TRY(api::need(sim, "sim"));
+        PLAIT_TRY(api::check_output(params, "params"));
+        api::write_struct(params, sim->sim.params());
+        return {};
+    });
+}
+
+plait_result plait_sim_set_roots(plait_sim* sim, const plait_roots* roots) {
+    return api::with_sim(__func__, sim, [&](Sim& s) -> Status {
+        api::RootsCopy copy(&s.context().memory);
+        PLAIT_TRY(api::read_roots(roots, copy));
+        return s.set_roots(copy.input());
+    });
+}
+
+plait_result plait_sim_teleport(plait_sim* sim, const plait_roots* roots) {
+    return api::with_sim(__func__, sim, [&](Sim& s) -> Status {
+        api::RootsCopy copy(&s.context().memory);
+        PLAIT_TRY(api::read_roots(roots, copy));
+        return s.teleport(copy.input());
+    });
+}
+
+plait_result plait_sim_step(plait_sim* sim, double dt) {
+    return api::with_sim(__func__, sim, [&](Sim& s) -> Status {
+        if (!(dt >= 0 && dt <= 10))
+            return api::invalid(format("dt is %g, range is [0, 10] s", dt));
+        return s.step(dt);
+    });
+}
+
+plait_result plait_sim_wait(plait_sim* sim) {
+    return api::with_sim(__func__, sim, [](Sim& s) { return s.wait(); });
+}
+}

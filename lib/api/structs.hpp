@@ -1,0 +1,77 @@
+// Versioned structs: callers built with another version of plait.h pass another struct_size.
+#pragma once
+
+#include "api/wall.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <type_traits>
+
+namespace plait::api {
+
+// A known prefix is accepted (the rest keeps the defaults already in `out`); a longer struct only
+// if what this library does not know is zero.
+template <typename T> Status read_struct(const T* in, T& out, const char* name) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    PLAIT_TRY(need(in, name));
+    const size_t size = in->struct_size;
+    if (size < alignof(T) || size % alignof(T) != 0)
+        return invalid(format("%s->struct_size is %zu, range is [%zu, %zu] in steps of %zu: "
+                              "fill the struct with its _init",
+                              name, size, alignof(T), sizeof(T), alignof(T)));
+    const auto* bytes = reinterpret_cast<const unsigned char*>(in);
+    for (size_t i = sizeof(T); i < size; ++i)
+        if (bytes[i] != 0)
+            return invalid(format("%s->struct_size is %zu, this library knows %zu bytes and byte "
+                                  "%zu beyond them is not zero",
+                                  name, size, sizeof(T), i));
+    std::memcpy(&out, in, std::min(size, sizeof(T)));
+    out.struct_size = sizeof(T);
+    return {};
+}
+
+// Writes what the caller's struct has room for; its struct_size stays.
+template <typename T> void write_struct(T* out, const T& value) {
+    const uint32_t size = out->struct_size;
+    std::memcpy(out, &value, std::min<size_t>(size, sizeof(T)));
+    out->struct_size = size;
+}
+
+template <typename T> Status check_output(const T* out, const char* name) {
+    PLAIT_TRY(need(out, name));
+    if (out->struct_size >= alignof(T) && out->struct_size % alignof(T) == 0)
+        return {};
+    return invalid(
+        format("%s->struct_size is %u: set it to sizeof *%s", name, out->struct_size, name));
+}
+
+// plait_x_init: writes the defaults into a struct of `size` bytes, zeroes beyond them.
+template <typename T> void init_struct(T* out, size_t size, const T& defaults) {
+    if (!out || size < sizeof(uint32_t))
+        return;
+    std::memset(out, 0, size);
+    std::memcpy(out, &defaults, std::min(size, sizeof(T)));
+    out->struct_size = static_cast<uint32_t>(size);
+}
+
+inline Status check_allocator(const plait_allocator& allocator, const char* name) {
+    if (!allocator.allocate == !allocator.release)
+        return {};
+    return invalid(format("%s: %s is NULL, set both functions or neither", name,
+                          allocator.allocate ? "release" : "allocate"));
+}
+
+// The size-query idiom over bytes: true if `dst` is to be filled; otherwise *size says how much.
+inline Result<bool> wants_bytes(const void* dst, size_t* size, size_t needed) {
+    PLAIT_TRY(need(size, "size"));
+    if (!dst) {
+        *size = needed;
+        return false;
+    }
+    if (*size < needed)
+        return invalid(format("*size is %zu bytes, %zu are needed", *size, needed));
+    *size = needed;
+    return true;
+}
+
+} // namespace plait::api

@@ -1,0 +1,93 @@
+// A backend's device and its buffers, owned: results become Status, handles are released.
+#pragma once
+
+#include "base/result.hpp"
+
+#include <plait/plait_backend.h>
+
+#include <span>
+#include <string>
+#include <utility>
+
+namespace plait {
+
+// A device buffer, or none.
+class Buffer {
+  public:
+    Buffer() = default;
+    Buffer(const plait_device_api* api, plait_device* device, plait_buffer* handle,
+           const plait_buffer_desc& desc)
+        : api_(api), device_(device), handle_(handle), desc_(desc) {}
+    Buffer(Buffer&& other) noexcept { swap(other); }
+    Buffer& operator=(Buffer&& other) noexcept {
+        Buffer(std::move(other)).swap(*this);
+        return *this;
+    }
+    ~Buffer() {
+        if (handle_)
+            api_->buffer_destroy(device_, handle_);
+    }
+
+    void swap(Buffer& other) noexcept {
+        std::swap(api_, other.api_);
+        std::swap(device_, other.device_);
+        std::swap(handle_, other.handle_);
+        std::swap(desc_, other.desc_);
+    }
+
+    explicit operator bool() const { return handle_ != nullptr; }
+    plait_buffer* handle() const { return handle_; }
+    const char* name() const { return desc_.name; }
+    size_t count() const { return handle_ ? desc_.count : 0; }
+    size_t element_size() const { return desc_.element == PLAIT_ELEMENT_FLOAT4 ? 16 : 4; }
+    size_t bytes() const { return count() * element_size(); }
+
+  private:
+    const plait_device_api* api_ = nullptr;
+    plait_device* device_ = nullptr;
+    plait_buffer* handle_ = nullptr;
+    plait_buffer_desc desc_{PLAIT_ELEMENT_FLOAT, 0, ""};
+};
+
+// An open device. Buffers must be gone before it is. Once it reports DEVICE_LOST it stays lost.
+class Device {
+  public:
+    static Result<Device> open(const plait_backend_api& backend, const plait_open_info& info);
+
+    Device(Device&& other) noexcept;
+    Device& operator=(Device&&) = delete;
+    ~Device();
+
+    Result<plait_device_info> describe();
+    bool supports(plait_stage stage) const { return api_->supports(handle_, stage) != 0; }
+
+    // `name` must outlive the buffer.
+    Result<Buffer> create(plait_element element, size_t count, const char* name);
+    Status write(const Buffer& buffer, size_t first, size_t count, const void* src);
+    Status write(const Buffer& buffer, const void* src) {
+        return write(buffer, 0, buffer.count(), src);
+    }
+    Status read(const Buffer& buffer, size_t first, size_t count, void* dst);
+    Status read(const Buffer& buffer, void* dst) { return read(buffer, 0, buffer.count(), dst); }
+
+    Status submit(std::span<const plait_dispatch> list);
+    Status wait();
+    Status stage_costs(plait_stage_cost* dst, bool reset); // dst[PLAIT_STAGE_COUNT]
+
+    void* native_buffer(const Buffer& buffer) {
+        return api_->native_buffer(handle_, buffer.handle());
+    }
+    void* native_queue() { return api_->native_queue(handle_); }
+
+  private:
+    Device(const plait_backend_api& backend, plait_device* handle)
+        : backend_(backend.name), api_(backend.device), handle_(handle) {}
+    template <typename Call> Status perform(const char* what, const Call& call);
+
+    const char* backend_;
+    const plait_device_api* api_;
+    plait_device* handle_;
+    std::string lost_; // the sentence of the loss; "" while the device is there
+};
+
+} // namespace plait

@@ -1,0 +1,117 @@
+#include "backend/opencl/device.hpp"
+
+#include "backend/opencl/errors.hpp"
+#include "backend/opencl/source.hpp"
+#include "base/format.hpp"
+
+namespace plait::opencl {
+namespace {
+
+Status check_part(const Buffer& buffer, size_t first, size_t count, const char* what) {
+    if (first <= buffer.count && count <= buffer.count - first)
+        return {};
+    return Error{PLAIT_INVALID_ARGUMENT,
+                 format("%s buffer %s: elements %zu to %zu of %zu", what, buffer.name.c_str(),
+                        first, first + count, buffer.count)};
+}
+
+} // namespace
+
+Device::Device(Session session, Log log, const Calls& calls)
+    : session_(std::move(session)), log_(log), calls_(calls) {
+    for (int stage = 0; stage < PLAIT_STAGE_COUNT; ++stage) {
+        const std::string name = plait_stage_describe(static_cast<plait_stage>(stage))->name;
+        const std::string_view text = stage_text(name);
+        if (!text.empty())
+            texts_[static_cast<size_t>(stage)] = {"cl/" + name + ".cl", std::string(text)};
+    }
+}
+
+bool Device::supports(plait_stage stage) const {
+    return stage >= 0 && stage < PLAIT_STAGE_COUNT && texts_[stage].has_value();
+}
+
+Result<const StageKernel*> Device::kernel(const plait_stage_info& stage, uint32_t vertices) {
+    if (stage.space != PLAIT_SPACE_LANES)
+        vertices = usual_vertices;
+    const auto key = std::pair(stage.stage, vertices);
+    auto found = kernels_.find(key);
+    if (found == kernels_.end()) {
+        if (!texts_[stage.stage])
+            return Error{PLAIT_UNSUPPORTED, format("stage %s has no kernel", stage.name)};
+        auto built = build_stage(session_.context.get(), session_.candidate, stage,
+                                 *texts_[stage.stage], log_, vertices);
+        PLAIT_TRY(built);
+        found = kernels_.emplace(key, std::move(*built)).first;
+    }
+    return &found->second;
+}
+
+Result<std::unique_ptr<Buffer>> Device::create(const plait_buffer_desc& desc) {
+    const size_t element = element_size(desc.element);
+    const std::string name = desc.name ? desc.name : "(unnamed)";
+    const std::string what =
+        format("buffer %s of %zu x %zu bytes", name.c_str(), desc.count, element);
+    if (desc.count == 0)
+        return Error{PLAIT_INVALID_ARGUMENT, what + ": the count must be at least 1"};
+    if (desc.count > SIZE_MAX / element)
+        return Error{PLAIT_OUT_OF_MEMORY, what + ": larger than the address space"};
+    cl_int code = CL_SUCCESS;
+    Memory memory(calls_.create_buffer(session_.context.get(), CL_MEM_READ_WRITE,
+                                       desc.count * element, nullptr, &code));
+    if (code == CL_OUT_OF_RESOURCES)
+        code = CL_MEM_OBJECT_ALLOCATION_FAILURE; // the only resource asked for is memory
+    if (code != CL_SUCCESS)
+        return failure(code, what);
+    return std::make_unique<Buffer>(Buffer{std::move(memory), name, desc.count, element});
+}
+
+Status Device::write(const Buffer& buffer, size_t first, size_t count, const void* src) {
+    PLAIT_TRY(check_part(buffer, first, count, "write to"));
+    if (count == 0)
+        return {};
+    const cl_int code =
+        calls_.enqueue_write(queue(), buffer.memory.get(), CL_TRUE, first * buffer.element_bytes,
+                             count * buffer.element_bytes, src, 0, nullptr, nullptr);
+    if (code != CL_SUCCESS)
+        return late_failure(code, "write to buffer " + buffer.name);
+    return flight_.collect(session_.profile);
+}
+
+Status Device::read(const Buffer& buffer, size_t first, size_t count, void* dst) {
+    PLAIT_TRY(check_part(buffer, first, count, "read from"));
+    if (count == 0)
+        return {};
+    const cl_int code =
+        calls_.enqueue_read(queue(), buffer.memory.get(), CL_TRUE, first * buffer.element_bytes,
+                            count * buffer.element_bytes, dst, 0, nullptr, nullptr);
+    if (code != CL_SUCCESS)
+        return late_failure(code, "read from buffer " + buffer.name);
+    return flight_.collect(session_.profile);
+}
+
+Status Device::wait() {
+    if (const cl_int code = calls_.finish(queue()))
+        return late_failure(code, "waiting for the device");
+    return flight_.collect(session_.profile);
+}
+
+Status Device::costs(plait_stage_cost* dst, bool reset) {
+    PLAIT_TRY(wait());
+    std::ranges::copy(flight_.costs(), dst);
+    if (reset)
+        flight_.reset_costs();
+    return {};
+}
+
+plait_result Device::report(const Status& status) {
+    if (status.ok())
+        return PLAIT_OK;
+    const Error& error = status.error();
+    if (error.code == PLAIT_DEVICE_LOST && !lost_)
+        lost_ = error;
+    last_error_ = error.message;
+    return error.code;
+}
+
+} // namespace plait::opencl

@@ -1,0 +1,73 @@
+// One open device: its queue, memory and kernels.
+#pragma once
+
+#include "backend/opencl/build.hpp"
+#include "backend/opencl/enumerate.hpp"
+#include "backend/opencl/flight.hpp"
+#include "backend/opencl/range.hpp"
+
+#include <array>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+
+namespace plait::opencl {
+
+struct Buffer {
+    Memory memory;
+    std::string name;
+    size_t count; // elements
+    size_t element_bytes;
+};
+
+// What a device is opened with, whoever made it.
+struct Session {
+    Candidate candidate;
+    Context context;
+    Queue queue;
+    bool profile;
+};
+
+class Device {
+  public:
+    // `calls` are the driver's own, or a test's.
+    static Result<std::unique_ptr<Device>> open(const plait_open_info& info, const Calls& calls);
+
+    const plait_device_info& info() const { return session_.candidate.info; }
+    cl_command_queue queue() const { return session_.queue.get(); }
+    bool supports(plait_stage stage) const;
+
+    Result<std::unique_ptr<Buffer>> create(const plait_buffer_desc& desc);
+    Status write(const Buffer& buffer, size_t first, size_t count, const void* src);
+    Status read(const Buffer& buffer, size_t first, size_t count, void* dst);
+
+    Status submit(std::span<const plait_dispatch> list);
+    Status wait();
+    Status costs(plait_stage_cost* dst, bool reset);
+
+    // The failure that took the device away, once there was one.
+    const std::optional<Error>& lost() const { return lost_; }
+    // Keeps the sentence for last_error() and passes the code on.
+    plait_result report(const Status& status);
+    const std::string& last_error() const { return last_error_; }
+
+  private:
+    Device(Session session, Log log, const Calls& calls);
+
+    Status take_sources(std::span<const plait_stage_source> sources);
+    // `vertices` per strand: of the stages over lanes, which are built once for each number.
+    Result<const StageKernel*> kernel(const plait_stage_info& stage, uint32_t vertices);
+    Status enqueue(const plait_dispatch& dispatch, bool last);
+
+    Session session_;
+    Log log_;
+    Calls calls_;
+    Flight flight_;
+    std::array<std::optional<StageText>, PLAIT_STAGE_COUNT> texts_;
+    std::map<std::pair<plait_stage, uint32_t>, StageKernel> kernels_;
+    std::optional<Error> lost_;
+    std::string last_error_;
+};
+
+} // namespace plait::opencl

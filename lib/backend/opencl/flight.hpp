@@ -1,0 +1,38 @@
+// Commands that were enqueued and have not been looked at since: what they cost, how they ended.
+#pragma once
+
+#include "backend/opencl/handles.hpp"
+#include "base/result.hpp"
+
+#include <plait/plait_backend.h>
+
+#include <array>
+#include <deque>
+
+namespace plait::opencl {
+
+class Flight {
+  public:
+    void count(plait_stage stage) { ++costs_[stage].calls; }
+    void add(Event event, plait_stage stage) { events_.push_back({std::move(event), stage}); }
+
+    // Takes every ended command off the front: as many events are kept as the queue itself holds
+    // commands. Returns the first failure among the ended.
+    Status collect(bool profile);
+
+    const std::array<plait_stage_cost, PLAIT_STAGE_COUNT>& costs() const { return costs_; }
+    void reset_costs() { costs_ = {}; }
+
+  private:
+    struct Command {
+        Event event;
+        plait_stage stage;
+    };
+
+    Status take(const Command& command, cl_int status, bool profile);
+
+    std::deque<Command> events_;
+    std::array<plait_stage_cost, PLAIT_STAGE_COUNT> costs_{};
+};
+
+} // namespace plait::opencl

@@ -1,0 +1,109 @@
+// Lists of stages onto the queue.
+#include "backend/opencl/device.hpp"
+#include "backend/opencl/errors.hpp"
+#include "base/format.hpp"
+
+namespace plait::opencl {
+namespace {
+
+Status check(const plait_stage_info& stage, const plait_dispatch& dispatch) {
+    if (dispatch.params_size != stage.params_size || !dispatch.params)
+        return Error{PLAIT_INVALID_ARGUMENT,
+                     format("stage %s: parameters of %u bytes, %s has %u", stage.name,
+                            dispatch.params_size, stage.params_type, stage.params_size)};
+    if (dispatch.buffer_count != stage.buffer_count)
+        return Error{PLAIT_INVALID_ARGUMENT, format("stage %s: %u buffers, it has %u", stage.name,
+                                                    dispatch.buffer_count, stage.buffer_count)};
+    if (stage.space == PLAIT_SPACE_LANES && dispatch.item_width < PLAIT_MIN_VERTICES)
+        return Error{
+            PLAIT_INVALID_ARGUMENT,
+            format("stage %s: item_width %u, vertices per strand of at least %d are needed",
+                   stage.name, dispatch.item_width, PLAIT_MIN_VERTICES)};
+    if (dispatch.item_width == 0)
+        return Error{PLAIT_INVALID_ARGUMENT,
+                     format("stage %s: item_width 0, at least 1 is needed", stage.name)};
+    return {};
+}
+
+// Sets a kernel's arguments in order, so that no index is written down anywhere.
+class ArgumentList {
+  public:
+    explicit ArgumentList(cl_kernel kernel) : kernel_(kernel) {}
+
+    void value(const void* bytes, size_t size) {
+        const cl_int code = clSetKernelArg(kernel_, index_++, size, bytes);
+        if (code_ == CL_SUCCESS)
+            code_ = code;
+    }
+    void memory(cl_mem memory) { value(memory ? &memory : nullptr, sizeof memory); }
+    void local(size_t size) { value(nullptr, size); }
+    cl_int code() const { return code_; }
+
+  private:
+    cl_kernel kernel_;
+    cl_uint index_ = 0;
+    cl_int code_ = CL_SUCCESS;
+};
+
+Status set_arguments(cl_kernel kernel, const plait_stage_info& stage,
+                     const plait_dispatch& dispatch, size_t local_items) {
+    ArgumentList arguments(kernel);
+    arguments.value(&dispatch.item_count, sizeof dispatch.item_count);
+    arguments.value(dispatch.params, dispatch.params_size);
+    plait_buffer* const* next = dispatch.buffers;
+    for (const plait_stage_arg& arg : std::span(stage.args, stage.arg_count)) {
+        if (arg.access == PLAIT_ACCESS_LOCAL) {
+            arguments.local(local_items * element_size(arg.element));
+            continue;
+        }
+        const auto* buffer = reinterpret_cast<const Buffer*>(*next++);
+        arguments.memory(buffer ? buffer->memory.get() : nullptr);
+    }
+    if (arguments.code() != CL_SUCCESS)
+        return failure(arguments.code(), format("stage %s: clSetKernelArg", stage.name));
+    return {};
+}
+
+} // namespace
+
+Status Device::enqueue(const plait_dispatch& dispatch, bool last) {
+    const plait_stage_info* stage = plait_stage_describe(dispatch.stage);
+    if (!stage)
+        return Error{PLAIT_INVALID_ARGUMENT, format("stage %d does not exist", dispatch.stage)};
+    PLAIT_TRY(check(*stage, dispatch));
+    auto found = kernel(*stage, dispatch.item_width);
+    PLAIT_TRY(found);
+    const StageKernel& built = **found;
+    const GroupLimits limits{info().max_group_size, built.group_limit, info().local_memory_bytes,
+                             info().lanes, info().tile};
+    const auto range = work_range(*stage, dispatch, limits);
+    PLAIT_TRY(range);
+    PLAIT_TRY(set_arguments(built.kernel.get(), *stage, dispatch, (*range).local));
+
+    // Without profiling one event per list is enough to learn whether its commands failed.
+    cl_event event = nullptr;
+    const bool watch = session_.profile || last;
+    const cl_int code =
+        calls_.enqueue_kernel(queue(), built.kernel.get(), 1, nullptr, &(*range).global,
+                              &(*range).local, 0, nullptr, watch ? &event : nullptr);
+    if (code != CL_SUCCESS)
+        return failure(code, format("stage %s: clEnqueueNDRangeKernel of %zu work-items in groups "
+                                    "of %zu",
+                                    stage->name, (*range).global, (*range).local));
+    flight_.count(dispatch.stage);
+    if (watch)
+        flight_.add(Event(event), dispatch.stage);
+    return {};
+}
+
+Status Device::submit(std::span<const plait_dispatch> list) {
+    PLAIT_TRY(flight_.collect(session_.profile));
+    for (const plait_dispatch& dispatch : list)
+        if (dispatch.item_count > 0)
+            PLAIT_TRY(enqueue(dispatch, &dispatch == &list.back()));
+    if (const cl_int code = calls_.flush(queue()))
+        return late_failure(code, "clFlush");
+    return {};
+}
+
+} // namespace plait::opencl

@@ -1,0 +1,22 @@
+// lane_unpack: x_world = root + x, and the history a Verlet step would have, x - h v.
+#include "backend/reference/lanes.hpp"
+
+namespace plait::reference {
+
+void lane_unpack(uint32_t item_count, const plait_lane_layout_params& params,
+                 const lane_unpack_args& args) {
+    for (size_t item = 0; item < item_count; ++item) {
+        const auto [strand, i] = place(item, params.vertex_stride);
+        if (i >= vertices_of(args.vertex_count, strand, params.vertex_stride))
+            continue;
+        const Lane lane(strand, params.vertex_stride, params.tile);
+        const Vec3 root = lane.vector(args.lane_x, 0);
+        const Vec3 x = i == 0 ? root : Vec3(root + lane.vector(args.lane_x, i));
+        const Vec3 v = i == 0 ? Vec3(Vec3::Zero()) : lane.vector(args.lane_v, i);
+        const double w = args.position[item].w();
+        args.position[item] = with_w(x, w);
+        args.position_prev[item] = with_w(x - params.h * v, w);
+    }
+}
+
+} // namespace plait::reference

@@ -1,0 +1,51 @@
+#include "backend/reference/lanes.hpp"
+
+namespace plait::reference {
+namespace {
+
+// Backward Euler continues from the present; BDF2 from (4 now - before)/3.
+template <typename T> T continued(const T& now, const T& before) {
+    return (4 * now - before) / 3;
+}
+
+} // namespace
+
+Vec3 root_of(const View<const Vec4>& rest, const Pose& pose, size_t strand, uint32_t stride) {
+    return pose.apply(xyz(rest[strand * stride]));
+}
+
+Motion::Motion(const Lane& lane, const plait_lane_params& params, const LaneState& state,
+               const Vec3& new_root)
+    : h(params.bdf2 ? params.h * 2.0 / 3.0 : params.h), root(new_root), y(params.vertex_stride),
+      w(params.vertex_stride, Vec3::Zero()) {
+    const Vec3 push = vec3(params.gravity) + params.drag * vec3(params.air);
+    const Vec3 root_now = lane.vector(state.x, 0);
+    const Vec3 root_before = params.bdf2 ? lane.vector(state.x_before, 0) : root_now;
+    y[0] = Vec3::Zero();
+    for (uint32_t i = 1; i < params.vertex_stride; ++i) {
+        Vec3 x = root_now + lane.vector(state.x, i);
+        Vec3 v = lane.vector(state.v, i);
+        if (params.bdf2) {
+            const Vec3 x_before = root_before + lane.vector(state.x_before, i);
+            const Vec3 v_before = lane.vector(state.v_before, i);
+            lane.store(state.x_before, i, Vec3(x - root_now));
+            lane.store(state.v_before, i, v);
+            x = continued(x, x_before);
+            v = continued(v, v_before);
+        }
+        w[i] = (v + h * push) / (1 + params.drag * h);
+        y[i] = x + h * w[i] - root;
+    }
+    if (params.bdf2)
+        lane.store(state.x_before, 0, root_now);
+}
+
+void Motion::store(const Lane& lane, const LaneState& state, const std::vector<Vec3>& x) const {
+    lane.store(state.x, 0, root);
+    for (size_t i = 1; i < x.size(); ++i) {
+        lane.store(state.x, i, x[i]);
+        lane.store(state.v, i, Vec3(w[i] + (x[i] - y[i]) / h));
+    }
+}
+
+} // namespace plait::reference

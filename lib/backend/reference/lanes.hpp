@@ -1,0 +1,67 @@
+// Strands in the lane layout [tile][V][components][tile strands], one at a time, and what every
+// strand model does around its solve: inertial targets before, velocities after.
+#pragma once
+
+#include "backend/reference/stages.hpp"
+
+#include <vector>
+
+namespace plait::reference {
+
+// One strand's rows in the lane layout.
+class Lane {
+  public:
+    Lane(size_t strand, uint32_t vertices, uint32_t tile)
+        : base_(strand / tile * vertices), tile_(tile), lane_(strand % tile) {}
+
+    size_t index(size_t row, size_t component, size_t components) const {
+        return ((base_ + row) * components + component) * tile_ + lane_;
+    }
+    Vec3 vector(const View<const double>& data, size_t row) const {
+        return {data[index(row, 0, 3)], data[index(row, 1, 3)], data[index(row, 2, 3)]};
+    }
+    Vec3 vector(const View<double>& data, size_t row) const {
+        return {data[index(row, 0, 3)], data[index(row, 1, 3)], data[index(row, 2, 3)]};
+    }
+    template <typename T> Quat rotation(const View<T>& data, size_t row) const {
+        return {data[index(row, 3, 4)], data[index(row, 0, 4)], data[index(row, 1, 4)],
+                data[index(row, 2, 4)]};
+    }
+    void store(const View<double>& data, size_t row, const Vec3& v) const {
+        for (int c = 0; c < 3; ++c)
+            data[index(row, c, 3)] = v[c];
+    }
+    void store(const View<double>& data, size_t row, const Quat& q) const {
+        for (int c = 0; c < 4; ++c)
+            data[index(row, c, 4)] = q.coeffs()[c]; // (x, y, z, w)
+    }
+
+  private:
+    size_t base_, tile_, lane_;
+};
+
+// World position of a strand's root under a pose.
+Vec3 root_of(const View<const Vec4>& rest, const Pose& pose, size_t strand, uint32_t stride);
+
+struct LaneState {
+    const View<double>& x; // row 0: the root in the world; else relative to it
+    const View<double>& v;
+    const View<double>& x_before; // BDF2 only
+    const View<double>& v_before;
+};
+
+// One step of one strand: y is where inertia, gravity and drag alone would put each vertex,
+// relative to the root; w the velocity that goes with it; h the step of the integrator (2/3 of it
+// for BDF2).
+struct Motion {
+    Motion(const Lane& lane, const plait_lane_params& params, const LaneState& state,
+           const Vec3& root);
+    // Positions x relative to the root; v = w + (x - y)/h.
+    void store(const Lane& lane, const LaneState& state, const std::vector<Vec3>& x) const;
+
+    double h;
+    Vec3 root;
+    std::vector<Vec3> y, w;
+};
+
+} // namespace plait::reference

@@ -1,0 +1,97 @@
+// rod: damped Gauss-Newton on the rod energy. Unknowns of segment i are the displacement of vertex
+// i + 1 and the rotation vector of q_i. With C = edge/l - t, dC/dx = +-I/l, dC/dw = [t]x, the
+// Hessian is EA l J^T J + kb/4 |w_i - w_{i-1}|^2 + max(0, l t.F)(I - t t^T), F the tension: without
+// the last, geometric term it diverges under tension. Up to four halvings of the step; where all
+// fail, two iterations of cosserat instead.
+#include "backend/reference/rod_model.hpp"
+
+#include <algorithm>
+
+namespace plait::reference {
+namespace {
+
+using Mat3 = Eigen::Matrix3d;
+
+Mat3 cross_matrix(const Vec3& t) {
+    Mat3 m;
+    m << 0, -t.z(), t.y(), t.z(), 0, -t.x(), -t.y(), t.x(), 0;
+    return m;
+}
+
+constexpr Eigen::Index X = 0, W = 3, unknowns = 6;
+
+} // namespace
+
+// Solves H u = -gradient, assembled segment by segment and joint by joint.
+Eigen::VectorXd RodModel::direction() const {
+    const auto n = static_cast<Eigen::Index>(segments());
+    Eigen::MatrixXd H = Eigen::MatrixXd::Zero(unknowns * n, unknowns * n);
+    Eigen::VectorXd g = Eigen::VectorXd::Zero(unknowns * n);
+    const auto block = [&](Eigen::Index a, Eigen::Index b) { return H.block<3, 3>(a, b); };
+    for (Eigen::Index i = 0; i < n; ++i) {
+        const Eigen::Index x1 = unknowns * i + X, w = unknowns * i + W, x0 = x1 - unknowns;
+        const Vec3 t = director(i), F = stretch_[i] * strain(i);
+        const double EA = stretch_[i] * length_[i];
+        const Mat3 T = cross_matrix(t), across = Mat3::Identity() - t * t.transpose();
+        block(x1, x1) += (mass_[i + 1] * inertia_ + stretch_[i]) * Mat3::Identity();
+        g.segment<3>(x1) += mass_[i + 1] * inertia_ * (x[i + 1] - motion_.y[i + 1]) + F;
+        block(x1, w) += EA * T;
+        block(w, x1) += EA * T.transpose();
+        block(w, w) += (EA * length_[i] + std::max(0.0, length_[i] * t.dot(F))) * across;
+        g.segment<3>(w) -= length_[i] * t.cross(F);
+        if (i > 0) {
+            block(x0, x0) += stretch_[i] * Mat3::Identity();
+            block(x0, x1) -= stretch_[i] * Mat3::Identity();
+            block(x1, x0) -= stretch_[i] * Mat3::Identity();
+            block(x0, w) -= EA * T;
+            block(w, x0) -= EA * T.transpose();
+            g.segment<3>(x0) -= F;
+        }
+        const Quat m = expected(i) * q[i].conjugate();
+        const Vec3 moment = bend_[i] / 2 * std::copysign(1.0, m.w()) * m.vec();
+        block(w, w) += bend_[i] / 4 * Mat3::Identity();
+        g.segment<3>(w) -= moment;
+        if (i > 0) {
+            const Eigen::Index w0 = w - unknowns;
+            block(w0, w0) += bend_[i] / 4 * Mat3::Identity();
+            block(w0, w) -= bend_[i] / 4 * Mat3::Identity();
+            block(w, w0) -= bend_[i] / 4 * Mat3::Identity();
+            g.segment<3>(w0) += moment;
+        }
+    }
+    // Rows past a strand's tip hold nothing: leave their unknowns at zero.
+    for (Eigen::Index r = 0; r < H.rows(); ++r)
+        if (H(r, r) == 0)
+            H(r, r) = 1;
+    return H.ldlt().solve(-g);
+}
+
+void RodModel::newton() {
+    constexpr int halvings = 4;
+    const double limit = energy() * 1.000001 + 1e-20;
+    const RodModel from = *this;
+    const Eigen::VectorXd u = direction();
+    double alpha = 1;
+    for (int trial = 0; trial <= halvings; ++trial, alpha /= 2) {
+        for (size_t i = 0; i < segments(); ++i) {
+            const auto at = unknowns * static_cast<Eigen::Index>(i);
+            const Vec3 turn = alpha * u.segment<3>(at + W);
+            x[i + 1] = from.x[i + 1] + alpha * u.segment<3>(at + X);
+            q[i] = Quat(Eigen::AngleAxisd(turn.norm(), reference::direction(turn))) * from.q[i];
+        }
+        if (energy() <= limit)
+            return;
+    }
+    *this = from;
+    alternate(2);
+}
+
+void rod(uint32_t item_count, const plait_lane_params& params, const rod_args& args) {
+    step_rods(item_count, params, args, [&](RodModel& model) {
+        model.alternate(1);
+        for (uint32_t k = 0; k < params.iterations; ++k)
+            model.newton();
+    });
+}
+
+} // namespace plait::reference

@@ -1,0 +1,107 @@
+#include "backend/reference/rod_model.hpp"
+
+namespace plait::reference {
+namespace {
+
+constexpr double repeat = 0.97; // share of the last turn: at rest a wrong one must die out
+
+double dot(const Quat& a, const Quat& b) {
+    return a.coeffs().dot(b.coeffs());
+}
+
+} // namespace
+
+RodModel::RodModel(const RodBuffers& buffers, const plait_lane_params& params, size_t strand)
+    : lane_(strand, params.vertex_stride, params.tile),
+      motion_(lane_, params, buffers.state,
+              root_of(buffers.rest, pose_of(buffers.pose, strand), strand, params.vertex_stride)),
+      inertia_((1 + params.drag * motion_.h) / (motion_.h * motion_.h)),
+      root_frame_(pose_of(buffers.pose, strand).q) {
+    x = motion_.y;
+    for (uint32_t i = 0; i < params.vertex_stride; ++i) {
+        const auto material = [&](size_t component) {
+            return buffers.material[lane_.index(i, component, PLAIT_LANE_MATERIAL_COMPONENTS)];
+        };
+        mass_.push_back(material(PLAIT_LANE_MASS));
+        if (i + 1 == params.vertex_stride)
+            break;
+        length_.push_back(material(PLAIT_LANE_LENGTH));
+        stretch_.push_back(material(PLAIT_LANE_STRETCH));
+        bend_.push_back(material(PLAIT_LANE_BEND));
+        rest_.push_back(lane_.rotation(buffers.rest_rotation, i));
+        // Start from the present orientation turned on by most of the last step's turn.
+        const Quat now = lane_.rotation(buffers.q, i), before = lane_.rotation(buffers.q_before, i);
+        q.push_back(
+            Quat(Vec4(now.coeffs() + repeat * (now.coeffs() - before.coeffs()))).normalized());
+        lane_.store(buffers.q_before, i, now);
+    }
+}
+
+void RodModel::store(const RodBuffers& buffers) const {
+    motion_.store(lane_, buffers.state, x);
+    for (size_t i = 0; i < segments(); ++i)
+        lane_.store(buffers.q, i, q[i]);
+}
+
+Quat RodModel::expected(size_t segment) const {
+    return (segment == 0 ? root_frame_ : q[segment - 1]) * rest_[segment];
+}
+
+Vec3 RodModel::strain(size_t segment) const {
+    return x[segment + 1] - x[segment] - length_[segment] * director(segment);
+}
+
+double RodModel::energy() const {
+    double sum = 0;
+    for (size_t i = 0; i < segments(); ++i)
+        sum += mass_[i + 1] * inertia_ / 2 * (x[i + 1] - motion_.y[i + 1]).squaredNorm() +
+               stretch_[i] / 2 * strain(i).squaredNorm() +
+               bend_[i] * (1 - std::abs(dot(q[i], expected(i))));
+    return sum;
+}
+
+// The energy is quadratic in x: one linear system per coordinate, all with the same matrix.
+void RodModel::solve_positions() {
+    const auto n = static_cast<Eigen::Index>(segments());
+    Eigen::MatrixXd hessian = Eigen::MatrixXd::Zero(n, n);
+    Eigen::MatrixXd force = Eigen::MatrixXd::Zero(n, 3);
+    for (Eigen::Index i = 0; i < n; ++i) { // unknown i is vertex i + 1
+        hessian(i, i) += mass_[i + 1] * inertia_ + stretch_[i];
+        force.row(i) +=
+            mass_[i + 1] * inertia_ * motion_.y[i + 1] + stretch_[i] * length_[i] * director(i);
+        if (i == 0)
+            continue;
+        hessian(i - 1, i - 1) += stretch_[i];
+        hessian(i, i - 1) = hessian(i - 1, i) = -stretch_[i];
+        force.row(i - 1) -= stretch_[i] * length_[i] * director(i);
+    }
+    const Eigen::MatrixXd solution = hessian.ldlt().solve(force);
+    for (Eigen::Index i = 0; i < n; ++i)
+        x[i + 1] = solution.row(i);
+}
+
+// q minimises -EA <edge, t> - <q, b>: q ~ v b e + lambda b, with v = -2 EA edge, b the neighbours'
+// pull, and lambda the fixed point of lambda^2 = |v|^2 + |v b e + lambda b|, four times from |v| +
+// |b|.
+void RodModel::sweep_orientations() {
+    for (size_t i = 0; i < segments(); ++i) {
+        const Quat from_root = expected(i);
+        Vec4 pull = bend_[i] * std::copysign(1.0, dot(q[i], from_root)) * from_root.coeffs();
+        if (i + 1 < segments()) {
+            const Quat from_tip = q[i + 1] * rest_[i + 1].conjugate();
+            pull += bend_[i + 1] * std::copysign(1.0, dot(q[i], from_tip)) * from_tip.coeffs();
+        }
+        Quat v, b(pull);
+        v.w() = 0;
+        v.vec() = -2 * stretch_[i] * length_[i] * (x[i + 1] - x[i]);
+        const Vec4 turned = (v * b * Quat(0, 1, 0, 0)).coeffs();
+        double lambda = v.norm() + b.norm();
+        for (int k = 0; k < 4; ++k)
+            lambda = std::sqrt((turned + lambda * pull).norm() + v.squaredNorm());
+        const Vec4 best = turned + lambda * pull;
+        if (best.squaredNorm() > 1e-30)
+            q[i] = Quat(best).normalized();
+    }
+}
+
+} // namespace plait::reference

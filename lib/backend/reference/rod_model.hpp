@@ -1,0 +1,77 @@
+// The discrete Cosserat rod as an energy over dense vectors: what `cosserat` and `rod` minimise.
+//   E = sum_i m_i (1 + c h)/(2 h^2) |x_i - y_i|^2             inertia and drag
+//     + sum_i ks_i/2 |x_{i+1} - x_i - l_i t_i|^2              stretch and shear, t_i = q_i e_x
+//     + sum_i kb_i (1 - |<q_i, q_{i-1} r_i>|)                 bend and twist; q_{-1} is the root
+//     frame
+// Source: Kugelstadt & Schoemer 2016, Hsu et al. 2025.
+#pragma once
+
+#include "backend/reference/lanes.hpp"
+
+#include <Eigen/Dense>
+
+namespace plait::reference {
+
+// The buffers `cosserat` and `rod` have in common.
+struct RodBuffers {
+    const View<const Vec4>& rest;
+    const View<const Vec4>& pose;
+    const View<const double>& material;
+    const View<const double>& rest_rotation;
+    const View<double>& q;
+    const View<double>& q_before;
+    LaneState state;
+};
+
+class RodModel {
+  public:
+    RodModel(const RodBuffers& buffers, const plait_lane_params& params, size_t strand);
+    void store(const RodBuffers& buffers) const;
+
+    size_t segments() const { return q.size(); }
+    double energy() const;
+    // Minimise over all positions for the present orientations.
+    void solve_positions();
+    // Minimise over one orientation after another, root to tip.
+    void sweep_orientations();
+    // `count` accelerated iterations, see cosserat.cpp.
+    void alternate(uint32_t count);
+    // One damped Gauss-Newton step, see rod.cpp.
+    void newton();
+
+    std::vector<Vec3> x; // relative to the root
+    std::vector<Quat> q;
+
+  private:
+    Quat expected(size_t segment) const; // q_{i-1} r_i
+    Vec3 strain(size_t segment) const;   // x_{i+1} - x_i - l_i t_i
+    Vec3 director(size_t segment) const { return q[segment] * Vec3::UnitX(); }
+    Eigen::VectorXd direction() const;
+
+    Lane lane_;
+    Motion motion_;
+    double inertia_; // (1 + c h)/h^2
+    Quat root_frame_;
+    std::vector<double> length_, stretch_, bend_, mass_;
+    std::vector<Quat> rest_;
+};
+
+// Steps every strand of a dispatch with `solve`.
+template <typename Args, typename Solve>
+void step_rods(uint32_t item_count, const plait_lane_params& params, const Args& args,
+               const Solve& solve) {
+    const RodBuffers buffers{args.rest,
+                             args.pose,
+                             args.lane_material,
+                             args.lane_rest,
+                             args.lane_q,
+                             args.lane_q_before,
+                             {args.lane_x, args.lane_v, args.lane_x_before, args.lane_v_before}};
+    for (size_t strand = 0; strand < item_count; ++strand) {
+        RodModel rod(buffers, params, strand);
+        solve(rod);
+        rod.store(buffers);
+    }
+}
+
+} // namespace plait::reference

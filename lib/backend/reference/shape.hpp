@@ -1,0 +1,64 @@
+// The extent of a dispatch: what its parameters and item count say about its buffers.
+#pragma once
+
+#include <plait/plait_backend.h>
+
+#include <cstddef>
+
+namespace plait::reference {
+
+class Shape {
+  public:
+    // Throws BadDispatch if a parameter, the item count or the item width is out of range.
+    template <typename Params>
+    Shape(const plait_dispatch& dispatch, plait_space space, const Params& params)
+        : items_(dispatch.item_count) {
+        if constexpr (requires { params.vertex_stride; })
+            set_stride(params.vertex_stride);
+        if constexpr (requires { params.h; })
+            check_positive("h", params.h);
+        if constexpr (requires { params.per_root; })
+            per_root_ = params.per_root != 0;
+        if constexpr (requires { params.collider_count; })
+            colliders_ = params.collider_count;
+        if constexpr (requires { params.edge_count; })
+            set_grid(params);
+        if constexpr (requires { params.bdf2; })
+            history_ = params.bdf2 != 0;
+        if constexpr (requires { params.history; })
+            history_ = params.history != 0;
+        set_rows(space);
+        if constexpr (requires { params.tile; })
+            set_tiles(params.tile);
+        if constexpr (requires { params.guide_count; })
+            set_guides(params.guide_count);
+        check_items(dispatch, space);
+    }
+
+    // Elements the dispatch needs of a buffer. 0: it may be null, or its size follows from the data
+    // (slots name vertices) and is checked on access.
+    size_t elements(const char* argument) const;
+
+  private:
+    void set_stride(uint32_t vertex_stride);
+    void set_grid(const plait_grid_params& params);
+    void set_rows(plait_space space);
+    void set_guides(size_t guides);
+    void set_tiles(size_t tile);
+    void check_items(const plait_dispatch& dispatch, plait_space space) const;
+    static void check_positive(const char* name, double value);
+
+    size_t items_;
+    size_t stride_ = 0;
+    size_t strands_ = 0;  // rows whose state is read or written; the guides in follow
+    size_t vertices_ = 0; // of those rows
+    size_t followers_ = 0;
+    size_t colliders_ = 0;
+    size_t voxels_ = 0;
+    size_t capacity_ = 0;
+    size_t tiled_vertices_ = 0; // of whole tiles of strands
+    bool per_root_ = false;
+    bool history_ = false;
+};
+
+} // namespace plait::reference

@@ -1,0 +1,142 @@
+#include "core/colliders.hpp"
+
+#include "base/format.hpp"
+
+#include <plait/params.h>
+
+#include <algorithm>
+#include <cstring>
+
+namespace plait {
+namespace {
+
+constexpr size_t capsule_floats = 4 * PLAIT_CAPSULE_STRIDE;
+
+// Id: generation above, slot index + 1 below, so that zero is no collider.
+plait_collider_id make_id(size_t index, uint32_t generation) {
+    return {(uint64_t{generation} << 32) | (index + 1)};
+}
+
+bool same(const plait_pose& a, const plait_pose& b) {
+    return std::memcmp(&a, &b, sizeof a) == 0;
+}
+
+void pack(const Colliders::Slot& slot, float* out) {
+    const plait_pose* poses[2] = {&slot.from, &slot.to};
+    for (const plait_pose* pose : poses) {
+        transform(*pose, slot.a, out);
+        out[3] = slot.radius_a;
+        transform(*pose, slot.b, out + 4);
+        out[7] = slot.radius_b;
+        out += 8;
+    }
+    std::fill_n(out, 4, 0.0f);
+    out[0] = slot.friction;
+}
+
+} // namespace
+
+Result<Colliders::Slot*> Colliders::find(plait_collider_id id) {
+    const uint64_t index = (id.value & 0xffffffffu) - 1;
+    const auto generation = static_cast<uint32_t>(id.value >> 32);
+    if (index < slots_.size() && slots_[index].alive && slots_[index].generation == generation)
+        return &slots_[index];
+    return Error{PLAIT_NOT_FOUND, format("collider id 0x%llx is not in this sim",
+                                         static_cast<unsigned long long>(id.value))};
+}
+
+// Room for `count` capsules on the device; doubles, so that adding many is cheap.
+Status Colliders::reserve(Device& device, size_t count) {
+    if (buffer_.count() >= count * PLAIT_CAPSULE_STRIDE)
+        return {};
+    const size_t room = std::max(count, buffer_.count() / PLAIT_CAPSULE_STRIDE * 2);
+    packed_.reserve(room * capsule_floats);
+    auto buffer = device.create(PLAIT_ELEMENT_FLOAT4, room * PLAIT_CAPSULE_STRIDE, "capsule");
+    if (!buffer)
+        return buffer.error();
+    buffer_ = std::move(*buffer);
+    uploaded_ = false;
+    return {};
+}
+
+Result<plait_collider_id> Colliders::create(Device& device, const plait_collider_desc& desc) {
+    PLAIT_TRY(reserve(device, count_ + 1));
+    auto slot = std::find_if(slots_.begin(), slots_.end(), [](const Slot& s) { return !s.alive; });
+    if (slot == slots_.end())
+        slot = slots_.emplace(slots_.end());
+    slot->generation += 1;
+    slot->alive = 1;
+    std::copy_n(desc.a, 3, slot->a);
+    std::copy_n(desc.b, 3, slot->b);
+    slot->radius_a = desc.radius_a;
+    slot->radius_b = desc.radius_b;
+    slot->friction = desc.friction;
+    slot->at = slot->target = slot->from = slot->to = desc.pose;
+    ++count_;
+    uploaded_ = false;
+    return make_id(static_cast<size_t>(slot - slots_.begin()), slot->generation);
+}
+
+Status Colliders::set_pose(plait_collider_id id, const plait_pose& pose) {
+    const auto slot = find(id);
+    if (!slot)
+        return slot.error();
+    (*slot)->target = pose;
+    return {};
+}
+
+Status Colliders::destroy(plait_collider_id id) {
+    const auto slot = find(id);
+    if (!slot)
+        return slot.error();
+    const uint32_t generation = (*slot)->generation;
+    **slot = {}; // equal states have equal bytes
+    (*slot)->generation = generation;
+    --count_;
+    uploaded_ = false;
+    return {};
+}
+
+Status Colliders::begin_step(Device& device, double end) {
+    for (Slot& slot : slots_) {
+        const bool rested = same(slot.from, slot.to);
+        slot.from = slot.to;
+        slot.to = interpolate(slot.at, slot.target, end);
+        uploaded_ = uploaded_ && (!slot.alive || (rested && same(slot.from, slot.to)));
+    }
+    if (uploaded_ || count_ == 0)
+        return {};
+    packed_.resize(count_ * capsule_floats);
+    float* out = packed_.data();
+    for (const Slot& slot : slots_)
+        if (slot.alive) {
+            pack(slot, out);
+            out += capsule_floats;
+        }
+    PLAIT_TRY(device.write(buffer_, 0, size_t{count_} * PLAIT_CAPSULE_STRIDE, packed_.data()));
+    uploaded_ = true;
+    return {};
+}
+
+void Colliders::end_call() {
+    for (Slot& slot : slots_)
+        slot.at = slot.target;
+}
+
+void Colliders::stop() {
+    for (Slot& slot : slots_)
+        slot.from = slot.to = slot.at;
+    uploaded_ = false;
+}
+
+Status Colliders::assign(Device& device, std::span<const Slot> slots) {
+    const auto alive = static_cast<uint32_t>(
+        std::count_if(slots.begin(), slots.end(), [](const Slot& s) { return s.alive != 0; }));
+    PLAIT_TRY(reserve(device, alive));
+    slots_.assign(slots.begin(), slots.end());
+    count_ = alive;
+    uploaded_ = false;
+    return {};
+}
+
+} // namespace plait

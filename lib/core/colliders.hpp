@@ -1,0 +1,53 @@
+// Tapered capsules and their paths; ids are generational, so a stale one is refused.
+#pragma once
+
+#include "backend/device.hpp"
+#include "core/pose.hpp"
+
+#include <memory_resource>
+#include <vector>
+
+namespace plait {
+
+class Colliders {
+  public:
+    explicit Colliders(std::pmr::memory_resource* memory) : slots_(memory), packed_(memory) {}
+
+    Result<plait_collider_id> create(Device& device, const plait_collider_desc& desc);
+    Status set_pose(plait_collider_id id, const plait_pose& pose);
+    Status destroy(plait_collider_id id);
+
+    uint32_t count() const { return count_; }
+    const Buffer& capsules() const { return buffer_; } // float4 [5*count]
+
+    // As Roots: the step's path ends at share `end` of the call's. Uploads what moved.
+    Status begin_step(Device& device, double end);
+    void end_call();
+    void stop(); // no path: every collider is where it is now
+
+    struct Slot {
+        uint32_t generation = 0;
+        uint32_t alive = 0;
+        float a[3] = {};
+        float b[3] = {};
+        float radius_a = 0;
+        float radius_b = 0;
+        float friction = 0;
+        plait_pose at = identity_pose, target = identity_pose; // of the call
+        plait_pose from = identity_pose, to = identity_pose;   // of the step
+    };
+    std::span<const Slot> slots() const { return slots_; }
+    Status assign(Device& device, std::span<const Slot> slots);
+
+  private:
+    Result<Slot*> find(plait_collider_id id);
+    Status reserve(Device& device, size_t count);
+
+    std::pmr::vector<Slot> slots_;
+    std::pmr::vector<float> packed_; // scratch for uploads
+    uint32_t count_ = 0;
+    bool uploaded_ = false; // the buffer holds the step's path
+    Buffer buffer_;
+};
+
+} // namespace plait

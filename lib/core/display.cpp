@@ -1,0 +1,105 @@
+#include "core/display.hpp"
+
+#include "base/hash.hpp"
+#include "core/groom.hpp"
+
+#include <Eigen/Geometry>
+
+#include <vector>
+
+namespace plait {
+namespace {
+
+using Float4 = std::array<float, 4>;
+
+Status make(Device& device, Buffer& to, plait_element element, size_t count, const char* name) {
+    auto buffer = device.create(element, count, name);
+    if (!buffer)
+        return buffer.error();
+    to = std::move(*buffer);
+    return {};
+}
+
+// U(-r, r) t0 + U(-r, r) t1, t0 and t1 normal to the guide's first segment (TressFX 3.1, there
+// from the C library's generator). Depends on seed and follow only, not on the guides before.
+Float4 follow_offset(const float* guide, const FollowRules& rules, uint64_t follow) {
+    const Eigen::Map<const Eigen::Vector3f> root(guide), next(guide + 3);
+    const Eigen::Vector3f along = (next - root).normalized();
+    const Eigen::Vector3f t0 = along.unitOrthogonal();
+    const Eigen::Vector3f t1 = along.cross(t0);
+    const Eigen::Vector3f offset = rules.radius * (uniform_signed(rules.seed, 2 * follow) * t0 +
+                                                   uniform_signed(rules.seed, 2 * follow + 1) * t1);
+    return {offset[0], offset[1], offset[2], 0};
+}
+
+} // namespace
+
+Result<Display> Display::create(Device& device, const Groom& groom, const Layout& layout,
+                                const FollowRules& follows, bool interpolate,
+                                std::pmr::memory_resource* memory) {
+    Display display;
+    constexpr auto f4 = PLAIT_ELEMENT_FLOAT4;
+    PLAIT_TRY(make(device, display.tangent_, f4, layout.vertices(), "tangent"));
+    if (interpolate) {
+        const size_t guides = layout.guide_vertices();
+        PLAIT_TRY(make(device, display.position_local_, f4, guides, "position_local"));
+        PLAIT_TRY(make(device, display.position_out_, f4, layout.vertices(), "position_out"));
+        PLAIT_TRY(make(device, display.pose_now_, f4, size_t{2} * layout.guides, "pose_now"));
+    }
+    if (layout.follows == 0)
+        return display;
+    std::pmr::vector<uint32_t> guides(memory);
+    std::pmr::vector<Float4> offsets(memory);
+    guides.reserve(layout.follows);
+    offsets.reserve(layout.follows);
+    const float* strand = groom.strands.positions.data();
+    for (uint32_t guide = 0; guide < layout.guides; ++guide) {
+        for (uint32_t i = 0; i < follows.per_guide; ++i) {
+            offsets.push_back(follow_offset(strand, follows, offsets.size()));
+            guides.push_back(guide);
+        }
+        strand += 3 * groom.strands.vertex_counts[guide];
+    }
+    PLAIT_TRY(
+        make(device, display.follow_guide_, PLAIT_ELEMENT_UINT, layout.follows, "follow_guide"));
+    PLAIT_TRY(make(device, display.follow_offset_, f4, layout.follows, "follow_offset"));
+    PLAIT_TRY(device.write(display.follow_guide_, guides.data()));
+    PLAIT_TRY(device.write(display.follow_offset_, offsets.data()));
+    return display;
+}
+
+void Display::keep(Schedule& schedule, const Layout& layout, const State& state) const {
+    if (interpolates())
+        schedule.add(PLAIT_STAGE_snapshot, layout.guide_vertices(), plait_layout_params{layout.row},
+                     {&state.pose, &state.position, &position_local_});
+}
+
+void Display::update(Schedule& schedule, const Layout& layout, const State& state,
+                     const Roots& roots, const plait_sim_params& params, float remainder) const {
+    const Buffer& shown = position(state);
+    const Buffer& pose = interpolates() ? pose_now_ : state.pose;
+    if (interpolates()) {
+        roots.pose_now(schedule, pose_now_);
+        schedule.add(PLAIT_STAGE_output, layout.guide_vertices(),
+                     plait_output_params{layout.row, remainder},
+                     {&position_local_, &state.position, &state.pose, &pose_now_, &position_out_});
+    }
+    if (layout.follows > 0)
+        schedule.add(
+            PLAIT_STAGE_follow, layout.follows * layout.row,
+            plait_follow_params{layout.row, layout.guides, params.tip_separation,
+                                static_cast<plait_u32>(params.follow_form)},
+            {&state.rest, &pose, &state.vertex_count, &follow_guide_, &follow_offset_, &shown});
+    schedule.add(PLAIT_STAGE_tangents, layout.vertices(), plait_layout_params{layout.row},
+                 {&state.vertex_count, &shown, &tangent_});
+}
+
+uint64_t Display::device_bytes() const {
+    uint64_t bytes = 0;
+    for (const Buffer* buffer :
+         {&tangent_, &follow_guide_, &follow_offset_, &position_local_, &position_out_, &pose_now_})
+        bytes += buffer->bytes();
+    return bytes;
+}
+
+} // namespace plait

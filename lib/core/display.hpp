@@ -1,0 +1,48 @@
+// What is shown: positions between two steps (if asked for), follow strands, tangents.
+#pragma once
+
+#include "core/roots.hpp"
+#include "core/state.hpp"
+
+#include <cstdint>
+#include <memory_resource>
+
+namespace plait {
+
+struct FollowRules {
+    uint32_t per_guide = 0;
+    float radius = 0; // m
+    uint64_t seed = 0;
+};
+
+class Display {
+  public:
+    static Result<Display> create(Device& device, const Groom& groom, const Layout& layout,
+                                  const FollowRules& follows, bool interpolate,
+                                  std::pmr::memory_resource* memory);
+
+    bool interpolates() const { return static_cast<bool>(position_out_); }
+    // Keeps the present step as the one before the last.
+    void keep(Schedule& schedule, const Layout& layout, const State& state) const;
+    // Fills position and tangent; `remainder`: share of a step since the last one.
+    void update(Schedule& schedule, const Layout& layout, const State& state, const Roots& roots,
+                const plait_sim_params& params, float remainder) const;
+
+    const Buffer& position(const State& state) const {
+        return interpolates() ? position_out_ : state.position;
+    }
+    const Buffer& tangent() const { return tangent_; }
+    const Buffer& kept() const { return position_local_; }
+    uint64_t device_bytes() const;
+
+  private:
+    Buffer tangent_;       // float4 [strands*V]
+    Buffer follow_guide_;  // uint [follows]
+    Buffer follow_offset_; // float4 [follows]
+    // With interpolation only.
+    Buffer position_local_; // float4 [guides*V]: the step before the last, in its root frames
+    Buffer position_out_;   // float4 [strands*V]
+    Buffer pose_now_;       // float4 [2*guides]
+};
+
+} // namespace plait

@@ -1,0 +1,118 @@
+// Reading and writing the fields of a sim.
+#include "base/format.hpp"
+#include "core/sim.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plait {
+namespace {
+
+using Float4 = std::array<float, 4>;
+
+Error is_off(const char* what) {
+    return {PLAIT_INVALID_STATE, format("%s is off", what)};
+}
+
+Status check_finite(const float* values, size_t count, const char* field) {
+    for (size_t i = 0; i < count; ++i)
+        if (!std::isfinite(values[i]))
+            return Error{PLAIT_INVALID_ARGUMENT,
+                         format("%s[%zu].%c is %g, it must be finite", field, i / 4, "xyzw"[i % 4],
+                                double(values[i]))};
+    return {};
+}
+
+} // namespace
+
+// The buffer a field is read from; velocity is measured from two of them.
+Result<const Buffer*> Sim::field_buffer(plait_field field) const {
+    switch (field) {
+    case PLAIT_FIELD_POSITION:
+        return &display_.position(state_);
+    case PLAIT_FIELD_TANGENT:
+        return &display_.tangent();
+    case PLAIT_FIELD_REST:
+        return &state_.rest;
+    case PLAIT_FIELD_VERTEX_COUNT:
+        return &state_.vertex_count;
+    case PLAIT_FIELD_GRID_DENSITY:
+    case PLAIT_FIELD_GRID_VELOCITY:
+        if (!grid_.density())
+            return is_off("interhair");
+        return field == PLAIT_FIELD_GRID_DENSITY ? &grid_.density() : &grid_.velocity();
+    case PLAIT_FIELD_POSITION_PREV:
+    case PLAIT_FIELD_VELOCITY:
+        return &state_.position_prev;
+    default:
+        return Error{PLAIT_INVALID_ARGUMENT,
+                     format("field is %d, range is [0, %d]", field, PLAIT_FIELD_COUNT_ - 1)};
+    }
+}
+
+Result<size_t> Sim::field_bytes(plait_field field) const {
+    const auto buffer = field_buffer(field);
+    if (!buffer)
+        return buffer.error();
+    return (*buffer)->bytes();
+}
+
+Status Sim::read(plait_field field, void* dst) {
+    if (field == PLAIT_FIELD_VELOCITY)
+        return read_velocity({static_cast<float*>(dst), size_t{4} * layout_.guide_vertices()});
+    const auto buffer = field_buffer(field);
+    if (!buffer)
+        return buffer.error();
+    return device().read(**buffer, dst);
+}
+
+// Verlet velocity over the last substep; padding has that of its strand's history, at rest 0.
+Status Sim::read_velocity(std::span<float> dst) {
+    std::pmr::vector<float> before(dst.size(), &context_.memory);
+    PLAIT_TRY(device().read(state_.position_prev, before.data()));
+    PLAIT_TRY(device().read(state_.position, 0, layout_.guide_vertices(), dst.data()));
+    const float rate = 1 / substep_length();
+    for (size_t i = 0; i < dst.size(); ++i)
+        dst[i] = i % 4 == 3 ? 0 : (dst[i] - before[i]) * rate;
+    return {};
+}
+
+// Both histories, as if the vertex had moved at this velocity for two substeps.
+Status Sim::write_velocity(const float* src) {
+    const size_t count = size_t{4} * layout_.guide_vertices();
+    std::pmr::vector<float> now(count, &context_.memory);
+    std::pmr::vector<float> history(count, &context_.memory);
+    PLAIT_TRY(device().read(state_.position, 0, layout_.guide_vertices(), now.data()));
+    for (const int steps : {1, 2}) {
+        const float h = static_cast<float>(steps) * substep_length();
+        for (size_t i = 0; i < count; ++i)
+            history[i] = i % 4 == 3 ? now[i] : now[i] - h * src[i];
+        PLAIT_TRY(device().write(steps == 1 ? state_.position_prev : state_.position_prev2,
+                                 history.data()));
+    }
+    return {};
+}
+
+Status Sim::write(plait_field field, const void* src) {
+    const auto* values = static_cast<const float*>(src);
+    const size_t vertices = layout_.guide_vertices();
+    const char* name = field == PLAIT_FIELD_VELOCITY ? "velocity" : "position";
+    PLAIT_TRY(check_finite(values, 4 * vertices, name));
+    if (field == PLAIT_FIELD_VELOCITY) {
+        PLAIT_TRY(write_velocity(values));
+        schedule_.clear();
+        model_->adopt(schedule_, present());
+        return submit();
+    }
+    const Buffer& to = field == PLAIT_FIELD_POSITION ? state_.position : state_.position_prev;
+    std::pmr::vector<Float4> merged(vertices, &context_.memory);
+    PLAIT_TRY(device().read(to, 0, vertices, merged.data()));
+    for (size_t i = 0; i < vertices; ++i)
+        std::copy_n(values + 4 * i, 3, merged[i].begin()); // w is kept
+    PLAIT_TRY(device().write(to, 0, vertices, merged.data()));
+    schedule_.clear();
+    model_->adopt(schedule_, present());
+    return refresh();
+}
+
+} // namespace plait

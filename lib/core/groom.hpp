@@ -1,0 +1,53 @@
+// Hair at rest, checked and mended: every strand has 2..256 vertices and no segment without length.
+#pragma once
+
+#include "base/result.hpp"
+#include "core/strand_set.hpp"
+
+#include <plait/params.h>
+#include <plait/plait.h>
+
+#include <array>
+#include <memory_resource>
+#include <string>
+
+namespace plait {
+
+struct ImportRules {
+    plait_repair_policy policy = PLAIT_REPAIR_COUNT;
+    float min_segment = 1e-3f; // share of the strand's mean segment
+    uint32_t resample = 0;     // vertices per strand; 0: as they come
+};
+
+struct Repairs {
+    std::array<uint64_t, PLAIT_REPAIR_COUNT_> count{};
+    std::string first; // the first offender: strand, vertex, value
+
+    uint64_t total() const;
+};
+
+struct GroomShape {
+    uint64_t strands = 0;
+    uint64_t vertices = 0;
+    uint32_t min_vertices = 0;
+    uint32_t max_vertices = 0;
+    uint32_t bones = 0; // 0: no skin
+    std::array<float, 3> bounds_min{};
+    std::array<float, 3> bounds_max{};
+    double mean_length = 0; // m
+    double max_length = 0;
+};
+
+// Immutable once made, so threads and contexts may share it.
+struct Groom {
+    StrandSet strands;
+    GroomShape shape;
+    Repairs repairs;
+};
+
+// Mends `raw` by the rules. BAD_DATA: nothing left, policy REFUSE, or a per-strand value that
+// cannot be used. `memory` holds the groom's arrays.
+Result<Groom> build_groom(const StrandSet& raw, const ImportRules& rules,
+                          std::pmr::memory_resource* memory);
+
+} // namespace plait

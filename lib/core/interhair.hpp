@@ -1,0 +1,60 @@
+// The inter-hair step: its grid's buffers and the stages it takes, once per fixed step.
+#pragma once
+
+#include "core/schedule.hpp"
+#include "core/state.hpp"
+
+#include <array>
+
+namespace plait {
+
+// The cube a grid covers when none is given, in rest space.
+struct GridCube {
+    float origin[3]; // corner, m
+    float edge;      // whole, m
+};
+GridCube cube_around(const Groom& groom);
+
+class InterHair {
+  public:
+    // Buffers for `params`; none if the step is off.
+    static Result<InterHair> create(Device& device, const plait_sim_params& params);
+    bool fits(const plait_sim_params& params) const;
+
+    // `head`: at the end of the step; `group_size`: work-items the device allows in a group.
+    struct Step {
+        const Layout& layout;
+        const State& state;
+        const plait_sim_params& params;
+        const GridCube& cube;
+        const plait_pose& head;
+        float h; // s, of a substep: the histories span one
+        uint64_t frame;
+        uint64_t seed;
+        uint32_t group_size;
+    };
+    void append(Schedule& schedule, const Step& step) const;
+
+    const Buffer& density() const { return density_; }
+    const Buffer& velocity() const { return velocity_; }
+    const Buffer& outside() const { return outside_; } // uint [1]
+    uint64_t device_bytes() const;
+
+  private:
+    void append_slots(Schedule& schedule, const Step& step, const plait_grid_params& params) const;
+    void append_exact(Schedule& schedule, const Step& step, const plait_grid_params& params) const;
+
+    plait_interhair mode_ = PLAIT_INTERHAIR_OFF;
+    uint32_t edge_count_ = 0;
+    uint32_t capacity_ = 0;
+    Buffer slots_;    // uint [nv^3*C], slots
+    Buffer sums_;     // uint [nv^3*10], exact
+    Buffer density_;  // float [nv^3]
+    Buffer velocity_; // float4 [nv^3]
+    Buffer outside_;  // uint [1]
+};
+
+// Where the grid is and how fine, for the grid stages.
+plait_grid_params grid_params(const InterHair::Step& step);
+
+} // namespace plait

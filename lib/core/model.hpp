@@ -1,0 +1,73 @@
+// A strand model: which stages one substep takes, over which buffers.
+#pragma once
+
+#include "core/lane_layout.hpp"
+#include "core/schedule.hpp"
+#include "core/state.hpp"
+
+#include <memory>
+
+namespace plait {
+
+// What a model reads when it writes down a substep.
+struct Substep {
+    const Layout& layout;
+    const State& state;
+    const plait_sim_params& params;
+    const Buffer& capsules;
+    uint32_t collider_count;
+    float h;          // s
+    float alpha_from; // of the fixed step, where the substep begins, [0, 1]
+    float alpha_to;   // and where it ends
+};
+
+// State in the lane layout.
+struct LaneBuffer {
+    const Buffer* buffer;
+    uint32_t components;
+    LaneLayout layout;
+};
+
+class Model {
+  public:
+    virtual ~Model() = default;
+
+    // Vertices from the root on that follow it and nothing else.
+    virtual uint32_t pinned_vertices() const = 0;
+
+    // Makes the buffers that `params` need and are not there yet, and fills those that depend on
+    // them.
+    virtual Status prepare(Device& device, const plait_sim_params& params) = 0;
+    // Releases those that `params` do not need.
+    virtual void trim(const plait_sim_params& params) = 0;
+
+    // Appends the stages of one substep; `state.pose` is already that of alpha_to.
+    virtual void substep(Schedule& schedule, const Substep& at) = 0;
+    // Appends what puts the model's own state into position and its history, at the end of a step.
+    virtual void publish(Schedule&, const Substep&) const {}
+    // Appends what takes them back after something else changed them.
+    virtual void adopt(Schedule&, const Substep&) const {}
+    // Appends putting every vertex at its rest position under state.pose.
+    virtual void reset(Schedule& schedule, const Substep& at) = 0;
+    // Appends carrying the state from state.pose to `pose`.
+    virtual void teleport(Schedule& schedule, const Substep& at, const Buffer& pose) = 0;
+
+    // The model's own buffers that carry state from step to step.
+    virtual std::span<const LaneBuffer> dynamic() const = 0;
+    virtual uint64_t device_bytes() const = 0;
+};
+
+// What a model is made of besides parameters.
+struct ModelInput {
+    const Layout& layout;
+    const Groom& groom;
+    uint32_t tile; // strands per tile of the lane layout
+    std::pmr::memory_resource* memory;
+};
+
+Result<std::unique_ptr<Model>> make_model(plait_model model, const ModelInput& input);
+
+std::unique_ptr<Model> make_tressfx_model(const Layout& layout);              // models/tressfx.cpp
+std::unique_ptr<Model> make_lane_model(plait_model, const ModelInput& input); // models/lanes.cpp
+
+} // namespace plait

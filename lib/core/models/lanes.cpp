@@ -1,0 +1,211 @@
+// The strand models over lanes: chain, cosserat, rod. They keep their own state in the lane layout
+// and publish it to position and its history, which display, the inter-hair step and interop read.
+#include "core/groom.hpp"
+#include "core/model.hpp"
+#include "core/models/material.hpp"
+
+#include <array>
+
+namespace plait {
+namespace {
+
+constexpr uint32_t pinned = 1; // the root; the clamp is a joint
+
+struct Solver {
+    plait_stage stage;
+    uint32_t iterations; // by default
+    bool bends;
+};
+
+Solver solver_of(plait_model model) {
+    switch (model) {
+    case PLAIT_MODEL_CHAIN:
+        return {PLAIT_STAGE_chain, 1, false};
+    case PLAIT_MODEL_ROD:
+        return {PLAIT_STAGE_rod, 1, true};
+    default:
+        return {PLAIT_STAGE_cosserat, 3, true};
+    }
+}
+
+class LaneModel final : public Model {
+  public:
+    LaneModel(plait_model model, const ModelInput& input)
+        : solver_(solver_of(model)),
+          layout_(input.layout), lanes_{input.layout.guides, input.layout.row, input.tile},
+          strands_{{input.groom.strands.positions, input.memory},
+                   {input.groom.strands.vertex_counts, input.memory}},
+          memory_(input.memory) {}
+
+    uint32_t pinned_vertices() const override { return pinned; }
+    Status prepare(Device& device, const plait_sim_params& params) override;
+    void trim(const plait_sim_params& params) override;
+    void substep(Schedule& schedule, const Substep& at) override;
+    void publish(Schedule& schedule, const Substep& at) const override;
+    void adopt(Schedule& schedule, const Substep& at) const override;
+    void reset(Schedule& schedule, const Substep& at) override;
+    void teleport(Schedule& schedule, const Substep& at, const Buffer& pose) override;
+    std::span<const LaneBuffer> dynamic() const override { return {dynamic_.data(), kept()}; }
+    uint64_t device_bytes() const override;
+
+  private:
+    Status make(Device& device, Buffer& to, size_t components, const char* name) const;
+    void collide(Schedule& schedule, const Substep& at) const;
+    Status fill_material(Device& device, const plait_sim_params& params);
+    Status make_history(Device& device);
+    size_t kept() const { return x_before_ ? dynamic_.size() : dynamic_.size() - 2; }
+    plait_lane_state_params state_params() const {
+        return {layout_.row, lanes_.tile, x_before_ ? 1u : 0u};
+    }
+
+    Solver solver_;
+    Layout layout_;
+    LaneLayout lanes_;
+    RestStrands strands_; // for when the material changes
+    std::pmr::memory_resource* memory_;
+    Material filled_{};
+    Buffer material_, rest_, x_, v_, q_, q_before_, x_before_, v_before_;
+    std::array<LaneBuffer, 6> dynamic_{{{&x_, 3, lanes_},
+                                        {&v_, 3, lanes_},
+                                        {&q_, 4, lanes_},
+                                        {&q_before_, 4, lanes_},
+                                        {&x_before_, 3, lanes_},
+                                        {&v_before_, 3, lanes_}}};
+};
+
+Status LaneModel::make(Device& device, Buffer& to, size_t components, const char* name) const {
+    auto buffer = device.create(PLAIT_ELEMENT_FLOAT, lanes_.rows() * components, name);
+    if (!buffer)
+        return buffer.error();
+    to = std::move(*buffer);
+    return {};
+}
+
+Status LaneModel::fill_material(Device& device, const plait_sim_params& params) {
+    const Material material{params.line_density, params.bend_stiffness, params.stretch_stiffness,
+                            params.tip_stiffness, !solver_.bends};
+    if (material == filled_)
+        return {};
+    const auto rows = lane_material(strands_, lanes_, material, memory_);
+    PLAIT_TRY(device.write(material_, rows.data()));
+    filled_ = material;
+    return {};
+}
+
+// BDF2's step before, as if the strands had been where they are. At creation, where the state is
+// not filled yet, reset fills both.
+Status LaneModel::make_history(Device& device) {
+    Buffer x, v;
+    PLAIT_TRY(make(device, x, 3, "lane_x_before"));
+    PLAIT_TRY(make(device, v, 3, "lane_v_before"));
+    std::pmr::vector<float> state(x_.count(), memory_);
+    PLAIT_TRY(device.read(x_, state.data()));
+    PLAIT_TRY(device.write(x, state.data()));
+    PLAIT_TRY(device.read(v_, state.data()));
+    PLAIT_TRY(device.write(v, state.data()));
+    x_before_ = std::move(x);
+    v_before_ = std::move(v);
+    return {};
+}
+
+Status LaneModel::prepare(Device& device, const plait_sim_params& params) {
+    if (!x_) {
+        PLAIT_TRY(make(device, material_, PLAIT_LANE_MATERIAL_COMPONENTS, "lane_material"));
+        PLAIT_TRY(make(device, rest_, 4, "lane_rest"));
+        PLAIT_TRY(device.write(rest_, lane_rest(strands_, lanes_, memory_).data()));
+        PLAIT_TRY(make(device, v_, 3, "lane_v"));
+        PLAIT_TRY(make(device, q_, 4, "lane_q"));
+        PLAIT_TRY(make(device, q_before_, 4, "lane_q_before"));
+        PLAIT_TRY(make(device, x_, 3, "lane_x"));
+    }
+    PLAIT_TRY(fill_material(device, params));
+    return params.bdf2 && !x_before_ ? make_history(device) : Status{};
+}
+
+void LaneModel::trim(const plait_sim_params& params) {
+    if (params.bdf2)
+        return;
+    x_before_ = {};
+    v_before_ = {};
+}
+
+void LaneModel::substep(Schedule& schedule, const Substep& at) {
+    const plait_sim_params& p = at.params;
+    const State& s = at.state;
+    plait_lane_params params{};
+    params.vertex_stride = layout_.row;
+    params.tile = lanes_.tile;
+    params.h = at.h;
+    params.iterations =
+        p.iterations == PLAIT_ITERATIONS_OF_MODEL ? solver_.iterations : p.iterations;
+    params.bdf2 = p.bdf2;
+    params.drag = p.drag;
+    for (size_t i = 0; i < 3; ++i) {
+        params.gravity[i] = p.gravity[i];
+        params.air[i] = p.wind[i];
+    }
+    if (solver_.bends)
+        schedule.add(solver_.stage, layout_.guides, params,
+                     {&s.rest, &s.pose, &material_, &rest_, &x_, &v_, &q_, &q_before_, &x_before_,
+                      &v_before_},
+                     layout_.row);
+    else
+        schedule.add(solver_.stage, layout_.guides, params,
+                     {&s.rest, &s.pose, &material_, &x_, &v_, &x_before_, &v_before_}, layout_.row);
+    if (at.collider_count > 0)
+        collide(schedule, at);
+}
+
+// Contact follows the solve: vertices are pushed out of the colliders, and the next solve restores
+// the lengths.
+void LaneModel::collide(Schedule& schedule, const Substep& at) const {
+    const State& s = at.state;
+    publish(schedule, at);
+    schedule.add(PLAIT_STAGE_collide, layout_.guide_vertices(),
+                 plait_collide_params{layout_.row, at.collider_count, at.alpha_from, at.alpha_to},
+                 {&s.vertex_count, &at.capsules, &s.position_prev, &s.position});
+    adopt(schedule, at);
+}
+
+void LaneModel::publish(Schedule& schedule, const Substep& at) const {
+    schedule.add(PLAIT_STAGE_lane_unpack, layout_.guide_vertices(),
+                 plait_lane_layout_params{layout_.row, lanes_.tile, at.h},
+                 {&at.state.vertex_count, &x_, &v_, &at.state.position, &at.state.position_prev});
+}
+
+void LaneModel::adopt(Schedule& schedule, const Substep& at) const {
+    schedule.add(PLAIT_STAGE_lane_pack, layout_.guide_vertices(),
+                 plait_lane_layout_params{layout_.row, lanes_.tile, at.h},
+                 {&at.state.vertex_count, &at.state.position, &at.state.position_prev, &x_, &v_});
+}
+
+void LaneModel::reset(Schedule& schedule, const Substep& at) {
+    schedule.add(
+        PLAIT_STAGE_lane_reset, layout_.guides, state_params(),
+        {&at.state.rest, &at.state.pose, &rest_, &x_, &v_, &q_, &q_before_, &x_before_, &v_before_},
+        layout_.row);
+    publish(schedule, at);
+}
+
+void LaneModel::teleport(Schedule& schedule, const Substep& at, const Buffer& pose) {
+    schedule.add(
+        PLAIT_STAGE_lane_teleport, layout_.guides, state_params(),
+        {&at.state.rest, &at.state.pose, &pose, &x_, &v_, &q_, &q_before_, &x_before_, &v_before_},
+        layout_.row);
+    publish(schedule, at);
+}
+
+uint64_t LaneModel::device_bytes() const {
+    uint64_t bytes = material_.bytes() + rest_.bytes();
+    for (const LaneBuffer& state : dynamic_)
+        bytes += state.buffer->bytes();
+    return bytes;
+}
+
+} // namespace
+
+std::unique_ptr<Model> make_lane_model(plait_model model, const ModelInput& input) {
+    return std::make_unique<LaneModel>(model, input);
+}
+
+} // namespace plait

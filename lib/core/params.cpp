@@ -1,0 +1,161 @@
+#include "core/params.hpp"
+
+#include "base/format.hpp"
+#include "core/pose.hpp"
+
+#include <cstring>
+#include <limits>
+
+namespace plait {
+namespace {
+
+// Refuses NaN, too. `open` excludes the lower end.
+Status check_range(const char* field, double value, double low, double high, bool open = false) {
+    if (value <= high && (open ? value > low : value >= low))
+        return {};
+    return Error{PLAIT_INVALID_ARGUMENT,
+                 format("%s is %g, range is %c%g, %g]", field, value, open ? '(' : '[', low, high)};
+}
+
+// C callers can put any number into an enum, which C++ may not even look at as one.
+template <typename Enum> double raw(const Enum& value) {
+    int32_t number;
+    static_assert(sizeof number == sizeof value);
+    std::memcpy(&number, &value, sizeof number);
+    return number;
+}
+
+#define PLAIT_RANGE(field, low, high) PLAIT_TRY(check_range(#field, double(s.field), low, high))
+#define PLAIT_RANGE_OPEN(field, low, high)                                                         \
+    PLAIT_TRY(check_range(#field, double(s.field), low, high, true))
+#define PLAIT_RANGE_ENUM(field, high) PLAIT_TRY(check_range(#field, raw(s.field), 0, high))
+#define PLAIT_RANGE_3(field, low, high)                                                            \
+    PLAIT_RANGE(field[0], low, high);                                                              \
+    PLAIT_RANGE(field[1], low, high);                                                              \
+    PLAIT_RANGE(field[2], low, high)
+
+constexpr double half_pi = 1.5707964; // as float32 rounds it, upwards
+
+Status check_model(const plait_sim_params& s) {
+    PLAIT_RANGE_3(gravity, -1e4, 1e4);
+    PLAIT_RANGE(damping, 0, 100);
+    PLAIT_RANGE(local_stiffness, 0, 1);
+    PLAIT_RANGE(local_iterations, 0, 64);
+    PLAIT_RANGE(global_stiffness, 0, 1);
+    PLAIT_RANGE(global_range, 0, 1);
+    PLAIT_RANGE(length_iterations, 0, 256);
+    PLAIT_RANGE(vsp_coeff, 0, 1);
+    PLAIT_RANGE(vsp_accel_threshold, 0, 1e6);
+    PLAIT_RANGE_OPEN(max_displacement, 0, 1e6);
+    PLAIT_RANGE(tip_separation, 0, 100);
+    PLAIT_RANGE_ENUM(wind_form, PLAIT_WIND_FORM_DRAG);
+    PLAIT_RANGE_ENUM(follow_form, PLAIT_FOLLOW_FORM_ROTATING);
+    PLAIT_RANGE_ENUM(shock_form, PLAIT_SHOCK_FORM_CONTINUOUS);
+    PLAIT_RANGE_ENUM(order, PLAIT_ORDER_SHOCK_BEFORE_GLOBAL);
+    if (s.iterations != PLAIT_ITERATIONS_OF_MODEL)
+        PLAIT_RANGE(iterations, 0, 64);
+    PLAIT_RANGE(bdf2, 0, 1);
+    PLAIT_RANGE(line_density, 1e-9, 1e3);
+    PLAIT_RANGE(bend_stiffness, 0, 1e3);
+    PLAIT_RANGE(stretch_stiffness, 0, 1e9);
+    PLAIT_RANGE(tip_stiffness, 0, 100);
+    PLAIT_RANGE(drag, 0, 1e4);
+    PLAIT_RANGE_3(wind, -1e3, 1e3);
+    PLAIT_RANGE(air_drag, 0, 1e6);
+    PLAIT_RANGE(wind_cone, 0, half_pi);
+    return {};
+}
+
+// Buffers are indexed with 32 bits.
+Status check_slot_total(const plait_sim_params& s) {
+    const double n = s.grid_edge_count;
+    if (s.interhair != PLAIT_INTERHAIR_SLOTS)
+        return {};
+    return check_range("grid_edge_count^3 * slot_capacity", n * n * n * s.slot_capacity, 1,
+                       std::numeric_limits<uint32_t>::max());
+}
+
+Status check_grid(const plait_sim_params& s) {
+    PLAIT_RANGE_ENUM(interhair, PLAIT_INTERHAIR_EXACT);
+    PLAIT_RANGE(grid_edge_count, 1, 64);
+    PLAIT_RANGE(slot_capacity, 1, 65536);
+    PLAIT_RANGE_ENUM(slot_hash, PLAIT_HASH_PCG);
+    PLAIT_RANGE_ENUM(tent, PLAIT_TENT_FORM_TRILINEAR);
+    PLAIT_RANGE_ENUM(diffuse_rule, PLAIT_DIFFUSE_RULE_FLOORED);
+    PLAIT_RANGE(diffuse_ratio, 0, 1e6);
+    PLAIT_RANGE(diffuse_factor, 0, 1);
+    PLAIT_RANGE(diffuse_floor, 0, 1);
+    PLAIT_RANGE(grid_in_world, 0, 1);
+    PLAIT_RANGE_3(grid_origin, -1e6, 1e6);
+    PLAIT_RANGE(grid_edge, 0, 1e6);
+    return check_slot_total(s);
+}
+
+} // namespace
+
+plait_sim_params default_params() {
+    plait_sim_params p{};
+    p.struct_size = sizeof p;
+    p.gravity[1] = -9.81f;
+    p.damping = 0.08f;
+    p.local_stiffness = 0.9f;
+    p.local_iterations = 2;
+    p.length_iterations = 2;
+    p.vsp_coeff = 0.8f;
+    p.vsp_accel_threshold = 1.4f;
+    p.max_displacement = 1e6f;
+    p.iterations = PLAIT_ITERATIONS_OF_MODEL;
+    p.line_density = 5e-6f;
+    p.bend_stiffness = 4.7e-9f;
+    p.tip_stiffness = 1;
+    p.drag = 1;
+    p.wind_form = PLAIT_WIND_FORM_DRAG;
+    p.follow_form = PLAIT_FOLLOW_FORM_ROTATING;
+    p.wind_cone = 0.7f;
+    p.grid_edge_count = 8;
+    p.slot_capacity = 1024;
+    p.slot_hash = PLAIT_HASH_PCG;
+    p.diffuse_rule = PLAIT_DIFFUSE_RULE_FLOORED;
+    p.diffuse_ratio = 2;
+    p.diffuse_factor = 0.9f;
+    p.diffuse_floor = 0.5f;
+    return p;
+}
+
+plait_sim_desc default_sim_desc() {
+    plait_sim_desc desc{};
+    desc.struct_size = sizeof desc;
+    desc.step = 1.0f / 60;
+    desc.substeps = 1;
+    desc.max_steps_per_call = 8;
+    desc.follow_radius = 0.003f;
+    desc.params = default_params();
+    return desc;
+}
+
+Status check_params(const plait_sim_params& params) {
+    PLAIT_TRY(check_model(params));
+    return check_grid(params);
+}
+
+Status check_sim_desc(const plait_sim_desc& s) {
+    PLAIT_RANGE_ENUM(model, PLAIT_MODEL_ROD);
+    PLAIT_RANGE(step, 1e-5f, 1);
+    PLAIT_RANGE(substeps, 1, 1000);
+    PLAIT_RANGE(max_steps_per_call, 1, 1000);
+    PLAIT_RANGE(interpolate_output, 0, 1);
+    PLAIT_RANGE(follows_per_guide, 0, 64);
+    PLAIT_RANGE(follow_radius, 0, 1);
+    return check_params(s.params);
+}
+
+Status check_collider(const plait_collider_desc& s) {
+    PLAIT_RANGE_3(a, -1e6, 1e6);
+    PLAIT_RANGE_3(b, -1e6, 1e6);
+    PLAIT_RANGE_OPEN(radius_a, 0, 1e3);
+    PLAIT_RANGE_OPEN(radius_b, 0, 1e3);
+    PLAIT_RANGE(friction, 0, 10);
+    return {};
+}
+
+} // namespace plait

@@ -1,0 +1,16 @@
+// Ranges of what the caller may set.
+#pragma once
+
+#include "base/result.hpp"
+
+namespace plait {
+
+plait_sim_params default_params();
+plait_sim_desc default_sim_desc();
+
+// INVALID_ARGUMENT names the field, its value and its range.
+Status check_params(const plait_sim_params& params);
+Status check_sim_desc(const plait_sim_desc& desc);
+Status check_collider(const plait_collider_desc& desc);
+
+} // namespace plait

@@ -1,0 +1,59 @@
+#include "core/pose.hpp"
+
+#include "base/format.hpp"
+
+#include <cmath>
+#include <iterator>
+
+namespace plait {
+
+Result<plait_pose> checked_pose(const plait_pose& pose, const char* name) {
+    for (const float t : pose.t)
+        if (!std::isfinite(t) || std::abs(t) > 1e6f)
+            return Error{PLAIT_INVALID_ARGUMENT,
+                         format("%s: translation %g is outside [-1e6, 1e6] m", name, double(t))};
+    const double norm = std::sqrt(double(pose.q[0]) * pose.q[0] + double(pose.q[1]) * pose.q[1] +
+                                  double(pose.q[2]) * pose.q[2] + double(pose.q[3]) * pose.q[3]);
+    if (!(std::abs(norm - 1) <= 1e-3))
+        return Error{PLAIT_INVALID_ARGUMENT,
+                     format("%s: quaternion norm is %g, range is 1 +- 0.001", name, norm)};
+    plait_pose unit = pose;
+    for (float& q : unit.q)
+        q = static_cast<float>(q / norm);
+    return unit;
+}
+
+plait_pose interpolate(const plait_pose& from, const plait_pose& to, double share) {
+    if (share <= 0 || share >= 1)
+        return share <= 0 ? from : to;
+    double dot = 0;
+    for (size_t i = 0; i < 4; ++i)
+        dot += double(from.q[i]) * to.q[i];
+    const double sign = dot < 0 ? -1 : 1;
+    double q[4];
+    double square = 0;
+    for (size_t i = 0; i < 4; ++i) {
+        q[i] = (1 - share) * from.q[i] + share * sign * to.q[i];
+        square += q[i] * q[i];
+    }
+    plait_pose pose = from;
+    const double norm = std::sqrt(square); // >= sqrt(1/2): the arc is the shorter one
+    for (size_t i = 0; i < 4; ++i)
+        pose.q[i] = static_cast<float>(q[i] / norm);
+    for (size_t i = 0; i < 3; ++i)
+        pose.t[i] = static_cast<float>((1 - share) * from.t[i] + share * to.t[i]);
+    return pose;
+}
+
+void transform(const plait_pose& pose, const float p[3], float out[3]) {
+    const float* q = pose.q;
+    const float u[3] = {2 * (q[1] * p[2] - q[2] * p[1]), 2 * (q[2] * p[0] - q[0] * p[2]),
+                        2 * (q[0] * p[1] - q[1] * p[0])};
+    const float v[3] = {p[0] + q[3] * u[0] + q[1] * u[2] - q[2] * u[1],
+                        p[1] + q[3] * u[1] + q[2] * u[0] - q[0] * u[2],
+                        p[2] + q[3] * u[2] + q[0] * u[1] - q[1] * u[0]};
+    for (size_t i = 0; i < 3; ++i)
+        out[i] = v[i] + pose.t[i];
+}
+
+} // namespace plait

@@ -1,0 +1,22 @@
+// Poses on the host: checks and interpolation as the stage `roots` does it.
+#pragma once
+
+#include "base/result.hpp"
+
+#include <plait/plait.h>
+
+namespace plait {
+
+inline constexpr plait_pose identity_pose = {{0, 0, 0, 1}, {0, 0, 0}};
+
+// A finite pose with its quaternion normalised. INVALID_ARGUMENT if |q| is off 1 by over 1e-3;
+// `name` says which pose it is.
+Result<plait_pose> checked_pose(const plait_pose& pose, const char* name);
+
+// Normalised linear blend of the rotations along the shorter arc, linear blend of translations.
+plait_pose interpolate(const plait_pose& from, const plait_pose& to, double share);
+
+// q*p + t
+void transform(const plait_pose& pose, const float p[3], float out[3]);
+
+} // namespace plait

@@ -1,0 +1,110 @@
+#include "core/roots.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace plait {
+namespace {
+
+using PackedPose = std::array<float, 8>; // PLAIT_POSE_STRIDE float4
+
+PackedPose pack(const plait_pose& p) {
+    return {p.q[0], p.q[1], p.q[2], p.q[3], p.t[0], p.t[1], p.t[2], 0};
+}
+
+void copy_head(const plait_pose& head, float q[4], float t[4]) {
+    std::copy_n(head.q, 4, q);
+    std::copy_n(head.t, 3, t);
+    t[3] = 0;
+}
+
+plait_roots_params roots_params(const plait_pose& from, const plait_pose& to, float alpha,
+                                bool own) {
+    plait_roots_params params{};
+    copy_head(from, params.head_from_q, params.head_from_t);
+    copy_head(to, params.head_to_q, params.head_to_t);
+    params.alpha = alpha;
+    params.per_root = own;
+    return params;
+}
+
+} // namespace
+
+Status Roots::make_buffers(Device& device) {
+    if (at_.poses)
+        return {};
+    const std::pmr::vector<PackedPose> identities(layout_.guides, pack(identity_pose), memory_);
+    std::array<Buffer, 4> made;
+    for (Buffer& buffer : made) {
+        auto poses = device.create(PLAIT_ELEMENT_FLOAT4, size_t{2} * layout_.guides, "root_poses");
+        if (!poses)
+            return poses.error();
+        buffer = std::move(*poses);
+        PLAIT_TRY(device.write(buffer, identities.data()));
+    }
+    for (size_t i = 0; i < made.size(); ++i)
+        places()[i]->poses = std::move(made[i]);
+    return {};
+}
+
+Status Roots::clear_buffers(Device& device) {
+    const std::pmr::vector<PackedPose> identities(layout_.guides, pack(identity_pose), memory_);
+    for (const Place* place : places())
+        if (place->poses)
+            PLAIT_TRY(device.write(place->poses, identities.data()));
+    return {};
+}
+
+Status Roots::aim(Device& device, const plait_pose& head, std::span<const plait_pose> own) {
+    if (!own.empty())
+        PLAIT_TRY(make_buffers(device));
+    if (at_.poses) {
+        std::pmr::vector<PackedPose> packed(layout_.guides, pack(identity_pose), memory_);
+        std::transform(own.begin(), own.end(), packed.begin(), pack);
+        PLAIT_TRY(device.write(target_.poses, packed.data()));
+    }
+    target_.head = head;
+    target_.own = !own.empty();
+    aimed = true;
+    return {};
+}
+
+void Roots::add(Schedule& schedule, const Place& from, const Place& to, float alpha,
+                const Buffer& pose) const {
+    const bool own = from.own || to.own;
+    schedule.add(PLAIT_STAGE_roots, layout_.guides, roots_params(from.head, to.head, alpha, own),
+                 {own ? &from.poses : nullptr, own ? &to.poses : nullptr, &pose});
+}
+
+void Roots::begin_step(Schedule& schedule, double end) {
+    std::swap(from_, to_);
+    to_.head = interpolate(at_.head, goal().head, end);
+    const bool was_own = to_.own;
+    to_.own = at_.own || goal().own;
+    if (!to_.own && !was_own)
+        return; // the buffer, if there is one, holds identities already
+    schedule.add(PLAIT_STAGE_roots, layout_.guides,
+                 roots_params(identity_pose, identity_pose, static_cast<float>(end), true),
+                 {&at_.poses, &goal().poses, &to_.poses});
+}
+
+void Roots::pose_in_step(Schedule& schedule, float alpha, const Buffer& pose) const {
+    add(schedule, from_, to_, alpha, pose);
+}
+
+void Roots::end_call() {
+    if (aimed)
+        std::swap(at_, target_);
+    aimed = false;
+}
+
+void Roots::pose_now(Schedule& schedule, const Buffer& pose) const {
+    add(schedule, at_, at_, 1, pose);
+}
+
+void Roots::stop(Schedule& schedule) {
+    begin_step(schedule, 0);
+    begin_step(schedule, 0);
+}
+
+} // namespace plait

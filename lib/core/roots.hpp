@@ -1,0 +1,65 @@
+// The path of the roots: where the head and every root are between calls and inside a fixed step.
+//
+// Two paths are kept. The call's path leads from where the roots were when the call of
+// plait_sim_step began (`at_`) to where they shall be at its end (`target_`). The step's path leads
+// from the sample at the end of the fixed step before (`from_`) to the sample at the end of this
+// one
+// (`to_`). The stage `roots` interpolates the second for the substeps, and takes the samples of the
+// first when roots have poses of their own.
+#pragma once
+
+#include "backend/device.hpp"
+#include "core/layout.hpp"
+#include "core/pose.hpp"
+#include "core/schedule.hpp"
+
+#include <array>
+#include <memory_resource>
+
+namespace plait {
+
+class Roots {
+  public:
+    Roots(const Layout& layout, std::pmr::memory_resource* memory)
+        : layout_(layout), memory_(memory) {}
+
+    // Sets the target of the next call. `own`: [guides] poses applied before the head, or empty.
+    Status aim(Device& device, const plait_pose& head, std::span<const plait_pose> own);
+
+    // Moves the step's path on: it ends at share `end` of the call.
+    void begin_step(Schedule& schedule, double end);
+    // Poses at share `alpha` of the step's path.
+    void pose_in_step(Schedule& schedule, float alpha, const Buffer& pose) const;
+    // The call is over: the roots are at their target.
+    void end_call();
+    // Poses where the roots are between calls.
+    void pose_now(Schedule& schedule, const Buffer& pose) const;
+    // No path: the step begins and ends where the roots are now.
+    void stop(Schedule& schedule);
+
+    // Head at the end of the last fixed step.
+    const plait_pose& step_head() const { return to_.head; }
+
+    // The state as saved: each place's head, whether its roots have poses of their own, and the
+    // buffer that holds them.
+    struct Place {
+        plait_pose head = identity_pose;
+        bool own = false; // false: the buffer, if there is one, holds identities
+        Buffer poses;     // float4 [2*guides]
+    };
+    std::array<Place*, 4> places() { return {&at_, &target_, &from_, &to_}; }
+    Status make_buffers(Device& device);  // with identities; nothing if they are there
+    Status clear_buffers(Device& device); // to identities
+    bool aimed = false;                   // target_ is not where the roots are
+
+  private:
+    void add(Schedule& schedule, const Place& from, const Place& to, float alpha,
+             const Buffer& pose) const;
+    const Place& goal() const { return aimed ? target_ : at_; }
+
+    Layout layout_;
+    std::pmr::memory_resource* memory_;
+    Place at_, target_, from_, to_;
+};
+
+} // namespace plait

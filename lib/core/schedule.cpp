@@ -1,0 +1,43 @@
+#include "core/schedule.hpp"
+
+#include "base/format.hpp"
+
+#include <algorithm>
+
+namespace plait {
+
+void Schedule::add(plait_stage stage, uint32_t items, uint32_t width, const void* params,
+                   size_t size, std::initializer_list<const Buffer*> buffers) {
+    assert(size_ < capacity && buffers.size() <= max_buffers);
+    assert(buffers.size() == plait_stage_describe(stage)->buffer_count);
+    Entry& entry = entries_[size_];
+    std::memcpy(entry.params.data(), params, size);
+    std::transform(buffers.begin(), buffers.end(), entry.buffers.begin(),
+                   [](const Buffer* buffer) { return buffer ? buffer->handle() : nullptr; });
+    dispatches_[size_++] = {stage,
+                            items,
+                            width,
+                            entry.params.data(),
+                            static_cast<uint32_t>(size),
+                            static_cast<uint32_t>(buffers.size()),
+                            entry.buffers.data()};
+}
+
+Status Schedule::submit(Device& device) {
+    const auto pending = list();
+    clear();
+    if (pending.empty())
+        return {};
+    PLAIT_TRY(check_supported(device, pending));
+    return device.submit(pending);
+}
+
+Status check_supported(const Device& device, std::span<const plait_dispatch> list) {
+    for (const plait_dispatch& dispatch : list)
+        if (!device.supports(dispatch.stage))
+            return Error{PLAIT_UNSUPPORTED, format("the backend has no stage \"%s\"",
+                                                   plait_stage_describe(dispatch.stage)->name)};
+    return {};
+}
+
+} // namespace plait

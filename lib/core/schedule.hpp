@@ -1,0 +1,47 @@
+// A list of dispatches under construction: what a backend is asked to do next.
+#pragma once
+
+#include "backend/device.hpp"
+
+#include <array>
+#include <cassert>
+#include <cstring>
+#include <initializer_list>
+
+namespace plait {
+
+// Holds parameters and buffer lists in place, so that stepping never allocates.
+class Schedule {
+  public:
+    template <typename Params>
+    void add(plait_stage stage, uint32_t items, const Params& params,
+             std::initializer_list<const Buffer*> buffers, uint32_t width = 1) {
+        static_assert(sizeof(Params) <= sizeof(Entry::params));
+        add(stage, items, width, &params, sizeof params, buffers);
+    }
+    void clear() { size_ = 0; }
+    std::span<const plait_dispatch> list() const { return {dispatches_.data(), size_}; }
+
+    // Hands the list to the device and starts a new one. UNSUPPORTED names the missing stage.
+    Status submit(Device& device);
+
+  private:
+    static constexpr size_t capacity = 64; // dispatches per submit; a substep takes about ten
+    static constexpr size_t max_buffers = 10;
+    struct Entry {
+        alignas(16) std::array<unsigned char, 192> params;
+        std::array<plait_buffer*, max_buffers> buffers;
+    };
+
+    void add(plait_stage stage, uint32_t items, uint32_t width, const void* params, size_t size,
+             std::initializer_list<const Buffer*> buffers);
+
+    size_t size_ = 0;
+    std::array<plait_dispatch, capacity> dispatches_;
+    std::array<Entry, capacity> entries_;
+};
+
+// UNSUPPORTED if the device lacks a stage of the list.
+Status check_supported(const Device& device, std::span<const plait_dispatch> list);
+
+} // namespace plait

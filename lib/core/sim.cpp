@@ -1,0 +1,244 @@
+#include "core/sim.hpp"
+
+#include "base/format.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace plait {
+namespace {
+
+Status check_size(const Context& context, const Groom& groom, const plait_sim_desc& desc) {
+    const double strands = double(groom.shape.strands) * (1 + desc.follows_per_guide);
+    const double vertices = strands * groom.shape.max_vertices;
+    if (vertices > std::numeric_limits<uint32_t>::max())
+        return Error{PLAIT_INVALID_ARGUMENT,
+                     format("%g strands of %u vertices are more than 2^32 - 1 vertices", strands,
+                            groom.shape.max_vertices)};
+    if (desc.model == PLAIT_MODEL_TRESSFX && groom.shape.max_vertices > context.info.max_group_size)
+        return Error{PLAIT_UNSUPPORTED,
+                     format("strands have up to %u vertices, device %s takes %u work-items in a "
+                            "work-group",
+                            groom.shape.max_vertices, context.info.name,
+                            context.info.max_group_size)};
+    return {};
+}
+
+Layout make_layout(const Groom& groom, const plait_sim_desc& desc) {
+    const auto guides = static_cast<uint32_t>(groom.shape.strands);
+    return {guides, guides * desc.follows_per_guide, groom.shape.max_vertices};
+}
+
+} // namespace
+
+Result<SimParts> make_sim_parts(Context& context, const Groom& groom, const plait_sim_desc& desc) {
+    PLAIT_TRY(check_size(context, groom, desc));
+    const Layout layout = make_layout(groom, desc);
+    Device& device = context.device;
+    auto model = make_model(desc.model, {layout, groom, context.info.tile, &context.memory});
+    if (!model)
+        return model.error();
+    PLAIT_TRY((*model)->prepare(device, desc.params));
+    const bool interpolate = desc.interpolate_output != 0;
+    auto state = create_state(device, groom, layout, interpolate ? layout.guides : layout.strands(),
+                              (*model)->pinned_vertices(), &context.memory);
+    if (!state)
+        return state.error();
+    auto grid = InterHair::create(device, desc.params);
+    if (!grid)
+        return grid.error();
+    auto display = Display::create(device, groom, layout,
+                                   {desc.follows_per_guide, desc.follow_radius, desc.seed},
+                                   interpolate, &context.memory);
+    if (!display)
+        return display.error();
+    return SimParts{layout,
+                    desc,
+                    cube_around(groom),
+                    Skin(groom, &context.memory),
+                    std::move(*model),
+                    std::move(*state),
+                    std::move(*grid),
+                    std::move(*display)};
+}
+
+Sim::Sim(Context& context, SimParts parts)
+    : context_(context), layout_(parts.layout), desc_(parts.desc), cube_(parts.cube),
+      skin_(std::move(parts.skin)), model_(std::move(parts.model)), state_(std::move(parts.state)),
+      grid_(std::move(parts.grid)), display_(std::move(parts.display)),
+      roots_(layout_, &context.memory), colliders_(&context.memory),
+      clock_(desc_.step, desc_.max_steps_per_call) {}
+
+Sim::~Sim() {
+    if (context_.measured == this)
+        context_.measured = nullptr;
+}
+
+Status Sim::start() {
+    PLAIT_TRY(check_stages());
+    model_->reset(schedule_, present());
+    display_.keep(schedule_, layout_, state_);
+    return refresh();
+}
+
+Status Sim::check_stages() {
+    schedule_.clear();
+    add_substep(0);
+    model_->publish(schedule_, present());
+    add_interhair();
+    const Status status = check_supported(device(), schedule_.list());
+    schedule_.clear();
+    return status;
+}
+
+// All work passes here, so that device time is counted for the sim that caused it.
+Status Sim::submit() {
+    if (context_.profile && context_.measured != this) {
+        if (context_.measured)
+            PLAIT_TRY(context_.measured->harvest());
+        context_.measured = this;
+    }
+    for (const plait_dispatch& dispatch : schedule_.list())
+        ++costs_[dispatch.stage].calls;
+    return schedule_.submit(device());
+}
+
+// Ends what the caller has begun in schedule_.
+Status Sim::refresh() {
+    display_.update(schedule_, layout_, state_, roots_, desc_.params,
+                    static_cast<float>(clock_.remainder()));
+    return submit();
+}
+
+Status Sim::step(double dt) {
+    schedule_.clear(); // what a failed call may have left
+    const Tick tick = clock_.advance(dt);
+    for (uint32_t k = 0; k < tick.steps; ++k)
+        PLAIT_TRY(fixed_step(tick.end_of(k), k + 1 == tick.steps));
+    roots_.end_call();
+    colliders_.end_call();
+    const bool changed = tick.steps > 0 || display_.interpolates();
+    return changed ? refresh() : Status{};
+}
+
+Status Sim::fixed_step(double end, bool keep) {
+    if (keep)
+        display_.keep(schedule_, layout_, state_);
+    roots_.begin_step(schedule_, end);
+    PLAIT_TRY(colliders_.begin_step(device(), end));
+    for (uint32_t i = 0; i < desc_.substeps; ++i) {
+        add_substep(i);
+        PLAIT_TRY(submit());
+    }
+    model_->publish(schedule_, present());
+    add_interhair();
+    PLAIT_TRY(submit());
+    ++clock_.steps;
+    return {};
+}
+
+Substep Sim::at(float alpha_from, float alpha_to) const {
+    return {layout_,          state_,     desc_.params, colliders_.capsules(), colliders_.count(),
+            substep_length(), alpha_from, alpha_to};
+}
+
+void Sim::add_substep(uint32_t index) {
+    const auto substeps = static_cast<float>(desc_.substeps);
+    const float from = static_cast<float>(index) / substeps;
+    const float to = static_cast<float>(index + 1) / substeps;
+    roots_.pose_in_step(schedule_, to, state_.pose);
+    model_->substep(schedule_, at(from, to));
+}
+
+void Sim::add_interhair() {
+    grid_.append(schedule_,
+                 {layout_, state_, desc_.params, cube_, roots_.step_head(), substep_length(),
+                  clock_.steps, desc_.seed, context_.info.max_group_size});
+    if (desc_.params.interhair != PLAIT_INTERHAIR_OFF)
+        model_->adopt(schedule_, present());
+}
+
+Status Sim::set_params(const plait_sim_params& params) {
+    InterHair grid;
+    const bool same_grid = grid_.fits(params);
+    PLAIT_TRY(model_->prepare(device(), params));
+    if (!same_grid) {
+        auto made = InterHair::create(device(), params);
+        if (!made) {
+            model_->trim(desc_.params);
+            return made.error();
+        }
+        grid = std::move(*made);
+        std::swap(grid_, grid);
+    }
+    const plait_sim_params before = desc_.params;
+    desc_.params = params;
+    const Status status = check_stages();
+    if (!status) {
+        desc_.params = before;
+        if (!same_grid)
+            std::swap(grid_, grid);
+    }
+    model_->trim(desc_.params);
+    return status;
+}
+
+Result<std::pmr::vector<plait_pose>> Sim::own_poses(const RootsInput& input) {
+    std::pmr::vector<plait_pose> poses(input.own.begin(), input.own.end(), &context_.memory);
+    if (input.bones.empty())
+        return poses;
+    if (skin_.bones == 0)
+        return Error{PLAIT_INVALID_ARGUMENT, "bones are given, but the groom has no skin"};
+    if (input.bones.size() < skin_.bones)
+        return Error{PLAIT_INVALID_ARGUMENT, format("bones.count is %zu, the groom's skin needs %u",
+                                                    input.bones.size(), skin_.bones)};
+    poses.resize(layout_.guides);
+    PLAIT_TRY(skin_roots(skin_, input.bones, poses));
+    return poses;
+}
+
+Status Sim::set_roots(const RootsInput& input) {
+    if (!input.own.empty() && input.own.size() != layout_.guides)
+        return Error{PLAIT_INVALID_ARGUMENT,
+                     format("root_poses.count is %zu, the sim has %u guides", input.own.size(),
+                            layout_.guides)};
+    const auto own = own_poses(input);
+    if (!own)
+        return own.error();
+    return roots_.aim(device(), input.head, *own);
+}
+
+Status Sim::prepare_teleport() {
+    if (pose_spare_)
+        return {};
+    auto spare = device().create(PLAIT_ELEMENT_FLOAT4, size_t{2} * layout_.guides, "pose_spare");
+    if (!spare)
+        return spare.error();
+    pose_spare_ = std::move(*spare);
+    return {};
+}
+
+Status Sim::teleport(const RootsInput& input) {
+    schedule_.clear();
+    PLAIT_TRY(prepare_teleport());
+    PLAIT_TRY(set_roots(input));
+    roots_.end_call();
+    roots_.stop(schedule_);
+    roots_.pose_now(schedule_, pose_spare_);
+    model_->teleport(schedule_, present(), pose_spare_);
+    std::swap(state_.pose, pose_spare_);
+    return refresh();
+}
+
+Status Sim::reset() {
+    schedule_.clear();
+    clock_.reset();
+    roots_.stop(schedule_);
+    colliders_.stop();
+    roots_.pose_now(schedule_, state_.pose);
+    model_->reset(schedule_, present());
+    display_.keep(schedule_, layout_, state_);
+    return refresh();
+}
+
+} // namespace plait

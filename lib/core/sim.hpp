@@ -1,0 +1,135 @@
+// One groom moving on one context: the schedule of a call, and the state it moves.
+#pragma once
+
+#include "core/clock.hpp"
+#include "core/colliders.hpp"
+#include "core/context.hpp"
+#include "core/display.hpp"
+#include "core/interhair.hpp"
+#include "core/model.hpp"
+#include "core/roots.hpp"
+#include "core/skin.hpp"
+
+#include <memory>
+
+namespace plait {
+
+// Where the roots shall be: a head, and either nothing, a pose per guide, or bones for the skin.
+struct RootsInput {
+    plait_pose head = identity_pose;
+    std::span<const plait_pose> own;
+    std::span<const BoneMatrix> bones;
+};
+
+// Everything on the host that a sim is made of; moved into the Sim once all of it is there.
+struct SimParts {
+    Layout layout;
+    plait_sim_desc desc;
+    GridCube cube;
+    Skin skin;
+    std::unique_ptr<Model> model;
+    State state;
+    InterHair grid;
+    Display display;
+};
+Result<SimParts> make_sim_parts(Context& context, const Groom& groom, const plait_sim_desc& desc);
+
+struct SnapshotHeader; // snapshot.cpp
+
+class Sim {
+  public:
+    Sim(Context& context, SimParts parts);
+    Sim(const Sim&) = delete;
+    Sim& operator=(const Sim&) = delete;
+    ~Sim();
+
+    // Fills what is shown before the first step. UNSUPPORTED if the backend lacks a stage.
+    Status start();
+
+    Status reset();
+    Status set_params(const plait_sim_params& params);
+    const plait_sim_params& params() const { return desc_.params; }
+    Status set_roots(const RootsInput& input);
+    Status teleport(const RootsInput& input);
+    Status step(double dt);
+    Status wait() { return device().wait(); }
+
+    Result<plait_collider_id> create_collider(const plait_collider_desc& desc) {
+        return colliders_.create(device(), desc);
+    }
+    Status set_collider_pose(plait_collider_id id, const plait_pose& pose) {
+        return colliders_.set_pose(id, pose);
+    }
+    Status destroy_collider(plait_collider_id id) { return colliders_.destroy(id); }
+
+    // fields.cpp
+    Result<size_t> field_bytes(plait_field field) const;
+    Status read(plait_field field, void* dst);
+    Status write(plait_field field, const void* src);
+    Result<const Buffer*> field_buffer(plait_field field) const; // INVALID_STATE: the field is off
+
+    // stats.cpp
+    Status stats(plait_sim_stats& out);
+    size_t stage_time_count() const;
+    Status stage_times(std::span<plait_stage_time> dst, bool reset);
+    Status harvest(); // takes the device's times so far as this sim's
+
+    // snapshot.cpp
+    size_t snapshot_size();
+    Status save(std::span<unsigned char> dst); // [snapshot_size()]
+    Status restore(std::span<const unsigned char> src);
+    Result<uint64_t> hash();
+
+    Context& context() { return context_; }
+
+  private:
+    Device& device() const { return context_.device; }
+    float substep_length() const { return static_cast<float>(clock_.step() / desc_.substeps); }
+
+    Status submit();
+    Status fixed_step(double end, bool keep);
+    Substep at(float alpha_from, float alpha_to) const;
+    Substep present() const { return at(1, 1); } // between steps
+    void add_substep(uint32_t index);
+    void add_interhair();
+    Status refresh();
+    Status prepare_teleport();
+    Result<std::pmr::vector<plait_pose>> own_poses(const RootsInput& input);
+    Status check_stages();
+    uint64_t device_bytes();
+    Status read_velocity(std::span<float> dst);
+    Status write_velocity(const float* src);
+    // A run of float4 that a snapshot holds.
+    struct Block {
+        const Buffer* buffer;
+        size_t floats;
+        const LaneBuffer* lanes; // null: saved as it lies
+    };
+    std::pmr::vector<Block> blocks(bool kept, const std::array<bool, 4>& own);
+    SnapshotHeader snapshot_header();
+    size_t snapshot_bytes(const SnapshotHeader& header);
+    Status check_fits(const SnapshotHeader& header) const;
+    Status restore_roots(const SnapshotHeader& header);
+    Status save_block(const Block& block, unsigned char* out);
+    Status restore_block(const Block& block, const unsigned char* from);
+    Status restore_blocks(std::span<const Block> list, const unsigned char* from);
+
+    Context& context_;
+    Layout layout_;
+    plait_sim_desc desc_;
+    GridCube cube_;
+    Skin skin_;
+    std::unique_ptr<Model> model_;
+    State state_;
+    InterHair grid_;
+    Display display_;
+    Roots roots_;
+    Colliders colliders_;
+    Clock clock_;
+    Schedule schedule_;
+    Buffer pose_spare_;   // float4 [2*guides], from the first teleport on
+    Buffer strand_stats_; // float4 [guides], from the first measurement on
+    std::array<plait_stage_cost, PLAIT_STAGE_COUNT> costs_{};
+};
+
+} // namespace plait

@@ -1,0 +1,277 @@
+// The dynamic state as bytes: header, colliders, then runs of floats. Little-endian, float32
+// whatever the backend computes in, so that a snapshot of one device restores on another.
+#include "base/format.hpp"
+#include "base/hash.hpp"
+#include "core/params.hpp"
+#include "core/sim.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plait {
+
+struct SnapshotHeader {
+    uint32_t magic;
+    uint32_t version;
+    uint32_t model;
+    uint32_t guides;
+    uint32_t row;
+    uint32_t substeps;
+    float step;
+    uint32_t colliders; // slots, dead ones included
+    double waiting;
+    uint64_t steps;
+    uint64_t dropped;
+    plait_pose heads[4]; // at, target, from, to
+    uint32_t own[4];
+    uint32_t aimed;
+    uint32_t kept;
+    uint32_t reserved[2];
+};
+static_assert(sizeof(SnapshotHeader) == 56 + 112 + 32);
+static_assert(sizeof(Colliders::Slot) == 4 * (2 + 9 + 28), "no padding: slots are saved as bytes");
+
+namespace {
+
+constexpr uint32_t magic = 0x74696c70; // "plit"
+constexpr uint32_t version = 1;
+
+Error malformed(const std::string& what) {
+    return {PLAIT_BAD_DATA, "snapshot: " + what};
+}
+
+Status check_pose(const plait_pose& pose, const char* name) {
+    const auto checked = checked_pose(pose, name);
+    return checked ? Status{} : malformed(checked.error().message);
+}
+
+Status check_header(const SnapshotHeader& h) {
+    if (h.magic != magic)
+        return malformed(format("begins with 0x%08x, not 0x%08x", h.magic, magic));
+    if (h.version != version)
+        return Error{
+            PLAIT_UNSUPPORTED,
+            format("snapshot: version %u, this library reads version %u", h.version, version)};
+    if (!(std::abs(h.waiting) <= 2))
+        return malformed(format("%g s wait for a step, range is [-2, 2]", h.waiting));
+    for (size_t i = 0; i < 4; ++i) {
+        PLAIT_TRY(check_pose(h.heads[i], "head"));
+        if (h.own[i] > 1)
+            return malformed(format("own[%zu] is %u, range is [0, 1]", i, h.own[i]));
+    }
+    if (h.aimed > 1 || h.kept > 1)
+        return malformed(format("aimed is %u, kept is %u, range is [0, 1]", h.aimed, h.kept));
+    return {};
+}
+
+Status check_slot(const Colliders::Slot& slot, size_t index) {
+    if (slot.alive > 1)
+        return malformed(format("collider %zu: alive is %u, range is [0, 1]", index, slot.alive));
+    if (!slot.alive)
+        return {};
+    plait_collider_desc desc{};
+    std::copy_n(slot.a, 3, desc.a);
+    std::copy_n(slot.b, 3, desc.b);
+    desc.radius_a = slot.radius_a;
+    desc.radius_b = slot.radius_b;
+    desc.friction = slot.friction;
+    if (const auto status = check_collider(desc); !status)
+        return malformed(format("collider %zu: %s", index, status.error().message.c_str()));
+    for (const plait_pose* pose : {&slot.at, &slot.target, &slot.from, &slot.to})
+        PLAIT_TRY(check_pose(*pose, "collider"));
+    return {};
+}
+
+Status check_finite(const unsigned char* bytes, size_t floats) {
+    for (size_t i = 0; i < floats; ++i) {
+        float value;
+        std::memcpy(&value, bytes + sizeof value * i, sizeof value);
+        if (!std::isfinite(value))
+            return malformed(
+                format("value %zu of its fields is %g, it must be finite", i, double(value)));
+    }
+    return {};
+}
+
+std::array<bool, 4> owned(const SnapshotHeader& h) {
+    return {h.own[0] != 0, h.own[1] != 0, h.own[2] != 0, h.own[3] != 0};
+}
+
+} // namespace
+
+// What a snapshot holds, in its order. `kept`: the step before the last; `own`: roots' own poses.
+std::pmr::vector<Sim::Block> Sim::blocks(bool kept, const std::array<bool, 4>& own) {
+    const size_t vertices = layout_.guide_vertices();
+    std::pmr::vector<Block> list(&context_.memory);
+    list.push_back({&state_.position, 4 * vertices, nullptr});
+    list.push_back({&state_.position_prev, 4 * vertices, nullptr});
+    list.push_back({&state_.position_prev2, 4 * vertices, nullptr});
+    list.push_back({&state_.pose, 4 * state_.pose.count(), nullptr});
+    for (const LaneBuffer& lanes : model_->dynamic())
+        list.push_back({lanes.buffer, vertices * lanes.components, &lanes});
+    if (kept)
+        list.push_back({&display_.kept(), 4 * vertices, nullptr});
+    for (size_t i = 0; i < own.size(); ++i)
+        if (own[i])
+            list.push_back({&roots_.places()[i]->poses, size_t{8} * layout_.guides, nullptr});
+    return list;
+}
+
+SnapshotHeader Sim::snapshot_header() {
+    SnapshotHeader h{};
+    h.magic = magic;
+    h.version = version;
+    h.model = static_cast<uint32_t>(desc_.model);
+    h.guides = layout_.guides;
+    h.row = layout_.row;
+    h.substeps = desc_.substeps;
+    h.step = desc_.step;
+    h.colliders = static_cast<uint32_t>(colliders_.slots().size());
+    h.waiting = clock_.waiting;
+    h.steps = clock_.steps;
+    h.dropped = clock_.dropped;
+    h.aimed = roots_.aimed;
+    h.kept = display_.interpolates();
+    const auto places = roots_.places();
+    for (size_t i = 0; i < places.size(); ++i) {
+        const bool meant = places[i] != places[1] || roots_.aimed; // no target: nothing to keep
+        h.heads[i] = meant ? places[i]->head : identity_pose;
+        h.own[i] = meant && places[i]->own;
+    }
+    return h;
+}
+
+size_t Sim::snapshot_bytes(const SnapshotHeader& h) {
+    size_t bytes = sizeof h + h.colliders * sizeof(Colliders::Slot);
+    for (const Block& block : blocks(h.kept != 0, owned(h)))
+        bytes += block.floats * sizeof(float);
+    return bytes;
+}
+
+size_t Sim::snapshot_size() {
+    return snapshot_bytes(snapshot_header());
+}
+
+Status Sim::save(std::span<unsigned char> dst) {
+    const SnapshotHeader h = snapshot_header();
+    unsigned char* out = dst.data();
+    const auto put = [&](const void* data, size_t size) {
+        if (size > 0)
+            std::memcpy(out, data, size);
+        out += size;
+    };
+    put(&h, sizeof h);
+    put(colliders_.slots().data(), colliders_.slots().size_bytes());
+    for (const Block& block : blocks(h.kept != 0, owned(h))) {
+        PLAIT_TRY(save_block(block, out));
+        out += block.floats * sizeof(float);
+    }
+    return {};
+}
+
+// A snapshot is of the same groom, model and step; parameters and the rest may differ.
+Status Sim::check_fits(const SnapshotHeader& h) const {
+    if (h.guides != layout_.guides || h.row != layout_.row)
+        return Error{PLAIT_INVALID_ARGUMENT,
+                     format("the snapshot is of %u guides of %u vertices, the sim has %u of %u",
+                            h.guides, h.row, layout_.guides, layout_.row)};
+    if (h.model != static_cast<uint32_t>(desc_.model))
+        return Error{PLAIT_INVALID_ARGUMENT,
+                     format("the snapshot is of model %u, the sim's is %d", h.model, desc_.model)};
+    if (h.step != desc_.step || h.substeps != desc_.substeps)
+        return Error{PLAIT_INVALID_ARGUMENT,
+                     format("the snapshot has steps of %g s in %u substeps, the sim %g s in %u",
+                            double(h.step), h.substeps, double(desc_.step), desc_.substeps)};
+    return {};
+}
+
+// Leaves the buffers of roots' own poses to be filled from the snapshot.
+Status Sim::restore_roots(const SnapshotHeader& h) {
+    const auto own = owned(h);
+    if (std::find(own.begin(), own.end(), true) != own.end())
+        PLAIT_TRY(roots_.make_buffers(device()));
+    const auto places = roots_.places();
+    for (size_t i = 0; i < places.size(); ++i) {
+        places[i]->head = h.heads[i];
+        places[i]->own = own[i];
+    }
+    roots_.aimed = h.aimed != 0;
+    return roots_.clear_buffers(device());
+}
+
+// Lanes are saved as [strand][V][components], whatever the tile of this device is.
+Status Sim::save_block(const Block& block, unsigned char* out) {
+    if (!block.lanes)
+        return device().read(*block.buffer, 0,
+                             block.floats * sizeof(float) / block.buffer->element_size(), out);
+    std::pmr::vector<float> tiled(block.buffer->count(), &context_.memory);
+    PLAIT_TRY(device().read(*block.buffer, tiled.data()));
+    for_each_lane_element(block.lanes->layout, block.lanes->components,
+                          [&](size_t lane, size_t plain) {
+                              std::memcpy(out + plain * sizeof(float), &tiled[lane], sizeof(float));
+                          });
+    return {};
+}
+
+Status Sim::restore_block(const Block& block, const unsigned char* from) {
+    if (!block.lanes)
+        return device().write(*block.buffer, 0,
+                              block.floats * sizeof(float) / block.buffer->element_size(), from);
+    std::pmr::vector<float> tiled(block.buffer->count(), &context_.memory);
+    PLAIT_TRY(device().read(*block.buffer, tiled.data()));
+    for_each_lane_element(
+        block.lanes->layout, block.lanes->components, [&](size_t lane, size_t plain) {
+            std::memcpy(&tiled[lane], from + plain * sizeof(float), sizeof(float));
+        });
+    return device().write(*block.buffer, tiled.data());
+}
+
+Status Sim::restore_blocks(std::span<const Block> list, const unsigned char* from) {
+    for (const Block& block : list) {
+        if (*block.buffer) // this sim may do without
+            PLAIT_TRY(restore_block(block, from));
+        from += block.floats * sizeof(float);
+    }
+    return {};
+}
+
+// Everything is checked before anything changes.
+Status Sim::restore(std::span<const unsigned char> src) {
+    SnapshotHeader h;
+    if (src.size() < sizeof h)
+        return malformed(format("%zu bytes, the header takes %zu", src.size(), sizeof h));
+    std::memcpy(&h, src.data(), sizeof h);
+    PLAIT_TRY(check_header(h));
+    PLAIT_TRY(check_fits(h));
+    if (src.size() != snapshot_bytes(h))
+        return malformed(format("%zu bytes, its header says %zu", src.size(), snapshot_bytes(h)));
+    std::pmr::vector<Colliders::Slot> slots(h.colliders, &context_.memory);
+    const unsigned char* from = src.data() + sizeof h;
+    if (!slots.empty())
+        std::memcpy(slots.data(), from, slots.size() * sizeof slots[0]);
+    from += slots.size() * sizeof(Colliders::Slot);
+    for (size_t i = 0; i < slots.size(); ++i)
+        PLAIT_TRY(check_slot(slots[i], i));
+    const auto list = blocks(h.kept != 0, owned(h));
+    PLAIT_TRY(check_finite(from, static_cast<size_t>(src.data() + src.size() - from) / 4));
+    schedule_.clear();
+    PLAIT_TRY(colliders_.assign(device(), slots));
+    PLAIT_TRY(restore_roots(h));
+    PLAIT_TRY(restore_blocks(list, from));
+    clock_.waiting = h.waiting;
+    clock_.steps = h.steps;
+    clock_.dropped = h.dropped;
+    if (!h.kept)
+        display_.keep(schedule_, layout_, state_);
+    return refresh();
+}
+
+Result<uint64_t> Sim::hash() {
+    std::pmr::vector<unsigned char> bytes(snapshot_size(), &context_.memory);
+    PLAIT_TRY(save(bytes));
+    Hash hash;
+    hash.add(bytes.data(), bytes.size());
+    return hash.value();
+}
+
+} // namespace plait

@@ -1,0 +1,37 @@
+// The buffers every model shares, and what a model sees of the sim while it builds a schedule.
+#pragma once
+
+#include "backend/device.hpp"
+#include "core/layout.hpp"
+
+#include <array>
+#include <memory_resource>
+
+namespace plait {
+
+struct Groom;
+
+struct State {
+    // Constant after creation.
+    Buffer rest;         // float4 [guides*V]
+    Buffer vertex_count; // uint [strands]
+    Buffer rest_length;  // float [guides*V], edge i -> i+1
+    // Moving.
+    Buffer position;       // float4 [guides*V], or [strands*V] where follows are placed in it
+    Buffer position_prev;  // float4 [guides*V]
+    Buffer position_prev2; // float4 [guides*V]
+    Buffer pose;           // float4 [2*guides], of the last substep
+
+    std::array<const Buffer*, 7> all() const {
+        return {&rest,          &vertex_count,   &rest_length, &position,
+                &position_prev, &position_prev2, &pose};
+    }
+};
+
+// Creates and fills the state with `groom` at rest, its roots at the identity. The first `pinned`
+// vertices of every strand get inverse mass 0, others 1.
+Result<State> create_state(Device& device, const Groom& groom, const Layout& layout,
+                           uint32_t position_rows, uint32_t pinned,
+                           std::pmr::memory_resource* memory);
+
+} // namespace plait

@@ -1,0 +1,101 @@
+// Health and cost of a sim.
+#include "core/sim.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plait {
+namespace {
+
+using Float4 =
+    std::array<float, 4>; // worst stretch, non-finite vertices, displacement, mean stretch
+
+void reduce(std::span<const Float4> strands, plait_sim_stats& out) {
+    double stretch = 0;
+    double displacement = 0;
+    for (const Float4& s : strands) {
+        out.max_stretch = std::max(out.max_stretch, s[0]);
+        out.nonfinite += static_cast<uint64_t>(s[1]);
+        displacement = std::max(displacement, double(s[2]));
+        stretch += double(s[3]);
+    }
+    out.max_speed = static_cast<float>(displacement);
+    out.mean_stretch = static_cast<float>(stretch / double(strands.size()));
+}
+
+} // namespace
+
+Status Sim::stats(plait_sim_stats& out) {
+    out = {};
+    if (!strand_stats_) {
+        auto buffer = device().create(PLAIT_ELEMENT_FLOAT4, layout_.guides, "strand_stats");
+        if (!buffer)
+            return buffer.error();
+        strand_stats_ = std::move(*buffer);
+    }
+    schedule_.clear();
+    schedule_.add(PLAIT_STAGE_stats, layout_.guides, plait_layout_params{layout_.row},
+                  {&state_.rest_length, &state_.vertex_count, &state_.position,
+                   &state_.position_prev, &strand_stats_});
+    PLAIT_TRY(submit());
+    std::pmr::vector<Float4> strands(layout_.guides, &context_.memory);
+    PLAIT_TRY(device().read(strand_stats_, strands.data()));
+    reduce(strands, out);
+    out.max_speed /= substep_length();
+    uint32_t outside = 0;
+    if (grid_.outside())
+        PLAIT_TRY(device().read(grid_.outside(), &outside));
+    out.grid_outside = outside;
+    out.guides = layout_.guides;
+    out.strands = layout_.strands();
+    out.vertices_per_strand = layout_.row;
+    out.steps = clock_.steps;
+    out.steps_dropped = clock_.dropped;
+    out.time = clock_.time();
+    out.device_bytes = device_bytes();
+    return {};
+}
+
+uint64_t Sim::device_bytes() {
+    uint64_t bytes = model_->device_bytes() + grid_.device_bytes() + display_.device_bytes() +
+                     pose_spare_.bytes() + strand_stats_.bytes() + colliders_.capsules().bytes();
+    for (const Buffer* buffer : state_.all())
+        bytes += buffer->bytes();
+    for (const Roots::Place* place : roots_.places())
+        bytes += place->poses.bytes();
+    return bytes;
+}
+
+Status Sim::harvest() {
+    std::array<plait_stage_cost, PLAIT_STAGE_COUNT> costs{};
+    PLAIT_TRY(device().stage_costs(costs.data(), true));
+    for (size_t i = 0; i < costs.size(); ++i)
+        costs_[i].seconds += costs[i].seconds;
+    return {};
+}
+
+size_t Sim::stage_time_count() const {
+    return static_cast<size_t>(std::count_if(costs_.begin(), costs_.end(),
+                                             [](const auto& cost) { return cost.calls > 0; }));
+}
+
+Status Sim::stage_times(std::span<plait_stage_time> dst, bool reset) {
+    if (context_.measured == this)
+        PLAIT_TRY(harvest());
+    auto out = dst.begin();
+    for (size_t i = 0; i < costs_.size() && out != dst.end(); ++i) {
+        if (costs_[i].calls == 0)
+            continue;
+        *out = {};
+        const std::string_view name = plait_stage_describe(static_cast<plait_stage>(i))->name;
+        name.copy(out->stage, sizeof out->stage - 1);
+        out->calls = costs_[i].calls;
+        out->seconds = costs_[i].seconds;
+        ++out;
+    }
+    if (reset)
+        costs_ = {};
+    return {};
+}
+
+} // namespace plait

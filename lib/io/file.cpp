@@ -1,0 +1,107 @@
+#include "io/file.hpp"
+
+#include <cerrno>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <random>
+#include <system_error>
+
+#if defined(__unix__) || defined(__APPLE__)
+#include <unistd.h>
+#endif
+
+namespace plait {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Close {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+};
+using File = std::unique_ptr<std::FILE, Close>;
+
+Error failure(const std::string& path, const char* doing, int code) {
+    const plait_result result = code == ENOENT ? PLAIT_NOT_FOUND : PLAIT_IO;
+    return {result, format("%s: %s: %s", path.c_str(), doing,
+                           std::generic_category().message(code).c_str())};
+}
+
+// Flushes the bytes from this process to the disk.
+bool flush_to_disk(std::FILE* file) {
+    if (std::fflush(file) != 0)
+        return false;
+#if defined(__unix__) || defined(__APPLE__)
+    return fsync(fileno(file)) == 0;
+#else
+    return true;
+#endif
+}
+
+Status write_and_close(const std::string& path, std::FILE* opened,
+                       std::span<const std::byte> bytes) {
+    File file(opened);
+    if (std::fwrite(bytes.data(), 1, bytes.size(), file.get()) != bytes.size() ||
+        !flush_to_disk(file.get()))
+        return failure(path, "cannot write", errno);
+    if (std::fclose(file.release()) != 0)
+        return failure(path, "cannot write", errno);
+    return {};
+}
+
+// A name in the same directory, hence on the same disk, that no other writer has.
+std::string temporary_name(const std::string& path) {
+    std::random_device random;
+    return format("%s.%08x.tmp", path.c_str(), random());
+}
+
+} // namespace
+
+Status check_file(const std::string& path) {
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    if (status.type() == fs::file_type::not_found)
+        return Error{PLAIT_NOT_FOUND, format("%s: there is no such file", path.c_str())};
+    if (error)
+        return failure(path, "cannot look at it", error.value());
+    if (status.type() != fs::file_type::regular)
+        return Error{PLAIT_IO, format("%s: is %s, not a regular file", path.c_str(),
+                                      fs::is_directory(status) ? "a directory" : "special")};
+    return {};
+}
+
+Result<ByteVector> read_file(const std::string& path, std::pmr::memory_resource* memory) {
+    PLAIT_TRY(check_file(path));
+    std::error_code error;
+    const uintmax_t size = fs::file_size(path, error);
+    if (error)
+        return failure(path, "cannot get its size", error.value());
+    File file(std::fopen(path.c_str(), "rb"));
+    if (!file)
+        return failure(path, "cannot open", errno);
+    ByteVector bytes(static_cast<size_t>(size), memory);
+    const size_t got = std::fread(bytes.data(), 1, bytes.size(), file.get());
+    if (std::ferror(file.get()))
+        return failure(path, "cannot read", errno);
+    bytes.resize(got); // it may have been cut since its size was asked for
+    return bytes;
+}
+
+Status write_file(const std::string& path, std::span<const std::byte> bytes) {
+    const std::string temporary = temporary_name(path);
+    std::FILE* file = std::fopen(temporary.c_str(), "wbx");
+    if (!file)
+        return failure(path, "cannot make a file beside it", errno);
+    Status status = write_and_close(path, file, bytes);
+    std::error_code error;
+    if (status) {
+        fs::rename(temporary, path, error);
+        if (!error)
+            return {};
+        status = failure(path, "cannot put the new file in its place", error.value());
+    }
+    fs::remove(temporary, error);
+    return status;
+}
+
+} // namespace plait

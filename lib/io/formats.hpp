@@ -1,0 +1,27 @@
+// One reader and writer per file format, from and to bytes in memory. docs/formats.md has the
+// layouts.
+#pragma once
+
+#include "io/bytes.hpp"
+#include "io/io.hpp"
+
+namespace plait {
+
+Result<StrandSet> read_tfx(const ByteReader& file, const ReadOptions& options);
+Result<ByteVector> write_tfx(const StrandSet& strands);
+
+// Adds bone_indices and bone_weights to `strands`, whose count the file must match.
+Status read_tfxbone(const ByteReader& file, StrandSet& strands);
+Result<ByteVector> write_tfxbone(const StrandSet& strands);
+
+Result<StrandSet> read_hair(const ByteReader& file, const ReadOptions& options);
+Result<ByteVector> write_hair(const StrandSet& strands);
+
+// Polylines by assimp, which opens the file itself because .gltf names others (buffers). Without
+// assimp: UNSUPPORTED.
+Result<StrandSet> read_polylines(const std::string& path, const ReadOptions& options);
+// The same from memory; `extension` as in "obj".
+Result<StrandSet> read_polylines(std::span<const std::byte> bytes, const std::string& extension,
+                                 const ReadOptions& options);
+
+} // namespace plait

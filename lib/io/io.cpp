@@ -1,0 +1,125 @@
+#include "io/io.hpp"
+
+#include "io/file.hpp"
+#include "io/formats.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <new>
+
+namespace plait {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string extension_of(const std::string& path) {
+    std::string extension = fs::path(path).extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(), [](char c) {
+        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    });
+    return extension;
+}
+
+std::string skin_path(const std::string& path) {
+    return fs::path(path).replace_extension(".tfxbone").string();
+}
+
+Status read_skin_beside(const std::string& path, StrandSet& strands) {
+    const std::string beside = skin_path(path);
+    const Status there = check_file(beside);
+    if (there.error().code == PLAIT_NOT_FOUND)
+        return {};
+    PLAIT_TRY(there);
+    auto bytes = read_file(beside, strands.positions.get_allocator().resource());
+    PLAIT_TRY(bytes);
+    return read_tfxbone({*bytes, beside}, strands);
+}
+
+Result<StrandSet> read_tfx_file(const std::string& path, const ReadOptions& options) {
+    auto bytes = read_file(path, options.memory);
+    PLAIT_TRY(bytes);
+    auto strands = read_tfx({*bytes, path}, options);
+    PLAIT_TRY(strands);
+    PLAIT_TRY(read_skin_beside(path, *strands));
+    return strands;
+}
+
+Result<StrandSet> read_hair_file(const std::string& path, const ReadOptions& options) {
+    auto bytes = read_file(path, options.memory);
+    PLAIT_TRY(bytes);
+    return read_hair({*bytes, path}, options);
+}
+
+Result<StrandSet> read_by_extension(const std::string& path, const ReadOptions& options) {
+    const std::string extension = extension_of(path);
+    if (extension == ".tfx")
+        return read_tfx_file(path, options);
+    if (extension == ".hair")
+        return read_hair_file(path, options);
+    if (extension == ".obj" || extension == ".gltf" || extension == ".glb")
+        return read_polylines(path, options);
+    return Error{PLAIT_UNSUPPORTED,
+                 format("%s: cannot read strands from \"%s\"; known are .tfx, .hair, .obj, .gltf, "
+                        ".glb",
+                        path.c_str(), extension.c_str())};
+}
+
+// The result of writing to memory, with the name of the file it is for.
+Result<ByteVector> for_file(const std::string& path, Result<ByteVector> bytes) {
+    if (bytes)
+        return bytes;
+    return Error{bytes.error().code, format("%s: %s", path.c_str(), bytes.error().message.c_str())};
+}
+
+Status write_hair_file(const std::string& path, const StrandSet& strands) {
+    auto bytes = for_file(path, write_hair(strands));
+    PLAIT_TRY(bytes);
+    return write_file(path, *bytes);
+}
+
+// Nothing is written unless both files can be.
+Status write_tfx_file(const std::string& path, const StrandSet& strands) {
+    auto bytes = for_file(path, write_tfx(strands));
+    PLAIT_TRY(bytes);
+    if (!strands.bone_indices.empty()) {
+        auto skin = for_file(skin_path(path), write_tfxbone(strands));
+        PLAIT_TRY(skin);
+        PLAIT_TRY(write_file(skin_path(path), *skin));
+    }
+    return write_file(path, *bytes);
+}
+
+Status write_by_extension(const std::string& path, const StrandSet& strands) {
+    const std::string extension = extension_of(path);
+    if (extension == ".tfx")
+        return write_tfx_file(path, strands);
+    if (extension == ".hair")
+        return write_hair_file(path, strands);
+    return Error{PLAIT_UNSUPPORTED,
+                 format("%s: cannot write strands to \"%s\"; known are .tfx, .hair", path.c_str(),
+                        extension.c_str())};
+}
+
+Error out_of_memory(const std::string& path) {
+    return {PLAIT_OUT_OF_MEMORY, format("%s: host memory is exhausted", path.c_str())};
+}
+
+} // namespace
+
+Result<StrandSet> read_strands(const std::string& path, const ReadOptions& options) {
+    try {
+        return read_by_extension(path, options);
+    } catch (const std::bad_alloc&) {
+        return out_of_memory(path);
+    }
+}
+
+Status write_strands(const std::string& path, const StrandSet& strands) {
+    try {
+        return write_by_extension(path, strands);
+    } catch (const std::bad_alloc&) {
+        return out_of_memory(path);
+    }
+}
+
+} // namespace plait

@@ -1,0 +1,26 @@
+// Strands from and to files. The extension decides the format, without regard to case; what each
+// format holds is in docs/formats.md. Nothing is mended here.
+#pragma once
+
+#include "base/result.hpp"
+#include "core/strand_set.hpp"
+
+#include <memory_resource>
+#include <string>
+
+namespace plait {
+
+struct ReadOptions {
+    float scale = 1.0f; // file units to metres, applied to positions and thickness
+    std::pmr::memory_resource* memory = std::pmr::get_default_resource(); // of the StrandSet
+};
+
+// .tfx (TressFX 3 and 4, with the .tfxbone beside it, if any, as skin), .hair, and polylines of
+// .obj, .gltf, .glb. NOT_FOUND, IO, BAD_DATA (file, place, value, range), UNSUPPORTED.
+Result<StrandSet> read_strands(const std::string& path, const ReadOptions& options = {});
+
+// .tfx (version 4; strands of equal vertex counts; the skin, if any, to a .tfxbone beside it) or
+// .hair (without UV and skin). A file appears whole or not at all. IO, UNSUPPORTED.
+Status write_strands(const std::string& path, const StrandSet& strands);
+
+} // namespace plait

@@ -1,0 +1,411 @@
+// Bad arguments of every function: the code, and a sentence that names the argument.
+#include "support.hpp"
+
+#include <cstring>
+#include <functional>
+
+namespace {
+
+struct Objects {
+    plait::Context context = make_context("reference");
+    plait::Groom groom = make_groom(tuft(2, 4));
+    plait::Sim sim{context, groom};
+    plait_context* no_context = nullptr;
+    plait_groom* no_groom = nullptr;
+    plait_sim* no_sim = nullptr;
+    std::vector<float> floats = std::vector<float>(64, 0.0f);
+    size_t size = 0;
+};
+
+struct Bad {
+    const char* sentence; // a part of it
+    std::function<plait_result(Objects&)> call;
+    plait_result code = PLAIT_INVALID_ARGUMENT;
+};
+
+void expect_refused(const std::vector<Bad>& table) {
+    Objects o;
+    for (const Bad& bad : table) {
+        const uint64_t hash = o.sim.hash();
+        EXPECT_EQ(bad.call(o), bad.code) << bad.sentence << ": " << plait_last_error();
+        EXPECT_NE(std::string(plait_last_error()).find(bad.sentence), std::string::npos)
+            << "\"" << bad.sentence << "\" is not in: " << plait_last_error();
+        EXPECT_EQ(o.sim.hash(), hash) << bad.sentence;
+        EXPECT_TRUE(!o.no_context && !o.no_groom && !o.no_sim) << "written on failure";
+    }
+}
+
+// A value that C can put into an enum and C++ cannot.
+template <typename Enum> void set_raw(Enum& value, uint32_t raw) {
+    static_assert(sizeof value == sizeof raw);
+    std::memcpy(&value, &raw, sizeof raw);
+}
+
+// Makes a call with one field of a default struct changed.
+template <typename Change> Bad params(const char* sentence, Change change) {
+    return {sentence, [change](Objects& o) {
+                auto p = plait_sim_params_defaults();
+                change(p);
+                return plait_sim_set_params(o.sim, &p);
+            }};
+}
+template <typename Change> Bad sim_desc(const char* sentence, Change change) {
+    return {sentence, [change](Objects& o) {
+                auto desc = plait_sim_desc_defaults();
+                change(desc);
+                return plait_sim_create(o.context, o.groom, &desc, &o.no_sim);
+            }};
+}
+template <typename Change>
+Bad groom_desc(const char* sentence, Change change, plait_result code = PLAIT_INVALID_ARGUMENT) {
+    return {sentence,
+            [change](Objects& o) {
+                auto desc = plait_groom_desc_defaults();
+                desc.positions = plait::view(o.floats, 4);
+                desc.vertices_per_strand = 4;
+                auto options = plait_import_options_defaults();
+                change(desc, options);
+                return plait_groom_create(&desc, &options, &o.no_groom);
+            },
+            code};
+}
+template <typename Change> Bad roots(const char* sentence, Change change) {
+    return {sentence, [change](Objects& o) {
+                auto r = plait_roots_defaults();
+                change(r, o);
+                const plait_result teleport = plait_sim_teleport(o.sim, &r);
+                return teleport == PLAIT_INVALID_ARGUMENT ? plait_sim_set_roots(o.sim, &r)
+                                                          : teleport;
+            }};
+}
+template <typename Change> Bad collider(const char* sentence, Change change) {
+    return {sentence, [change](Objects& o) {
+                auto desc = plait_collider_desc_defaults();
+                change(desc);
+                plait_collider_id id{};
+                return plait_collider_create(o.sim, &desc, &id);
+            }};
+}
+
+TEST(Arguments, NullPointers) {
+    using O = Objects;
+    const auto context = plait_context_desc_defaults();
+    const auto groom = plait_groom_desc_defaults();
+    const auto params = plait_sim_params_defaults();
+    const auto roots = plait_roots_defaults();
+    const auto collider = plait_collider_desc_defaults();
+    const plait_pose pose = collider.pose;
+    expect_refused({
+        {"count is NULL", [](O&) { return plait_devices_list(nullptr, nullptr); }},
+        {"out is NULL", [&](O&) { return plait_context_create(&context, nullptr); }},
+        {"context is NULL", [](O&) { return plait_context_describe(nullptr, nullptr); }},
+        {"out is NULL", [](O& o) { return plait_context_describe(o.context, nullptr); }},
+        {"desc is NULL", [](O& o) { return plait_groom_create(nullptr, nullptr, &o.no_groom); }},
+        {"out is NULL", [&](O&) { return plait_groom_create(&groom, nullptr, nullptr); }},
+        {"path is NULL", [](O& o) { return plait_groom_load(nullptr, nullptr, &o.no_groom); }},
+        {"out is NULL", [](O&) { return plait_groom_load("x.tfx", nullptr, nullptr); }},
+        {"groom is NULL", [](O&) { return plait_groom_save(nullptr, "x.tfx"); }},
+        {"path is NULL", [](O& o) { return plait_groom_save(o.groom, nullptr); }},
+        {"groom is NULL", [](O&) { return plait_groom_describe(nullptr, nullptr); }},
+        {"out is NULL", [](O& o) { return plait_groom_describe(o.groom, nullptr); }},
+        {"groom is NULL",
+         [](O& o) { return plait_groom_read(nullptr, PLAIT_GROOM_POSITIONS, nullptr, &o.size); }},
+        {"size is NULL",
+         [](O& o) { return plait_groom_read(o.groom, PLAIT_GROOM_POSITIONS, nullptr, nullptr); }},
+        {"context is NULL",
+         [](O& o) { return plait_sim_create(nullptr, o.groom, nullptr, &o.no_sim); }},
+        {"groom is NULL",
+         [](O& o) { return plait_sim_create(o.context, nullptr, nullptr, &o.no_sim); }},
+        {"out is NULL",
+         [](O& o) { return plait_sim_create(o.context, o.groom, nullptr, nullptr); }},
+        {"sim is NULL", [](O&) { return plait_sim_reset(nullptr); }},
+        {"sim is NULL", [&](O&) { return plait_sim_set_params(nullptr, &params); }},
+        {"params is NULL", [](O& o) { return plait_sim_set_params(o.sim, nullptr); }},
+        {"sim is NULL", [](O&) { return plait_sim_get_params(nullptr, nullptr); }},
+        {"params is NULL", [](O& o) { return plait_sim_get_params(o.sim, nullptr); }},
+        {"sim is NULL", [&](O&) { return plait_sim_set_roots(nullptr, &roots); }},
+        {"roots is NULL", [](O& o) { return plait_sim_set_roots(o.sim, nullptr); }},
+        {"sim is NULL", [&](O&) { return plait_sim_teleport(nullptr, &roots); }},
+        {"roots is NULL", [](O& o) { return plait_sim_teleport(o.sim, nullptr); }},
+        {"sim is NULL", [](O&) { return plait_sim_step(nullptr, 0.1); }},
+        {"sim is NULL", [](O&) { return plait_sim_wait(nullptr); }},
+        {"sim is NULL",
+         [](O& o) { return plait_sim_read(nullptr, PLAIT_FIELD_POSITION, nullptr, &o.size); }},
+        {"size is NULL",
+         [](O& o) { return plait_sim_read(o.sim, PLAIT_FIELD_POSITION, nullptr, nullptr); }},
+        {"sim is NULL",
+         [](O& o) { return plait_sim_write(nullptr, PLAIT_FIELD_POSITION, o.floats.data(), 4); }},
+        {"src is NULL",
+         [](O& o) { return plait_sim_write(o.sim, PLAIT_FIELD_POSITION, nullptr, 128); }},
+        {"sim is NULL", [](O&) { return plait_sim_stats_get(nullptr, nullptr); }},
+        {"out is NULL", [](O& o) { return plait_sim_stats_get(o.sim, nullptr); }},
+        {"sim is NULL", [](O& o) { return plait_sim_stage_times(nullptr, nullptr, &o.size, 0); }},
+        {"count is NULL", [](O& o) { return plait_sim_stage_times(o.sim, nullptr, nullptr, 0); }},
+        {"sim is NULL", [](O& o) { return plait_sim_save(nullptr, nullptr, &o.size); }},
+        {"size is NULL", [](O& o) { return plait_sim_save(o.sim, nullptr, nullptr); }},
+        {"sim is NULL", [](O& o) { return plait_sim_restore(nullptr, o.floats.data(), 4); }},
+        {"src is NULL", [](O& o) { return plait_sim_restore(o.sim, nullptr, 4); }},
+        {"sim is NULL", [](O&) { return plait_sim_hash(nullptr, nullptr); }},
+        {"out is NULL", [](O& o) { return plait_sim_hash(o.sim, nullptr); }},
+        {"sim is NULL", [&](O&) { return plait_collider_create(nullptr, &collider, nullptr); }},
+        {"out is NULL", [&](O& o) { return plait_collider_create(o.sim, &collider, nullptr); }},
+        {"sim is NULL", [&](O&) { return plait_collider_set_pose(nullptr, {1}, &pose); }},
+        {"pose is NULL", [](O& o) { return plait_collider_set_pose(o.sim, {1}, nullptr); }},
+        {"sim is NULL", [](O&) { return plait_collider_destroy(nullptr, {1}); }},
+        {"api is NULL", [](O&) { return plait_backend_register(nullptr); }},
+        {"path is NULL", [](O&) { return plait_backend_load(nullptr); }},
+    });
+}
+
+TEST(Arguments, DestroyingNothingDoesNothing) {
+    plait_context_destroy(nullptr);
+    plait_groom_destroy(nullptr);
+    plait_sim_destroy(nullptr);
+}
+
+TEST(Arguments, ParametersOutsideTheirRanges) {
+    using P = plait_sim_params;
+    expect_refused({
+        params("gravity[2] is nan", [](P& p) { p.gravity[2] = NAN; }),
+        params("gravity[0] is -20000, range is [-10000, 10000]",
+               [](P& p) { p.gravity[0] = -2e4f; }),
+        params("damping", [](P& p) { p.damping = 101; }),
+        params("local_stiffness", [](P& p) { p.local_stiffness = 1.01f; }),
+        params("local_iterations is 65, range is [0, 64]", [](P& p) { p.local_iterations = 65; }),
+        params("global_stiffness", [](P& p) { p.global_stiffness = -0.01f; }),
+        params("global_range", [](P& p) { p.global_range = 2; }),
+        params("length_iterations", [](P& p) { p.length_iterations = 257; }),
+        params("vsp_coeff", [](P& p) { p.vsp_coeff = 1.01f; }),
+        params("vsp_accel_threshold", [](P& p) { p.vsp_accel_threshold = -1; }),
+        params("max_displacement is 0, range is (0,", [](P& p) { p.max_displacement = 0; }),
+        params("tip_separation", [](P& p) { p.tip_separation = 101; }),
+        params("wind_form", [](P& p) { set_raw(p.wind_form, 2); }),
+        params("follow_form", [](P& p) { set_raw(p.follow_form, 2); }),
+        params("shock_form", [](P& p) { set_raw(p.shock_form, 2); }),
+        params("order", [](P& p) { set_raw(p.order, 2); }),
+        params("wind[1]", [](P& p) { p.wind[1] = 1001; }),
+        params("air_drag", [](P& p) { p.air_drag = INFINITY; }),
+        params("wind_cone", [](P& p) { p.wind_cone = 1.6f; }),
+        params("interhair", [](P& p) { set_raw(p.interhair, 3); }),
+        params("grid_edge_count", [](P& p) { p.grid_edge_count = 0; }),
+        params("slot_capacity", [](P& p) { p.slot_capacity = 65537; }),
+        params("grid_edge_count^3 * slot_capacity",
+               [](P& p) {
+                   p.interhair = PLAIT_INTERHAIR_SLOTS;
+                   p.grid_edge_count = 64;
+                   p.slot_capacity = 65536;
+               }),
+        params("slot_hash", [](P& p) { set_raw(p.slot_hash, 2); }),
+        params("tent", [](P& p) { set_raw(p.tent, 2); }),
+        params("diffuse_rule", [](P& p) { set_raw(p.diffuse_rule, 2); }),
+        params("diffuse_ratio", [](P& p) { p.diffuse_ratio = -1; }),
+        params("diffuse_factor", [](P& p) { p.diffuse_factor = 1.5f; }),
+        params("diffuse_floor", [](P& p) { p.diffuse_floor = NAN; }),
+        params("grid_in_world", [](P& p) { p.grid_in_world = 2; }),
+        params("grid_origin[0]", [](P& p) { p.grid_origin[0] = NAN; }),
+        params("grid_edge", [](P& p) { p.grid_edge = -1; }),
+    });
+}
+
+TEST(Arguments, SimDescriptorsOutsideTheirRanges) {
+    using D = plait_sim_desc;
+    expect_refused({
+        sim_desc("model", [](D& d) { set_raw(d.model, 77); }),
+        sim_desc("step is 0, range is [1e-05, 1]", [](D& d) { d.step = 0; }),
+        sim_desc("substeps", [](D& d) { d.substeps = 0; }),
+        sim_desc("max_steps_per_call", [](D& d) { d.max_steps_per_call = 0; }),
+        sim_desc("interpolate_output", [](D& d) { d.interpolate_output = 2; }),
+        sim_desc("follows_per_guide", [](D& d) { d.follows_per_guide = 65; }),
+        sim_desc("follow_radius", [](D& d) { d.follow_radius = NAN; }),
+        sim_desc("damping", [](D& d) { d.params.damping = -1; }),
+        sim_desc("params.struct_size", [](D& d) { d.params.struct_size += 8; }),
+    });
+}
+
+TEST(Arguments, GroomsThatDoNotAddUp) {
+    using D = plait_groom_desc;
+    using I = plait_import_options;
+    static const uint32_t counts[2] = {3, 4};
+    static const float weights[8] = {0.5f, 0.2f, 0, 0, 1, 0, 0, 0};
+    expect_refused({
+        groom_desc("positions.data is NULL", [](D& d, I&) { d.positions.data = nullptr; }),
+        groom_desc("positions.stride is 8", [](D& d, I&) { d.positions.stride = 8; }),
+        groom_desc("more than memory", [](D& d, I&) { d.positions.count = SIZE_MAX / 2; }),
+        groom_desc("not a multiple", [](D& d, I&) { d.vertices_per_strand = 3; }),
+        groom_desc("vertices_per_strand is 0", [](D& d, I&) { d.vertices_per_strand = 0; }),
+        groom_desc("add up to 7",
+                   [](D& d, I&) {
+                       d.vertex_counts = {counts, 2, 0};
+                   }),
+        groom_desc("thickness.count is 2, there are 4 strands",
+                   [](D& d, I&) {
+                       d.thickness = {weights, 2, 0};
+                   }),
+        groom_desc("both or neither",
+                   [](D& d, I&) {
+                       d.positions.count = 8;
+                       d.bone_weights = {weights, 2, 0};
+                   }),
+        groom_desc(
+            "no strand can be kept", [](D&, I&) {}, PLAIT_BAD_DATA),
+        groom_desc("policy", [](D&, I& i) { set_raw(i.policy, 2); }),
+        groom_desc("min_segment", [](D&, I& i) { i.min_segment = 0.6f; }),
+        groom_desc("scale", [](D&, I& i) { i.scale = 0; }),
+        groom_desc("resample is 1", [](D&, I& i) { i.resample = 1; }),
+        groom_desc("options->allocator: allocate is NULL",
+                   [](D&, I& i) { i.allocator.release = [](void*, size_t, size_t, void*) {}; }),
+    });
+}
+
+TEST(Arguments, RootsThatCannotBe) {
+    static const plait_pose poses[3] = {};
+    static const float matrices[24] = {};
+    expect_refused({
+        roots("head: quaternion norm is 0", [](plait_roots& r, Objects&) { r.head.q[3] = 0; }),
+        roots("head: translation nan", [](plait_roots& r, Objects&) { r.head.t[1] = NAN; }),
+        roots("root_poses: quaternion norm is 0, range is 1 +- 0.001, at index 0",
+              [](plait_roots& r, Objects&) {
+                  r.root_poses = {poses, 2, 0};
+              }),
+        roots("both given",
+              [](plait_roots& r, Objects&) {
+                  r.root_poses = {poses, 2, 0};
+                  r.bones = {matrices, 1, 0};
+              }),
+        roots("no skin",
+              [](plait_roots& r, Objects&) {
+                  r.bones = {matrices, 2, 0};
+              }),
+        roots("root_poses.count is 1, the sim has 2 guides",
+              [](plait_roots& r, Objects&) {
+                  static const plait_pose one = {{0, 0, 0, 1}, {0, 0, 0}};
+                  r.root_poses = {&one, 1, 0};
+              }),
+    });
+}
+
+TEST(Arguments, TheRest) {
+    using O = Objects;
+    using C = plait_collider_desc;
+    expect_refused({
+        {"dt is nan, range is [0, 10]", [](O& o) { return plait_sim_step(o.sim, NAN); }},
+        {"dt is -1", [](O& o) { return plait_sim_step(o.sim, -1); }},
+        {"dt is 11", [](O& o) { return plait_sim_step(o.sim, 11); }},
+        {"field is 8",
+         [](O& o) { return plait_sim_read(o.sim, PLAIT_FIELD_COUNT_, nullptr, &o.size); }},
+        {"interhair is off",
+         [](O& o) { return plait_sim_read(o.sim, PLAIT_FIELD_GRID_DENSITY, nullptr, &o.size); },
+         PLAIT_INVALID_STATE},
+        {"*size is 4 bytes, 128 are needed",
+         [](O& o) {
+             size_t size = 4;
+             return plait_sim_read(o.sim, PLAIT_FIELD_POSITION, o.floats.data(), &size);
+         }},
+        {"*size is 4 bytes",
+         [](O& o) {
+             size_t size = 4;
+             return plait_sim_save(o.sim, o.floats.data(), &size);
+         }},
+        {"*size is 4 bytes",
+         [](O& o) {
+             size_t size = 4;
+             return plait_groom_read(o.groom, PLAIT_GROOM_POSITIONS, o.floats.data(), &size);
+         }},
+        {"field is 7",
+         [](O& o) {
+             return plait_groom_read(o.groom, static_cast<plait_groom_field>(7), nullptr, &o.size);
+         }},
+        {"field is 1, only",
+         [](O& o) { return plait_sim_write(o.sim, PLAIT_FIELD_TANGENT, o.floats.data(), 128); }},
+        {"size is 64 bytes, the guides take 128",
+         [](O& o) { return plait_sim_write(o.sim, PLAIT_FIELD_VELOCITY, o.floats.data(), 64); }},
+        {"x.tfx", [](O& o) { return plait_groom_load("/nowhere/x.tfx", nullptr, &o.no_groom); },
+         PLAIT_NOT_FOUND},
+        {"x.abc", [](O& o) { return plait_groom_save(o.groom, "x.abc"); }, PLAIT_UNSUPPORTED},
+        collider("radius_a is 0, range is (0, 1000]", [](C& c) { c.radius_a = 0; }),
+        collider("radius_b", [](C& c) { c.radius_b = NAN; }),
+        collider("friction", [](C& c) { c.friction = 11; }),
+        collider("a[1]", [](C& c) { c.a[1] = NAN; }),
+        collider("desc->pose: quaternion", [](C& c) { c.pose.q[0] = 1; }),
+        {"profile is 2",
+         [](O& o) {
+             auto desc = plait_context_desc_defaults();
+             desc.profile = 2;
+             return plait_context_create(&desc, &o.no_context);
+         }},
+        {"stage_sources is NULL",
+         [](O& o) {
+             auto desc = plait_context_desc_defaults();
+             desc.stage_source_count = 1;
+             return plait_context_create(&desc, &o.no_context);
+         }},
+    });
+}
+
+// ---- versioned structs
+
+TEST(Structs, ASizeThatWasNeverSetIsRefused) {
+    Objects o;
+    plait_sim_params params = plait_sim_params_defaults();
+    params.struct_size = 0;
+    EXPECT_EQ(plait_sim_set_params(o.sim, &params), PLAIT_INVALID_ARGUMENT);
+    plait_sim_stats stats{};
+    EXPECT_EQ(plait_sim_stats_get(o.sim, &stats), PLAIT_INVALID_ARGUMENT);
+    EXPECT_NE(std::string(plait_last_error()).find("struct_size"), std::string::npos);
+}
+
+TEST(Structs, AShorterStructKeepsTheDefaultsOfTheRest) {
+    Objects o;
+    plait_sim_params params;
+    std::memset(&params, 0x55, sizeof params); // what lies beyond must not be read
+    plait_sim_params_init(&params, offsetof(plait_sim_params, damping));
+    params.gravity[1] = -1;
+    ASSERT_EQ(plait_sim_set_params(o.sim, &params), PLAIT_OK) << plait_last_error();
+    const auto now = o.sim.params();
+    EXPECT_EQ(now.gravity[1], -1);
+    EXPECT_EQ(now.damping, plait_sim_params_defaults().damping);
+    EXPECT_EQ(now.slot_capacity, 1024u);
+}
+
+struct Longer {
+    plait_sim_params known;
+    float unknown[2];
+};
+
+TEST(Structs, ALongerStructIsTakenOnlyIfTheUnknownPartIsZero) {
+    Objects o;
+    Longer longer;
+    plait_sim_params_init(&longer.known, sizeof longer);
+    EXPECT_EQ(longer.unknown[0], 0);
+    longer.known.damping = 0.5f;
+    EXPECT_EQ(plait_sim_set_params(o.sim, &longer.known), PLAIT_OK) << plait_last_error();
+    EXPECT_EQ(o.sim.params().damping, 0.5f);
+    longer.unknown[1] = 1;
+    longer.known.damping = 0.25f;
+    EXPECT_EQ(plait_sim_set_params(o.sim, &longer.known), PLAIT_INVALID_ARGUMENT);
+    EXPECT_EQ(o.sim.params().damping, 0.5f);
+}
+
+TEST(Structs, OutputsAreWrittenNoFurtherThanTheirSize) {
+    Objects o;
+    plait_sim_stats stats;
+    std::memset(&stats, 0x55, sizeof stats);
+    stats.struct_size = offsetof(plait_sim_stats, strands);
+    ASSERT_EQ(plait_sim_stats_get(o.sim, &stats), PLAIT_OK);
+    EXPECT_EQ(stats.guides, 2u);
+    EXPECT_EQ(stats.strands, 0x5555555555555555u);
+    EXPECT_EQ(stats.struct_size, offsetof(plait_sim_stats, strands));
+}
+
+TEST(Structs, SizesAreQueriedWithoutADestination) {
+    Objects o;
+    size_t size = 0;
+    EXPECT_EQ(plait_sim_read(o.sim, PLAIT_FIELD_TANGENT, nullptr, &size), PLAIT_OK);
+    EXPECT_EQ(size, 2u * 4 * 16);
+    EXPECT_EQ(plait_groom_read(o.groom, PLAIT_GROOM_THICKNESS, nullptr, &size), PLAIT_OK);
+    EXPECT_EQ(size, 0u);
+    EXPECT_EQ(plait_sim_save(o.sim, nullptr, &size), PLAIT_OK);
+    EXPECT_EQ(size, o.sim.save().size());
+}
+
+} // namespace

@@ -1,0 +1,128 @@
+// Choosing devices, logs, registering backends, two contexts side by side.
+#include "faulty.hpp"
+#include "support.hpp"
+
+#include <cstring>
+
+namespace {
+
+TEST(Contexts, ListsDevicesAndWritesOnlyWhatFits) {
+    size_t count = 0;
+    ASSERT_EQ(plait_devices_list(nullptr, &count), PLAIT_OK);
+    ASSERT_GE(count, 1u);
+    auto one = plait_device_info_defaults();
+    count = 1;
+    ASSERT_EQ(plait_devices_list(&one, &count), PLAIT_OK);
+    EXPECT_EQ(count, 1u);
+    EXPECT_STRNE(one.backend, "");
+    EXPECT_EQ(one.struct_size, sizeof one);
+}
+
+TEST(Contexts, AnUnknownDeviceIsAnsweredWithThoseThereAre) {
+    auto desc = plait_context_desc_defaults();
+    desc.device = "no such device";
+    plait_context* context = nullptr;
+    EXPECT_EQ(plait_context_create(&desc, &context), PLAIT_NOT_FOUND);
+    EXPECT_EQ(context, nullptr);
+    const std::string text = plait_last_error();
+    EXPECT_NE(text.find("no such device"), std::string::npos) << text;
+    EXPECT_NE(text.find("reference: "), std::string::npos) << text;
+}
+
+TEST(Contexts, DevicesAreFoundByPartOfTheirNameInAnyCase) {
+    std::string name;
+    for (const auto& info : plait::devices())
+        if (std::strcmp(info.backend, "reference") == 0)
+            name = info.platform;
+    for (char& c : name)
+        c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    auto desc = plait_context_desc_defaults();
+    desc.device = name.c_str();
+    EXPECT_STREQ(plait::Context(desc).describe().backend, "reference");
+}
+
+TEST(Contexts, TheLogSaysWhichDeviceWasOpenedAndWhyOthersWereNot) {
+    std::string log;
+    auto desc = plait_context_desc_defaults();
+    desc.backend = "faulty"; // the last in line
+    desc.log = [](plait_log_level, const char* text, void* user) {
+        *static_cast<std::string*>(user) += std::string(text) + "\n";
+    };
+    desc.log_user = &log;
+    faulty();
+    const plait::Context context(desc);
+    const size_t passed =
+        log.find("passed over: backend \"faulty\" was asked for", log.find("reference: "));
+    ASSERT_NE(passed, std::string::npos) << log;
+    EXPECT_GT(log.find("opened", log.find("faulty: ")), passed) << log;
+}
+
+TEST(Contexts, TwoContextsDoNotMeet) {
+    const auto groom = make_groom(tuft(3, 6));
+    const auto one = make_context("reference");
+    const auto two = make_context("reference");
+    plait::Sim a(one, groom), b(two, groom), alone(one, groom);
+    run(alone, 10);
+    for (int i = 0; i < 10; ++i) {
+        a.step(frame);
+        b.step(frame);
+        b.set_roots(head_at({0, 0.01f * static_cast<float>(i), 0}));
+    }
+    EXPECT_EQ(a.hash(), alone.hash());
+    EXPECT_NE(a.hash(), b.hash());
+}
+
+TEST(Contexts, BackendsAreCheckedWhenTheyRegister) {
+    faulty();
+    plait_backend_api api = *plait_backend_get(plait_backend_count() - 1);
+    const auto refused = [&](const char* word) {
+        EXPECT_EQ(plait_backend_register(&api), PLAIT_INVALID_ARGUMENT);
+        EXPECT_NE(std::string(plait_last_error()).find(word), std::string::npos)
+            << plait_last_error();
+    };
+    refused("taken");
+    api.name = "reference";
+    refused("built-in");
+    api.name = "";
+    refused("name");
+    api.name = "fine";
+    api.abi = PLAIT_BACKEND_ABI + 1;
+    refused("abi");
+    api.abi = PLAIT_BACKEND_ABI;
+    api.struct_size -= 1;
+    refused("struct_size");
+    api.struct_size += 1;
+    api.open = nullptr;
+    refused("open is NULL");
+    EXPECT_EQ(plait_backend_get(plait_backend_count()), nullptr);
+}
+
+TEST(Contexts, ModulesWithoutAnEntryAreRefused) {
+    EXPECT_EQ(plait_backend_load("/nowhere/libbackend.so"), PLAIT_NOT_FOUND);
+    EXPECT_EQ(plait_backend_load("libm.so.6"), PLAIT_UNSUPPORTED);
+    EXPECT_NE(std::string(plait_last_error()).find("plait_backend_entry_v1"), std::string::npos);
+}
+
+TEST(Contexts, TheStageTableDescribesEveryStage) {
+    for (int i = 0; i < PLAIT_STAGE_COUNT; ++i) {
+        const auto* info = plait_stage_describe(static_cast<plait_stage>(i));
+        ASSERT_NE(info, nullptr);
+        EXPECT_EQ(info->stage, i);
+        EXPECT_EQ(std::string(info->kernel), std::string("plait_") + info->name);
+        EXPECT_GT(info->params_size, 0u);
+        EXPECT_LE(info->buffer_count, info->arg_count);
+    }
+    EXPECT_EQ(plait_stage_describe(PLAIT_STAGE_COUNT), nullptr);
+    const auto* length = plait_stage_describe(PLAIT_STAGE_length);
+    EXPECT_EQ(length->arg_count, 4u);
+    EXPECT_EQ(length->buffer_count, 3u);
+    EXPECT_EQ(length->space, PLAIT_SPACE_STRAND_GROUP);
+}
+
+TEST(Contexts, VersionAndResultsHaveText) {
+    EXPECT_EQ(plait_version(), 100u);
+    EXPECT_STREQ(plait_result_string(PLAIT_OK), "ok");
+    EXPECT_STREQ(plait_result_string(static_cast<plait_result>(99)), "not a result of plait");
+}
+
+} // namespace

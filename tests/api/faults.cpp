@@ -1,0 +1,189 @@
+// Memory that runs out and devices that go: every allocation fails once, and nothing leaks or
+// changes.
+#include "faulty.hpp"
+#include "support.hpp"
+
+#include <cstdlib>
+
+namespace {
+
+// Counts what it holds; refuses allocation number `fail_at`.
+struct Pool {
+    int fail_at = -1;
+    int made = 0;
+    int live = 0;
+
+    static void* allocate(size_t size, size_t alignment, void* user) {
+        auto* pool = static_cast<Pool*>(user);
+        if (pool->made++ == pool->fail_at)
+            return nullptr;
+        ++pool->live;
+        return std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
+    }
+    static void release(void* memory, size_t, size_t, void* user) {
+        --static_cast<Pool*>(user)->live;
+        std::free(memory);
+    }
+    plait_allocator allocator() { return {allocate, release, this}; }
+};
+
+// Runs `attempt` with allocation 0, 1, 2, ... failing until none is left to fail.
+template <typename Attempt> int fail_each_allocation(Pool& pool, const Attempt& attempt) {
+    for (int n = 0; n < 1000; ++n) {
+        const int live = pool.live;
+        pool.made = 0;
+        pool.fail_at = n;
+        const plait_result result = attempt();
+        pool.fail_at = -1;
+        EXPECT_EQ(pool.live, live) << "after failure of allocation " << n;
+        if (result == PLAIT_OK)
+            return n;
+        EXPECT_EQ(result, PLAIT_OUT_OF_MEMORY) << n << ": " << plait_last_error();
+    }
+    ADD_FAILURE() << "still failing after 1000 allocations";
+    return 0;
+}
+
+TEST(Faults, EveryHostAllocationOfAContextMayFail) {
+    Pool pool;
+    auto desc = plait_context_desc_defaults();
+    desc.backend = "reference";
+    desc.allocator = pool.allocator();
+    const int allocations = fail_each_allocation(pool, [&] {
+        plait_context* context = nullptr;
+        const plait_result result = plait_context_create(&desc, &context);
+        EXPECT_EQ(context == nullptr, result != PLAIT_OK);
+        plait_context_destroy(context);
+        return result;
+    });
+    EXPECT_GT(allocations, 0);
+    EXPECT_EQ(pool.live, 0);
+}
+
+TEST(Faults, EveryHostAllocationOfAGroomMayFail) {
+    Pool pool;
+    const GroomArrays arrays(tuft(3, 5));
+    const auto desc = arrays.desc();
+    auto options = plait_import_options_defaults();
+    options.allocator = pool.allocator();
+    options.resample = 7;
+    const int allocations = fail_each_allocation(pool, [&] {
+        plait_groom* groom = nullptr;
+        const plait_result result = plait_groom_create(&desc, &options, &groom);
+        plait_groom_destroy(groom);
+        return result;
+    });
+    EXPECT_GT(allocations, 5);
+    EXPECT_EQ(pool.live, 0);
+}
+
+TEST(Faults, EveryHostAllocationOfASimMayFail) {
+    Pool pool;
+    auto desc = plait_context_desc_defaults();
+    desc.backend = "reference";
+    desc.allocator = pool.allocator();
+    {
+        const plait::Context context(desc);
+        const auto groom = make_groom(tuft(3, 5));
+        auto sim_desc = plait_sim_desc_defaults();
+        sim_desc.follows_per_guide = 2;
+        const int allocations = fail_each_allocation(pool, [&] {
+            plait_sim* sim = nullptr;
+            const plait_result result = plait_sim_create(context, groom, &sim_desc, &sim);
+            plait_sim_destroy(sim);
+            return result;
+        });
+        EXPECT_GT(allocations, 5);
+    }
+    EXPECT_EQ(pool.live, 0);
+}
+
+TEST(Faults, EveryDeviceBufferOfASimMayFail) {
+    Faults& faults = faulty();
+    {
+        const auto context = make_context("faulty");
+        const auto groom = make_groom(tuft(3, 5));
+        auto desc = plait_sim_desc_defaults();
+        desc.params.interhair = PLAIT_INTERHAIR_EXACT;
+        desc.interpolate_output = 1;
+        desc.follows_per_guide = 1;
+        int refused = 0;
+        for (plait_result result = PLAIT_OUT_OF_MEMORY; result != PLAIT_OK; ++refused) {
+            ASSERT_LT(refused, 100);
+            faults.fail_create_after = refused;
+            plait_sim* sim = nullptr;
+            result = plait_sim_create(context, groom, &desc, &sim);
+            if (result != PLAIT_OK) {
+                EXPECT_EQ(result, PLAIT_OUT_OF_MEMORY);
+                EXPECT_NE(std::string(plait_last_error()).find("injected"), std::string::npos);
+            }
+            plait_sim_destroy(sim);
+            EXPECT_EQ(faults.live_buffers, 0);
+        }
+        EXPECT_GT(refused, 12);
+    }
+    EXPECT_EQ(faults.live_devices, 0);
+}
+
+TEST(Faults, ParametersStayWhenTheirBuffersDoNotFit) {
+    Faults& faults = faulty();
+    const auto context = make_context("faulty");
+    plait::Sim sim(context, make_groom(tuft(3, 5)));
+    run(sim, 3);
+    const uint64_t hash = sim.hash();
+    const int buffers = faults.live_buffers;
+    auto params = sim.params();
+    params.interhair = PLAIT_INTERHAIR_SLOTS;
+    params.gravity[1] = 5;
+    for (int refused = 0; refused < 4; ++refused) {
+        faults.fail_create_after = refused;
+        EXPECT_EQ(plait_sim_set_params(sim, &params), PLAIT_OUT_OF_MEMORY) << refused;
+        EXPECT_EQ(faults.live_buffers, buffers);
+        EXPECT_EQ(sim.params().interhair, PLAIT_INTERHAIR_OFF);
+        EXPECT_EQ(sim.params().gravity[1], -9.81f);
+    }
+    faults.fail_create_after = -1;
+    EXPECT_EQ(sim.hash(), hash);
+    sim.set_params(params);
+    EXPECT_EQ(sim.params().gravity[1], 5);
+}
+
+TEST(Faults, StepsThatFailHalfWayLeaveNothingBehind) {
+    Faults& faults = faulty();
+    const auto context = make_context("faulty");
+    plait::Sim sim(context, make_groom(tuft(3, 5)));
+    auto collider = plait_collider_desc_defaults();
+    const auto id = sim.create_collider(collider);
+    faults.lose_after = 0;
+    for (int i = 0; i < 200; ++i) { // each fails while it uploads the collider
+        collider.pose.t[0] += 0.01f;
+        sim.set_collider_pose(id, collider.pose);
+        ASSERT_EQ(plait_sim_step(sim, frame), PLAIT_DEVICE_LOST);
+    }
+}
+
+TEST(Faults, ALostDeviceStaysLost) {
+    Faults& faults = faulty();
+    {
+        const auto context = make_context("faulty");
+        plait::Sim sim(context, make_groom(tuft(3, 5)));
+        run(sim, 2);
+        faults.lose_after = 0;
+        EXPECT_EQ(plait_sim_step(sim, frame), PLAIT_DEVICE_LOST);
+        faults.lose_after = -1; // it would work again, but nothing may be trusted
+        EXPECT_EQ(plait_sim_step(sim, frame), PLAIT_DEVICE_LOST);
+        EXPECT_EQ(plait_sim_wait(sim), PLAIT_DEVICE_LOST);
+        uint64_t hash = 0;
+        EXPECT_EQ(plait_sim_hash(sim, &hash), PLAIT_DEVICE_LOST);
+        EXPECT_NE(std::string(plait_last_error()).find("unplugged"), std::string::npos);
+        plait_sim* other = nullptr;
+        EXPECT_EQ(plait_sim_create(context, make_groom(tuft(1, 3)), nullptr, &other),
+                  PLAIT_DEVICE_LOST);
+        const auto fresh = make_context("faulty");
+        EXPECT_NO_THROW(plait::Sim(fresh, make_groom(tuft(1, 3))));
+    }
+    EXPECT_EQ(faults.live_buffers, 0);
+    EXPECT_EQ(faults.live_devices, 0);
+}
+
+} // namespace

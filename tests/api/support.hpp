@@ -1,0 +1,106 @@
+// Small grooms and sims for the tests of the C face.
+#pragma once
+
+#include <plait/plait.hpp>
+#include <plait/plait_backend.h>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+using Point = std::array<float, 3>;
+using Strand = std::vector<Point>;
+using Strands = std::vector<Strand>;
+
+// A strand of `count` vertices `spacing` m apart, leaving `root` along x with a curl of its own.
+inline Strand curl(Point root, size_t count, float spacing = 0.02f, float phase = 0) {
+    Strand strand{root};
+    for (size_t i = 1; i < count; ++i) {
+        const float angle = 0.35f * static_cast<float>(i) + phase;
+        const Point& last = strand.back();
+        strand.push_back({last[0] + 0.9f * spacing, last[1] + 0.3f * spacing * std::cos(angle),
+                          last[2] + 0.3f * spacing * std::sin(angle)});
+    }
+    return strand;
+}
+
+inline Strands tuft(size_t strands, size_t vertices) {
+    Strands tuft;
+    for (size_t i = 0; i < strands; ++i)
+        tuft.push_back(curl({0, 0.01f * static_cast<float>(i), 0}, vertices, 0.02f,
+                            0.5f * static_cast<float>(i)));
+    return tuft;
+}
+
+struct GroomArrays {
+    std::vector<float> positions;
+    std::vector<uint32_t> counts;
+
+    explicit GroomArrays(const Strands& strands) {
+        for (const Strand& strand : strands) {
+            counts.push_back(static_cast<uint32_t>(strand.size()));
+            for (const Point& p : strand)
+                positions.insert(positions.end(), p.begin(), p.end());
+        }
+    }
+    plait_groom_desc desc() const {
+        auto desc = plait_groom_desc_defaults();
+        desc.positions = plait::view(positions, 3);
+        desc.vertex_counts = plait::view(counts);
+        return desc;
+    }
+};
+
+inline plait::Groom make_groom(const Strands& strands) {
+    return plait::Groom(GroomArrays(strands).desc());
+}
+
+inline plait::Context make_context(const std::string& backend) {
+    auto desc = plait_context_desc_defaults();
+    desc.backend = backend.c_str();
+    return plait::Context(desc);
+}
+
+inline plait_roots head_at(Point t, std::array<float, 4> q = {0, 0, 0, 1}) {
+    auto roots = plait_roots_defaults();
+    std::copy(t.begin(), t.end(), roots.head.t);
+    std::copy(q.begin(), q.end(), roots.head.q);
+    return roots;
+}
+
+// Backends with a device here; `reference` always.
+inline std::vector<std::string> backends() {
+    std::vector<std::string> names;
+    for (const plait_device_info& info : plait::devices())
+        if (names.empty() || names.back() != info.backend)
+            names.push_back(info.backend);
+    return names;
+}
+
+// One context per test on each backend.
+class OnBackend : public testing::TestWithParam<std::string> {
+  protected:
+    plait::Context context = make_context(GetParam());
+};
+#define ON_EVERY_BACKEND(suite)                                                                    \
+    INSTANTIATE_TEST_SUITE_P(Backends, suite, testing::ValuesIn(backends()),                       \
+                             [](const auto& backend) { return backend.param; })
+
+constexpr double frame = 1.0 / 60;
+
+inline void run(plait::Sim& sim, int steps) {
+    for (int i = 0; i < steps; ++i)
+        sim.step(frame);
+}
+
+inline float largest_difference(const std::vector<float>& a, const std::vector<float>& b) {
+    EXPECT_EQ(a.size(), b.size());
+    float largest = 0;
+    for (size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+        largest = std::max(
+            largest, std::isfinite(a[i]) && std::isfinite(b[i]) ? std::abs(a[i] - b[i]) : INFINITY);
+    return largest;
+}

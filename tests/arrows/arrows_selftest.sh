@@ -1,0 +1,39 @@
+#!/usr/bin/env bash
+# arrows.sh must accept an allowed include and name a forbidden one.
+set -euo pipefail
+check=$(cd "$(dirname "$0")" && pwd)/arrows.sh
+root=$(mktemp -d)
+trap 'rm -rf "$root"' EXIT
+
+# plant FILE INCLUDE: a tree with nothing but this line.
+plant() {
+    rm -rf "${root:?}"/*
+    mkdir -p "$root/$(dirname "$1")"
+    echo "#include $2" >"$root/$1"
+}
+must_pass() {
+    plant "$1" "$2"
+    "$check" "$root" >/dev/null || { echo "refused: $1 -> $2"; exit 1; }
+}
+must_fail() {
+    plant "$1" "$2"
+    if "$check" "$root" >"$root/output"; then echo "let through: $1 -> $2"; exit 1; fi
+    grep -q "^$1:1: " "$root/output" || { echo "did not name $1:1"; cat "$root/output"; exit 1; }
+}
+
+must_pass lib/core/sim.cpp '"base/result.hpp"'
+must_pass lib/core/sim.cpp '<vector>'
+must_pass lib/backend/opencl/device.cpp '<CL/cl.h>'
+must_pass tests/cases/wind.cpp '<plait/plait_backend.h>'
+must_fail lib/core/sim.cpp '<CL/cl.h>'
+must_fail lib/core/sim.cpp '"api/wall.hpp"'
+must_fail lib/core/sim.cpp '"backend/opencl/device.hpp"'
+must_fail lib/base/result.hpp '"core/sim.hpp"'
+must_fail lib/backend/reference/wind.cpp '"core/sim.hpp"'
+must_fail lib/backend/opencl/device.cpp '"backend/reference/wind.hpp"'
+must_fail lib/io/tfx.cpp '"api/wall.hpp"'
+must_fail examples/hello.c '"core/sim.hpp"'
+must_fail tests/cases/wind.cpp '"backend/opencl/device.hpp"'
+must_fail tests/bench/main.cpp '"core/sim.hpp"'
+must_fail lib/misc/x.cpp '"base/result.hpp"'
+echo ok

@@ -1,0 +1,387 @@
+#include "inputs.hpp"
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+namespace bench {
+namespace {
+
+constexpr uint32_t grid_edge_count = 8; // as in Ugurca 2015
+constexpr uint32_t slot_capacity = 1024;
+constexpr uint32_t colliders = 4;
+constexpr uint32_t slots_in_parallel = 64;
+constexpr float step = 1.0f / 60.0f; // s
+constexpr float grid_size = 4 * (head_radius + strand_length);
+
+constexpr uint32_t voxels = grid_edge_count * grid_edge_count * grid_edge_count;
+
+// ---- parameters: a struct without its overload here does not compile
+// ------------------------------
+
+void fill(plait_roots_params& p, const Shape&) {
+    p.head_from_q[3] = p.head_to_q[3] = 1;
+    p.head_to_t[0] = 0.01f;
+    p.alpha = 1;
+    p.per_root = 1;
+}
+void fill(plait_layout_params& p, const Shape& shape) {
+    p.vertex_stride = shape.vertices;
+}
+void fill(plait_integrate_params& p, const Shape& shape) {
+    p = {shape.vertices, step, 0.08f, 0.4f, 0.3f, {0, -9.81f, 0}};
+}
+void fill(plait_global_shape_params& p, const Shape& shape) {
+    p = {shape.vertices, 0.4f, 0.3f};
+}
+void fill(plait_strand_data_params& p, const Shape& shape) {
+    p = {shape.vertices, 0.8f, 1.4f, PLAIT_SHOCK_THRESHOLD};
+}
+void fill(plait_local_shape_params& p, const Shape& shape) {
+    p = {shape.vertices, 0.9f, 2};
+}
+void fill(plait_wind_params& p, const Shape& shape) {
+    p.vertex_stride = shape.vertices;
+    p.h = step;
+    p.form = PLAIT_WIND_DRAG;
+    p.drag = 1;
+    p.wind[0] = 5;
+}
+void fill(plait_length_params& p, const Shape& shape) {
+    p = {shape.vertices, 2};
+}
+void fill(plait_collide_params& p, const Shape& shape) {
+    p = {shape.vertices, colliders, 0, 1};
+}
+void fill(plait_clamp_params& p, const Shape& shape) {
+    p = {shape.vertices, 0.01f};
+}
+void fill(plait_follow_params& p, const Shape& shape) {
+    p = {shape.vertices, shape.strands, 0.5f, PLAIT_FOLLOW_ROTATING};
+}
+void fill(plait_grid_clear_params& p, const Shape&) {
+    p.value = PLAIT_SLOT_EMPTY;
+}
+void fill(plait_grid_params& p, const Shape& shape) {
+    p.vertex_stride = shape.vertices;
+    p.edge_count = grid_edge_count;
+    p.capacity = slot_capacity;
+    p.voxel_edge = grid_size / grid_edge_count;
+    p.q[3] = 1;
+    p.t[0] = p.t[1] = p.t[2] = -grid_size / 2;
+    p.h = step;
+    p.slot_hash = PLAIT_SLOT_HASH_PCG;
+    p.tent = PLAIT_TENT_TRILINEAR;
+    p.diffuse_rule = PLAIT_DIFFUSE_FLOORED;
+    p.diffuse_ratio = 2;
+    p.diffuse_factor = 0.9f;
+    p.diffuse_floor = 0.5f;
+}
+void fill(plait_lane_params& p, const Shape& shape) {
+    p = {shape.vertices, shape.tile, step, 3, 0, 1, {0, -9.81f, 0}, {0, 0, 0}};
+}
+void fill(plait_lane_state_params& p, const Shape& shape) {
+    p = {shape.vertices, shape.tile, 0};
+}
+void fill(plait_lane_layout_params& p, const Shape& shape) {
+    p = {shape.vertices, shape.tile, step};
+}
+void fill(plait_output_params& p, const Shape& shape) {
+    p = {shape.vertices, 0.5f};
+}
+
+template <typename Params> std::vector<unsigned char> bytes_of(const Shape& shape) {
+    Params params{};
+    fill(params, shape);
+    std::vector<unsigned char> bytes(sizeof params);
+    std::memcpy(bytes.data(), &params, sizeof params);
+    return bytes;
+}
+
+// ---- buffers ------------------------------------------------------------------------------------
+
+using Words = std::vector<uint32_t>;
+
+uint32_t word(float value) {
+    return std::bit_cast<uint32_t>(value);
+}
+
+void append(Words& words, float x, float y, float z, float w) {
+    words.insert(words.end(), {word(x), word(y), word(z), word(w)});
+}
+
+// Strands that hang from the head; `shift` metres along x. The first two vertices are pinned.
+Words strands(const Shape& shape, float shift) {
+    Words words;
+    const auto roots = root_positions(shape.strands);
+    for (uint32_t strand = 0; strand < shape.strands; ++strand)
+        for (uint32_t vertex = 0; vertex < shape.vertices; ++vertex) {
+            const float along =
+                strand_length * static_cast<float>(vertex) / static_cast<float>(shape.vertices - 1);
+            const float* root = &roots[3 * size_t{strand}];
+            append(words, root[0] + shift, root[1] - along, root[2], vertex < 2 ? 0.0f : 1.0f);
+        }
+    return words;
+}
+
+Words vectors(size_t count, float x, float y, float z, float w) {
+    Words words;
+    for (size_t i = 0; i < count; ++i)
+        append(words, x, y, z, w);
+    return words;
+}
+
+// Pairs of a unit quaternion and a translation.
+Words poses(const Shape& shape) {
+    Words words;
+    for (uint32_t strand = 0; strand < shape.strands; ++strand) {
+        append(words, 0, 0, 0, 1);
+        append(words, 0, 0, 0, 0);
+    }
+    return words;
+}
+
+Words capsules() {
+    Words words;
+    for (uint32_t collider = 0; collider < colliders; ++collider) {
+        const float x = 0.1f * static_cast<float>(collider);
+        for (int end = 0; end < 2; ++end) {
+            append(words, x, 0, 0, head_radius / 2);
+            append(words, x, -0.1f, 0, head_radius / 4);
+        }
+        append(words, 0.3f, 0, 0, 0);
+    }
+    return words;
+}
+
+Words counting(uint32_t count) {
+    Words words(count);
+    for (uint32_t i = 0; i < count; ++i)
+        words[i] = i;
+    return words;
+}
+
+// One slice of the grid in x, through the head: a voxel in eight.
+bool holds_hair(uint32_t voxel) {
+    return voxel % grid_edge_count == grid_edge_count / 2;
+}
+
+// Slots as full as grid_slots leaves them.
+Words slots(const Shape& shape) {
+    Words words(size_t{voxels} * slot_capacity, PLAIT_SLOT_EMPTY);
+    for (size_t slot = 0; slot < words.size(); ++slot)
+        if (holds_hair(static_cast<uint32_t>(slot / slot_capacity)))
+            words[slot] = static_cast<uint32_t>(slot % shape.total());
+    return words;
+}
+
+Words densities() {
+    Words words(voxels);
+    for (uint32_t voxel = 0; voxel < voxels; ++voxel)
+        words[voxel] = word(holds_hair(voxel) ? 10.0f : 0.0f);
+    return words;
+}
+
+Words lengths(const Shape& shape) {
+    Words words(shape.total(), word(strand_length / static_cast<float>(shape.vertices - 1)));
+    for (size_t strand = 1; strand <= shape.strands; ++strand)
+        words[strand * shape.vertices - 1] = word(0);
+    return words;
+}
+
+Words with_follows(const Shape& shape) {
+    Words words = strands(shape, 0);
+    words.resize(2 * words.size());
+    return words;
+}
+
+// [tile][V][components][strands of the tile] of one strand's rows, [V][components].
+Words in_lanes(const Shape& shape, const std::vector<float>& rows) {
+    Words words;
+    const uint32_t tiles = (shape.strands + shape.tile - 1) / shape.tile;
+    for (uint32_t t = 0; t < tiles; ++t)
+        for (const float value : rows)
+            words.insert(words.end(), shape.tile, word(value));
+    return words;
+}
+
+// A strand that hangs down, relative to its root.
+Words lane_positions(const Shape& shape) {
+    std::vector<float> rows;
+    for (uint32_t i = 0; i < shape.vertices; ++i)
+        for (const float x :
+             {0.0f, -strand_length * static_cast<float>(i) / static_cast<float>(shape.vertices - 1),
+              0.0f})
+            rows.push_back(x);
+    return in_lanes(shape, rows);
+}
+
+// Every row the same.
+template <size_t Components>
+Words lane_rows(const Shape& shape, const std::array<float, Components>& row) {
+    std::vector<float> rows;
+    for (uint32_t i = 0; i < shape.vertices; ++i)
+        rows.insert(rows.end(), row.begin(), row.end());
+    return in_lanes(shape, rows);
+}
+
+// A hair of 5e-6 kg/m and 4.7e-9 N m^2, the stretch that gives it 1 % at 10 g.
+Words lane_material(const Shape& shape) {
+    constexpr float density = 5e-6f, bend = 4.7e-9f, stretch = 1.2e-2f;
+    const float l = strand_length / static_cast<float>(shape.vertices - 1);
+    return lane_rows<4>(shape, {l, stretch / l, 4 * bend / l, density * l});
+}
+
+using Maker = Words (*)(const Shape&);
+
+const std::map<std::string, Maker>& makers() {
+    constexpr Maker still = [](const Shape& s) { return strands(s, 0); };
+    constexpr Maker moved = [](const Shape& s) { return strands(s, -0.001f); };
+    constexpr Maker moved_twice = [](const Shape& s) { return strands(s, -0.002f); };
+    // The x axis turned to -y.
+    constexpr Maker downwards = [](const Shape& s) {
+        return lane_rows<4>(
+            s, {0, 0, -std::numbers::sqrt2_v<float> / 2, std::numbers::sqrt2_v<float> / 2});
+    };
+    constexpr Maker zeros = [](const Shape& s) { return Words(4 * s.total()); };
+    static const std::map<std::string, Maker> table = {
+        {"rest", still},
+        {"position", still},
+        {"position_prev", moved},
+        {"position_prev2", moved_twice},
+        {"position_local", moved},
+        {"position_out", zeros},
+        {"tangent", zeros},
+        {"pose", poses},
+        {"pose_from", poses},
+        {"pose_to", poses},
+        {"pose_now", poses},
+        {"root_from", poses},
+        {"root_to", poses},
+        {"strand_motion", poses},
+        {"strand_stats", [](const Shape& s) { return Words(4 * size_t{s.strands}); }},
+        {"vertex_count", [](const Shape& s) { return Words(s.strands, s.vertices); }},
+        {"rest_length", lengths},
+        {"capsule", [](const Shape&) { return capsules(); }},
+        {"follow_guide", [](const Shape& s) { return counting(s.strands); }},
+        {"follow_offset", [](const Shape& s) { return vectors(s.strands, 0.002f, 0, 0.001f, 0); }},
+        {"grid_slot", slots},
+        {"lane_material", lane_material},
+        {"lane_rest",
+         [](const Shape& s) {
+             return lane_rows<4>(s, {0, 0, 0, 1});
+         }},
+        {"lane_x", lane_positions},
+        {"lane_x_before", lane_positions},
+        {"lane_v",
+         [](const Shape& s) {
+             return lane_rows<3>(s, {0.1f, 0, 0});
+         }},
+        {"lane_v_before",
+         [](const Shape& s) {
+             return lane_rows<3>(s, {0.1f, 0, 0});
+         }},
+        {"lane_q", downwards},
+        {"lane_q_before", downwards},
+        {"words", [](const Shape&) { return Words(size_t{voxels} * slot_capacity); }},
+        {"grid_outside", [](const Shape&) { return Words(1); }},
+        {"grid_sum", [](const Shape&) { return Words(size_t{voxels} * PLAIT_SUM_STRIDE, 1); }},
+        {"grid_density", [](const Shape&) { return densities(); }},
+        {"grid_velocity", [](const Shape&) { return vectors(voxels, 0.01f, 0.01f, 0.01f, 0.02f); }},
+    };
+    return table;
+}
+
+// Words of a grid buffer that one vertex touches; 0: not a grid buffer.
+size_t grid_words_per_vertex(const std::string& name) {
+    if (name == "grid_sum")
+        return 8 * PLAIT_SUM_STRIDE; // eight nodes
+    if (name == "grid_velocity")
+        return 4;
+    return name.starts_with("grid_") ? 1 : 0;
+}
+
+} // namespace
+
+std::vector<unsigned char> typical_params(plait_stage stage, const Shape& shape) {
+    switch (stage) {
+#define PLAIT_STAGE(name, space, params, summary)                                                  \
+    case PLAIT_STAGE_##name:                                                                       \
+        return bytes_of<params>(shape);
+#include <plait/stages.def>
+    default:
+        throw std::runtime_error("no such stage");
+    }
+}
+
+uint32_t item_count(plait_stage stage, const Shape& shape) {
+    switch (plait_stage_describe(stage)->space) {
+    case PLAIT_SPACE_VERTEX:
+        return static_cast<uint32_t>(shape.total());
+    case PLAIT_SPACE_WORD:
+        return voxels * slot_capacity;
+    case PLAIT_SPACE_VOXEL:
+    case PLAIT_SPACE_VOXEL_GROUP:
+        return voxels;
+    default:
+        return shape.strands;
+    }
+}
+
+uint32_t item_width(plait_stage stage, const Shape& shape) {
+    switch (plait_stage_describe(stage)->space) {
+    case PLAIT_SPACE_STRAND_GROUP:
+    case PLAIT_SPACE_LANES:
+        return shape.vertices;
+    case PLAIT_SPACE_VOXEL_GROUP:
+        return slots_in_parallel;
+    default:
+        return 1;
+    }
+}
+
+std::vector<uint32_t> typical_buffer(const plait_stage_info& stage, const plait_stage_arg& arg,
+                                     const Shape& shape) {
+    if (stage.stage == PLAIT_STAGE_follow && std::string(arg.name) == "position")
+        return with_follows(shape);
+    const auto maker = makers().find(arg.name);
+    if (maker == makers().end())
+        throw std::runtime_error(std::string("stage ") + stage.name + ": no typical contents for " +
+                                 arg.name);
+    return maker->second(shape);
+}
+
+double least_traffic(const plait_stage_info& stage, const Shape& shape) {
+    double bytes = 0;
+    for (uint32_t index = 0; index < stage.arg_count; ++index) {
+        const plait_stage_arg& arg = stage.args[index];
+        if (arg.access == PLAIT_ACCESS_LOCAL)
+            continue;
+        size_t words = typical_buffer(stage, arg, shape).size();
+        if (const size_t touched = grid_words_per_vertex(arg.name);
+            touched > 0 && stage.space == PLAIT_SPACE_VERTEX)
+            words = std::min(words, touched * shape.total());
+        bytes += 4.0 * static_cast<double>(words) * (arg.access == PLAIT_ACCESS_READWRITE ? 2 : 1);
+    }
+    return bytes;
+}
+
+std::vector<float> root_positions(uint32_t strands) {
+    std::vector<float> roots;
+    const float golden = std::numbers::pi_v<float> * (3 - std::sqrt(5.0f));
+    for (uint32_t strand = 0; strand < strands; ++strand) {
+        const float height = (static_cast<float>(strand) + 0.5f) / static_cast<float>(strands);
+        const float radius = std::sqrt(1 - height * height);
+        const float angle = golden * static_cast<float>(strand);
+        for (const float x : {radius * std::cos(angle), height, radius * std::sin(angle)})
+            roots.push_back(head_radius * x);
+    }
+    return roots;
+}
+
+} // namespace bench

@@ -1,0 +1,88 @@
+// plait-bench [--strands=N] [--vertices=V] [--write=FOLDER] [Google Benchmark's own options]
+#include "bench.hpp"
+#include "device.hpp"
+#include "page.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cstdio>
+#include <cstdlib>
+#include <string_view>
+
+namespace bench {
+namespace {
+
+constexpr char usage[] =
+    "plait-bench [options] [Google Benchmark's options]\n"
+    "  --strands=N     strands of the stage rows, 1 to 1000000 (10000)\n"
+    "  --vertices=V    vertices per strand, 2 to 256 (32)\n"
+    "  --write=FOLDER  write bench-<device>.md and .csv there\n"
+    "The rest goes to Google Benchmark, such as --benchmark_filter=stage/wind, --help.\n";
+
+uint32_t number(std::string_view argument, std::string_view value, uint32_t low, uint32_t high) {
+    uint32_t parsed = 0;
+    const auto end = std::from_chars(value.data(), value.data() + value.size(), parsed);
+    if (end.ec != std::errc() || end.ptr != value.data() + value.size() || parsed < low ||
+        parsed > high)
+        throw std::runtime_error(std::string(argument) + ": not a number from " +
+                                 std::to_string(low) + " to " + std::to_string(high));
+    return parsed;
+}
+
+// Takes plait-bench's own options out of the arguments.
+Options take_options(int& argc, char** argv) {
+    Options options;
+    const auto ours = [&](std::string_view argument) {
+        const std::string_view value =
+            argument.substr(std::min(argument.find('=') + 1, argument.size()));
+        if (argument.starts_with("--strands="))
+            options.strands = number(argument, value, 1, 1000000);
+        else if (argument.starts_with("--vertices="))
+            options.vertices = number(argument, value, 2, PLAIT_MAX_VERTICES);
+        else if (argument.starts_with("--write="))
+            options.write = value;
+        else
+            return false;
+        return true;
+    };
+    argc = static_cast<int>(std::remove_if(argv + 1, argv + argc, ours) - argv);
+    argv[argc] = nullptr;
+    return options;
+}
+
+int run(int argc, char** argv) {
+    if (std::any_of(argv + 1, argv + argc,
+                    [](std::string_view argument) { return argument == "--help"; }))
+        std::fputs(usage, stdout);
+    Results results;
+    results.options = take_options(argc, argv);
+    getloadavg(&results.options.load, 1);
+    benchmark::Initialize(&argc, argv);
+    if (benchmark::ReportUnrecognizedArguments(argc, argv))
+        return 2;
+    const auto devices = opencl_devices();
+    for (uint32_t index = 0; index < devices.size(); ++index) {
+        results.devices[index].device = devices[index];
+        std::printf("device:%u is %s (%s), driver %s\n", index, devices[index].name,
+                    devices[index].platform, devices[index].driver);
+        register_stages(index, results);
+        register_steps(index, results);
+    }
+    benchmark::RunSpecifiedBenchmarks();
+    if (!results.options.write.empty())
+        write_pages(results);
+    std::fputs(results.failures.c_str(), stderr);
+    return results.failures.empty() ? 0 : 1;
+}
+
+} // namespace
+} // namespace bench
+
+int main(int argc, char** argv) {
+    try {
+        return bench::run(argc, argv);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "plait-bench: %s\n", error.what());
+        return 1;
+    }
+}

@@ -1,0 +1,162 @@
+#include "page.hpp"
+
+#include <plait/plait_backend.h>
+
+#include <algorithm>
+#include <cctype>
+#include <chrono>
+#include <cstdarg>
+#include <cstdio>
+#include <ctime>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <stdexcept>
+#include <thread>
+
+namespace bench {
+namespace {
+
+[[gnu::format(printf, 1, 2)]] std::string text(const char* pattern, ...) {
+    char line[1024];
+    va_list arguments;
+    va_start(arguments, pattern);
+    std::vsnprintf(line, sizeof line, pattern, arguments);
+    va_end(arguments);
+    return line;
+}
+
+std::string today() {
+    const std::time_t now = std::time(nullptr);
+    char date[16];
+    std::strftime(date, sizeof date, "%Y-%m-%d", std::gmtime(&now));
+    return date;
+}
+
+// What else the machine was doing matters most where the device is the host's own processor.
+std::string load_before(const Options& options) {
+    return text("%.1f on %u processors", options.load, std::thread::hardware_concurrency());
+}
+
+// "pthread-haswell-AMD EPYC" on "Portable Computing Language" -> "pthread-haswell-amd-epyc"
+std::string slug(const plait_device_info& device) {
+    std::string name;
+    for (const char* c = device.name; *c; ++c)
+        if (std::isalnum(static_cast<unsigned char>(*c)))
+            name += static_cast<char>(std::tolower(static_cast<unsigned char>(*c)));
+        else if (!name.empty() && name.back() != '-')
+            name += '-';
+    while (name.ends_with('-'))
+        name.pop_back();
+    return name;
+}
+
+std::string header(const Options& options, const plait_device_info& device) {
+    return text("# Cost on %s\n\n"
+                "| | |\n|---|---|\n"
+                "| device | %s, %u compute units |\n"
+                "| platform | %s |\n"
+                "| driver | %s |\n"
+                "| date | %s |\n"
+                "| load before | %s |\n"
+                "| plait | %d.%d.%d |\n\n"
+                "Written by `./dev bench`. Wall time, launches included.\n",
+                device.name, device.name, device.compute_units, device.platform, device.driver,
+                today().c_str(), load_before(options).c_str(), PLAIT_VERSION_MAJOR,
+                PLAIT_VERSION_MINOR, PLAIT_VERSION_PATCH);
+}
+
+std::string stage_table(const Options& options, const DeviceResults& results) {
+    std::string page = text(
+        "\n## Stages\n\n%u strands of %u vertices; the grid has 8x8x8 voxels of 1024 slots. "
+        "*bytes* is the least a stage has to move through memory: each buffer once for reading and "
+        "once for writing. *x copy* is its time over that of a kernel that copies as many bytes, "
+        "measured beside it.\n\n"
+        "| stage | ns/vertex | bytes/vertex | GB/s | x copy |\n|---|---:|---:|---:|---:|\n",
+        options.strands, options.vertices);
+    const double vertices = static_cast<double>(options.strands) * options.vertices;
+    for (const auto& [stage, row] : results.stages)
+        page += text("| %s | %.3f | %.1f | %.2f | %.2f |\n",
+                     plait_stage_describe(static_cast<plait_stage>(stage))->name,
+                     1e9 * row.seconds / vertices, row.bytes / vertices,
+                     1e-9 * row.bytes / row.seconds, row.seconds / row.copy_seconds);
+    return page;
+}
+
+std::set<uint32_t> strand_counts(const DeviceResults& results) {
+    std::set<uint32_t> counts;
+    for (const auto& [key, seconds] : results.step_seconds)
+        counts.insert(key.first);
+    return counts;
+}
+
+// Frames per second without the inter-hair step and with it: "36.9 -> 30.5, 17 % lost".
+std::string step_cell(const DeviceResults& results, uint32_t strands, Interhair interhair) {
+    const auto original = results.step_seconds.find({strands, Interhair::off});
+    const auto with = results.step_seconds.find({strands, interhair});
+    if (original == results.step_seconds.end() || with == results.step_seconds.end())
+        return " - | - |";
+    return text(" %.2f | %.1f %% |", 1 / with->second, 100 * (1 - original->second / with->second));
+}
+
+std::string step_table(const Options& options, const DeviceResults& results) {
+    std::string page = text(
+        "\n## The whole step\n\nSteps per second of the model `tressfx` as published, and with the "
+        "inter-hair step after it, as in table 5.1 of Ugurca 2015 (there 3 %% to 21 %% of the "
+        "frame "
+        "rate was lost, rendering included; here nothing is rendered). Strands of %u vertices.\n\n"
+        "| strands | original, 1/s | + slots, 1/s | lost | + exact, 1/s | lost |\n"
+        "|---:|---:|---:|---:|---:|---:|\n",
+        options.vertices);
+    for (const uint32_t strands : strand_counts(results)) {
+        const auto original = results.step_seconds.find({strands, Interhair::off});
+        page += text("| %u |", strands);
+        page +=
+            original == results.step_seconds.end() ? " - |" : text(" %.2f |", 1 / original->second);
+        page += step_cell(results, strands, Interhair::slots);
+        page += step_cell(results, strands, Interhair::exact) + "\n";
+    }
+    return page;
+}
+
+std::string csv(const Options& options, const DeviceResults& results) {
+    const plait_device_info& device = results.device;
+    std::string rows = text("# %s; %s; driver %s; %s\n", device.name, device.platform,
+                            device.driver, today().c_str()) +
+                       "row,strands,vertices,seconds,bytes,copy_seconds\n";
+    for (const auto& [stage, row] : results.stages)
+        rows += text("%s,%u,%u,%.9g,%.9g,%.9g\n",
+                     plait_stage_describe(static_cast<plait_stage>(stage))->name, options.strands,
+                     options.vertices, row.seconds, row.bytes, row.copy_seconds);
+    constexpr const char* names[] = {"step", "step+slots", "step+exact"};
+    for (const auto& [key, seconds] : results.step_seconds)
+        rows += text("%s,%u,%u,%.9g,,\n", names[static_cast<int>(key.second)], key.first,
+                     options.vertices, seconds);
+    return rows;
+}
+
+void write_file(const std::filesystem::path& path, const std::string& contents) {
+    std::ofstream file(path, std::ios::binary);
+    file << contents;
+    file.close();
+    if (!file)
+        throw std::runtime_error(path.string() + " cannot be written");
+}
+
+} // namespace
+
+void write_pages(const Results& results) {
+    const std::filesystem::path folder = results.options.write;
+    std::filesystem::create_directories(folder);
+    for (const auto& [index, device] : results.devices) {
+        if (device.stages.empty() && device.step_seconds.empty())
+            continue; // filtered out
+        const std::string name = "bench-" + slug(device.device);
+        write_file(folder / (name + ".csv"), csv(results.options, device));
+        write_file(folder / (name + ".md"), header(results.options, device.device) +
+                                                stage_table(results.options, device) +
+                                                step_table(results.options, device));
+    }
+}
+
+} // namespace bench

@@ -1,0 +1,40 @@
+// What was measured, by device: the rows of the page and of the CSV file.
+#pragma once
+
+#include <plait/plait.h>
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+
+namespace bench {
+
+struct Options {
+    uint32_t strands = 10000; // of the stage rows
+    uint32_t vertices = 32;   // per strand, everywhere
+    std::string write;        // folder for the page and the CSV file; empty: none
+    double load = 0;          // of the host in the minute before
+};
+
+struct StageRow {
+    double seconds = 0;      // of one dispatch
+    double bytes = 0;        // that it must move at least
+    double copy_seconds = 0; // of a kernel that copies as many
+};
+
+enum class Interhair { off, slots, exact };
+
+struct DeviceResults {
+    plait_device_info device{};
+    std::map<int, StageRow> stages;                                // by plait_stage
+    std::map<std::pair<uint32_t, Interhair>, double> step_seconds; // by strands
+};
+
+struct Results {
+    Options options;
+    std::map<uint32_t, DeviceResults> devices; // by the backend's index
+    std::string failures;                      // one line each
+};
+
+} // namespace bench

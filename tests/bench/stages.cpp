@@ -1,0 +1,123 @@
+// One row per stage of stages.def: time and least traffic per vertex, against a copy of as many
+// bytes.
+#include "bench.hpp"
+#include "device.hpp"
+#include "inputs.hpp"
+
+#include <algorithm>
+
+namespace bench {
+namespace {
+
+// Dispatches between two waits: a frame's worth, so that the wait does not count as the stage.
+constexpr size_t dispatches_per_wait = 8;
+
+// Buffers in the lane layout hold floats.
+plait_element stored_as(plait_element element) {
+    return element == PLAIT_ELEMENT_REAL ? PLAIT_ELEMENT_FLOAT : element;
+}
+
+// A stage with its buffers, ready to run again and again.
+class Rig {
+  public:
+    Rig(Device& device, plait_stage stage, const Shape& shape)
+        : device_(device), params_(typical_params(stage, shape)) {
+        const plait_stage_info& info = *plait_stage_describe(stage);
+        for (uint32_t index = 0; index < info.arg_count; ++index)
+            if (const plait_stage_arg& arg = info.args[index]; arg.access != PLAIT_ACCESS_LOCAL)
+                add(device.make(stored_as(arg.element), arg.name,
+                                typical_buffer(info, arg, shape)));
+        dispatch_ = {stage,          item_count(stage, shape), item_width(stage, shape),
+                     params_.data(), info.params_size,         info.buffer_count,
+                     handles_.data()};
+        run(); // compiles what is compiled at first use
+    }
+
+    // Seconds of one dispatch.
+    double run() {
+        const std::vector<plait_dispatch> list(dispatches_per_wait, dispatch_);
+        const auto start = std::chrono::steady_clock::now();
+        device_.submit(list);
+        device_.wait();
+        return seconds_since(start) / dispatches_per_wait;
+    }
+
+  private:
+    void add(Device::Buffer buffer) {
+        handles_.push_back(buffer.get());
+        buffers_.push_back(std::move(buffer));
+    }
+
+    Device& device_;
+    std::vector<unsigned char> params_;
+    std::vector<Device::Buffer> buffers_;
+    std::vector<plait_buffer*> handles_;
+    plait_dispatch dispatch_{};
+};
+
+// `snapshot` has what a copy needs: a buffer to read and one to write, both float4 per vertex.
+constexpr char copy_source[] =
+    "#include \"plait/params.h\"\n"
+    "__kernel void plait_snapshot(uint item_count, plait_layout_params params,\n"
+    "                             __global const float4* pose, __global const float4* position,\n"
+    "                             __global float4* position_local) {\n"
+    "    if (get_global_id(0) < item_count)\n"
+    "        position_local[get_global_id(0)] = position[get_global_id(0)];\n"
+    "}\n";
+
+// A device whose `snapshot` copies, with buffers such that `bytes` move.
+class Copy {
+  public:
+    Copy(uint32_t index, double bytes)
+        : device_(index, {&source_, 1}), rig_(device_, PLAIT_STAGE_snapshot, shape(bytes)) {}
+
+    double run() { return rig_.run(); }
+
+  private:
+    static Shape shape(double bytes) {
+        constexpr uint32_t row = 2; // vertices
+        return {std::max(1u, static_cast<uint32_t>(bytes / (row * 2 * 4 * sizeof(float)))), row};
+    }
+
+    plait_stage_source source_{"snapshot", copy_source, "copy.cl"};
+    Device device_;
+    Rig rig_;
+};
+
+void measure(benchmark::State& state, uint32_t index, plait_stage stage, Results& results) {
+    const Shape shape{results.options.strands, results.options.vertices,
+                      results.devices[index].device.tile};
+    Device device(index);
+    Rig rig(device, stage, shape);
+    StageRow row;
+    row.bytes = least_traffic(*plait_stage_describe(stage), shape);
+    Copy copy(index, row.bytes);
+    for ([[maybe_unused]] auto _ : state) {
+        const double seconds = rig.run();
+        state.SetIterationTime(seconds);
+        row.seconds += seconds;
+        row.copy_seconds += copy.run(); // in turn, so that what disturbs one disturbs both
+    }
+    row.seconds /= static_cast<double>(state.iterations());
+    row.copy_seconds /= static_cast<double>(state.iterations());
+    results.devices[index].stages[stage] = row;
+    const auto vertices = static_cast<double>(shape.total());
+    state.counters["ns/vertex"] = 1e9 * row.seconds / vertices;
+    state.counters["bytes/vertex"] = row.bytes / vertices;
+    state.counters["times copy"] = row.seconds / row.copy_seconds;
+}
+
+} // namespace
+
+void register_stages(uint32_t device, Results& results) {
+    for (int stage = 0; stage < PLAIT_STAGE_COUNT; ++stage) {
+        const auto which = static_cast<plait_stage>(stage);
+        const std::string name =
+            "device:" + std::to_string(device) + "/stage/" + plait_stage_describe(which)->name;
+        register_row(name, results, [device, which, &results](benchmark::State& state) {
+            measure(state, device, which, results);
+        });
+    }
+}
+
+} // namespace bench

@@ -1,0 +1,113 @@
+#include "lane_inputs.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plait::cases {
+namespace {
+
+using Quat = std::array<double, 4>; // (x, y, z, w)
+
+Quat product(const Quat& a, const Quat& b) {
+    return {a[3] * b[0] + a[0] * b[3] + a[1] * b[2] - a[2] * b[1],
+            a[3] * b[1] - a[0] * b[2] + a[1] * b[3] + a[2] * b[0],
+            a[3] * b[2] + a[0] * b[1] - a[1] * b[0] + a[2] * b[3],
+            a[3] * b[3] - a[0] * b[0] - a[1] * b[1] - a[2] * b[2]};
+}
+
+Quat small_turn(Random& random, double most) {
+    const auto axis = random.direction();
+    const double half = random.uniform(0.2, 0.5) * most;
+    return {axis[0] * std::sin(half), axis[1] * std::sin(half), axis[2] * std::sin(half),
+            std::cos(half)};
+}
+
+template <typename Values> void append(std::vector<float>& to, const Values& values) {
+    for (const double value : values)
+        to.push_back(static_cast<float>(value));
+}
+
+Point random_step(Random& random, double most) {
+    const Point d = random.direction();
+    const double size = random.uniform(0, most);
+    return {size * d[0], size * d[1], size * d[2]};
+}
+
+Point sum(const Point& a, const Point& b, double scale = 1) {
+    return {a[0] + scale * b[0], a[1] + scale * b[1], a[2] + scale * b[2]};
+}
+
+// A hair of 5e-6 kg/m whose bending and weight are of one size, per segment.
+void add_material(LaneHair& lanes, Random& random, bool segment, bool root) {
+    constexpr double density = 5e-6, bend = 4e-8, stretch = 4e-3;
+    const double length = segment ? segment_length : 0;
+    const double scale = random.uniform(0.8, 1.2);
+    append(lanes.material,
+           std::array<double, 4>{length, segment ? scale * stretch / length : 0,
+                                 segment ? (root ? 2 : 1) * 4 * scale * bend / length : 0,
+                                 scale * density * segment_length});
+}
+
+void add_strand(LaneHair& lanes, Random& random, uint32_t count, uint32_t stride, const float* pose,
+                const float* root_rest) {
+    const Quat pose_q = {pose[0], pose[1], pose[2], pose[3]};
+    const Point pose_t = {pose[4], pose[5], pose[6]};
+    const Point root = sum(rotate(pose_q, {root_rest[0], root_rest[1], root_rest[2]}), pose_t);
+    Point x = {0, 0, 0};
+    Quat q = pose_q;
+    for (uint32_t i = 0; i < stride; ++i) {
+        const bool segment = i + 1 < count, padding = i >= count;
+        const Quat rest = i == 0 ? random.rotation() : small_turn(random, 0.4);
+        append(lanes.rest, padding ? Quat{0, 0, 0, 1} : rest);
+        add_material(lanes, random, segment, i == 0);
+        q = product(product(q, rest), small_turn(random, 0.2));
+        append(lanes.q, q);
+        append(lanes.q_before, product(q, small_turn(random, 0.05)));
+        const Point shift = random_step(random, 1e-3);
+        append(lanes.x, i == 0 ? sum(root, shift) : x);
+        append(lanes.x_before, i == 0 ? root : sum(x, shift));
+        append(lanes.v, random_step(random, 0.3));
+        append(lanes.v_before, random_step(random, 0.3));
+        x = sum(x, rotate(q, {1, 0, 0}), segment_length);
+    }
+}
+
+} // namespace
+
+LaneHair make_lane_hair(const Size& size, uint32_t seed) {
+    LaneHair lanes;
+    lanes.hair = make_hair(size, seed);
+    Random random(seed * 104729 + size.strands * 17 + size.stride);
+    for (uint32_t s = 0; s < size.strands; ++s)
+        add_strand(lanes, random, lanes.hair.vertex_count[s], size.stride, &lanes.hair.pose[8 * s],
+                   &lanes.hair.rest[size_t{4} * s * size.stride]);
+    return lanes;
+}
+
+plait_lane_params lane_params(const Size& size, uint32_t iterations, uint32_t bdf2) {
+    return {size.stride, 1, 1.0f / 30, iterations, bdf2, 4, {20, -40, 30}, {9, 8, -7}};
+}
+
+Setup lane_setup(const Size& size, const LaneHair& lanes, const plait_lane_params& params,
+                 bool bends) {
+    Setup setup;
+    setup.name = name_of(size) + (params.bdf2 ? ", BDF2" : "");
+    setup.items = size.strands;
+    setup.width = size.stride;
+    setup.buffers = {float4s(lanes.hair.rest), float4s(lanes.hair.pose),
+                     lane_floats(lanes.material, 4)};
+    if (bends)
+        setup.buffers.push_back(lane_floats(lanes.rest, 4));
+    setup.buffers.push_back(lane_floats(lanes.x, 3));
+    setup.buffers.push_back(lane_floats(lanes.v, 3));
+    if (bends) {
+        setup.buffers.push_back(lane_floats(lanes.q, 4));
+        setup.buffers.push_back(lane_floats(lanes.q_before, 4));
+    }
+    // kept even where BDF2 is off, so that turning it on is a fair disturbance
+    setup.buffers.push_back(lane_floats(lanes.x_before, 3));
+    setup.buffers.push_back(lane_floats(lanes.v_before, 3));
+    return setup.with(params);
+}
+
+} // namespace plait::cases

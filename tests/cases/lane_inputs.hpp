@@ -1,0 +1,25 @@
+// Strands in the lane layout for the cases: random rods near a pose that their material can hold.
+#pragma once
+
+#include "inputs.hpp"
+
+namespace plait::cases {
+
+// Arrays are [strand][V][components]; the runner lays them out for the device's tile.
+struct LaneHair {
+    Hair hair; // rest shape, poses, counts
+    std::vector<float> material, rest;
+    std::vector<float> x, v, q, q_before, x_before, v_before;
+};
+
+// A strand is at its pose, bent and turned a little in every joint, and moves.
+LaneHair make_lane_hair(const Size& size, uint32_t seed);
+
+// A long substep under strong forces, so that 1 % of any of them shows.
+plait_lane_params lane_params(const Size& size, uint32_t iterations, uint32_t bdf2);
+
+// The setup of a strand model: `bends` with orientations.
+Setup lane_setup(const Size& size, const LaneHair& hair, const plait_lane_params& params,
+                 bool bends);
+
+} // namespace plait::cases

@@ -1,0 +1,21 @@
+#include "lane_inputs.hpp"
+
+namespace plait::cases {
+
+// Differences of values below 8 m, divided by h = 1/60 s.
+Case lane_pack_case() {
+    Case result = {PLAIT_STAGE_lane_pack, {}, {{"lane_x", 1e-6}, {"lane_v", 6e-5}}};
+    for (const Size& size : sizes()) {
+        const LaneHair lanes = make_lane_hair(size, 37);
+        Setup setup;
+        setup.name = name_of(size);
+        setup.items = lanes.hair.vertices();
+        setup.buffers = {uints(lanes.hair.vertex_count), float4s(lanes.hair.position),
+                         float4s(lanes.hair.position_prev), lane_floats(lanes.x, 3),
+                         lane_floats(lanes.v, 3)};
+        result.setups.push_back(setup.with(plait_lane_layout_params{size.stride, 1, 1.0f / 60}));
+    }
+    return result;
+}
+
+} // namespace plait::cases

@@ -1,0 +1,17 @@
+#include "lane_inputs.hpp"
+
+namespace plait::cases {
+
+// Elimination along 256 segments in float32 leaves 1e-4 rad at the tip.
+Case rod_case() {
+    Case result = {PLAIT_STAGE_rod,
+                   {},
+                   {{"lane_x", 2e-5}, {"lane_v", 1e-3}, {"lane_q", 4e-4}, {"lane_x_before", 1e-6}}};
+    for (const Size& size : sizes())
+        for (const uint32_t bdf2 : {0u, 1u})
+            result.setups.push_back(
+                lane_setup(size, make_lane_hair(size, 32), lane_params(size, 1, bdf2), true));
+    return result;
+}
+
+} // namespace plait::cases

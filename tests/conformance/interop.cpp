@@ -1,0 +1,111 @@
+// The public face of interop: plait on the caller's queue, its fields as the caller's cl_mem.
+#include "support.hpp"
+
+#include <plait/plait_opencl.h>
+
+namespace plait::opencl {
+namespace {
+
+template <auto destroy> struct Destroy {
+    template <typename Object> void operator()(Object* object) const { destroy(object); }
+};
+using OwnContext = std::unique_ptr<plait_context, Destroy<plait_context_destroy>>;
+using OwnGroom = std::unique_ptr<plait_groom, Destroy<plait_groom_destroy>>;
+using OwnSim = std::unique_ptr<plait_sim, Destroy<plait_sim_destroy>>;
+
+constexpr uint32_t vertices = 8;
+
+OwnGroom two_strands() {
+    std::vector<float> positions;
+    for (uint32_t vertex = 0; vertex < 2 * vertices; ++vertex)
+        positions.insert(positions.end(), {vertex < vertices ? 0.0f : 0.01f,
+                                           -0.01f * static_cast<float>(vertex % vertices), 0.0f});
+    plait_groom_desc desc = plait_groom_desc_defaults();
+    desc.positions = {positions.data(), 2 * vertices, 0};
+    desc.vertices_per_strand = vertices;
+    plait_groom* groom = nullptr;
+    EXPECT_EQ(plait_groom_create(&desc, nullptr, &groom), PLAIT_OK) << plait_last_error();
+    return OwnGroom(groom);
+}
+
+OwnSim make_sim(plait_context* context) {
+    const OwnGroom groom = two_strands();
+    plait_sim* sim = nullptr;
+    EXPECT_EQ(plait_sim_create(context, groom.get(), nullptr, &sim), PLAIT_OK)
+        << plait_last_error();
+    return OwnSim(sim);
+}
+
+class Interop : public OnDevice {
+  protected:
+    void SetUp() override {
+        device_ = find_devices().usable[GetParam()].device;
+        cl_int code = CL_SUCCESS;
+        context_ = Context(clCreateContext(nullptr, 1, &device_, nullptr, nullptr, &code));
+        ASSERT_EQ(code, CL_SUCCESS);
+        queue_ = Queue(clCreateCommandQueue(context_.get(), device_, 0, &code));
+        ASSERT_EQ(code, CL_SUCCESS);
+    }
+
+    OwnContext adopt() {
+        const plait_opencl_handles handles{context_.get(), device_, queue_.get()};
+        plait_context* context = nullptr;
+        EXPECT_EQ(plait_opencl_context_create(&handles, nullptr, &context), PLAIT_OK)
+            << plait_last_error();
+        return OwnContext(context);
+    }
+
+    cl_device_id device_ = nullptr;
+    Context context_;
+    Queue queue_;
+};
+INSTANTIATE_TEST_SUITE_P(Devices, Interop, ::testing::ValuesIn(device_indices()), test_name);
+
+TEST_P(Interop, works_on_the_callers_queue) {
+    const OwnContext context = adopt();
+    cl_command_queue queue = nullptr;
+    ASSERT_EQ(plait_opencl_context_queue(context.get(), &queue), PLAIT_OK);
+    EXPECT_EQ(queue, queue_.get());
+}
+
+TEST_P(Interop, lends_what_read_gives) {
+    const OwnContext context = adopt();
+    const OwnSim sim = make_sim(context.get());
+    ASSERT_EQ(plait_sim_step(sim.get(), 0.1), PLAIT_OK) << plait_last_error();
+
+    // No plait_sim_wait: the queue's order is enough.
+    cl_mem memory = nullptr;
+    ASSERT_EQ(plait_opencl_sim_field(sim.get(), PLAIT_FIELD_POSITION, &memory), PLAIT_OK);
+    std::vector<float> borrowed(size_t{4} * 2 * vertices), read(borrowed.size());
+    size_t size = read.size() * sizeof(float);
+    ASSERT_EQ(clEnqueueReadBuffer(queue_.get(), memory, CL_TRUE, 0, size, borrowed.data(), 0,
+                                  nullptr, nullptr),
+              CL_SUCCESS);
+    ASSERT_EQ(plait_sim_read(sim.get(), PLAIT_FIELD_POSITION, read.data(), &size), PLAIT_OK);
+    EXPECT_EQ(borrowed, read);
+    EXPECT_NE(read[4 * (vertices - 1) + 1], -0.01f * (vertices - 1)) << "the tip has not moved";
+}
+
+TEST_P(Interop, says_which_fields_are_off_or_not_lent) {
+    const OwnContext context = adopt();
+    const OwnSim sim = make_sim(context.get());
+    cl_mem memory = nullptr;
+    EXPECT_EQ(plait_opencl_sim_field(sim.get(), PLAIT_FIELD_GRID_DENSITY, &memory),
+              PLAIT_INVALID_STATE);
+    EXPECT_EQ(plait_opencl_sim_field(sim.get(), PLAIT_FIELD_VELOCITY, &memory),
+              PLAIT_INVALID_ARGUMENT);
+    EXPECT_EQ(memory, nullptr);
+}
+
+TEST(InteropElsewhere, is_unsupported) {
+    plait_context_desc desc = plait_context_desc_defaults();
+    desc.backend = "reference";
+    plait_context* made = nullptr;
+    ASSERT_EQ(plait_context_create(&desc, &made), PLAIT_OK) << plait_last_error();
+    const OwnContext context(made);
+    cl_command_queue queue = nullptr;
+    EXPECT_EQ(plait_opencl_context_queue(context.get(), &queue), PLAIT_UNSUPPORTED);
+}
+
+} // namespace
+} // namespace plait::opencl

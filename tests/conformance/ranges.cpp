@@ -1,0 +1,78 @@
+// How items become work-items, without a device.
+#include "backend/opencl/range.hpp"
+
+#include <gtest/gtest.h>
+
+namespace plait::opencl {
+namespace {
+
+constexpr GroupLimits generous{1024, 1024, 32768};
+
+WorkRange spread(plait_stage stage, uint32_t count, uint32_t width,
+                 const GroupLimits& limits = generous) {
+    const plait_dispatch dispatch{stage, count, width, nullptr, 0, 0, nullptr};
+    auto range = work_range(*plait_stage_describe(stage), dispatch, limits);
+    EXPECT_TRUE(range.ok()) << range.error().message;
+    return *range;
+}
+
+void expect_range(const WorkRange& range, size_t global, size_t local) {
+    EXPECT_EQ(range.global, global);
+    EXPECT_EQ(range.local, local);
+}
+
+TEST(Ranges, items_are_work_items_in_whole_groups) {
+    expect_range(spread(PLAIT_STAGE_tangents, 65, 1), 128, 64);
+    expect_range(spread(PLAIT_STAGE_tangents, 65, 1, {1024, 32, 32768}), 96, 32);
+    expect_range(spread(PLAIT_STAGE_tangents, 65, 1, {1, 1, 32768}), 65, 1);
+}
+
+TEST(Ranges, short_strands_share_a_group) {
+    expect_range(spread(PLAIT_STAGE_length, 5, 16), 128, 64); // 4 strands a group
+    expect_range(spread(PLAIT_STAGE_length, 5, 24), 144, 48); // 2 strands a group
+    expect_range(spread(PLAIT_STAGE_length, 5, 64), 320, 64);
+    expect_range(spread(PLAIT_STAGE_length, 5, 256), 1280, 256);
+}
+
+TEST(Ranges, a_long_strand_may_exceed_the_kernels_advice) {
+    expect_range(spread(PLAIT_STAGE_length, 5, 256, {1024, 32, 32768}), 1280, 256);
+    expect_range(spread(PLAIT_STAGE_length, 5, 16, {1024, 32, 32768}), 96, 32);
+}
+
+TEST(Ranges, a_strand_that_fits_no_group_is_refused) {
+    const plait_dispatch dispatch{PLAIT_STAGE_length, 5, 256, nullptr, 0, 0, nullptr};
+    const auto& stage = *plait_stage_describe(PLAIT_STAGE_length);
+    for (const GroupLimits& limits : {GroupLimits{128, 128, 32768}, GroupLimits{256, 256, 2048}}) {
+        const auto range = work_range(stage, dispatch, limits);
+        ASSERT_FALSE(range.ok());
+        EXPECT_EQ(range.error().code, PLAIT_UNSUPPORTED);
+        EXPECT_EQ(range.error().message, "stage length: strands of 256 vertices need work-groups "
+                                         "of 256 work-items; the device allows 128");
+    }
+}
+
+TEST(Ranges, a_voxel_takes_what_the_device_allows) {
+    expect_range(spread(PLAIT_STAGE_grid_density, 512, 64), 512 * 64, 64);
+    expect_range(spread(PLAIT_STAGE_grid_density, 512, 64, {1024, 32, 32768}), 512 * 32, 32);
+    expect_range(spread(PLAIT_STAGE_grid_velocity, 8, 64, {1024, 64, 256}), 8 * 16, 16);
+}
+
+// Eight strands per work-item; one strand each, in tiles of 32 that fill groups of 64.
+TEST(Ranges, lanes_cover_whole_tiles) {
+    const plait_stage_info& stage = *plait_stage_describe(PLAIT_STAGE_cosserat);
+    plait_dispatch dispatch{};
+    dispatch.stage = PLAIT_STAGE_cosserat;
+    dispatch.item_count = 67;
+    dispatch.item_width = 16;
+    const auto wide = work_range(stage, dispatch, {4096, 4096, 1 << 16, 8, 8});
+    ASSERT_TRUE(wide.ok());
+    EXPECT_EQ((*wide).global, 9u);
+    EXPECT_EQ((*wide).local, 1u);
+    const auto narrow = work_range(stage, dispatch, {1024, 1024, 1 << 16, 1, 32});
+    ASSERT_TRUE(narrow.ok());
+    EXPECT_EQ((*narrow).global, 128u);
+    EXPECT_EQ((*narrow).local, 64u);
+}
+
+} // namespace
+} // namespace plait::opencl

@@ -1,0 +1,303 @@
+#include "closed_forms.hpp"
+
+#include <array>
+#include <cmath>
+
+namespace plait::conformance {
+
+using namespace cases;
+using Point = std::array<float, 3>;
+
+namespace {
+
+const std::vector<float> unit_pose = {0, 0, 0, 1, 0, 0, 0, 0};
+const float s45 = std::sqrt(0.5f);
+const std::vector<float> quarter_about_z = {0, 0, s45, s45, 1, 2, 3, 0}; // and t = (1, 2, 3)
+
+// Two pinned vertices, one that moves at 3 m/s along z, and padding.
+void integrate_is_free_fall(Bench& bench) {
+    const std::vector<float> rest = {0, 0, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0, 2, 0, 0, 0};
+    const std::vector<float> x = {5, 5, 5, 0, 6, 5, 5, 0, 2, 0, 0, 1, 9, 9, 9, 1};
+    const std::vector<float> before = {4, 4, 4, 0, 4, 4, 4, 0, 2, 0, -.3f, 1, 8, 8, 8, 1};
+    plait_integrate_params params = {4, 0.1f, 0, 0, 0, {0, -10, 0}};
+    const auto fall = [&] {
+        return bench.run(PLAIT_STAGE_integrate, 4, 1, params,
+                         {float4s(rest), uints({3}), float4s(unit_pose), float4s(x),
+                          float4s(before), float4s(before)});
+    };
+    auto out = fall();
+    expect_near(out[3], {0, 0, 0, 0, 1, 0, 0, 0, 2, -.1f, .3f, 1, 9, 9, 9, 1});
+    expect_near(out[4], {5, 5, 5, 0, 6, 5, 5, 0, 2, 0, 0, 1, 8, 8, 8, 1}, 0);
+    expect_near(out[5], before, 0);
+    params.damping = 0.1f; // e^(-60 * 0.1 * 0.1) of the velocity is left
+    params.global_stiffness = 0.5f;
+    params.global_range = 0.5f; // vertices 0 and 1 of 3
+    out = fall();
+    expect_near(out[3], {0, 0, 0, 0, 1, 0, 0, 0, 2, -.1f, .3f * std::exp(-.6f), 1, 9, 9, 9, 1});
+    params.global_range = 1;
+    out = fall();
+    expect_near(out[3], {0, 0, 0, 0, 1, 0, 0, 0, 2, -.05f, .15f * std::exp(-.6f), 1, 9, 9, 9, 1});
+}
+
+void global_shape_goes_part_of_the_way(Bench& bench) {
+    const auto out =
+        bench.run(PLAIT_STAGE_global_shape, 3, 1, plait_global_shape_params{3, 0.25f, 0.6f},
+                  {float4s({0, 0, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0}), uints({3}),
+                   float4s(quarter_about_z), float4s({0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 1})});
+    // rest 1 is at (1, 3, 3); 2 is beyond 0.6 * 3 vertices, 0 is pinned
+    expect_near(out[3], {0, 0, 0, 0, .25f, .75f, .75f, 1, 0, 0, 0, 1});
+}
+
+void length_splits_by_movability(Bench& bench) {
+    const auto shorten = [&](float w) {
+        return bench.run(
+            PLAIT_STAGE_length, 1, 3, plait_length_params{3, 1},
+            {floats({1, 1, 0}), uints({2}), float4s({0, 0, 0, w, 0, 3, 0, 1, 7, 7, 7, 1})})[2];
+    };
+    expect_near(shorten(1), {0, 1, 0, 1, 0, 2, 0, 1, 7, 7, 7, 1});
+    expect_near(shorten(0), {0, 0, 0, 0, 0, 1, 0, 1, 7, 7, 7, 1});
+}
+
+// Even edges first: the middle vertex of a pinned chain is moved by edge 0 and then shared by
+// edge 1.
+void length_is_red_then_black(Bench& bench) {
+    const auto out =
+        bench.run(PLAIT_STAGE_length, 1, 3, plait_length_params{3, 1},
+                  {floats({1, 1, 0}), uints({3}), float4s({0, 0, 0, 0, 2, 0, 0, 1, 4, 0, 0, 1})});
+    expect_near(out[2], {0, 0, 0, 0, 2, 0, 0, 1, 3, 0, 0, 1});
+}
+
+// A free vertex between two that are far away, and a capsule.
+std::vector<float> touch(Bench& bench, const std::vector<float>& capsule, const Point& x,
+                         const Point& before) {
+    const auto out = bench.run(PLAIT_STAGE_collide, 2, 1, plait_collide_params{2, 1, 0, 1},
+                               {uints({2}), float4s(capsule),
+                                float4s({9, 9, 9, 0, before[0], before[1], before[2], 1}),
+                                float4s({0, 0, 0, 0, x[0], x[1], x[2], 1})});
+    expect_near(floats({out[3].floats.begin(), out[3].floats.begin() + 4}), {0, 0, 0, 0}, 0);
+    return {out[3].floats.begin() + 4, out[3].floats.end()};
+}
+
+std::vector<float> capsule(float ra, float rb, float friction, float motion = 0) {
+    return {0,      0, 0, ra, 1,          0, 0, rb, // at the step's begin
+            motion, 0, 0, ra, 1 + motion, 0, 0, rb, friction, 0, 0, 0};
+}
+
+void collide_pushes_to_the_surface(Bench& bench) {
+    const auto push = [&](const std::vector<float>& c, const Point& x) {
+        return floats(touch(bench, c, x, x));
+    };
+    expect_near(push(capsule(.5f, .5f, 0), {.3f, .2f, 0}), {.3f, .5f, 0, 1});
+    expect_near(push(capsule(.5f, .5f, 0), {-.1f, 0, 0}), {-.5f, 0, 0, 1});
+    expect_near(push(capsule(.5f, .5f, 0), {1, 0, .2f}), {1, 0, .5f, 1});
+    expect_near(push(capsule(.5f, .5f, 0), {.3f, .6f, 0}), {.3f, .6f, 0, 1}, 0);
+    // Tapered: sin(phi) = (0.5 - 0.3)/1; from the foot (1/4, 0, 0), where the radius is 0.45.
+    const float nx = .2f, ny = std::sqrt(.96f);
+    expect_near(push(capsule(.5f, .3f, 0), {.25f + .1f * nx, .1f * ny, 0}),
+                {.25f + .45f * nx, .45f * ny, 0, 1});
+    // The sphere of radius 2 at a holds the one at b.
+    expect_near(push(capsule(2, .5f, 0), {0, 1, 0}), {0, 2, 0, 1});
+}
+
+// Moved 0.1 m along the surface and pushed 0.3 m out of it.
+void collide_rubs(Bench& bench) {
+    const auto rub = [&](float friction, float motion) {
+        return floats(
+            touch(bench, capsule(.5f, .5f, friction, motion), {.3f, .2f, 0}, {.2f, .5f, 0}));
+    };
+    expect_near(rub(0, 0), {.3f, .5f, 0, 1});
+    expect_near(rub(.2f, 0), {.24f, .5f, 0, 1});
+    expect_near(rub(1, 0), {.2f, .5f, 0, 1});   // stopped, not reversed
+    expect_near(rub(1, .1f), {.3f, .5f, 0, 1}); // moves with the surface
+}
+
+void local_shape_straightens(Bench& bench) {
+    // k = 0.8/2; the target of vertex 2 is (2, 0, 0); vertex 1 is pinned, then free.
+    const auto bend = [&](float w, uint32_t iterations) {
+        return bench.run(PLAIT_STAGE_local_shape, 1, 1,
+                         plait_local_shape_params{3, 0.8f, iterations},
+                         {float4s({0, 0, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0}), uints({3}),
+                          float4s(unit_pose), float4s({0, 0, 0, 0, 1, 0, 0, w, 1, 1, 0, 1})})[3];
+    };
+    expect_near(bend(0, 1), {0, 0, 0, 0, 1, 0, 0, 0, 1.4f, .6f, 0, 1});
+    expect_near(bend(1, 1), {0, 0, 0, 0, .6f, .4f, 0, 1, 1.4f, .6f, 0, 1});
+    expect_near(bend(0, 2), {0, 0, 0, 0, 1, 0, 0, 0, 1.64f, .36f, 0, 1});
+}
+
+// Three vertices along x, the last two free, at rest; h = 0.1 s.
+Array blow(Bench& bench, uint32_t form, const Point& wind) {
+    const std::vector<float> x = {0, 0, 0, 0, 1, 0, 0, 0, 2, 0, 0, 1, 3, 0, 0, 1};
+    plait_wind_params params = {4, 0.1f, form, 5, {wind[0], wind[1], wind[2], 0}, {}};
+    for (size_t corner = 0; corner < 4; ++corner)
+        for (size_t c = 0; c < 3; ++c)
+            params.corner[4 * corner + c] = wind[c] / 2; // any two opposite ones sum to the wind
+    return bench.run(PLAIT_STAGE_wind, 1, 4, params, {uints({4}), float4s(x), float4s(x)})[2];
+}
+
+void wind_drags_across_the_strand(Bench& bench) {
+    // s = h k |u| = 0.1 * 5 * 2 = 1: half of the air's way of 0.2 m
+    expect_near(blow(bench, PLAIT_WIND_DRAG, {0, 0, 2}),
+                {0, 0, 0, 0, 1, 0, 0, 0, 2, 0, .1f, 1, 3, 0, .1f, 1});
+    expect_near(blow(bench, PLAIT_WIND_DRAG, {2, 0, 0}),
+                {0, 0, 0, 0, 1, 0, 0, 0, 2, 0, 0, 1, 3, 0, 0, 1});
+}
+
+// -((d x W) x d) h^2 = -|d|^2 W h^2 across the strand: against the wind, as published.
+void wind_as_published_blows_backwards(Bench& bench) {
+    expect_near(blow(bench, PLAIT_WIND_PUBLISHED, {0, 0, 2}),
+                {0, 0, 0, 0, 1, 0, 0, 0, 2, 0, -.02f, 1, 3, 0, 0, 1});
+}
+
+void clamp_limits_the_step(Bench& bench) {
+    const auto out = bench.run(PLAIT_STAGE_clamp, 3, 1, plait_clamp_params{3, 1},
+                               {float4s({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0}),
+                                float4s({0, 3, 4, 1, 0, 0, .5f, 1, 0, 3, 4, 0})});
+    expect_near(out[1], {0, .6f, .8f, 1, 0, 0, .5f, 1, 0, 3, 4, 0});
+}
+
+// The root segment turns from x to y while its root moves to (5, 0, 0).
+void shock_carries_the_strand(Bench& bench) {
+    const std::vector<float> x = {5, 0, 0, 0, 5, 1, 0, 0, 9, 9, 9, 1, 9, 9, 9, 1};
+    const std::vector<float> before = {1, 0, 0, 0, 2, 0, 0, 0, 3, 0, 0, 1, 3, 0, 0, 1};
+    const auto motion_of = [&](float threshold, uint32_t form) {
+        return bench.run(PLAIT_STAGE_strand_data, 1, 1,
+                         plait_strand_data_params{4, .25f, threshold, form},
+                         {float4s(x), float4s(before), float4s(before), unwritten_float4s(2)})[3];
+    };
+    // a = |x1 - prev1| = |(3, 1, 0)| = sqrt 10
+    const float a = std::sqrt(10.0f);
+    expect_near(motion_of(2 * a, PLAIT_SHOCK_THRESHOLD), {0, 0, s45, s45, 5, -1, 0, .25f});
+    expect_near(motion_of(.9f * a, PLAIT_SHOCK_THRESHOLD), {0, 0, s45, s45, 5, -1, 0, 1});
+    expect_near(motion_of(a / 1.5f, PLAIT_SHOCK_CONTINUOUS), {0, 0, s45, s45, 5, -1, 0, .625f});
+    const auto out = bench.run(
+        PLAIT_STAGE_velocity_shock, 4, 1, plait_layout_params{4},
+        {uints({3}), float4s({0, 0, s45, s45, 5, -1, 0, .5f}), float4s(x), float4s(before)});
+    expect_near(out[2], {5, 0, 0, 0, 5, 1, 0, 0, .5f * (9 - 4), .5f * (9 + 8), 9, 1, 9, 9, 9, 1});
+    expect_near(out[3], {1, 0, 0, 0, 2, 0, 0, 0, .5f * (3 + 5), .5f * (0 + 2), 0, 1, 3, 0, 0, 1});
+}
+
+void roots_meet_halfway(Bench& bench) {
+    plait_roots_params params = {{0, 0, 0, 1}, {0, 0, 0, 0}, {0, 0, 1, 0}, {2, 0, 0, 0}, .5f, 0};
+    auto out = bench.run(PLAIT_STAGE_roots, 1, 1, params,
+                         {null_array(), null_array(), unwritten_float4s(2)});
+    expect_near(out[2], {0, 0, s45, s45, 1, 0, 0, 0});
+    params.per_root = 1; // a root shifted along x is turned to y by the head
+    const std::vector<float> root = {0, 0, 0, 1, 3, 0, 0, 0};
+    out = bench.run(PLAIT_STAGE_roots, 1, 1, params,
+                    {float4s(root), float4s(root), unwritten_float4s(2)});
+    expect_near(out[2], {0, 0, s45, s45, 1, 3, 0, 0});
+}
+
+void reset_and_teleport_are_rigid(Bench& bench) {
+    const std::vector<float> rest = {1, 0, 0, 0, 2, 0, 0, 0}, state = {0, 0, 0, 0, 0, 0, 0, 5};
+    const std::vector<float> posed = {1, 3, 3, 0, 1, 4, 3, 5};
+    auto out = bench.run(PLAIT_STAGE_reset, 2, 1, plait_layout_params{2},
+                         {float4s(rest), float4s(quarter_about_z), float4s(state),
+                          unwritten_float4s(2), unwritten_float4s(2)});
+    for (size_t i = 2; i < 5; ++i)
+        expect_near(out[i], posed);
+    out = bench.run(PLAIT_STAGE_teleport, 2, 1, plait_layout_params{2},
+                    {float4s(quarter_about_z), float4s(unit_pose), float4s(posed), float4s(posed),
+                     float4s(posed)});
+    for (size_t i = 2; i < 5; ++i)
+        expect_near(out[i], {1, 0, 0, 0, 2, 0, 0, 5});
+}
+
+void output_blends_in_the_root_frame(Bench& bench) {
+    const std::vector<float> posed = {1, 3, 3, 0, 1, 4, 3, 5}; // local (1, 0, 0), (2, 0, 0)
+    const auto local = bench.run(PLAIT_STAGE_snapshot, 2, 1, plait_layout_params{2},
+                                 {float4s(quarter_about_z), float4s(posed), unwritten_float4s(2)});
+    expect_near(local[2], {1, 0, 0, 0, 2, 0, 0, 5});
+    const auto out =
+        bench.run(PLAIT_STAGE_output, 2, 1, plait_output_params{2, .25f},
+                  {float4s({1, 4, 0, 0, 2, 4, 0, 5}), float4s(posed), float4s(quarter_about_z),
+                   float4s(quarter_about_z), unwritten_float4s(2)});
+    // local (1, 3, 0) and (2, 3, 0)
+    expect_near(out[4], {-2, 3, 3, 0, -2, 4, 3, 5});
+}
+
+void follow_turns_with_the_guide(Bench& bench) {
+    const auto place = [&](uint32_t form) {
+        const auto out = bench.run(
+            PLAIT_STAGE_follow, 3, 1, plait_follow_params{3, 1, 1, form},
+            {float4s({0, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0}), float4s(unit_pose), uints({2}),
+             uints({0}), float4s({0, 1, 0, 0}),
+             float4s({0, 0, 0, 0, 0, 1, 0, 1, 0, 1, 0, 1, 7, 7, 7, 7, 7, 7, 7, 7, 7, 7, 7, 7})});
+        return floats({out[5].floats.begin() + 12, out[5].floats.end()});
+    };
+    expect_near(place(PLAIT_FOLLOW_PUBLISHED), {0, 1, 0, 0, 0, 2.5f, 0, 1, 0, 2.5f, 0, 1});
+    expect_near(place(PLAIT_FOLLOW_ROTATING), {-1, 0, 0, 0, -1.5f, 1, 0, 1, -1.5f, 1, 0, 1});
+}
+
+void tangents_point_to_the_tip(Bench& bench) {
+    const auto out =
+        bench.run(PLAIT_STAGE_tangents, 4, 1, plait_layout_params{4},
+                  {uints({3}), float4s({0, 0, 0, 0, 2, 0, 0, 1, 2, 0, 3, 1, 7, 7, 7, 7}),
+                   unwritten_float4s(4)});
+    expect_near(out[2], {1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0});
+    expect_near(out[1], {0, 0, 0, 0, 2, 0, 0, 1, 2, 0, 3, 1, 2, 0, 3, 1}, 0);
+}
+
+// The direction of a segment of no length: from the root's side, else from the tip's, else +y.
+void tangents_are_never_zero(Bench& bench) {
+    const auto of = [&](std::vector<float> x) {
+        return bench.run(PLAIT_STAGE_tangents, 3, 1, plait_layout_params{3},
+                         {uints({3}), float4s(std::move(x)), unwritten_float4s(3)})[2];
+    };
+    expect_near(of({0, 0, 0, 0, 2, 0, 0, 1, 2, 0, 0, 1}), {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0});
+    expect_near(of({0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 3, 1}), {0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0});
+    expect_near(of({5, 0, 0, 0, 5, 0, 0, 1, 5, 0, 0, 1}), {0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0});
+}
+
+void stats_measure_stretch(Bench& bench) {
+    const float inf = INFINITY;
+    const auto out = bench.run(
+        PLAIT_STAGE_stats, 2, 1, plait_layout_params{3},
+        {floats({1, 1, 0, 1, 1, 0}), uints({3, 3}),
+         float4s(
+             {0, 0, 0, 0, 1.5f, 0, 0, 1, 1.5f, .9f, 0, 1, 0, 0, 0, 0, 1, 0, 0, 1, inf, 0, 0, 1}),
+         float4s({0, 0, 0, 0, 1.5f, 0, 0, 1, 1.5f, .9f, 2, 1, 0, 0, 0, 0, 1, 1, 0, 1, 0, 0, 0, 1}),
+         unwritten_float4s(2)});
+    expect_near(out[4], {.5f, 0, 2, .3f, 0, 1, 1, 0});
+}
+
+} // namespace
+
+Outputs Bench::run(plait_stage stage, const Setup& setup) {
+    std::string error;
+    Outputs outputs = cases::run(subject_.api(), subject_.device(), stage, setup, error);
+    EXPECT_EQ(error, "");
+    return outputs.empty() ? setup.buffers : outputs;
+}
+
+void expect_near(const Array& got, const std::vector<float>& expected, double tolerance) {
+    ASSERT_EQ(got.floats.size(), expected.size());
+    for (size_t i = 0; i < expected.size(); ++i)
+        EXPECT_NEAR(got.floats[i], expected[i], tolerance) << "float " << i;
+}
+
+const std::vector<ClosedForm>& strand_closed_forms() {
+    static const std::vector<ClosedForm> list = {
+        PLAIT_CLOSED_FORM(integrate_is_free_fall),
+        PLAIT_CLOSED_FORM(global_shape_goes_part_of_the_way),
+        PLAIT_CLOSED_FORM(length_splits_by_movability),
+        PLAIT_CLOSED_FORM(length_is_red_then_black),
+        PLAIT_CLOSED_FORM(collide_pushes_to_the_surface),
+        PLAIT_CLOSED_FORM(collide_rubs),
+        PLAIT_CLOSED_FORM(local_shape_straightens),
+        PLAIT_CLOSED_FORM(wind_drags_across_the_strand),
+        PLAIT_CLOSED_FORM(wind_as_published_blows_backwards),
+        PLAIT_CLOSED_FORM(clamp_limits_the_step),
+        PLAIT_CLOSED_FORM(shock_carries_the_strand),
+        PLAIT_CLOSED_FORM(roots_meet_halfway),
+        PLAIT_CLOSED_FORM(reset_and_teleport_are_rigid),
+        PLAIT_CLOSED_FORM(output_blends_in_the_root_frame),
+        PLAIT_CLOSED_FORM(follow_turns_with_the_guide),
+        PLAIT_CLOSED_FORM(tangents_point_to_the_tip),
+        PLAIT_CLOSED_FORM(tangents_are_never_zero),
+        PLAIT_CLOSED_FORM(stats_measure_stretch),
+    };
+    return list;
+}
+
+} // namespace plait::conformance

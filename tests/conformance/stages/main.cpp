@@ -1,0 +1,205 @@
+// plait-conformance: every stage's case on every device, compared with the float64 reference.
+//
+// Environment: PLAIT_TEST_DEVICE=part        only devices whose backend, platform or name has it
+//              PLAIT_TEST_ALLOW_NO_OPENCL=1  if there is no such device, say so and exit with 77
+#include "case.hpp"
+#include "closed_forms.hpp"
+#include "subjects.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <cstdlib>
+
+namespace plait::conformance {
+namespace {
+
+using cases::Case;
+using cases::Field;
+using cases::FieldKind;
+using cases::Outputs;
+
+// What the formulae say, computed once per setup.
+const Outputs& expected_of(const Case& stage_case, size_t setup) {
+    static const std::shared_ptr<Subject> reference = find_backend("reference");
+    static std::map<std::pair<plait_stage, size_t>, Outputs> known;
+    Outputs& outputs = known[{stage_case.stage, setup}];
+    if (outputs.empty() && reference && reference->device()) {
+        std::string error;
+        outputs = cases::run(reference->api(), reference->device(), stage_case.stage,
+                             stage_case.setups[setup], error);
+        EXPECT_EQ(error, "") << "on the reference";
+    }
+    return outputs;
+}
+
+// "" if the device's outputs for `given` are those expected of setup number `index`.
+std::string difference(const Case& stage_case, size_t index, const cases::Setup& given,
+                       Subject& subject) {
+    const Outputs& expected = expected_of(stage_case, index);
+    std::string error;
+    const Outputs got = cases::run(subject.api(), subject.device(), stage_case.stage, given, error);
+    if (!error.empty() || expected.empty())
+        return error.empty() ? "no expected outputs" : error;
+    return cases::compare(stage_case, stage_case.setups[index], expected, got);
+}
+
+class StageTest : public testing::Test {
+  public:
+    StageTest(Subject& subject, const Case& stage_case)
+        : subject_(subject), stage_case_(stage_case) {}
+
+  protected:
+    bool open() {
+        EXPECT_NE(subject_.device(), nullptr) << subject_.open_error();
+        return subject_.device() != nullptr;
+    }
+
+    Subject& subject_;
+    const Case& stage_case_;
+};
+
+// The device computes what the formulae say.
+class Agrees : public StageTest {
+  public:
+    using StageTest::StageTest;
+    void TestBody() override {
+        if (!open())
+            return;
+        EXPECT_TRUE(subject_.api().supports(subject_.device(), stage_case_.stage));
+        for (size_t i = 0; i < stage_case_.setups.size(); ++i)
+            if (const std::string wrong =
+                    difference(stage_case_, i, stage_case_.setups[i], subject_);
+                !wrong.empty())
+                ADD_FAILURE() << wrong;
+    }
+};
+
+// Changes word `word` of a field the way its kind asks for.
+void disturb(cases::Setup& setup, const Field& field, size_t word) {
+    std::byte* at = setup.params.data() + field.offset + 4 * word;
+    if (field.kind == FieldKind::real || field.kind == FieldKind::vector) {
+        float value;
+        std::memcpy(&value, at, sizeof value);
+        value *= 1.01f;
+        std::memcpy(at, &value, sizeof value);
+        return;
+    }
+    uint32_t value;
+    std::memcpy(&value, at, sizeof value);
+    value = field.kind == FieldKind::choice ? value ^ 1u : value + 1;
+    std::memcpy(at, &value, sizeof value);
+}
+
+// The comparison notices every parameter that is a little off, in one setup at least.
+class Notices : public StageTest {
+  public:
+    using StageTest::StageTest;
+    void TestBody() override {
+        if (!open())
+            return;
+        const plait_stage_info& info = *plait_stage_describe(stage_case_.stage);
+        size_t described = 0;
+        for (const Field& field : cases::fields_of(info.params_type)) {
+            described += 4 * field.words;
+            if (!is_left_alone(field))
+                check(field);
+        }
+        EXPECT_EQ(described, info.params_size) << info.params_type << ": fields.cpp has a gap";
+    }
+
+  private:
+    bool is_left_alone(const Field& field) const {
+        const auto& unread = stage_case_.unread;
+        return field.kind == FieldKind::layout ||
+               std::find(unread.begin(), unread.end(), field.name) != unread.end();
+    }
+
+    void check(const Field& field) {
+        for (size_t word = 0; word < field.words; ++word)
+            if (field.kind != FieldKind::vector || word % 4 != 3) {
+                EXPECT_TRUE(noticed(field, word))
+                    << field.name << "[" << word << "] may be off without a test failing";
+            }
+    }
+
+    bool noticed(const Field& field, size_t word) {
+        for (size_t i = 0; i < stage_case_.setups.size(); ++i) {
+            cases::Setup disturbed = stage_case_.setups[i];
+            disturb(disturbed, field, word);
+            if (!difference(stage_case_, i, disturbed, subject_).empty())
+                return true;
+        }
+        return false;
+    }
+};
+
+// The device gives what can be worked out by hand.
+class Solves : public testing::Test {
+  public:
+    Solves(Subject& subject, const ClosedForm& form) : subject_(subject), form_(form) {}
+    void TestBody() override {
+        ASSERT_NE(subject_.device(), nullptr) << subject_.open_error();
+        Bench bench(subject_);
+        form_.check(bench);
+    }
+
+  private:
+    Subject& subject_;
+    const ClosedForm& form_;
+};
+
+// A machine without a device must not look like one where all is well.
+class OpenClIsHere : public testing::Test {
+  public:
+    void TestBody() override {
+        EXPECT_FALSE(find_subjects("opencl").empty())
+            << "no OpenCL device: install one (pocl-opencl-icd runs on any CPU), or set "
+               "PLAIT_TEST_ALLOW_NO_OPENCL=1 to test the reference alone";
+    }
+};
+
+template <typename Test, typename What>
+void add(Subject& subject, const std::string& name, const What& what) {
+    testing::RegisterTest(
+        subject.name().c_str(), name.c_str(), nullptr, nullptr, __FILE__, __LINE__,
+        [&subject, &what]() -> testing::Test* { return new Test(subject, what); });
+}
+
+void add_all(Subject& subject) {
+    for (const Case& stage_case : cases::all_cases()) {
+        const std::string stage = plait_stage_describe(stage_case.stage)->name;
+        add<Agrees>(subject, stage, stage_case);
+        add<Notices>(subject, stage + "_notices", stage_case);
+    }
+    for (const auto* forms : {&strand_closed_forms(), &grid_closed_forms()})
+        for (const ClosedForm& form : *forms)
+            add<Solves>(subject, form.name, form);
+}
+
+std::string environment(const char* name) {
+    const char* value = std::getenv(name);
+    return value ? value : "";
+}
+
+} // namespace
+} // namespace plait::conformance
+
+int main(int argc, char** argv) {
+    using namespace plait;
+    using namespace plait::conformance;
+    testing::InitGoogleTest(&argc, argv);
+    const std::string wanted = environment("PLAIT_TEST_DEVICE");
+    const bool may_lack = environment("PLAIT_TEST_ALLOW_NO_OPENCL") == "1";
+    std::vector<Subject> subjects = find_subjects(wanted);
+    if (subjects.empty()) {
+        std::printf("no device contains \"%s\": nothing to test\n", wanted.c_str());
+        return may_lack ? 77 : 1;
+    }
+    if (wanted.empty() && !may_lack)
+        testing::RegisterTest("devices", "an_opencl_device_is_here", nullptr, nullptr, __FILE__,
+                              __LINE__, []() -> testing::Test* { return new OpenClIsHere; });
+    for (Subject& subject : subjects)
+        add_all(subject);
+    return RUN_ALL_TESTS();
+}

@@ -1,0 +1,147 @@
+// plait-simulate as it is run: files left behind, statistics, exit codes, Ctrl-C.
+#include "support.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <gmock/gmock.h>
+
+#include <csignal>
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
+#include <vector>
+
+using Json = nlohmann::json;
+using testing::HasSubstr;
+
+namespace {
+
+class Program : public TemporaryFolder {
+  protected:
+    // Both of its streams go to the file "text".
+    pid_t start(std::vector<std::string> words) const {
+        words.insert(words.begin(), PLAIT_SIMULATE);
+        std::vector<char*> arguments;
+        for (std::string& word : words)
+            arguments.push_back(word.data());
+        arguments.push_back(nullptr);
+        posix_spawn_file_actions_t actions;
+        posix_spawn_file_actions_init(&actions);
+        posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, path("text").c_str(),
+                                         O_WRONLY | O_CREAT | O_TRUNC, 0600);
+        posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
+        pid_t pid = -1;
+        EXPECT_EQ(posix_spawn(&pid, PLAIT_SIMULATE, &actions, nullptr, arguments.data(), environ),
+                  0);
+        posix_spawn_file_actions_destroy(&actions);
+        return pid;
+    }
+
+    static int wait_for(pid_t pid) {
+        int status = -1;
+        waitpid(pid, &status, 0);
+        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    }
+
+    int run(const std::vector<std::string>& words) const { return wait_for(start(words)); }
+
+    std::string text() const {
+        std::ifstream stream(path("text"));
+        return {std::istreambuf_iterator<char>(stream), {}};
+    }
+
+    Json json(const std::string& name) const {
+        std::ifstream stream(path(name));
+        return Json::parse(stream, nullptr, false);
+    }
+};
+
+TEST_F(Program, leaves_statistics) {
+    ASSERT_EQ(run({"--strands", "200", "--seconds", "0.2", "--no-pictures", "--out", path("out"),
+                   "--json", path("a.json")}),
+              0)
+        << text();
+    const Json stats = json("a.json");
+    ASSERT_TRUE(stats.is_object()) << text();
+    EXPECT_EQ(stats, json("out/stats.json"));
+    EXPECT_FALSE(stats.at("device").get<std::string>().empty());
+    EXPECT_EQ(stats.at("strands"), 200);
+    EXPECT_EQ(stats.at("vertices"), 16);
+    EXPECT_EQ(stats.at("frames"), 12);
+    EXPECT_GT(stats.at("ms_per_frame").get<double>(), 0.0);
+    EXPECT_GT(stats.at("stage_ms").at("integrate").get<double>(), 0.0);
+    EXPECT_GT(stats.at("stage_ms").at("grid_diffuse").get<double>(), 0.0);
+    EXPECT_GE(stats.at("max_stretch").get<double>(), 0.0);
+    EXPECT_LT(stats.at("max_stretch").get<double>(), 1.0);
+    EXPECT_EQ(stats.at("nonfinite"), 0);
+    EXPECT_EQ(stats.at("import_repairs"), 0);
+    EXPECT_EQ(stats.at("hash").get<std::string>().size(), 16u);
+    EXPECT_EQ(stats.at("interrupted"), false);
+    EXPECT_THAT(text(), HasSubstr("ms/frame"));
+}
+
+TEST_F(Program, repeats_itself) {
+    const std::vector<std::string> words{"--strands", "100",           "--seconds",
+                                         "0.1",       "--no-pictures", "--interhair",
+                                         "exact",     "--out",         path("out")};
+    ASSERT_EQ(run(words), 0) << text();
+    const Json first = json("out/stats.json");
+    ASSERT_EQ(run(words), 0) << text();
+    EXPECT_EQ(first.at("hash"), json("out/stats.json").at("hash"));
+}
+
+TEST_F(Program, draws_sheets) {
+    const std::string scene = write("scene.json", R"({"strands": 200, "seconds": 0.1, "picture":
+        {"width": 40, "height": 50, "samples": 1, "video_samples": 1, "cells": 2}})");
+    ASSERT_EQ(run({"--scene", scene, "--out", path("out")}), 0) << text();
+    if (text().find("without pictures") == std::string::npos) {
+        EXPECT_GT(std::filesystem::file_size(path("out/sheet.png")), 1000u);
+        EXPECT_GT(std::filesystem::file_size(path("out/ab.png")), 1000u);
+        EXPECT_TRUE(json("out/stats.json").contains("without_interhair"));
+    } else {
+        EXPECT_FALSE(std::filesystem::exists(path("out/sheet.png")));
+    }
+}
+
+TEST_F(Program, ends_well_on_interrupt) {
+    const pid_t pid = start({"--strands", "200", "--seconds", "3600", "--no-pictures", "--out",
+                             path("out"), "--cache", path("a.cache")});
+    const uintmax_t header = 32 + 4 * 200, frame = 4 * (7 + 3 * 200 * 16);
+    const auto grown = [&] {
+        std::error_code error;
+        const uintmax_t size = std::filesystem::file_size(path("a.cache"), error);
+        return !error && size >= header + 2 * frame;
+    };
+    while (!grown() && waitpid(pid, nullptr, WNOHANG) == 0)
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    kill(pid, SIGINT);
+    ASSERT_EQ(wait_for(pid), 0) << text();
+    const Json stats = json("out/stats.json");
+    ASSERT_TRUE(stats.is_object()) << text();
+    EXPECT_EQ(stats.at("interrupted"), true);
+    const auto frames = stats.at("frames").get<uintmax_t>();
+    EXPECT_GE(frames, 2u);
+    EXPECT_EQ(std::filesystem::file_size(path("a.cache")), header + frames * frame);
+}
+
+TEST_F(Program, names_what_is_wrong) {
+    EXPECT_EQ(run({"--strands", "0", "--out", path("out")}), 1);
+    EXPECT_THAT(text(), HasSubstr("command line: strands is 0"));
+    EXPECT_EQ(run({"--stands", "5"}), 1);
+    EXPECT_THAT(text(), HasSubstr("--stands"));
+    EXPECT_EQ(run({"--device", "no such device", "--no-pictures", "--out", path("out")}), 1);
+    EXPECT_THAT(text(), HasSubstr("no such device"));
+    EXPECT_EQ(run({"--groom", path("missing.tfx"), "--out", path("out")}), 1);
+    EXPECT_THAT(text(), HasSubstr("missing.tfx"));
+    EXPECT_EQ(run({"--strands", "10", "--motion", "shakes", "--out", path("out")}), 1);
+    EXPECT_THAT(text(), HasSubstr("shake"));
+}
+
+TEST_F(Program, lists_devices) {
+    EXPECT_EQ(run({"--list-devices"}), 0);
+    EXPECT_THAT(text(), HasSubstr("reference"));
+}
+
+} // namespace

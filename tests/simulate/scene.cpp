@@ -1,0 +1,124 @@
+// Scene files: what they set, and how they are refused.
+#include "scene.hpp"
+#include "support.hpp"
+
+#include <gmock/gmock.h>
+
+using simulate::Json;
+using simulate::Scene;
+using testing::AllOf;
+using testing::HasSubstr;
+
+namespace {
+
+class SceneFile : public TemporaryFolder {
+  protected:
+    Scene read(const std::string& text, const Json& command_line = Json::object()) const {
+        return simulate::make_scene(write("scene.json", text), command_line);
+    }
+
+    std::string refusal(const std::string& text, const Json& command_line = Json::object()) const {
+        try {
+            read(text, command_line);
+        } catch (const simulate::Failure& failure) {
+            return failure.what();
+        }
+        return "no refusal";
+    }
+};
+
+TEST_F(SceneFile, empty_one_is_the_default_scene) {
+    const Scene scene = read("{}");
+    EXPECT_EQ(scene.groom.name, "long");
+    EXPECT_EQ(scene.groom.style.strands, 10000u);
+    EXPECT_EQ(scene.groom.style.vertices, 16u);
+    EXPECT_EQ(scene.frames(), 240u);
+    EXPECT_EQ(scene.sim.params.interhair, PLAIT_INTERHAIR_SLOTS);
+    EXPECT_FALSE(scene.colliders.has_value());
+}
+
+TEST_F(SceneFile, sets_what_it_says) {
+    const Scene scene = read(R"({
+        "groom": "curly", "strands": 300, "vertices": 24, "seed": 7, "style": {"curl_radius": 0.02},
+        "rate": 120, "seconds": 0.5, "substeps": 4,
+        "params": {"damping": 0.25, "gravity": [0, -3.7, 1], "follow_form": "published"},
+        "colliders": [{"a": [1, 2, 3], "radius_a": 0.5}],
+        "camera": {"azimuth": -40, "target": [0, 1.5, 0]},
+        "picture": {"width": 100, "hair_tip": [0.1, 0.2, 0.3]}, "pictures": false})");
+    EXPECT_EQ(scene.groom.style.strands, 300u);
+    EXPECT_EQ(scene.groom.style.vertices, 24u);
+    EXPECT_EQ(scene.groom.style.seed, 7u);
+    EXPECT_EQ(scene.groom.style.curl_radius, 0.02);
+    EXPECT_EQ(scene.frames(), 60u);
+    EXPECT_EQ(scene.sim.substeps, 4u);
+    EXPECT_FLOAT_EQ(scene.sim.step, 1.0f / 120.0f);
+    EXPECT_FLOAT_EQ(scene.sim.params.damping, 0.25f);
+    EXPECT_FLOAT_EQ(scene.sim.params.gravity[1], -3.7f);
+    EXPECT_EQ(scene.sim.params.follow_form, PLAIT_FOLLOW_FORM_PUBLISHED);
+    ASSERT_EQ(scene.colliders->size(), 1u);
+    EXPECT_FLOAT_EQ((*scene.colliders)[0].shape.b[2], 3.0f); // a sphere
+    EXPECT_FLOAT_EQ((*scene.colliders)[0].shape.radius_b, 0.5f);
+    EXPECT_FLOAT_EQ((*scene.camera.target)[1], 1.5f);
+    EXPECT_FLOAT_EQ((*scene.pictures.hair_tip)[2], 0.3f);
+    EXPECT_FALSE(scene.pictures.wanted);
+}
+
+TEST_F(SceneFile, yields_to_the_command_line) {
+    const Scene scene = read(R"({"strands": 300, "seconds": 1})", {{"strands", 50}});
+    EXPECT_EQ(scene.groom.style.strands, 50u);
+    EXPECT_EQ(scene.seconds, 1.0f);
+}
+
+TEST_F(SceneFile, paths_are_relative_to_it) {
+    EXPECT_EQ(read(R"({"groom": "hair/a.tfx"})").groom.name, path("hair/a.tfx"));
+    EXPECT_EQ(read("{}", {{"groom", "hair/a.tfx"}}).groom.name, "hair/a.tfx");
+}
+
+TEST_F(SceneFile, unknown_keys_name_the_nearest) {
+    EXPECT_THAT(refusal(R"({"strand": 5})"),
+                AllOf(HasSubstr("scene.json"), HasSubstr("\"strands\"")));
+    EXPECT_THAT(refusal(R"({"params": {"dampng": 0.1}})"),
+                AllOf(HasSubstr("params.dampng"), HasSubstr("\"damping\"")));
+    EXPECT_THAT(refusal(R"({"colliders": [{"a": [0, 0, 0], "radius_a": 1, "frction": 1}]})"),
+                AllOf(HasSubstr("colliders[0].frction"), HasSubstr("\"friction\"")));
+}
+
+TEST_F(SceneFile, values_are_refused_with_place_value_and_range) {
+    EXPECT_THAT(refusal(R"({"substeps": 0})"),
+                AllOf(HasSubstr("scene.json: substeps is 0"), HasSubstr("[1,1000]")));
+    EXPECT_THAT(refusal(R"({"params": {"gravity": [0, -20000, 0]}})"),
+                AllOf(HasSubstr("params.gravity[1] is -20000"), HasSubstr("10000")));
+    EXPECT_THAT(refusal(R"({"params": {"wind": [0, 1]}})"), HasSubstr("a list of 3 numbers"));
+    EXPECT_THAT(refusal(R"({"rate": 59.94})"), HasSubstr("not a whole number"));
+    EXPECT_THAT(refusal(R"({"seed": -1})"), HasSubstr("seed is -1"));
+    EXPECT_THAT(refusal(R"({"interhair": "exakt"})"), HasSubstr("off, slots, exact"));
+    EXPECT_THAT(refusal(R"({"style": {"lift": 3}})"), HasSubstr("lift"));
+    EXPECT_THAT(refusal(R"({"colliders": [{"a": [0, 0, 0]}]})"),
+                HasSubstr("colliders[0].radius_a is missing"));
+    EXPECT_THAT(refusal(R"([1])"), HasSubstr("not an object"));
+}
+
+TEST_F(SceneFile, the_command_line_is_blamed_for_its_own) {
+    EXPECT_THAT(refusal("{}", {{"strands", 0}}), HasSubstr("command line: strands is 0"));
+}
+
+TEST_F(SceneFile, grooms_are_styles_or_files) {
+    EXPECT_THAT(refusal(R"({"groom": "lonng"})"), HasSubstr("long, braid, curly, short"));
+    EXPECT_THAT(refusal(R"({"groom": "a.tfx", "style": {}})"), HasSubstr("a.tfx"));
+}
+
+TEST_F(SceneFile, syntax_errors_name_line_and_column) {
+    EXPECT_THAT(refusal("{\n \"rate\": }"), AllOf(HasSubstr("scene.json"), HasSubstr("line 2")));
+}
+
+TEST(SceneFiles, of_the_repository_are_valid) {
+    size_t seen = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(PLAIT_SCENES)) {
+        EXPECT_NO_THROW(simulate::make_scene(entry.path().string(), Json::object()))
+            << entry.path();
+        ++seen;
+    }
+    EXPECT_GT(seen, 0u);
+}
+
+} // namespace
