@@ -1,10 +1,9 @@
 // Scenes in which tressfx.cpp shows the parity model to fail, and others that methods fail in, run
 // with the strand models. One strand of 0.3 m, 17 vertices and the default hair, unless said
 // otherwise.
-#include "one_strand.hpp"
+#include "scenes.hpp"
 
 #include <ostream>
-#include <random>
 
 namespace plait::test {
 namespace {
@@ -17,16 +16,6 @@ plait_sim_desc desc_of(plait_model model, float hz = 60.0f) {
     desc.model = model;
     desc.step = 1.0f / hz;
     return desc;
-}
-
-float worst_stretch_over(OneStrand& strand, int steps) {
-    float worst = 0.0f;
-    for (int i = 0; i < steps; ++i) {
-        strand.step();
-        EXPECT_EQ(strand.stats().nonfinite, 0u);
-        worst = std::max(worst, strand.stats().max_stretch);
-    }
-    return worst;
 }
 
 float distance(const std::array<float, 4>& a, const std::array<float, 4>& b) {
@@ -117,16 +106,10 @@ TEST_P(StrandModel, survives_a_jump) {
     EXPECT_LT(strand.tip()[1], -0.29f);
 }
 
-// +-0.2 m at 4 Hz, 12.9 g at the ends.
 TEST_P(StrandModel, shaken_root_hardly_stretches) {
     OneStrand strand(hanging, desc());
-    float worst = 0.0f;
-    for (int i = 1; i <= 240; ++i) {
-        strand.move_head(
-            {0.2f * std::sin(6.2831853f * 4.0f * static_cast<float>(i) / 60.0f), 0, 0});
-        worst = std::max(worst, worst_stretch_over(strand, 1));
-    }
-    EXPECT_LT(worst, by_model(0.01f, 0.07f, 0.17f)); // one Newton step a substep: 15 % measured
+    // one Newton step a substep: 15 % measured
+    EXPECT_LT(stretch_when_shaken(strand).worst, by_model(0.01f, 0.07f, 0.17f));
 }
 
 TEST_P(StrandModel, wind_blows_with_the_wind) {
@@ -138,32 +121,15 @@ TEST_P(StrandModel, wind_blows_with_the_wind) {
 }
 
 TEST_P(StrandModel, jittering_frames_do_not_reach_the_solver) {
-    const auto peak_speed = [&](bool jitter) {
-        OneStrand strand(level, desc());
-        std::mt19937 random(4);
-        std::uniform_real_distribution<double> factor(0.4, 1.6);
-        double time = 0.0;
-        float peak = 0.0f;
-        while (time < 3.0) {
-            const double dt = (jitter ? factor(random) : 1.0) / 60.0;
-            time += dt;
-            strand.move_head({0.05f * std::sin(6.2831853f * static_cast<float>(time)), 0, 0});
-            strand.step(dt);
-            if (time > 1.0)
-                peak = std::max(peak, strand.stats().max_speed);
-        }
-        return peak;
-    };
-    const float even = peak_speed(false);
+    const float even = peak_speed_when_swayed({level, desc()}, false);
     EXPECT_GT(even, 0.25f);
     // a chain swings without end: its peaks are chaotic
-    EXPECT_NEAR(peak_speed(true), even, by_model(0.1f, 0.07f, 0.05f) * even);
+    EXPECT_NEAR(peak_speed_when_swayed({level, desc()}, true), even,
+                by_model(0.1f, 0.07f, 0.05f) * even);
 }
 
 TEST_P(StrandModel, zero_length_segment_stays_finite) {
-    std::vector<Vec3> points = straight(level);
-    points[9] = points[8];
-    OneStrand strand(points, desc());
+    OneStrand strand(with_zero_length_segment(level), desc());
     EXPECT_EQ(strand.groom_info().repairs[PLAIT_REPAIR_ZERO_SEGMENT], 1u);
     EXPECT_LT(worst_stretch_over(strand, 60), 0.01f);
     strand.run(5.0);
@@ -325,8 +291,7 @@ TEST_P(StrandModel, state_moves_to_a_device_of_another_width) {
               1e-5f * 0.3f);
 }
 
-// ---- parameters at their ends
-// ---------------------------------------------------------------------
+// ---- parameters at their ends -------------------------------------------------------------------
 
 TEST_P(StrandModel, bdf2_can_be_switched_while_it_moves) {
     OneStrand strand(level, desc());

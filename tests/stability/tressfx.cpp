@@ -2,10 +2,7 @@
 // they are neither hidden nor mended by accident, and so that what we do about some is held to it.
 // One strand of 0.3 m; float32 on PoCL 3.1 and the float64 reference agree on the figures.
 // docs/models/tressfx.md tells the story.
-#include "one_strand.hpp"
-
-#include <algorithm>
-#include <random>
+#include "scenes.hpp"
 
 namespace plait::test {
 namespace {
@@ -81,15 +78,6 @@ TEST(TressfxFailure, stiffness_depends_on_the_iterations) {
     }
 }
 
-float worst_stretch_over(OneStrand& strand, int steps) {
-    float worst = 0.0f;
-    for (int i = 0; i < steps; ++i) {
-        strand.step();
-        worst = std::max(worst, strand.stats().max_stretch);
-    }
-    return worst;
-}
-
 // The head jumps 30 m and nobody says so. Published, the global constraint takes the first third of
 // a strand to the new head, and shock propagation then carries it 30 m further.
 TEST(TressfxFailure, jump_of_the_head_tears_the_published_order) {
@@ -117,21 +105,11 @@ TEST(TressfxFix, teleport_carries_the_strand_as_it_is) {
     EXPECT_NEAR(strand.tip()[0], 30.0f, 1e-3f);
 }
 
-// +-0.2 m at 4 Hz, 12.9 g at the ends.
 TEST(TressfxFailure, shaken_root_stretches_the_strand) {
     OneStrand strand(hanging, mohawk());
-    float worst = 0.0f, mean = 0.0f;
-    for (int i = 1; i <= 240; ++i) {
-        strand.move_head(
-            {0.2f * std::sin(6.2831853f * 4.0f * static_cast<float>(i) / 60.0f), 0, 0});
-        strand.step();
-        if (i <= 120)
-            continue; // the first strokes
-        worst = std::max(worst, strand.stats().max_stretch);
-        mean = std::max(mean, strand.stats().mean_stretch);
-    }
-    expect_within(worst, 1.407, 0.005, "worst segment");
-    expect_within(mean, 0.3967, 0.005, "mean");
+    const Stretch seen = stretch_when_shaken(strand, 120); // the first strokes
+    expect_within(seen.worst, 1.407, 0.005, "worst segment");
+    expect_within(seen.mean, 0.3967, 0.005, "mean");
 }
 
 // How far the tip is from the head after the head jumped `distance` within a step.
@@ -188,33 +166,16 @@ TEST(TressfxFix, drag_pushes_in_any_unit) {
     expect_within(blown(PLAIT_WIND_FORM_DRAG, 100.0f), metres, 0.005, "centimetres");
 }
 
-// Frames of 16.7 ms +-60 %: in the original the step is the frame, and peak speed triples.
+// In the original the step is the frame, and peak speed triples.
 TEST(TressfxFix, jittering_frames_do_not_reach_the_solver) {
-    const auto peak_speed = [](bool jitter) {
-        OneStrand strand(StrandShape{}, at_rate(60.0f));
-        std::mt19937 random(4);
-        std::uniform_real_distribution<double> factor(0.4, 1.6);
-        double time = 0.0, peak = 0.0;
-        while (time < 3.0) {
-            const double dt = (jitter ? factor(random) : 1.0) / 60.0;
-            time += dt;
-            strand.move_head({0.05f * std::sin(6.2831853f * static_cast<float>(time)), 0, 0});
-            strand.step(dt);
-            if (time > 1.0)
-                peak = std::max(peak, static_cast<double>(strand.stats().max_speed));
-        }
-        return peak;
-    };
-    const double even = peak_speed(false);
-    EXPECT_GT(even, 0.25);
-    expect_within(peak_speed(true), even, 0.05, "m/s");
+    const float even = peak_speed_when_swayed({StrandShape{}, at_rate(60.0f)}, false);
+    EXPECT_GT(even, 0.25f);
+    expect_within(peak_speed_when_swayed({StrandShape{}, at_rate(60.0f)}, true), even, 0.05, "m/s");
 }
 
 // Mended at import, counted and named; in the original every vertex after it is NaN.
 TEST(TressfxFix, zero_length_segment_is_mended_and_reported) {
-    std::vector<Vec3> points = straight(hanging);
-    points[9] = points[8];
-    OneStrand strand(points, at_rate(60.0f));
+    OneStrand strand(with_zero_length_segment(hanging), at_rate(60.0f));
     const plait_groom_info info = strand.groom_info();
     EXPECT_EQ(info.repairs[PLAIT_REPAIR_ZERO_SEGMENT], 1u);
     EXPECT_NE(std::string(info.first_repair), "");
