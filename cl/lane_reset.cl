@@ -22,7 +22,7 @@ __kernel void plait_lane_reset(const uint item_count, const plait_lane_state_par
     quat q = p.q;
     for (int i = 0; i < (int)params.vertex_stride; ++i) {
         const vec3 offset = sub3(gather3(rest, place, item_count, PLAIT_VERTICES, i), origin);
-        const vec3 x = i == 0 ? p.root : rotate3(p.q, offset);
+        const vec3 x = lane_carried(i, p.root, p.q, offset);
         store3(lane_x, place, i, x);
         store3(lane_v, place, i, zero);
         if (params.history) {

@@ -8,9 +8,8 @@
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/lane_step.clh"
 
-/* Offsets from the root turn with it; row 0, the root itself, is put where it is now. */
-inline void turn_offset(__global real* x, lane_place place, int row, quat turn, vec3 root) {
-    store3(x, place, row, row == 0 ? root : rotate3(turn, load3(x, place, row)));
+inline void carry(__global real* x, lane_place place, int row, vec3 root, quat turn) {
+    store3(x, place, row, lane_carried(row, root, turn, load3(x, place, row)));
 }
 
 __kernel void plait_lane_teleport(const uint item_count, const plait_lane_state_params params,
@@ -26,12 +25,12 @@ __kernel void plait_lane_teleport(const uint item_count, const plait_lane_state_
     const lane_pose to = lane_load_pose(rest, pose_to, place, item_count);
     const quat turn = mulq(to.q, conjq(from.q));
     for (int i = 0; i < (int)params.vertex_stride; ++i) {
-        turn_offset(lane_x, place, i, turn, to.root);
+        carry(lane_x, place, i, to.root, turn);
         store3(lane_v, place, i, rotate3(turn, load3(lane_v, place, i)));
         storeq(lane_q, place, i, mulq(turn, loadq(lane_q, place, i)));
         storeq(lane_q_before, place, i, mulq(turn, loadq(lane_q_before, place, i)));
         if (params.history) {
-            turn_offset(lane_x_before, place, i, turn, to.root);
+            carry(lane_x_before, place, i, to.root, turn);
             store3(lane_v_before, place, i, rotate3(turn, load3(lane_v_before, place, i)));
         }
     }
