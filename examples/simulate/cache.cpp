@@ -1,5 +1,5 @@
 #include "cache.hpp"
-#include "failure.hpp"
+#include "common.hpp"
 
 #include <cerrno>
 #include <cstring>

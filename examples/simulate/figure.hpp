@@ -1,7 +1,6 @@
 // Everything at rest: the groom, the head under it, and what the hair collides with.
 #pragma once
 
-#include "handles.hpp"
 #include "head_mesh.hpp"
 #include "scene.hpp"
 

@@ -1,5 +1,5 @@
 #include "head_mesh.hpp"
-#include "failure.hpp"
+#include "common.hpp"
 
 #include "generator/generator.hpp"
 

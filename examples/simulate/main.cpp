@@ -1,23 +1,17 @@
 // plait-simulate: simulate a groom on a moving head and show what came of it.
 #include "album.hpp"
 #include "cache.hpp"
+#include "common/devices.hpp"
+#include "common/file.hpp"
+#include "common/progress.hpp"
 #include "options.hpp"
-#include "progress.hpp"
 #include "report.hpp"
 
 #include <cstdio>
-#include <filesystem>
 
 namespace simulate {
 
 namespace {
-
-void make_folder(const std::string& path) {
-    std::error_code error;
-    std::filesystem::create_directories(path, error);
-    if (error)
-        throw Failure(path + ": " + error.message());
-}
 
 std::unique_ptr<Album> make_album(const Scene& scene, const Figure& figure) {
     if (!scene.pictures.wanted)

@@ -1,5 +1,5 @@
 #include "motion.hpp"
-#include "json_reader.hpp"
+#include "common.hpp"
 
 #include <Eigen/Geometry>
 
@@ -233,8 +233,8 @@ std::vector<Keyframe> read_csv(const std::string& file) {
 }
 
 std::vector<Keyframe> read_json_keys(const std::string& file) {
-    const Json document = read_json(file);
-    const Origin origin{file};
+    Origin origin{file, Json::object(), {}};
+    const Json document = read_json(origin);
     JsonReader top(document, origin);
     const Json* list = top.value("keyframes");
     if (!list || !list->is_array())

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
 
 namespace simulate {
 
@@ -36,10 +34,6 @@ Json measured(const Measurements& run) {
             {"nonfinite", run.nonfinite},
             {"grid_outside", run.last.grid_outside},
             {"hash", hex(run.hash)}};
-}
-
-const char* type_name(plait_device_type type) {
-    return type == PLAIT_DEVICE_CPU ? "CPU" : type == PLAIT_DEVICE_GPU ? "GPU" : "other";
 }
 
 void print_stages(const Measurements& run) {
@@ -93,18 +87,6 @@ Json to_json(const Report& report) {
     return json;
 }
 
-void write_json(const Json& json, const std::string& path) {
-    const std::string partial = path + ".part";
-    std::ofstream stream(partial);
-    stream << json.dump(2) << '\n';
-    stream.close();
-    std::error_code error;
-    if (stream)
-        std::filesystem::rename(partial, path, error);
-    if (!stream || error)
-        throw Failure(path + ": cannot be written");
-}
-
 void print_report(const Report& report) {
     const Measurements& run = report.main;
     std::printf("%s (%s), %llu strands x %u, %u of %u frames%s\n", run.device.name,
@@ -125,19 +107,6 @@ void print_report(const Report& report) {
                     report.figure.info.first_repair);
     for (const std::string& file : report.files)
         std::printf("wrote %s\n", file.c_str());
-}
-
-void print_devices() {
-    size_t count = 0;
-    check(plait_devices_list(nullptr, &count));
-    std::vector<plait_device_info> devices(count);
-    for (plait_device_info& device : devices)
-        device.struct_size = sizeof device;
-    check(plait_devices_list(devices.data(), &count));
-    devices.resize(count);
-    for (const plait_device_info& device : devices)
-        std::printf("%-10s %-5s %-40s %s, %u units\n", device.backend, type_name(device.type),
-                    device.name, device.platform, device.compute_units);
 }
 
 } // namespace simulate

@@ -17,10 +17,6 @@ struct Report {
 // The keys are listed in docs/simulate.md.
 Json to_json(const Report& report);
 
-// Whole or not at all: written beside `path`, then renamed.
-void write_json(const Json& json, const std::string& path);
-
 void print_report(const Report& report);
-void print_devices();
 
 } // namespace simulate

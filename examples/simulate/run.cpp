@@ -1,5 +1,5 @@
 #include "run.hpp"
-#include "progress.hpp"
+#include "common/progress.hpp"
 
 #include <algorithm>
 #include <chrono>

@@ -2,7 +2,7 @@
 // docs/simulate.md lists every key with its unit, range and default.
 #pragma once
 
-#include "json_reader.hpp"
+#include "common.hpp"
 
 #include "generator/generator.hpp"
 
@@ -78,8 +78,5 @@ struct Scene {
 
 // `file` may be ""; `command_line` holds keys of a scene file and wins over it. Throws Failure.
 Scene make_scene(const std::string& file, const Json& command_line);
-
-extern const std::array<const char*, 4> model_names;
-extern const std::array<const char*, 3> interhair_names;
 
 } // namespace simulate

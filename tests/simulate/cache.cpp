@@ -1,6 +1,6 @@
 // Trajectories: what is written is read back; what is cut short or wrong is recognised.
 #include "cache.hpp"
-#include "failure.hpp"
+#include "common.hpp"
 #include "support.hpp"
 
 #include <numeric>

@@ -1,6 +1,6 @@
 // Motions by name and from files.
 #include "motion.hpp"
-#include "failure.hpp"
+#include "common.hpp"
 #include "support.hpp"
 
 #include <gmock/gmock.h>

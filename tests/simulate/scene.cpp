@@ -85,7 +85,7 @@ TEST_F(SceneFile, unknown_keys_name_the_nearest) {
 
 TEST_F(SceneFile, values_are_refused_with_place_value_and_range) {
     EXPECT_THAT(refusal(R"({"substeps": 0})"),
-                AllOf(HasSubstr("scene.json: substeps is 0"), HasSubstr("[1,1000]")));
+                AllOf(HasSubstr("scene.json:1: substeps is 0"), HasSubstr("[1,1000]")));
     EXPECT_THAT(refusal(R"({"params": {"gravity": [0, -20000, 0]}})"),
                 AllOf(HasSubstr("params.gravity[1] is -20000"), HasSubstr("10000")));
     EXPECT_THAT(refusal(R"({"params": {"wind": [0, 1]}})"), HasSubstr("a list of 3 numbers"));

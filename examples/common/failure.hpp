@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace simulate {
+namespace common {
 
 enum class Exit { ok = 0, user_error = 1, device_failure = 2 };
 
@@ -36,4 +36,4 @@ inline void check(plait_result result) {
         throw Failure(plait_last_error(), exit_of(result));
 }
 
-} // namespace simulate
+} // namespace common

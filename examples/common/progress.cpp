@@ -1,10 +1,10 @@
-#include "progress.hpp"
+#include "common/progress.hpp"
 
 #include <csignal>
 #include <cstdio>
 #include <unistd.h>
 
-namespace simulate {
+namespace common {
 
 namespace {
 
@@ -57,4 +57,4 @@ void Progress::update(uint32_t done) {
                  total_, left);
 }
 
-} // namespace simulate
+} // namespace common

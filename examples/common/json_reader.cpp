@@ -1,11 +1,11 @@
-#include "json_reader.hpp"
+#include "common/json_reader.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <numeric>
 
-namespace simulate {
+namespace common {
 
 namespace {
 
@@ -36,8 +36,24 @@ std::string_view nearest(std::string_view word, const std::vector<std::string>& 
     });
 }
 
-std::string Origin::of(const std::string& key) const {
-    return file.empty() || command_line.contains(key) ? "command line" : file;
+std::string Origin::of(const std::string& path) const {
+    const Json* given = &command_line;
+    for (size_t from = 0; given && from <= path.size();) {
+        const size_t dot = std::min(path.find('.', from), path.size());
+        const auto found =
+            given->is_object() ? given->find(path.substr(from, dot - from)) : given->end();
+        given = found == given->end() ? nullptr : &*found;
+        from = dot + 1;
+    }
+    if (file.empty() || (given && !path.empty()))
+        return "command line";
+    for (std::string known = path; !known.empty();) { // of the nearest that has one
+        if (const auto line = lines.find(known); line != lines.end())
+            return file + ":" + std::to_string(line->second);
+        const size_t end = known.find_last_of(".[");
+        known.resize(end == std::string::npos ? 0 : end);
+    }
+    return file;
 }
 
 JsonReader::JsonReader(const Json& object, const Origin& origin, std::string path)
@@ -50,8 +66,7 @@ std::string JsonReader::place(const std::string& key) const {
     std::string whole = path_ + key;
     if (key.empty() && !whole.empty())
         whole.pop_back(); // the dot
-    const std::string top = whole.substr(0, whole.find_first_of(".["));
-    return origin_.of(top) + ": " + (whole.empty() ? "the document" : whole);
+    return origin_.of(whole) + ": " + (whole.empty() ? "the document" : whole);
 }
 
 void JsonReader::fail(const std::string& key, const std::string& problem) const {
@@ -171,15 +186,18 @@ void JsonReader::finish() const {
                  "is no known key; the nearest is \"" + std::string(nearest(key, known_)) + "\"");
 }
 
-Json read_json(const std::string& file) {
-    std::ifstream stream(file);
+Json read_json(Origin& origin) {
+    std::ifstream stream(origin.file);
     if (!stream)
-        throw Failure(file + ": cannot be opened");
+        throw Failure(origin.file + ": cannot be opened");
+    const std::string text{std::istreambuf_iterator<char>(stream), {}};
     try {
-        return Json::parse(stream, nullptr, true, true); // comments are welcome
+        Json document = Json::parse(text, nullptr, true, true); // comments are welcome
+        origin.lines = find_lines(text);
+        return document;
     } catch (const Json::parse_error& error) {
-        throw Failure(file + ": " + error.what());
+        throw Failure(origin.file + ": " + error.what());
     }
 }
 
-} // namespace simulate
+} // namespace common

@@ -1,11 +1,11 @@
 // plait's objects, owned.
 #pragma once
 
-#include "failure.hpp"
+#include "common/failure.hpp"
 
 #include <memory>
 
-namespace simulate {
+namespace common {
 
 template <auto destroy> struct Destroyer {
     void operator()(auto* object) const { destroy(object); }
@@ -14,4 +14,4 @@ using ContextHandle = std::unique_ptr<plait_context, Destroyer<plait_context_des
 using GroomHandle = std::unique_ptr<plait_groom, Destroyer<plait_groom_destroy>>;
 using SimHandle = std::unique_ptr<plait_sim, Destroyer<plait_sim_destroy>>;
 
-} // namespace simulate
+} // namespace common

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-namespace simulate {
+namespace common {
 
 class Progress {
   public:
@@ -25,4 +25,4 @@ class Progress {
 void watch_for_interrupt();
 bool interrupted();
 
-} // namespace simulate
+} // namespace common

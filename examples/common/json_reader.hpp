@@ -2,7 +2,8 @@
 // that name the nearest known one, and each message says where the value came from.
 #pragma once
 
-#include "failure.hpp"
+#include "common/failure.hpp"
+#include "common/json_lines.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -13,18 +14,20 @@
 #include <utility>
 #include <vector>
 
-namespace simulate {
+namespace common {
 
 using Json = nlohmann::json;
 
 // The name in `known` with the smallest edit distance to `word`.
 std::string_view nearest(std::string_view word, const std::vector<std::string>& known);
 
-// Where a document's keys come from, by top-level key: a file, or the command line.
+// Where a document's values come from: lines of a file, or the command line.
 struct Origin {
     std::string file;                   // "" if there is none
-    Json command_line = Json::object(); // the keys that were given as options
-    std::string of(const std::string& top_level_key) const;
+    Json command_line = Json::object(); // the part of the document that was given as options
+    JsonLines lines;                    // of the file
+    // "scene.json:12" or "command line" for "strand.length"; without a line where it has none
+    std::string of(const std::string& path) const;
 };
 
 // One object of the document. Read every key there is, then call finish().
@@ -69,7 +72,8 @@ class JsonReader {
     std::vector<std::string> known_;
 };
 
-// The document in `file`. Throws Failure with file, line and column when it is not JSON.
-Json read_json(const std::string& file);
+// The document in `origin.file`, whose lines it notes. Throws Failure with file, line and column
+// when it is not JSON.
+Json read_json(Origin& origin);
 
-} // namespace simulate
+} // namespace common

@@ -1,0 +1,31 @@
+#include "common/file.hpp"
+
+#include <filesystem>
+#include <fstream>
+
+namespace common {
+
+void write_text(const std::string& text, const std::string& path) {
+    const std::string partial = path + ".part";
+    std::ofstream stream(partial, std::ios::binary);
+    stream << text;
+    stream.close();
+    std::error_code error;
+    if (stream)
+        std::filesystem::rename(partial, path, error);
+    if (!stream || error)
+        throw Failure(path + ": cannot be written");
+}
+
+void write_json(const Json& json, const std::string& path) {
+    write_text(json.dump(2) + '\n', path);
+}
+
+void make_folder(const std::string& path) {
+    std::error_code error;
+    std::filesystem::create_directories(path, error);
+    if (error)
+        throw Failure(path + ": " + error.message());
+}
+
+} // namespace common

@@ -1,0 +1,14 @@
+// Files that appear whole or not at all: written beside their place, then renamed.
+#pragma once
+
+#include "common/json_reader.hpp"
+
+#include <string>
+
+namespace common {
+
+void write_text(const std::string& text, const std::string& path);
+void write_json(const Json& json, const std::string& path);
+void make_folder(const std::string& path);
+
+} // namespace common

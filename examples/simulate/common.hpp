@@ -1,0 +1,11 @@
+// What plait-simulate shares with the other programs.
+#pragma once
+
+#include "common/failure.hpp"
+#include "common/handles.hpp"
+#include "common/json_reader.hpp"
+#include "common/params_reader.hpp"
+
+namespace simulate {
+using namespace common;
+}
