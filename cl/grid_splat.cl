@@ -1,10 +1,10 @@
 /* grid_splat: every vertex into fixed-point tent sums; no slot, no sampling.
  *
- * Items   vertices.
+ * Items   strands.
  * Reads   vertex_count, position, position_prev.
  * Adds to grid_sum, per voxel five 64-bit sums: tent, tent v (3), tent |v|^2; and to grid_outside.
  * Source  Petrovic et al. 2005 (trilinear transfer to grid nodes); Ugurca 2015, eq. 4.1 and 4.2,
- * for PLAIT_TENT_VOXEL. Changed sums of integers: the same bits in any order of work-items, on any
+ * for PLAIT_TENT_VOXEL. Changed sums of integers: the same bits in any order of strands, on any
  * device whose products agree. Nodes are voxel centres; beyond the outermost ones all weight goes
  * to these. */
 #pragma OPENCL FP_CONTRACT OFF
@@ -18,37 +18,87 @@ static float3 summable_velocity(const plait_grid_params* params, float3 x, float
     return select((float3)(0.0f), limited, isequal(v, v));
 }
 
-static void splat(__global uint* sums, uint voxel, float weight, float3 v) {
-    __global uint* words = sums + (size_t)voxel * PLAIT_SUM_STRIDE;
-    const float4 moments = sum_round(
-        (float4)(weight * v * PLAIT_SUM_MOMENTUM_SCALE, weight * PLAIT_SUM_DENSITY_SCALE));
-    const float4 energy = sum_round((float4)(weight * dot3(v, v) * PLAIT_SUM_ENERGY_SCALE));
-    sum_add(words, convert_long(moments.w));
-    sum_add(words + 2, convert_long(moments.x));
-    sum_add(words + 4, convert_long(moments.y));
-    sum_add(words + 6, convert_long(moments.z));
-    sum_add(words + 8, convert_long(energy.x));
+/* What a run of vertices adds to the nodes of the cell they share, added up in the strand's order
+ * and rounded once: hair passes through a cell with several vertices, and an addition in private
+ * memory costs a hundredth of an atomic one. */
+#define SPLAT_NODES 8
+
+typedef struct run_t {
+    stencil_t cell;              /* low is the voxel itself with PLAIT_TENT_VOXEL */
+    float4 moments[SPLAT_NODES]; /* tent v (xyz), tent */
+    float energy[SPLAT_NODES];   /* tent |v|^2 */
+} run_t;
+
+static void run_begin(run_t* run, stencil_t cell, uint nodes) {
+    run->cell = cell;
+    for (uint node = 0u; node < nodes; ++node) {
+        run->moments[node] = (float4)(0.0f);
+        run->energy[node] = 0.0f;
+    }
+}
+
+static void run_add(run_t* run, uint node, float weight, float3 v) {
+    run->moments[node] += weight * (float4)(v, 1.0f);
+    run->energy[node] += weight * dot3(v, v);
+}
+
+static void run_end(const run_t* run, uint nodes, __global uint* sums) {
+    if (run->cell.low == GRID_OUTSIDE)
+        return;
+    const float4 scale = (float4)((float3)(PLAIT_SUM_MOMENTUM_SCALE), PLAIT_SUM_DENSITY_SCALE);
+    for (uint node = 0u; node < nodes; ++node) {
+        __global uint* words = sums + (size_t)stencil_voxel(run->cell, node) * PLAIT_SUM_STRIDE;
+        const float4 moments = sum_round(scale * run->moments[node]);
+        const float4 energy = sum_round((float4)(PLAIT_SUM_ENERGY_SCALE * run->energy[node]));
+        sum_add(words, convert_long(moments.w));
+        sum_add(words + 2, convert_long(moments.x));
+        sum_add(words + 4, convert_long(moments.y));
+        sum_add(words + 6, convert_long(moments.z));
+        sum_add(words + 8, convert_long(energy.x));
+    }
+}
+
+/* The cell of a vertex; its `low` is GRID_OUTSIDE outside the grid. */
+static stencil_t cell_of(const plait_grid_params* params, float3 g) {
+    stencil_t cell = {GRID_OUTSIDE, (uint3)(0u), (float3)(0.0f)};
+    const uint voxel = world_to_voxel(params, g);
+    if (voxel == GRID_OUTSIDE)
+        return cell;
+    if (params->tent == PLAIT_TENT_TRILINEAR)
+        return stencil_at(params, g);
+    cell.low = voxel;
+    return cell;
 }
 
 __kernel void plait_grid_splat(const uint item_count, const plait_grid_params params,
                                __global const uint* vertex_count, __global const float4* position,
                                __global const float4* position_prev, __global uint* grid_sum,
                                __global uint* grid_outside) {
-    const uint item = get_global_id(0);
-    if (item >= item_count ||
-        item % params.vertex_stride >= vertex_count[item / params.vertex_stride])
+    const uint strand = get_global_id(0);
+    if (strand >= item_count)
         return;
-    const float3 x = position[item].xyz;
-    const float3 v = summable_velocity(&params, x, position_prev[item].xyz);
-    const float3 g = grid_coordinates(&params, x);
-    const uint voxel = world_to_voxel(&params, g);
-    if (voxel == GRID_OUTSIDE) {
-        atomic_inc(grid_outside);
-    } else if (params.tent == PLAIT_TENT_VOXEL) {
-        splat(grid_sum, voxel, tent_voxel(g), v);
-    } else {
-        const stencil_t stencil = stencil_at(&params, g);
-        for (uint corner = 0u; corner < 8u; ++corner)
-            splat(grid_sum, stencil_voxel(stencil, corner), stencil_weight(stencil, corner), v);
+    const uint nodes = params.tent == PLAIT_TENT_VOXEL ? 1u : SPLAT_NODES;
+    const size_t first = (size_t)strand * params.vertex_stride;
+    uint outside = 0u;
+    run_t run;
+    run.cell.low = GRID_OUTSIDE;
+    for (uint i = 0u; i < vertex_count[strand]; ++i) {
+        const float3 x = position[first + i].xyz;
+        const float3 g = grid_coordinates(&params, x);
+        const stencil_t cell = cell_of(&params, g);
+        if (cell.low != run.cell.low) {
+            run_end(&run, nodes, grid_sum);
+            run_begin(&run, cell, nodes);
+        }
+        if (cell.low == GRID_OUTSIDE) {
+            ++outside;
+            continue;
+        }
+        const float3 v = summable_velocity(&params, x, position_prev[first + i].xyz);
+        for (uint node = 0u; node < nodes; ++node)
+            run_add(&run, node, nodes == 1u ? tent_voxel(g) : stencil_weight(cell, node), v);
     }
+    run_end(&run, nodes, grid_sum);
+    if (outside > 0u)
+        atomic_add(grid_outside, outside);
 }

@@ -111,7 +111,7 @@ void InterHair::append_exact(Schedule& schedule, const Step& step,
                              const plait_grid_params& params) const {
     const State& s = step.state;
     clear(schedule, sums_, 0);
-    schedule.add(PLAIT_STAGE_grid_splat, step.layout.guide_vertices(), params,
+    schedule.add(PLAIT_STAGE_grid_splat, step.layout.guides, params,
                  {&s.vertex_count, &s.position, &s.position_prev, &sums_, &outside_});
     schedule.add(PLAIT_STAGE_grid_resolve, voxels(edge_count_), params,
                  {&sums_, &density_, &velocity_});

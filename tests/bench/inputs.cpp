@@ -364,7 +364,7 @@ double least_traffic(const plait_stage_info& stage, const Shape& shape) {
             continue;
         size_t words = typical_buffer(stage, arg, shape).size();
         if (const size_t touched = grid_words_per_vertex(arg.name);
-            touched > 0 && stage.space == PLAIT_SPACE_VERTEX)
+            touched > 0 && stage.space != PLAIT_SPACE_VOXEL_GROUP)
             words = std::min(words, touched * shape.total());
         bytes += 4.0 * static_cast<double>(words) * (arg.access == PLAIT_ACCESS_READWRITE ? 2 : 1);
     }

@@ -48,7 +48,7 @@ Case grid_splat_case() {
             hair.params.tent = tent;
             Setup setup = hair.setup();
             setup.name += tent == PLAIT_TENT_VOXEL ? ", voxel" : ", trilinear";
-            setup.items = hair.vertices();
+            setup.items = hair.size.strands;
             const size_t words = size_t{hair.voxels()} * PLAIT_SUM_STRIDE;
             setup.buffers = {uints(hair.vertex_count), float4s(hair.position),
                              float4s(hair.position_prev), uints(std::vector<uint32_t>(words, 0)),

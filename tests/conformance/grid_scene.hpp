@@ -71,7 +71,7 @@ class GridScene {
     void exact() {
         clear(*sum_, 0, voxels_ * PLAIT_SUM_STRIDE);
         clear(*outside_, 0, 1);
-        device_.run(PLAIT_STAGE_grid_splat, elements_, params,
+        device_.run(PLAIT_STAGE_grid_splat, elements_ / 3, params,
                     {count_.get(), position_.get(), prev_.get(), sum_.get(), outside_.get()});
         device_.run(PLAIT_STAGE_grid_resolve, voxels_, params,
                     {sum_.get(), density_.get(), velocity_.get()});

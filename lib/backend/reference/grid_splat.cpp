@@ -29,24 +29,28 @@ void add_vertex(const View<uint32_t>& words, const Node& node, const Vec3& v) {
     add_to_sum(words, first + 8, fixed_point(w * v.squaredNorm(), PLAIT_SUM_ENERGY_SCALE));
 }
 
+void splat(const Grid& grid, const grid_splat_args& args, size_t item) {
+    const Vec4& x = args.position[item];
+    const Vec3 p = grid.coordinates(xyz(x));
+    if (!grid.voxel_at(p)) {
+        ++args.grid_outside[0];
+        return;
+    }
+    const Vec3 v = limit_speed(grid.velocity(x, args.position_prev[item]));
+    const Grid::Nodes nodes = grid.nodes(p);
+    for (size_t n = 0; n < nodes.count; ++n)
+        add_vertex(args.grid_sum, nodes.node[n], v);
+}
+
 } // namespace
 
 void grid_splat(uint32_t item_count, const plait_grid_params& params, const grid_splat_args& args) {
     const Grid grid(params);
-    for (size_t item = 0; item < item_count; ++item) {
-        const auto [strand, i] = place(item, params.vertex_stride);
-        if (i >= vertices_of(args.vertex_count, strand, params.vertex_stride))
-            continue;
-        const Vec4& x = args.position[item];
-        const Vec3 p = grid.coordinates(xyz(x));
-        if (!grid.voxel_at(p)) {
-            ++args.grid_outside[0];
-            continue;
-        }
-        const Vec3 v = limit_speed(grid.velocity(x, args.position_prev[item]));
-        const Grid::Nodes nodes = grid.nodes(p);
-        for (size_t n = 0; n < nodes.count; ++n)
-            add_vertex(args.grid_sum, nodes.node[n], v);
+    for (size_t strand = 0; strand < item_count; ++strand) {
+        const size_t first = strand * params.vertex_stride;
+        const size_t count = vertices_of(args.vertex_count, strand, params.vertex_stride);
+        for (size_t item = first; item < first + count; ++item)
+            splat(grid, args, item);
     }
 }
 

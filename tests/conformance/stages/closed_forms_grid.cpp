@@ -85,7 +85,7 @@ void density_and_velocity_are_tent_means(Bench& bench) {
 // Sums and back: the same density and means as from the slots, here of all vertices.
 std::pair<Array, Array> splat(Bench& bench, uint32_t tent, const std::vector<float>& position,
                               const std::vector<float>& position_prev) {
-    const auto sums = bench.run(PLAIT_STAGE_grid_splat, 3, 1, grid(tent),
+    const auto sums = bench.run(PLAIT_STAGE_grid_splat, 1, 1, grid(tent),
                                 {uints({3}), float4s(position), float4s(position_prev),
                                  uints(std::vector<uint32_t>(80, 0)), uints({0})});
     EXPECT_EQ(sums[4].words[0], 1u);
