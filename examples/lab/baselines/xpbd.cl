@@ -1,0 +1,4 @@
+/* Baseline: XPBD rods with the inertia their mass has, the stage `cosserat`. */
+#pragma OPENCL FP_CONTRACT OFF
+#define XPBD_INERTIA 1.0f
+#include "xpbd_rod.clh"
