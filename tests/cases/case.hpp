@@ -89,7 +89,7 @@ struct Field {
     size_t words;
     FieldKind kind;
 };
-const std::vector<Field>& fields_of(const std::string& params_type);
+const std::vector<Field>& fields_of(const char* params_type);
 
 // Element-wise comparison of all buffers by the case's tolerances; "" or the first difference.
 std::string compare(const Case& stage_case, const Setup& setup, const Outputs& expected,

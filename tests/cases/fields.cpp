@@ -5,7 +5,7 @@
 
 namespace plait::cases {
 
-const std::vector<Field>& fields_of(const std::string& params_type) {
+const std::vector<Field>& fields_of(const char* params_type) {
 #define FIELD(type, name, kind)                                                                    \
     { #name, offsetof(type, name), sizeof(type::name) / 4, FieldKind::kind }
     static const std::map<std::string, std::vector<Field>> fields = {
