@@ -1,0 +1,26 @@
+// The commands of plait-lab. Each is a file: it declares its options and runs them.
+#pragma once
+
+#include "common.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <functional>
+
+namespace lab {
+
+// What the chosen command does, once the command line is read.
+using Command = std::function<Exit()>;
+
+void add_run(CLI::App& app, Command& chosen);
+
+// Options that several commands have.
+struct DeviceOptions {
+    std::string device, backend, tables;
+};
+void add_device_options(CLI::App& command, DeviceOptions& options);
+
+// "key=value" into an object that overrides a scene; the value is JSON, or a word.
+void add_overrides(CLI::App& command, Json& overrides);
+
+} // namespace lab

@@ -1,0 +1,18 @@
+// What plait-lab shares with the other programs.
+#pragma once
+
+#include "common/failure.hpp"
+#include "common/handles.hpp"
+#include "common/json_reader.hpp"
+#include "common/params_reader.hpp"
+
+#include <Eigen/Geometry>
+
+namespace lab {
+using namespace common;
+using Vec3 = Eigen::Vector3d;
+using Quat = Eigen::Quaterniond;
+
+constexpr double standard_gravity = 9.80665; // m/s^2
+constexpr double pi = 3.14159265358979323846;
+} // namespace lab

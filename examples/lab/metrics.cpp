@@ -1,0 +1,569 @@
+#include "metrics.hpp"
+
+#include "modes.hpp"
+#include "statics.hpp"
+#include "table.hpp"
+
+#include <Eigen/SVD>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace lab {
+
+namespace {
+
+const double nan = std::numeric_limits<double>::quiet_NaN();
+
+struct Input {
+    const Scene& scene;
+    const Method& method;
+    const Recording& recording;
+    const Measure& measure;
+
+    const Strand& strand() const { return scene.strands[measure.strand]; }
+    double length() const { return strand().length; }
+    const Reference* reference() const {
+        if (measure.reference)
+            return &*measure.reference;
+        return scene.reference ? &*scene.reference : nullptr;
+    }
+    const std::vector<Vec3>& x(const Frame& frame) const { return frame.x[measure.strand]; }
+    const std::vector<Vec3>& last() const { return x(recording.frames.back()); }
+    bool counts(const Frame& frame) const {
+        return frame.time >= measure.from - 1e-9 && frame.time <= measure.to + 1e-9;
+    }
+    template <typename Visit> void each(const Visit& visit) const {
+        for (const Frame& frame : recording.frames)
+            if (counts(frame))
+                visit(frame);
+    }
+    Vec3 down() const { return scene.gravity.normalized(); }
+};
+
+Value none(const std::string& note) {
+    return {nan, note};
+}
+
+// ---- against a trajectory
+
+struct Errors {
+    double sum = 0, largest = 0;
+    size_t count = 0;
+};
+
+Value trajectory_errors(const Input& in, Errors& errors) {
+    if (!in.reference())
+        return none("needs a reference table");
+    const double end = in.recording.frames.back().time;
+    for (const Snapshot& snapshot : trajectory(*in.reference())) {
+        const bool counts = snapshot.time >= in.measure.from - 1e-9 &&
+                            snapshot.time <= std::min(in.measure.to, end) + 1e-6;
+        if (!counts)
+            continue;
+        const auto x = positions_at(in.recording, in.measure.strand, snapshot.time);
+        for (const auto& [vertex, expected] : snapshot.vertices) {
+            if (vertex >= x.size())
+                return none("the table has another number of vertices");
+            if (vertex == 0)
+                continue;
+            const double error = (x[vertex] - x[0] - expected).norm() / in.length();
+            errors.sum += error * error;
+            errors.largest = std::max(errors.largest, error);
+            errors.count += 1;
+        }
+    }
+    return errors.count ? Value{0, ""} : none("no sample of the table lies in the time recorded");
+}
+
+Value rms_error(const Input& in) {
+    Errors errors;
+    const Value value = trajectory_errors(in, errors);
+    return std::isnan(value.value)
+               ? value
+               : Value{std::sqrt(errors.sum / static_cast<double>(errors.count)), ""};
+}
+
+Value max_error(const Input& in) {
+    Errors errors;
+    const Value value = trajectory_errors(in, errors);
+    return std::isnan(value.value) ? value : Value{errors.largest, ""};
+}
+
+// ---- at rest
+
+Value tip_error(const Input& in) {
+    if (!in.reference())
+        return none("needs a reference table");
+    const auto rows = select(*in.reference());
+    if (rows.size() != 1)
+        return none(std::to_string(rows.size()) + " rows of the table fit `where`, not one");
+    const Vec3 tip = in.last().back() - in.last().front();
+    return {(tip - point_of(*in.reference(), rows[0])).norm() / in.length(), ""};
+}
+
+// The strand's own vertical plane, where it has one: the rest shape in it, and how to get there.
+struct Plane {
+    Vec3 along, up;
+    PlaneRod rod;
+};
+
+double plane_angle(const Plane& plane, const Vec3& v) {
+    return std::atan2(v.dot(plane.up), v.dot(plane.along));
+}
+
+// EA as the library chooses it: 1 % of stretch at 10 g.
+double stretch_stiffness(const Scene& scene, double length) {
+    const Material& m = scene.material;
+    return m.stretch_stiffness > 0 ? m.stretch_stiffness
+                                   : m.line_density * length * 10 * standard_gravity / 0.01;
+}
+
+std::string plane_of(const Input& in, Plane& plane) {
+    const Material& m = in.scene.material;
+    if (!(m.bend_stiffness > 0) || m.tip_stiffness != 1)
+        return "the float64 equilibrium is of strands of one bend stiffness > 0";
+    if (!in.scene.motion.still() || !in.scene.colliders.empty())
+        return "the float64 equilibrium is of strands that hang freely from a still root";
+    const auto& rest = in.recording.rest[in.measure.strand];
+    plane.up = -in.down();
+    Vec3 along = rest[1] - rest[0];
+    along -= plane.up * along.dot(plane.up);
+    if (along.norm() < 1e-6 * in.length())
+        along = rest.back() - rest.front() - plane.up * (rest.back() - rest.front()).dot(plane.up);
+    if (along.norm() < 1e-6 * in.length())
+        along = plane.up.unitOrthogonal();
+    plane.along = along.normalized();
+    const Vec3 normal = plane.along.cross(plane.up);
+    for (const Vec3& x : rest)
+        if (std::abs((x - rest[0]).dot(normal)) > 1e-4 * in.length())
+            return "the float64 equilibrium is of strands in a vertical plane";
+    plane.rod = {in.strand().segment_lengths(),
+                 plane_angle(plane, rest[1] - rest[0]),
+                 0,
+                 m.bend_stiffness,
+                 stretch_stiffness(in.scene, in.length()),
+                 m.line_density,
+                 in.scene.gravity.norm(),
+                 JointLaw::cosserat};
+    if (in.strand().curvature != 0 && rest.size() > 2) {
+        const double turn = std::remainder(plane_angle(plane, rest[2] - rest[1]) -
+                                               plane_angle(plane, rest[1] - rest[0]),
+                                           2 * pi);
+        plane.rod.curvature = std::copysign(in.strand().curvature, turn);
+    }
+    return in.strand().points.empty() ? "" : "the float64 equilibrium is not of given points";
+}
+
+Value static_error(const Input& in) {
+    Plane plane;
+    if (const std::string why = plane_of(in, plane); !why.empty())
+        return none(why);
+    const auto shape = hanging_shape(plane.rod);
+    if (shape.empty())
+        return none("the float64 equilibrium does not converge");
+    double sum = 0;
+    for (size_t i = 1; i < shape.size(); ++i) {
+        const Vec3 expected = shape[i].x() * plane.along + shape[i].y() * plane.up;
+        sum += (in.last()[i] - in.last()[0] - expected).squaredNorm();
+    }
+    return {std::sqrt(sum / static_cast<double>(shape.size() - 1)) / in.length(), ""};
+}
+
+Value static_tip_error(const Input& in) {
+    Plane plane;
+    if (const std::string why = plane_of(in, plane); !why.empty())
+        return none(why);
+    plane.rod.clamp -= 0.5 * plane.rod.curvature * plane.rod.lengths[0]; // of the tangent
+    const Eigen::Vector2d tip = elastica_tip(plane.rod);
+    const Vec3 expected = tip.x() * plane.along + tip.y() * plane.up;
+    return {(in.last().back() - in.last().front() - expected).norm() / in.length(), ""};
+}
+
+// How far the best N segments can be from the continuum: no solver is asked to be nearer.
+Value static_floor(const Input& in) {
+    Plane plane;
+    if (const std::string why = plane_of(in, plane); !why.empty())
+        return none(why);
+    PlaneRod best = plane.rod;
+    best.law = JointLaw::angle;
+    best.stretch_stiffness = 0;
+    const auto shape = hanging_shape(best);
+    plane.rod.clamp -= 0.5 * plane.rod.curvature * plane.rod.lengths[0];
+    if (shape.empty())
+        return none("the float64 equilibrium does not converge");
+    return {(shape.back() - elastica_tip(plane.rod)).norm() / in.length(), ""};
+}
+
+Value static_tip_over_floor(const Input& in) {
+    const Value tip = static_tip_error(in), floor = static_floor(in);
+    return std::isnan(floor.value) ? floor : Value{tip.value / floor.value, tip.note};
+}
+
+// ---- lengths
+
+Value strain_max(const Input& in) {
+    const auto lengths = in.strand().segment_lengths();
+    double worst = 0;
+    in.each([&](const Frame& frame) {
+        const double strain = strain_at(lengths, in.x(frame));
+        worst = std::isfinite(strain) && std::isfinite(worst) ? std::max(worst, strain) : nan;
+    });
+    return {worst, std::isfinite(worst) ? "" : "non-finite"};
+}
+
+Value strain_rest(const Input& in) {
+    return {strain_at(in.strand().segment_lengths(), in.last()), ""};
+}
+
+// ---- movement
+
+Value jitter(const Input& in) {
+    double sum = 0;
+    size_t count = 0;
+    const auto& frames = in.recording.frames;
+    for (size_t k = 1; k < frames.size(); ++k) {
+        if (!in.counts(frames[k]) || !in.counts(frames[k - 1]))
+            continue;
+        for (size_t i = 1; i < in.x(frames[k]).size(); ++i)
+            sum += (in.x(frames[k])[i] - in.x(frames[k - 1])[i]).squaredNorm();
+        count += in.x(frames[k]).size() - 1;
+    }
+    if (count == 0)
+        return none("needs two frames");
+    return {std::sqrt(sum / static_cast<double>(count)) / in.length(), ""};
+}
+
+// Amplitude of the first mode over time: sideways displacement weighted by mass and mode shape.
+std::vector<double> first_mode(const Input& in) {
+    const HangingChain chain{in.strand().segment_lengths(), in.method.model->pinned,
+                             in.method.model->half_tip};
+    const Eigen::VectorXd shape = chain.modes().col(0);
+    const auto mass = chain.masses();
+    const auto& rest = in.recording.rest[in.measure.strand];
+    Vec3 side = rest.back() - rest.front();
+    side -= in.down() * side.dot(in.down());
+    side.normalize();
+    std::vector<double> signal;
+    in.each([&](const Frame& frame) {
+        double sum = 0;
+        for (size_t i = 0; i < in.x(frame).size(); ++i)
+            sum += mass[i] * shape[static_cast<Eigen::Index>(i)] *
+                   (in.x(frame)[i] - in.x(frame)[0]).dot(side);
+        signal.push_back(sum);
+    });
+    return signal;
+}
+
+Value frequency_error(const Input& in) {
+    const HangingChain chain{in.strand().segment_lengths(), in.method.model->pinned,
+                             in.method.model->half_tip};
+    const double expected = chain.frequencies(in.scene.gravity.norm())[0];
+    const Swing swing = fit_swing(first_mode(in), 1 / in.scene.rate);
+    return swing.frequency > 0 ? Value{swing.frequency / expected - 1, ""}
+                               : none("does not swing");
+}
+
+Value damping_ratio(const Input& in) {
+    const Swing swing = fit_swing(first_mode(in), 1 / in.scene.rate);
+    return swing.frequency > 0 ? Value{swing.damping, ""} : none("does not swing");
+}
+
+// ---- energy
+
+// Kinetic, of weight, of stretch and of bending, J. Shear and twist, which positions do not show,
+// are left out: all of it is positive, so what is found to rise has risen.
+double energy(const Input& in, const Frame& frame) {
+    const auto& x = in.x(frame);
+    const auto& v = frame.v[in.measure.strand];
+    const auto lengths = in.strand().segment_lengths();
+    const auto mass = masses_of(in.scene, *in.method.model, in.strand());
+    const double EA = stretch_stiffness(in.scene, in.length());
+    const bool elastic = in.method.model->bends && in.method.model->twists;
+    double sum = 0;
+    for (size_t i = 1; i < x.size(); ++i) {
+        sum += mass[i] * (0.5 * v[i].squaredNorm() - in.scene.gravity.dot(x[i] - x[0]));
+        const double strain = (x[i] - x[i - 1]).norm() / lengths[i - 1] - 1;
+        sum += elastic ? 0.5 * EA * lengths[i - 1] * strain * strain : 0;
+    }
+    const bool straight = in.strand().curvature == 0 && in.strand().points.empty();
+    for (size_t i = 1; elastic && straight && i + 1 < x.size(); ++i) {
+        const Vec3 a = (x[i] - x[i - 1]).normalized(), b = (x[i + 1] - x[i]).normalized();
+        const double turn = std::atan2(a.cross(b).norm(), a.dot(b));
+        const double l = 0.5 * (lengths[i - 1] + lengths[i]);
+        sum += 4 * in.scene.material.bend_stiffness / l * (1 - std::cos(0.5 * turn));
+    }
+    return sum;
+}
+
+Value energy_rise(const Input& in) {
+    if (!in.scene.motion.still())
+        return none("the root's work is not known: needs a still root");
+    const auto mass = masses_of(in.scene, *in.method.model, in.strand());
+    const double weight = std::accumulate(mass.begin() + 1, mass.end(), 0.0) *
+                          in.scene.gravity.norm() * in.length();
+    const double start = energy(in, in.recording.frames.front());
+    double highest = start;
+    in.each([&](const Frame& frame) { highest = std::max(highest, energy(in, frame)); });
+    return {(highest - start) / weight, ""};
+}
+
+Value speed_max(const Input& in) {
+    double fastest = 0;
+    in.each([&](const Frame& frame) {
+        for (const Vec3& v : frame.v[in.measure.strand])
+            fastest = std::max(fastest, v.norm());
+    });
+    return {fastest, ""};
+}
+
+// ---- attitude
+
+// Between the line from root to tip and gravity, averaged over the frames that count.
+Value tilt(const Input& in) {
+    double sum = 0;
+    size_t count = 0;
+    in.each([&](const Frame& frame) {
+        const Vec3 line = in.x(frame).back() - in.x(frame).front();
+        sum += std::atan2(line.cross(in.down()).norm(), line.dot(in.down()));
+        ++count;
+    });
+    return {sum / static_cast<double>(count) * 180 / pi - in.measure.expect.value_or(0), ""};
+}
+
+Value out_of_plane(const Input& in) {
+    const auto& rest = in.recording.rest[in.measure.strand];
+    Eigen::MatrixX3d from_root(rest.size(), 3);
+    for (size_t i = 0; i < rest.size(); ++i)
+        from_root.row(static_cast<Eigen::Index>(i)) = (rest[i] - rest[0]).transpose();
+    const Eigen::JacobiSVD<Eigen::MatrixX3d> svd(from_root, Eigen::ComputeFullV);
+    Vec3 normal = svd.matrixV().col(2);
+    if (svd.singularValues()[1] < 1e-6 * in.length()) // straight: the plane it falls in
+        normal = from_root.row(from_root.rows() - 1).transpose().cross(in.down()).normalized();
+    double worst = 0;
+    in.each([&](const Frame& frame) {
+        for (const Vec3& x : in.x(frame)) {
+            const Vec3 local = frame.root.q.conjugate() * (x - in.x(frame)[0]);
+            worst = std::max(worst, std::abs(local.dot(normal)));
+        }
+    });
+    return {worst / in.length(), ""};
+}
+
+Value teleport_change(const Input& in) {
+    return {in.recording.teleport_change / in.length(), ""};
+}
+
+// ---- contact
+
+Value tip_travel(const Input& in) {
+    const double end = std::min(in.measure.to, in.recording.frames.back().time);
+    const auto a = positions_at(in.recording, in.measure.strand, in.measure.from);
+    const auto b = positions_at(in.recording, in.measure.strand, end);
+    return {(b.back() - a.back()).norm() / in.length(), ""};
+}
+
+Value tip_speed(const Input& in) {
+    const double end = std::min(in.measure.to, in.recording.frames.back().time);
+    return {tip_travel(in).value / (end - in.measure.from), ""};
+}
+
+// Inside the hull of two spheres: depth below its surface, m.
+double depth(const plait_collider_desc& shape, const Pose& pose, const Vec3& x) {
+    const auto end = [&](const float* p) {
+        return pose * Vec3(static_cast<double>(p[0]), static_cast<double>(p[1]),
+                           static_cast<double>(p[2]));
+    };
+    const Vec3 a = end(shape.a), b = end(shape.b);
+    const double ra = static_cast<double>(shape.radius_a), rb = static_cast<double>(shape.radius_b);
+    double deepest = -1e9;
+    constexpr int samples = 200; // a cone's foot has a closed form; a fine search needs no cases
+    for (int k = 0; k <= samples; ++k) {
+        const double s = static_cast<double>(k) / samples;
+        deepest = std::max(deepest, ra + s * (rb - ra) - (x - a - s * (b - a)).norm());
+        if ((b - a).isZero())
+            break;
+    }
+    return deepest;
+}
+
+Value penetration(const Input& in) {
+    if (in.scene.colliders.empty())
+        return none("needs colliders");
+    double worst = 0;
+    in.each([&](const Frame& frame) {
+        for (const SceneCollider& collider : in.scene.colliders) {
+            const Pose pose = collider.motion.at(frame.time);
+            for (size_t i = 1; i < in.x(frame).size(); ++i)
+                worst = std::max(worst, depth(collider.shape, pose, in.x(frame)[i]));
+        }
+    });
+    return {worst / in.length(), ""};
+}
+
+Value nonfinite(const Input& in) {
+    return {static_cast<double>(in.recording.nonfinite), ""};
+}
+
+Value drop(const Input& in) {
+    return {(in.last().back() - in.last().front()).dot(in.down()) / in.length() -
+                in.measure.expect.value_or(0),
+            ""};
+}
+
+struct Metric {
+    const char* name;
+    const char* unit;
+    Value (*evaluate)(const Input&);
+};
+
+constexpr Metric metrics[] = {
+    {"rms_error", "L", rms_error},
+    {"max_error", "L", max_error},
+    {"tip_error", "L", tip_error},
+    {"static_error", "L", static_error},
+    {"static_tip_error", "L", static_tip_error},
+    {"static_floor", "L", static_floor},
+    {"static_tip_over_floor", "", static_tip_over_floor},
+    {"strain_max", "", strain_max},
+    {"strain_rest", "", strain_rest},
+    {"jitter", "L/frame", jitter},
+    {"frequency_error", "", frequency_error},
+    {"damping_ratio", "", damping_ratio},
+    {"energy_rise", "m g L", energy_rise},
+    {"speed_max", "m/s", speed_max},
+    {"tilt", "deg", tilt},
+    {"out_of_plane", "L", out_of_plane},
+    {"teleport_change", "L", teleport_change},
+    {"tip_travel", "L", tip_travel},
+    {"tip_speed", "L/s", tip_speed},
+    {"penetration", "L", penetration},
+    {"drop", "L", drop},
+    {"nonfinite", "vertices", nonfinite},
+};
+
+const Metric* find(const std::string& name) {
+    const auto found = std::find_if(std::begin(metrics), std::end(metrics),
+                                    [&](const Metric& metric) { return name == metric.name; });
+    return found == std::end(metrics) ? nullptr : found;
+}
+
+} // namespace
+
+bool is_metric(const std::string& name) {
+    return find(name) != nullptr;
+}
+
+const std::vector<std::string>& metric_names() {
+    static const std::vector<std::string> names = [] {
+        std::vector<std::string> all;
+        for (const Metric& metric : metrics)
+            all.emplace_back(metric.name);
+        return all;
+    }();
+    return names;
+}
+
+std::string metric_list() {
+    std::string list;
+    for (const std::string& name : metric_names())
+        list += (list.empty() ? "" : ", ") + name;
+    return list;
+}
+
+const char* metric_unit(const std::string& metric) {
+    return find(metric)->unit;
+}
+
+Value evaluate(const Scene& scene, const Method& method, const Recording& recording,
+               const Measure& measure) {
+    if (recording.nonfinite > 0 && measure.metric != "nonfinite")
+        return none("non-finite");
+    return find(measure.metric)->evaluate({scene, method, recording, measure});
+}
+
+Verdict judge(const Measure& measure, const std::string& model, const Value& value) {
+    auto mark = measure.pass.find(model);
+    if (mark == measure.pass.end())
+        mark = measure.pass.find("");
+    if (mark == measure.pass.end())
+        return Verdict::none;
+    return std::abs(value.value) <= mark->second ? Verdict::pass : Verdict::fail;
+}
+
+double strain_at(const std::vector<double>& lengths, const std::vector<Vec3>& x) {
+    double worst = 0;
+    for (size_t i = 0; i < lengths.size(); ++i) {
+        const double strain = std::abs((x[i + 1] - x[i]).norm() / lengths[i] - 1);
+        if (!std::isfinite(strain))
+            return nan;
+        worst = std::max(worst, strain);
+    }
+    return worst;
+}
+
+std::vector<double> masses_of(const Scene& scene, const Model& model, const Strand& strand) {
+    auto mass = HangingChain{strand.segment_lengths(), model.pinned, model.half_tip}.masses();
+    for (double& m : mass)
+        m *= scene.material.line_density;
+    return mass;
+}
+
+namespace {
+
+// Slope of the least-squares line through (0, y_0), (1, y_1), ...
+double slope(const std::vector<double>& y) {
+    const double n = static_cast<double>(y.size());
+    double sum = 0, moment = 0;
+    for (size_t i = 0; i < y.size(); ++i) {
+        sum += y[i];
+        moment += (static_cast<double>(i) - 0.5 * (n - 1)) * y[i];
+    }
+    return 12 * moment / (n * (n * n - 1));
+}
+
+} // namespace
+
+Swing fit_swing(const std::vector<double>& signal, double step) {
+    std::vector<double> crossings, peaks; // times in samples; logarithms
+    for (size_t i = 1; i + 1 < signal.size(); ++i) {
+        const double a = signal[i - 1], b = signal[i], c = signal[i + 1];
+        if ((a < 0) != (b < 0))
+            crossings.push_back(static_cast<double>(i) - b / (b - a));
+        if (std::abs(b) > std::abs(a) && std::abs(b) >= std::abs(c) && a * c > 0) {
+            const double bend = a - 2 * b + c;
+            peaks.push_back(std::log(std::abs(b - (c - a) * (c - a) / (8 * bend))));
+        }
+    }
+    if (crossings.size() < 4 || peaks.size() < 3)
+        return {};
+    const double half_period = slope(crossings) * step;
+    return {pi / half_period, -slope(peaks) / pi};
+}
+
+std::vector<Vec3> positions_at(const Recording& recording, size_t strand, double time) {
+    const auto& frames = recording.frames;
+    const auto after = std::find_if(frames.begin(), frames.end(),
+                                    [&](const Frame& frame) { return frame.time >= time - 1e-7; });
+    if (after == frames.end())
+        return frames.back().x[strand];
+    const auto k = static_cast<size_t>(after - frames.begin());
+    if (k == 0 || std::abs(after->time - time) < 1e-6 * (after->time - frames[k - 1].time))
+        return after->x[strand];
+    const auto& p0 = frames[k >= 2 ? k - 2 : k - 1].x[strand];
+    const auto& p1 = frames[k - 1].x[strand];
+    const auto& p2 = after->x[strand];
+    const auto& p3 = frames[std::min(k + 1, frames.size() - 1)].x[strand];
+    const double s = (time - frames[k - 1].time) / (after->time - frames[k - 1].time);
+    std::vector<Vec3> x;
+    for (size_t i = 0; i < p1.size(); ++i) // Catmull-Rom
+        x.push_back(p1[i] + 0.5 * s *
+                                (p2[i] - p0[i] +
+                                 s * (2 * p0[i] - 5 * p1[i] + 4 * p2[i] - p3[i] +
+                                      s * (3 * (p1[i] - p2[i]) + p3[i] - p0[i]))));
+    return x;
+}
+
+} // namespace lab

@@ -1,0 +1,99 @@
+#include "models.hpp"
+
+#include <algorithm>
+#include <fstream>
+
+namespace lab {
+
+namespace {
+
+std::vector<Model> make_models() {
+    const std::vector<Setting> tressfx{{1, 2, false},  {2, 2, false},  {4, 2, false},
+                                       {8, 2, false},  {1, 8, false},  {1, 32, false},
+                                       {4, 32, false}, {16, 2, false}, {1, 128, false}};
+    const std::vector<Setting> chain{{1, 1, false}, {1, 0, false}, {2, 1, false}, {4, 1, false},
+                                     {4, 0, false}, {8, 1, false}, {1, 1, true},  {4, 1, true},
+                                     {16, 1, false}, {16, 1, true}};
+    const std::vector<Setting> cosserat{{1, 3, false}, {1, 1, false}, {1, 2, false}, {1, 5, false},
+                                        {2, 2, false}, {4, 2, false}, {1, 3, true},  {2, 2, true},
+                                        {4, 2, true},  {8, 2, true},  {16, 2, true}};
+    const std::vector<Setting> rod{{1, 1, false}, {1, 2, false}, {2, 1, false}, {4, 1, false},
+                                   {1, 1, true},  {2, 1, true},  {4, 1, true},  {8, 1, true},
+                                   {16, 1, true}};
+    return {
+        {"tressfx", PLAIT_MODEL_TRESSFX, nullptr, nullptr, true, false, false, 2, tressfx, nullptr},
+        {"chain", PLAIT_MODEL_CHAIN, nullptr, nullptr, false, false, false, 1, chain, nullptr},
+        {"cosserat", PLAIT_MODEL_COSSERAT, nullptr, nullptr, true, true, true, 1, cosserat, nullptr},
+        {"rod", PLAIT_MODEL_ROD, nullptr, nullptr, true, true, true, 1, rod, nullptr},
+    };
+}
+
+std::string read_source(const std::string& name) {
+    const std::string path = std::string(PLAIT_LAB_KERNELS) + "/" + name;
+    std::ifstream stream(path);
+    if (!stream)
+        throw Failure(path + ": cannot be opened");
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+} // namespace
+
+std::string Setting::label() const {
+    return std::to_string(substeps) + "x" + std::to_string(iterations) + (bdf2 ? " BDF2" : "");
+}
+
+const std::vector<Model>& models() {
+    static const std::vector<Model> all = make_models();
+    return all;
+}
+
+const Model* find_model(const std::string& label) {
+    for (const Model& model : models())
+        if (model.label == label)
+            return &model;
+    return nullptr;
+}
+
+const std::vector<std::string>& model_labels() {
+    static const std::vector<std::string> labels = [] {
+        std::vector<std::string> names;
+        for (const Model& model : models())
+            names.push_back(model.label);
+        return names;
+    }();
+    return labels;
+}
+
+Contexts::Contexts(std::string backend, std::string device, bool profile)
+    : backend_(std::move(backend)), device_(std::move(device)), profile_(profile) {}
+
+Contexts::~Contexts() = default;
+
+plait_context* Contexts::of(const Model& model) {
+    for (const auto& [source, context] : made_)
+        if (source == model.source)
+            return context.get();
+    plait_context_desc desc = plait_context_desc_defaults();
+    desc.backend = backend_.empty() ? nullptr : backend_.c_str();
+    desc.device = device_.empty() ? nullptr : device_.c_str();
+    desc.profile = profile_;
+    const std::string text = model.baseline() ? read_source(model.source) : "";
+    const plait_stage_source source{model.stage, text.c_str(), model.source};
+    if (model.baseline()) {
+        desc.stage_sources = &source;
+        desc.stage_source_count = 1;
+    }
+    plait_context* context = nullptr;
+    check(plait_context_create(&desc, &context));
+    made_.emplace_back(model.source, ContextHandle(context));
+    return context;
+}
+
+plait_device_info Contexts::device() {
+    plait_device_info info = plait_device_info_defaults();
+    check(plait_context_describe(made_.empty() ? of(models().front()) : made_[0].second.get(),
+                                 &info));
+    return info;
+}
+
+} // namespace lab

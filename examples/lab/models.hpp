@@ -1,0 +1,59 @@
+// What can be run: the library's models, and baselines, which replace one stage by a kernel of ours.
+#pragma once
+
+#include "common.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace lab {
+
+// One way to spend time on accuracy.
+struct Setting {
+    uint32_t substeps = 1;
+    uint32_t iterations = 1;
+    bool bdf2 = false;
+    std::string label() const; // "4x2 BDF2": substeps x iterations
+};
+
+struct Model {
+    std::string label;
+    plait_model model;
+    const char* stage;  // what a baseline replaces; null: nothing
+    const char* source; // its kernel, a file beside models.cpp
+    bool bends, twists;
+    bool half_tip;   // masses: half a segment's at the tip, or a whole one
+    uint32_t pinned; // vertices
+    std::vector<Setting> settings; // of the charts; the first is the one for real time
+    void (*prepare)(plait_sim_desc&) = nullptr; // what else a baseline needs set
+
+    bool baseline() const { return stage != nullptr; }
+};
+
+const std::vector<Model>& models();
+const Model* find_model(const std::string& label); // null: none
+const std::vector<std::string>& model_labels();
+
+// What to run a scene with: a model and how.
+struct Method {
+    const Model* model;
+    Setting setting;
+    std::string label() const { return model->label + " " + setting.label(); }
+};
+
+// Contexts, made when first needed, one for each kernel source: making one may compile for seconds.
+class Contexts {
+  public:
+    Contexts(std::string backend, std::string device, bool profile = false);
+    ~Contexts();
+    plait_context* of(const Model& model);
+    plait_device_info device();
+
+  private:
+    std::string backend_, device_;
+    bool profile_;
+    std::vector<std::pair<const char*, ContextHandle>> made_; // by source
+};
+
+} // namespace lab

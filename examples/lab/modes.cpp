@@ -1,0 +1,54 @@
+#include "modes.hpp"
+
+#include <Eigen/Eigenvalues>
+
+namespace lab {
+
+namespace {
+
+// Tension of segment j is the weight of all masses below it: K = sum_j (T_j/l_j)(x_{j+1}-x_j)^2 / 2.
+Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solve(const HangingChain& chain,
+                                                                double gravity) {
+    const std::vector<double> mass = chain.masses();
+    const auto vertices = static_cast<Eigen::Index>(mass.size());
+    Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(vertices, vertices);
+    double below = 0;
+    for (Eigen::Index j = vertices - 2; j >= 0; --j) {
+        const auto at = static_cast<size_t>(j);
+        below += mass[at + 1];
+        const double k = gravity * below / chain.lengths[at];
+        stiffness(j, j) += k;
+        stiffness(j + 1, j + 1) += k;
+        stiffness(j, j + 1) -= k;
+        stiffness(j + 1, j) -= k;
+    }
+    const Eigen::Index free = vertices - chain.pinned;
+    const Eigen::VectorXd diagonal =
+        Eigen::Map<const Eigen::VectorXd>(mass.data(), vertices).tail(free);
+    return Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(
+        stiffness.bottomRightCorner(free, free), Eigen::MatrixXd(diagonal.asDiagonal()));
+}
+
+} // namespace
+
+std::vector<double> HangingChain::masses() const {
+    std::vector<double> mass(lengths.size() + 1, 0.0);
+    for (size_t i = 0; i < lengths.size(); ++i) {
+        mass[i] += half_tip ? 0.5 * lengths[i] : 0.0;
+        mass[i + 1] += half_tip ? 0.5 * lengths[i] : lengths[i];
+    }
+    return mass;
+}
+
+Eigen::VectorXd HangingChain::frequencies(double gravity) const {
+    return solve(*this, gravity).eigenvalues().cwiseSqrt();
+}
+
+Eigen::MatrixXd HangingChain::modes() const {
+    const Eigen::MatrixXd free = solve(*this, 1.0).eigenvectors();
+    Eigen::MatrixXd all = Eigen::MatrixXd::Zero(free.rows() + pinned, free.cols());
+    all.bottomRows(free.rows()) = free;
+    return all;
+}
+
+} // namespace lab

@@ -1,0 +1,23 @@
+// Small swings of a hanging limp chain: the reference for frequency and damping.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <vector>
+
+namespace lab {
+
+// Masses as the models have them: a segment's at its far end, or shared by both ends (`half_tip`).
+// The first `pinned` vertices do not move.
+struct HangingChain {
+    std::vector<double> lengths; // m
+    uint32_t pinned = 1;
+    bool half_tip = false;
+
+    std::vector<double> masses() const;               // per vertex, of a strand of mass 1 kg/m
+    Eigen::VectorXd frequencies(double gravity) const; // rad/s, lowest first
+    Eigen::MatrixXd modes() const; // a column per frequency, a row per vertex, pinned ones 0
+};
+
+} // namespace lab

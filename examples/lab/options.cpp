@@ -1,0 +1,43 @@
+#include "commands.hpp"
+#include "scene.hpp"
+#include "table.hpp"
+
+namespace lab {
+
+void add_device_options(CLI::App& command, DeviceOptions& options) {
+    command.add_option("--device", options.device,
+                       "part of a device's or platform's name [the best]");
+    command.add_option("--backend", options.backend, "opencl or reference [the best]");
+    command.add_option_function<std::string>("--tables", set_table_folder,
+                                             "folder of the reference tables [tests/data]");
+}
+
+namespace {
+
+Json parsed(const std::string& text) {
+    const Json value = Json::parse(text, nullptr, false);
+    return value.is_discarded() ? Json(text) : value;
+}
+
+void override_one(Json& overrides, const std::string& text) {
+    const size_t equals = text.find('=');
+    if (equals == std::string::npos || equals == 0)
+        throw CLI::ValidationError("--set", "\"" + text + "\" is not KEY=VALUE");
+    set_path(overrides, text.substr(0, equals), parsed(text.substr(equals + 1)));
+}
+
+} // namespace
+
+void add_overrides(CLI::App& command, Json& overrides) {
+    command
+        .add_option_function<std::vector<std::string>>(
+            "--set",
+            [&overrides](const std::vector<std::string>& all) {
+                for (const std::string& one : all)
+                    override_one(overrides, one);
+            },
+            "KEY=VALUE of the scene, say material.gamma=50; may be repeated")
+        ->take_all();
+}
+
+} // namespace lab
