@@ -40,6 +40,8 @@ void read_material(JsonReader& in, plait_sim_params& p) {
     in.number("stretch_stiffness", p.stretch_stiffness, 0, 1e9);
     in.number("tip_stiffness", p.tip_stiffness, 0, 100);
     in.number("drag", p.drag, 0, 1e4);
+    in.integer("shape_constraints", p.shape_constraints, 0, 1);
+    in.number("attachment", p.attachment, 0, 100);
 }
 
 void read_air(JsonReader& in, plait_sim_params& p) {

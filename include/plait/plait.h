@@ -337,6 +337,12 @@ typedef struct plait_sim_params {
                                 default 1 */
     float drag;              /* 1/s, relative to the wind, [0, 1e4], default 1 */
 
+    /* what artists may add to any model, once per substep */
+    uint32_t shape_constraints; /* chain, cosserat, rod: 1: also global_* and local_* above, after
+                                   the solve; default 0. tressfx: always */
+    float attachment; /* farthest from the root, as a share of the arc length, [0, 100]; default 0:
+                         off; 1: no stretch of the strand as a whole */
+
     /* air */
     float wind[3];   /* m/s, each [-1e3, 1e3], default 0; with no drag: no wind stage */
     float air_drag;  /* rho_air C_d d / (2 rho A), 1/m, [0, 1e6], default 0 */

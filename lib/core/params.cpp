@@ -60,6 +60,8 @@ Status check_model(const plait_sim_params& s) {
     PLAIT_RANGE(stretch_stiffness, 0, 1e9);
     PLAIT_RANGE(tip_stiffness, 0, 100);
     PLAIT_RANGE(drag, 0, 1e4);
+    PLAIT_RANGE(shape_constraints, 0, 1);
+    PLAIT_RANGE(attachment, 0, 100);
     PLAIT_RANGE_3(wind, -1e3, 1e3);
     PLAIT_RANGE(air_drag, 0, 1e6);
     PLAIT_RANGE(wind_cone, 0, half_pi);

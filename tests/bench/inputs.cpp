@@ -61,6 +61,9 @@ void fill(plait_collide_params& p, const Shape& shape) {
 void fill(plait_clamp_params& p, const Shape& shape) {
     p = {shape.vertices, 0.01f};
 }
+void fill(plait_attach_params& p, const Shape& shape) {
+    p = {shape.vertices, 1};
+}
 void fill(plait_follow_params& p, const Shape& shape) {
     p = {shape.vertices, shape.strands, 0.5f, PLAIT_FOLLOW_ROTATING};
 }

@@ -130,6 +130,12 @@ typedef struct plait_clamp_params {
     float max_displacement; /* C, m */
 } plait_clamp_params;
 
+/* attach: bound the distance of a vertex to its root. */
+typedef struct plait_attach_params {
+    plait_u32 vertex_stride;
+    float reach; /* farthest, as a share of the arc length from the root, > 0 */
+} plait_attach_params;
+
 /* follow: place follow strands beside their guides. */
 typedef struct plait_follow_params {
     plait_u32 vertex_stride;

@@ -3,8 +3,9 @@
 // Thesis: ref_c = |mean_c|, which brakes everything where the mean is near zero. Ours:
 // ref_c = max(|mean_c|, floor rms). With PLAIT_TENT_TRILINEAR mean and rms^2 are gathered from the
 // nodes around the vertex with weights of the tent, the transpose of the splat, so that splat and
-// gather keep momentum. After grid_splat none of them is empty, since the vertex itself was splatted
-// to each; after the slot stages one may be, and counts as hair at rest. With PLAIT_TENT_VOXEL they are those of its voxel. Source: Ugurca 2015, sections 4.3 and 4.4.
+// gather keep momentum. After grid_splat none of them is empty, since the vertex itself was
+// splatted to each; after the slot stages one may be, and counts as hair at rest. With
+// PLAIT_TENT_VOXEL they are those of its voxel. Source: Ugurca 2015, sections 4.3 and 4.4.
 #include "backend/reference/grid.hpp"
 
 #include <algorithm>

@@ -2,6 +2,7 @@
 // and publish it to position and its history, which display, the inter-hair step and interop read.
 #include "core/groom.hpp"
 #include "core/model.hpp"
+#include "core/models/constraints.hpp"
 #include "core/models/material.hpp"
 
 #include <array>
@@ -28,6 +29,11 @@ Solver solver_of(plait_model model) {
     }
 }
 
+bool constrains(const plait_sim_params& p) {
+    return has_attachment(p) ||
+           (p.shape_constraints && (has_global_shape(p) || has_local_shape(p)));
+}
+
 class LaneModel final : public Model {
   public:
     LaneModel(plait_model model, const ModelInput& input)
@@ -50,6 +56,7 @@ class LaneModel final : public Model {
 
   private:
     Status make(Device& device, Buffer& to, size_t components, const char* name) const;
+    void constrain(Schedule& schedule, const Substep& at) const;
     void collide(Schedule& schedule, const Substep& at) const;
     Status fill_material(Device& device, const plait_sim_params& params);
     Status make_history(Device& device);
@@ -152,8 +159,21 @@ void LaneModel::substep(Schedule& schedule, const Substep& at) {
     else
         schedule.add(solver_.stage, layout_.guides, params,
                      {&s.rest, &s.pose, &material_, &x_, &v_, &x_before_, &v_before_}, layout_.row);
+    if (constrains(p))
+        constrain(schedule, at);
     if (at.collider_count > 0)
         collide(schedule, at);
+}
+
+// What artists add to the physics, on positions; velocities follow them.
+void LaneModel::constrain(Schedule& schedule, const Substep& at) const {
+    publish(schedule, at);
+    if (at.params.shape_constraints) {
+        add_global_shape(schedule, at);
+        add_local_shape(schedule, at);
+    }
+    add_attachment(schedule, at);
+    adopt(schedule, at);
 }
 
 // Contact follows the solve: vertices are pushed out of the colliders, and the next solve restores

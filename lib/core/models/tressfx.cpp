@@ -1,6 +1,7 @@
 // The parity model: TressFX 4.1's stages in published order, or with velocity shock propagation
 // before the global shape constraint. A stage that would change nothing is left out.
 #include "core/model.hpp"
+#include "core/models/constraints.hpp"
 #include "core/models/wind_cone.hpp"
 
 namespace plait {
@@ -8,10 +9,6 @@ namespace {
 
 constexpr uint32_t pinned = 2; // the root segment: its direction is the hair's growth direction
 constexpr float off = 1e6f;    // max_displacement and vsp_accel_threshold that are never reached
-
-bool has_global(const plait_sim_params& p) {
-    return p.global_stiffness > 0 && p.global_range > 0;
-}
 
 bool has_shock(const plait_sim_params& p) {
     return p.vsp_coeff > 0 || p.vsp_accel_threshold < off;
@@ -83,24 +80,6 @@ void TressFx::shock(Schedule& schedule, const Substep& at) const {
                  {&s.vertex_count, &strand_motion_, &s.position, &s.position_prev});
 }
 
-void global_shape(Schedule& schedule, const Substep& at) {
-    const plait_sim_params& p = at.params;
-    const State& s = at.state;
-    if (has_global(p))
-        schedule.add(PLAIT_STAGE_global_shape, at.layout.guide_vertices(),
-                     plait_global_shape_params{at.layout.row, p.global_stiffness, p.global_range},
-                     {&s.rest, &s.vertex_count, &s.pose, &s.position});
-}
-
-void local_shape(Schedule& schedule, const Substep& at) {
-    const plait_sim_params& p = at.params;
-    const State& s = at.state;
-    if (p.local_iterations > 0 && p.local_stiffness > 0)
-        schedule.add(PLAIT_STAGE_local_shape, at.layout.guides,
-                     plait_local_shape_params{at.layout.row, p.local_stiffness, p.local_iterations},
-                     {&s.rest, &s.vertex_count, &s.pose, &s.position});
-}
-
 void wind(Schedule& schedule, const Substep& at) {
     const plait_sim_params& p = at.params;
     const State& s = at.state;
@@ -160,14 +139,15 @@ void TressFx::substep(Schedule& schedule, const Substep& at) {
     if (at.params.order == PLAIT_ORDER_SHOCK_BEFORE_GLOBAL) {
         integrate(schedule, at, 0);
         shock(schedule, at);
-        global_shape(schedule, at);
+        add_global_shape(schedule, at);
     } else {
-        integrate(schedule, at, has_global(at.params) ? at.params.global_stiffness : 0);
+        integrate(schedule, at, has_global_shape(at.params) ? at.params.global_stiffness : 0);
         shock(schedule, at);
     }
-    local_shape(schedule, at);
+    add_local_shape(schedule, at);
     wind(schedule, at);
     length(schedule, at);
+    add_attachment(schedule, at);
     collide(schedule, at);
     clamp(schedule, at);
 }

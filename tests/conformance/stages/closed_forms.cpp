@@ -155,6 +155,14 @@ void clamp_limits_the_step(Bench& bench) {
     expect_near(out[1], {0, .6f, .8f, 1, 0, 0, .5f, 1, 0, 3, 4, 0});
 }
 
+// Arc lengths 1 and 3, reach 1: the first vertex is drawn in, the second is near enough.
+void attach_bounds_the_distance_to_the_root(Bench& bench) {
+    const auto out =
+        bench.run(PLAIT_STAGE_attach, 1, 1, plait_attach_params{3, 1},
+                  {floats({1, 2, 0}), uints({3}), float4s({0, 0, 0, 0, 0, 3, 4, 1, 2, 0, 0, 1})});
+    expect_near(out[2], {0, 0, 0, 0, 0, .6f, .8f, 1, 2, 0, 0, 1});
+}
+
 // The root segment turns from x to y while its root moves to (5, 0, 0).
 void shock_carries_the_strand(Bench& bench) {
     const std::vector<float> x = {5, 0, 0, 0, 5, 1, 0, 0, 9, 9, 9, 1, 9, 9, 9, 1};
@@ -288,6 +296,7 @@ const std::vector<ClosedForm>& strand_closed_forms() {
         PLAIT_CLOSED_FORM(wind_drags_across_the_strand),
         PLAIT_CLOSED_FORM(wind_as_published_blows_backwards),
         PLAIT_CLOSED_FORM(clamp_limits_the_step),
+        PLAIT_CLOSED_FORM(attach_bounds_the_distance_to_the_root),
         PLAIT_CLOSED_FORM(shock_carries_the_strand),
         PLAIT_CLOSED_FORM(roots_meet_halfway),
         PLAIT_CLOSED_FORM(reset_and_teleport_are_rigid),
