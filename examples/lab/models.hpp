@@ -21,7 +21,7 @@ struct Model {
     std::string label;
     plait_model model;
     const char* stage;  // what a baseline replaces; null: nothing
-    const char* source; // its kernel, a file beside models.cpp
+    const char* source; // its kernel, a file in baselines/
     bool bends, twists;
     bool half_tip;   // masses: half a segment's at the tip, or a whole one
     uint32_t pinned; // vertices
@@ -42,7 +42,7 @@ struct Method {
     std::string label() const { return model->label + " " + setting.label(); }
 };
 
-// Contexts, made when first needed, one for each kernel source: making one may compile for seconds.
+// Contexts, made when first needed, one for each baseline: making one may compile for seconds.
 class Contexts {
   public:
     Contexts(std::string backend, std::string device, bool profile = false);
@@ -53,7 +53,7 @@ class Contexts {
   private:
     std::string backend_, device_;
     bool profile_;
-    std::vector<std::pair<const char*, ContextHandle>> made_; // by source
+    std::vector<std::pair<std::string, ContextHandle>> made_; // by baseline; "": the library's
 };
 
 } // namespace lab
