@@ -4,6 +4,7 @@ namespace common {
 
 const std::array<const char*, 4> model_names{"tressfx", "chain", "cosserat", "rod"};
 const std::array<const char*, 3> interhair_names{"off", "slots", "exact"};
+const std::array<const char*, 3> sag_free_names{"off", "rest", "stiffen"};
 
 namespace {
 

@@ -11,6 +11,7 @@ namespace common {
 
 extern const std::array<const char*, 4> model_names;
 extern const std::array<const char*, 3> interhair_names;
+extern const std::array<const char*, 3> sag_free_names;
 
 // What is absent keeps its value in `params`.
 void read_params(JsonReader in, plait_sim_params& params);

@@ -38,6 +38,9 @@ void add_options(CLI::App& app, CommandLine& line) {
     count("--rate", "rate", "HZ", "steps and frames a second [60]");
     count("--substeps", "substeps", "N", "per step [2]");
     text("--model", "model", "NAME", "tressfx, chain, cosserat or rod [tressfx]");
+    text("--sag-free", "sag_free", "NAME",
+         "off, rest or stiffen: the groom as drawn is in balance with gravity [stiffen where it "
+         "bends]");
     text("--interhair", "interhair", "NAME", "off, slots (the thesis) or exact [slots]");
     text("--device", "device", "TEXT", "part of a device's or platform's name [the best]");
     text("--backend", "backend", "NAME", "opencl or reference [the best]");

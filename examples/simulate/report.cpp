@@ -52,6 +52,16 @@ void print_stages(const Measurements& run) {
     std::printf("%-18s %10.3f\n", "all stages", total);
 }
 
+void print_sag(const plait_sim_stats& stats) {
+    std::printf(
+        "sag-free: residual %.1e, %llu joints stiffened, the worst %.1f times; strands that "
+        "buckle %llu\n",
+        static_cast<double>(stats.sag_residual),
+        static_cast<unsigned long long>(stats.joints_stiffened),
+        static_cast<double>(stats.worst_stiffening),
+        static_cast<unsigned long long>(stats.sag_unstable));
+}
+
 void print_comparison(const Measurements& main, const Measurements& plain) {
     std::printf("without the inter-hair step: %.2f ms/frame, worst stretch %.2f %%; the step costs "
                 "%+.2f ms\n",
@@ -78,6 +88,12 @@ Json to_json(const Report& report) {
     json["rate"] = scene.rate;
     json["substeps"] = scene.substeps;
     json["seed"] = scene.seed;
+    json["sag_free"] = sag_free_names[scene.sim.sag_free];
+    if (scene.sim.sag_free != PLAIT_SAG_FREE_OFF)
+        json["sag"] = {{"residual", report.main.last.sag_residual},
+                       {"unstable", report.main.last.sag_unstable},
+                       {"joints_stiffened", report.main.last.joints_stiffened},
+                       {"worst_stiffening", report.main.last.worst_stiffening}};
     json["device_bytes"] = report.main.last.device_bytes;
     json["import_repairs"] = report.figure.info.repairs_total;
     json["first_repair"] = report.figure.info.first_repair;
@@ -99,6 +115,8 @@ void print_report(const Report& report) {
                 run.median_ms(), 100.0 * static_cast<double>(run.max_stretch),
                 100.0 * static_cast<double>(run.mean_stretch),
                 static_cast<unsigned long long>(run.nonfinite));
+    if (report.scene.sim.sag_free != PLAIT_SAG_FREE_OFF)
+        print_sag(run.last);
     if (report.plain)
         print_comparison(run, *report.plain);
     if (report.figure.info.repairs_total)

@@ -145,12 +145,25 @@ void read_pictures(const JsonReader& top, const Json& value, PictureChoice& pict
     in.finish();
 }
 
+// A strand here stands for a lock of hair, which is stiffer than a hair for its weight.
+constexpr float lock_stiffness = 10;
+
+// What models that bend need to keep a groom's shape under its weight.
+void keep_shape(plait_sim_desc& sim) {
+    if (sim.model != PLAIT_MODEL_COSSERAT && sim.model != PLAIT_MODEL_ROD)
+        return;
+    sim.sag_free = PLAIT_SAG_FREE_STIFFEN;
+    sim.params.bend_stiffness *= lock_stiffness;
+}
+
 void read_simulation(JsonReader& top, Scene& scene) {
     top.number("seconds", scene.seconds, 0.001, 3600);
     top.integer("rate", scene.rate, 1, 1000);
     top.integer("substeps", scene.substeps, 1, 1000);
     top.integer("seed", scene.seed);
     top.choice("model", scene.sim.model, model_names);
+    keep_shape(scene.sim);
+    top.choice("sag_free", scene.sim.sag_free, sag_free_names);
     top.integer("follows_per_guide", scene.sim.follows_per_guide, 0, 64);
     top.number("follow_radius", scene.sim.follow_radius, 0, 1);
     top.text("device", scene.device);

@@ -304,6 +304,16 @@ typedef enum plait_diffuse_rule {
     PLAIT_DIFFUSE_RULE_FLOORED = 1
 } plait_diffuse_rule;
 
+/* Whether the groom is the shape of strands without a load, so that they sag from it, or the shape
+ * in which their own weight is in balance: lengths and rest rotations of the joints are then solved
+ * for, in closed form, for gravity as it acts while the head stands unturned. Found anew when
+ * plait_sim_set_params changes gravity or the material. What came of it: plait_sim_stats. */
+typedef enum plait_sag_free {
+    PLAIT_SAG_FREE_OFF = 0,
+    PLAIT_SAG_FREE_REST = 1,   /* joints too weak for the groom keep their stiffness, and sag */
+    PLAIT_SAG_FREE_STIFFEN = 2 /* they get the stiffness that holds it, stably */
+} plait_sag_free;
+
 /* Everything that may change between steps. plait_sim_set_params checks the ranges in brackets. */
 typedef struct plait_sim_params {
     uint32_t struct_size;
@@ -375,6 +385,7 @@ typedef struct plait_sim_desc {
     uint32_t follows_per_guide;  /* [0, 64], default 0 */
     float follow_radius;         /* m, default 0.003 */
     uint64_t seed;               /* follow offsets and slot hash */
+    plait_sag_free sag_free;     /* models cosserat and rod; others refuse it. Default OFF */
     plait_sim_params params;
 } plait_sim_desc;
 
@@ -449,6 +460,13 @@ typedef struct plait_sim_stats {
     float max_speed;       /* m/s, now */
     uint64_t grid_outside; /* vertices outside the grid in the last inter-hair step */
     uint64_t device_bytes; /* buffers of this sim */
+
+    /* with sag_free; of guides */
+    float sag_residual;        /* worst joint: moment it lacks / (weight x length of its strand), a
+                                  limp level strand's .5; or force its strand lacks / its weight */
+    float worst_stiffening;    /* of a joint: its bend stiffness / the material's; 1: none */
+    uint64_t joints_stiffened; /* STIFFEN */
+    uint64_t sag_unstable;     /* strands that cannot stay as groomed: they buckle */
 } plait_sim_stats;
 
 PLAIT_API void plait_sim_stats_init(plait_sim_stats* stats, size_t size);

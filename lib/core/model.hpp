@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/lane_layout.hpp"
+#include "core/models/sag_report.hpp"
 #include "core/schedule.hpp"
 #include "core/state.hpp"
 
@@ -52,6 +53,9 @@ class Model {
     // Appends carrying the state from state.pose to `pose`.
     virtual void teleport(Schedule& schedule, const Substep& at, const Buffer& pose) = 0;
 
+    // How the rest shape was found, where it was looked for.
+    virtual SagReport sag() const { return {}; }
+
     // The model's own buffers that carry state from step to step.
     virtual std::span<const LaneBuffer> dynamic() const = 0;
     virtual uint64_t device_bytes() const = 0;
@@ -62,6 +66,7 @@ struct ModelInput {
     const Layout& layout;
     const Groom& groom;
     uint32_t tile; // strands per tile of the lane layout
+    plait_sag_free sag_free;
     std::pmr::memory_resource* memory;
 };
 

@@ -148,6 +148,14 @@ Status check_sim_desc(const plait_sim_desc& s) {
     PLAIT_RANGE(interpolate_output, 0, 1);
     PLAIT_RANGE(follows_per_guide, 0, 64);
     PLAIT_RANGE(follow_radius, 0, 1);
+    PLAIT_RANGE_ENUM(sag_free, PLAIT_SAG_FREE_STIFFEN);
+    if (s.sag_free != PLAIT_SAG_FREE_OFF && s.model != PLAIT_MODEL_COSSERAT &&
+        s.model != PLAIT_MODEL_ROD)
+        return Error{
+            PLAIT_INVALID_ARGUMENT,
+            format("sag_free is %d: model %d has no bending that could hold a groom's shape, "
+                   "cosserat (%d) and rod (%d) have",
+                   s.sag_free, s.model, PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD)};
     return check_params(s.params);
 }
 

@@ -35,7 +35,8 @@ Result<SimParts> make_sim_parts(Context& context, const Groom& groom, const plai
     PLAIT_TRY(check_size(context, groom, desc));
     const Layout layout = make_layout(groom, desc);
     Device& device = context.device;
-    auto model = make_model(desc.model, {layout, groom, context.info.tile, &context.memory});
+    auto model =
+        make_model(desc.model, {layout, groom, context.info.tile, desc.sag_free, &context.memory});
     if (!model)
         return model.error();
     PLAIT_TRY((*model)->prepare(device, desc.params));

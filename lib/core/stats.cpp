@@ -53,6 +53,11 @@ Status Sim::stats(plait_sim_stats& out) {
     out.steps_dropped = clock_.dropped;
     out.time = clock_.time();
     out.device_bytes = device_bytes();
+    const SagReport sag = model_->sag();
+    out.sag_residual = static_cast<float>(sag.residual);
+    out.sag_unstable = sag.unstable;
+    out.joints_stiffened = sag.stiffened;
+    out.worst_stiffening = static_cast<float>(sag.stiffening);
     return {};
 }
 

@@ -216,6 +216,8 @@ TEST(Arguments, SimDescriptorsOutsideTheirRanges) {
         sim_desc("max_steps_per_call", [](D& d) { d.max_steps_per_call = 0; }),
         sim_desc("interpolate_output", [](D& d) { d.interpolate_output = 2; }),
         sim_desc("follows_per_guide", [](D& d) { d.follows_per_guide = 65; }),
+        sim_desc("sag_free", [](D& d) { set_raw(d.sag_free, 3); }),
+        sim_desc("sag_free", [](D& d) { d.sag_free = PLAIT_SAG_FREE_REST; }), // tressfx
         sim_desc("follow_radius", [](D& d) { d.follow_radius = NAN; }),
         sim_desc("damping", [](D& d) { d.params.damping = -1; }),
         sim_desc("params.struct_size", [](D& d) { d.params.struct_size += 8; }),

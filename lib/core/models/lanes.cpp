@@ -41,7 +41,7 @@ class LaneModel final : public Model {
           layout_(input.layout), lanes_{input.layout.guides, input.layout.row, input.tile},
           strands_{{input.groom.strands.positions, input.memory},
                    {input.groom.strands.vertex_counts, input.memory}},
-          memory_(input.memory) {}
+          sag_free_(input.sag_free), memory_(input.memory) {}
 
     uint32_t pinned_vertices() const override { return pinned; }
     Status prepare(Device& device, const plait_sim_params& params) override;
@@ -51,6 +51,7 @@ class LaneModel final : public Model {
     void adopt(Schedule& schedule, const Substep& at) const override;
     void reset(Schedule& schedule, const Substep& at) override;
     void teleport(Schedule& schedule, const Substep& at, const Buffer& pose) override;
+    SagReport sag() const override { return sag_; }
     std::span<const LaneBuffer> dynamic() const override { return {dynamic_.data(), kept()}; }
     uint64_t device_bytes() const override;
 
@@ -69,9 +70,12 @@ class LaneModel final : public Model {
     Layout layout_;
     LaneLayout lanes_;
     RestStrands strands_; // for when the material changes
+    plait_sag_free sag_free_;
     std::pmr::memory_resource* memory_;
     Material filled_{};
-    Buffer material_, rest_, x_, v_, q_, q_before_, x_before_, v_before_;
+    RestLoad filled_load_;
+    SagReport sag_;
+    Buffer material_, rest_, start_, x_, v_, q_, q_before_, x_before_, v_before_;
     std::array<LaneBuffer, 6> dynamic_{{{&x_, 3, lanes_},
                                         {&v_, 3, lanes_},
                                         {&q_, 4, lanes_},
@@ -88,14 +92,23 @@ Status LaneModel::make(Device& device, Buffer& to, size_t components, const char
     return {};
 }
 
+// The groom stays the shape in which strands are; what changes is what holds them in it.
 Status LaneModel::fill_material(Device& device, const plait_sim_params& params) {
     const Material material{params.line_density, params.bend_stiffness, params.stretch_stiffness,
                             params.tip_stiffness, !solver_.bends};
-    if (material == filled_)
+    RestLoad load;
+    if (sag_free_ != PLAIT_SAG_FREE_OFF)
+        load = {sag_free_, {params.gravity[0], params.gravity[1], params.gravity[2]}};
+    if (material == filled_ && load == filled_load_)
         return {};
-    const auto rows = lane_material(strands_, lanes_, material, memory_);
-    PLAIT_TRY(device.write(material_, rows.data()));
+    const LaneRows rows = lane_rows(strands_, lanes_, material, load, memory_);
+    PLAIT_TRY(device.write(material_, rows.material.data()));
+    PLAIT_TRY(device.write(rest_, rows.rest.data()));
+    if (start_)
+        PLAIT_TRY(device.write(start_, rows.start.data()));
     filled_ = material;
+    filled_load_ = load;
+    sag_ = rows.sag;
     return {};
 }
 
@@ -119,7 +132,8 @@ Status LaneModel::prepare(Device& device, const plait_sim_params& params) {
     if (!x_) {
         PLAIT_TRY(make(device, material_, PLAIT_LANE_MATERIAL_COMPONENTS, "lane_material"));
         PLAIT_TRY(make(device, rest_, 4, "lane_rest"));
-        PLAIT_TRY(device.write(rest_, lane_rest(strands_, lanes_, memory_).data()));
+        if (sag_free_ != PLAIT_SAG_FREE_OFF)
+            PLAIT_TRY(make(device, start_, 4, "lane_start"));
         PLAIT_TRY(make(device, v_, 3, "lane_v"));
         PLAIT_TRY(make(device, q_, 4, "lane_q"));
         PLAIT_TRY(make(device, q_before_, 4, "lane_q_before"));
@@ -200,10 +214,10 @@ void LaneModel::adopt(Schedule& schedule, const Substep& at) const {
 }
 
 void LaneModel::reset(Schedule& schedule, const Substep& at) {
-    schedule.add(
-        PLAIT_STAGE_lane_reset, layout_.guides, state_params(),
-        {&at.state.rest, &at.state.pose, &rest_, &x_, &v_, &q_, &q_before_, &x_before_, &v_before_},
-        layout_.row);
+    schedule.add(PLAIT_STAGE_lane_reset, layout_.guides, state_params(),
+                 {&at.state.rest, &at.state.pose, start_ ? &start_ : &rest_, &x_, &v_, &q_,
+                  &q_before_, &x_before_, &v_before_},
+                 layout_.row);
     publish(schedule, at);
 }
 
@@ -216,7 +230,7 @@ void LaneModel::teleport(Schedule& schedule, const Substep& at, const Buffer& po
 }
 
 uint64_t LaneModel::device_bytes() const {
-    uint64_t bytes = material_.bytes() + rest_.bytes();
+    uint64_t bytes = material_.bytes() + rest_.bytes() + start_.bytes();
     for (const LaneBuffer& state : dynamic_)
         bytes += state.buffer->bytes();
     return bytes;

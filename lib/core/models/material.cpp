@@ -2,104 +2,79 @@
 
 #include <plait/params.h>
 
-#include <Eigen/Geometry>
-
 namespace plait {
 namespace {
 
-using Vec3 = Eigen::Vector3d;
-using Quat = Eigen::Quaterniond;
-
-constexpr double allowed_stretch = 0.01;    // where EA is not given,
-constexpr double allowed_at = 10 * 9.80665; // at this acceleration, m/s^2
 constexpr size_t components = PLAIT_LANE_MATERIAL_COMPONENTS;
 
-Vec3 vertex(const float* strand, uint32_t i) {
-    return {strand[3 * i], strand[3 * i + 1], strand[3 * i + 2]};
-}
+class Writer {
+  public:
+    Writer(LaneRows& rows, const LaneLayout& layout) : rows_(rows), layout_(layout) {}
 
-// Calls visit(strand, first vertex, count) for every strand.
-template <typename Visit> void for_each_strand(const RestStrands& strands, const Visit& visit) {
-    const float* first = strands.positions.data();
-    for (size_t strand = 0; strand < strands.counts.size(); ++strand) {
-        const uint32_t count = strands.counts[strand];
-        visit(strand, first, count);
-        first += 3 * count;
+    void strand(size_t strand, const RestStrand& s);
+
+  private:
+    void set(size_t strand, size_t row, size_t component, double value) {
+        rows_.material[layout_.index(strand, row, component, components)] =
+            static_cast<float>(value);
+    }
+    void set(std::pmr::vector<float>& to, size_t strand, size_t row, const Quat& q) const {
+        for (int c = 0; c < 4; ++c)
+            to[layout_.index(strand, row, static_cast<size_t>(c), 4)] =
+                static_cast<float>(q.coeffs()[c]);
+    }
+
+    LaneRows& rows_;
+    const LaneLayout& layout_;
+};
+
+void Writer::strand(size_t strand, const RestStrand& s) {
+    for (size_t i = 0; i < s.x.size(); ++i)
+        set(strand, i, PLAIT_LANE_MASS, s.mass[i]);
+    for (size_t i = 0; i < s.segments(); ++i) {
+        set(strand, i, PLAIT_LANE_LENGTH, s.length[i]);
+        set(strand, i, PLAIT_LANE_STRETCH, s.stretch[i]);
+        set(strand, i, PLAIT_LANE_BEND, s.bend[i]);
+        set(rows_.rest, strand, i, s.rest[i]);
+        if (!rows_.start.empty())
+            set(rows_.start, strand, i,
+                (i == 0 ? Quat::Identity() : s.frame[i - 1].conjugate()) * s.frame[i]);
     }
 }
 
-double strand_length(const float* first, uint32_t count) {
-    double length = 0;
-    for (uint32_t i = 0; i + 1 < count; ++i)
-        length += (vertex(first, i + 1) - vertex(first, i)).norm();
-    return length;
-}
-
-// EA such that the strand's own weight at 10 g stretches it by 1 % at the root.
-double stretch_stiffness(const Material& material, double length) {
-    if (material.stretch_stiffness > 0)
-        return double(material.stretch_stiffness);
-    return double(material.line_density) * length * allowed_at / allowed_stretch;
+// As rows past a tip are.
+LaneRows empty_rows(const LaneLayout& layout, bool loaded, std::pmr::memory_resource* memory) {
+    const std::pmr::vector<float> none(memory);
+    LaneRows rows{none, none, none, {}};
+    rows.material.resize(layout.rows() * components);
+    rows.rest.resize(layout.rows() * 4);
+    for (size_t strand = 0; strand < layout.padded_strands(); ++strand)
+        for (uint32_t i = 0; i < layout.row; ++i) {
+            rows.material[layout.index(strand, i, PLAIT_LANE_MASS, components)] = 1;
+            rows.rest[layout.index(strand, i, 3, 4)] = 1; // the identity
+        }
+    if (loaded)
+        rows.start = rows.rest;
+    return rows;
 }
 
 } // namespace
 
-std::pmr::vector<float> lane_material(const RestStrands& strands, const LaneLayout& layout,
-                                      const Material& material, std::pmr::memory_resource* memory) {
-    std::pmr::vector<float> rows(layout.rows() * components, 0.0f, memory);
-    const auto at = [&](size_t strand, size_t row, size_t component) -> float& {
-        return rows[layout.index(strand, row, component, components)];
-    };
-    for (size_t strand = 0; strand < layout.padded_strands(); ++strand)
-        for (uint32_t i = 0; i < layout.row; ++i)
-            at(strand, i, PLAIT_LANE_MASS) = 1;
-    for_each_strand(strands, [&](size_t strand, const float* first, uint32_t count) {
-        const double length = strand_length(first, count);
-        const double EA = stretch_stiffness(material, length);
-        const double density = double(material.line_density);
-        double before = 0, along = 0;
-        for (uint32_t i = 0; i < count; ++i) {
-            const double after =
-                i + 1 < count ? (vertex(first, i + 1) - vertex(first, i)).norm() : 0;
-            const double mass = material.equal_masses ? before : 0.5 * (before + after);
-            at(strand, i, PLAIT_LANE_MASS) = static_cast<float>(density * mass);
-            if (after > 0) {
-                // the clamp is a joint of half the first segment
-                const double joint = i == 0 ? 0.5 * after : 0.5 * (before + after);
-                const double scale = 1 + (double(material.tip_stiffness) - 1) * along / length;
-                at(strand, i, PLAIT_LANE_LENGTH) = static_cast<float>(after);
-                at(strand, i, PLAIT_LANE_STRETCH) = static_cast<float>(EA / after);
-                at(strand, i, PLAIT_LANE_BEND) =
-                    static_cast<float>(4 * double(material.bend_stiffness) * scale / joint);
-            }
-            along += after;
-            before = after;
-        }
-    });
-    return rows;
-}
-
-std::pmr::vector<float> lane_rest(const RestStrands& strands, const LaneLayout& layout,
-                                  std::pmr::memory_resource* memory) {
-    std::pmr::vector<float> rows(layout.rows() * 4, 0.0f, memory);
-    const auto store = [&](size_t strand, size_t row, const Quat& q) {
-        for (int c = 0; c < 4; ++c)
-            rows[layout.index(strand, row, static_cast<size_t>(c), 4)] =
-                static_cast<float>(q.coeffs()[c]);
-    };
-    for (size_t strand = 0; strand < layout.padded_strands(); ++strand)
-        for (uint32_t i = 0; i < layout.row; ++i)
-            store(strand, i, Quat::Identity());
-    for_each_strand(strands, [&](size_t strand, const float* first, uint32_t count) {
-        Quat frame = Quat::Identity();
-        for (uint32_t i = 0; i + 1 < count; ++i) {
-            const Vec3 along = vertex(first, i + 1) - vertex(first, i);
-            const Vec3 director = frame * Vec3::UnitX();
-            const Quat next = (Quat::FromTwoVectors(director, along) * frame).normalized();
-            store(strand, i, frame.conjugate() * next);
-            frame = next;
-        }
-    });
+LaneRows lane_rows(const RestStrands& strands, const LaneLayout& layout, const Material& material,
+                   const RestLoad& load, std::pmr::memory_resource* memory) {
+    const bool loaded = load.mode != PLAIT_SAG_FREE_OFF;
+    const Vec3 gravity = Eigen::Vector3f(load.gravity.data()).cast<double>();
+    LaneRows rows = empty_rows(layout, loaded, memory);
+    Writer writer(rows, layout);
+    std::span<const float> positions = strands.positions;
+    for (size_t strand = 0; strand < strands.counts.size(); ++strand) {
+        const size_t floats = size_t{3} * strands.counts[strand];
+        RestStrand s(positions.first(floats), material, memory);
+        if (loaded)
+            rows.sag.add(remove_sag(s, gravity, load.mode));
+        writer.strand(strand, s);
+        positions = positions.subspan(floats);
+    }
     return rows;
 }
 

@@ -1,11 +1,11 @@
 // A groom's strands as the strand models see them: lengths, masses, stiffnesses and the rest
-// rotation of every joint, in the lane layout [tile][V][4][tile strands].
+// rotation of every joint, in the lane layout [tile][V][components][tile strands].
 #pragma once
 
 #include "core/lane_layout.hpp"
+#include "core/models/sag.hpp"
 
-#include <memory_resource>
-#include <vector>
+#include <array>
 
 namespace plait {
 
@@ -15,26 +15,27 @@ struct RestStrands {
     std::pmr::vector<uint32_t> counts;
 };
 
-// What of the parameters the material depends on.
-struct Material {
-    float line_density;
-    float bend_stiffness;
-    float stretch_stiffness;
-    float tip_stiffness;
-    bool equal_masses; // a limp chain's; a rod has half a mass at the tip
+// Whether the groom's shape is that without a load, or that under its own weight.
+struct RestLoad {
+    plait_sag_free mode = PLAIT_SAG_FREE_OFF;
+    std::array<float, 3> gravity{}; // m/s^2, in rest space; 0 where the mode is OFF
 
-    bool operator==(const Material&) const = default;
+    bool operator==(const RestLoad&) const = default;
 };
 
-// [rows*4]: PLAIT_LANE_LENGTH, _STRETCH, _BEND, _MASS. Rows past a tip have mass 1 and nothing
-// else.
-std::pmr::vector<float> lane_material(const RestStrands& strands, const LaneLayout& layout,
-                                      const Material& material, std::pmr::memory_resource* memory);
+struct LaneRows {
+    // [rows*4]: PLAIT_LANE_LENGTH, _STRETCH, _BEND, _MASS. Rows past a tip have mass 1 and nothing
+    // else.
+    std::pmr::vector<float> material;
+    // [rows*4]: rotation of the joint before each segment at rest; row 0: that of the first
+    // segment, from the rest space's axes.
+    std::pmr::vector<float> rest;
+    // The same as groomed: where the strand starts. Empty where it is `rest`.
+    std::pmr::vector<float> start;
+    SagReport sag;
+};
 
-// [rows*4]: quaternion of the joint before each segment at rest; row 0: that of the first segment,
-// from the rest space's axes. Frames are carried along a strand by the shortest turn, so that a
-// strand as groomed has no twist.
-std::pmr::vector<float> lane_rest(const RestStrands& strands, const LaneLayout& layout,
-                                  std::pmr::memory_resource* memory);
+LaneRows lane_rows(const RestStrands& strands, const LaneLayout& layout, const Material& material,
+                   const RestLoad& load, std::pmr::memory_resource* memory);
 
 } // namespace plait

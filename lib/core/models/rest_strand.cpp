@@ -1,0 +1,54 @@
+#include "core/models/rest_strand.hpp"
+
+namespace plait {
+namespace {
+
+constexpr double allowed_stretch = 0.01;    // where EA is not given,
+constexpr double allowed_at = 10 * 9.80665; // at this acceleration, m/s^2
+
+// EA such that the strand's own weight at 10 g stretches it by 1 % at the root.
+double stretch_stiffness(const Material& material, double length) {
+    if (material.stretch_stiffness > 0)
+        return double(material.stretch_stiffness);
+    return double(material.line_density) * length * allowed_at / allowed_stretch;
+}
+
+} // namespace
+
+RestStrand::RestStrand(std::span<const float> positions, const Material& material,
+                       std::pmr::memory_resource* memory)
+    : x(memory), length(memory), stretch(memory), bend(memory), frame(memory), rest(memory),
+      mass(memory) {
+    for (size_t i = 0; i < positions.size(); i += 3)
+        x.emplace_back(positions[i], positions[i + 1], positions[i + 2]);
+    for (size_t i = 0; i + 1 < x.size(); ++i) {
+        length.push_back(edge(i).norm());
+        whole += length[i];
+    }
+    const double EA = stretch_stiffness(material, whole);
+    const double EI = double(material.bend_stiffness);
+    const double density = double(material.line_density);
+    frame.resize(segments());
+    rest.resize(segments());
+    double before = 0, along = 0;
+    for (size_t i = 0; i < segments(); ++i) {
+        const double scale = 1 + (double(material.tip_stiffness) - 1) * along / whole;
+        // the clamp is a joint of half the first segment
+        const double joint = 0.5 * (before + length[i]);
+        stretch.push_back(EA / length[i]);
+        bend.push_back(4 * EI * scale / joint);
+        mass.push_back(density * (material.equal_masses ? before : joint));
+        frame_along(i, edge(i));
+        rest[i] = (i == 0 ? Quat::Identity() : frame[i - 1].conjugate()) * frame[i];
+        along += length[i];
+        before = length[i];
+    }
+    mass.push_back(density * (material.equal_masses ? before : 0.5 * before));
+}
+
+void RestStrand::frame_along(size_t segment, const Vec3& direction) {
+    const Quat from = segment == 0 ? Quat::Identity() : frame[segment - 1];
+    frame[segment] = (Quat::FromTwoVectors(from * Vec3::UnitX(), direction) * from).normalized();
+}
+
+} // namespace plait

@@ -1,0 +1,48 @@
+// One strand at rest as the rod models see it, in float64: what cl/common/rod.clh calls l, ks, kb, m
+// and r.
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include <memory_resource>
+#include <span>
+#include <vector>
+
+namespace plait {
+
+using Vec3 = Eigen::Vector3d;
+using Quat = Eigen::Quaterniond;
+
+// What of the parameters a strand depends on.
+struct Material {
+    float line_density;      // kg/m
+    float bend_stiffness;    // N m^2
+    float stretch_stiffness; // N; 0: by the strand's length
+    float tip_stiffness;
+    bool equal_masses; // a limp chain's; a rod has half a mass at the tip
+
+    bool operator==(const Material&) const = default;
+};
+
+struct RestStrand {
+    // `positions`: xyz of every vertex, m. Frames are carried along the strand by the shortest turn,
+    // so that a strand as groomed has no twist.
+    RestStrand(std::span<const float> positions, const Material& material,
+               std::pmr::memory_resource* memory);
+
+    size_t segments() const { return length.size(); }
+    Vec3 edge(size_t segment) const { return x[segment + 1] - x[segment]; }
+    void frame_along(size_t segment, const Vec3& direction); // from the frame before it
+
+    std::pmr::vector<Vec3> x; // m, as groomed
+    double whole = 0; // length as groomed, m
+    // Per segment; the joint of segment i is the one before it, the first one the clamp.
+    std::pmr::vector<double> length;  // m
+    std::pmr::vector<double> stretch; // EA/l, N/m
+    std::pmr::vector<double> bend;    // 4 EI/lbar, N m
+    std::pmr::vector<Quat> frame;     // orientation as groomed
+    std::pmr::vector<Quat> rest;      // rotation of the joint at rest
+    std::pmr::vector<double> mass;    // of every vertex, kg
+};
+
+} // namespace plait

@@ -1,0 +1,15 @@
+// Sag-free start: the rest shape under which a strand as groomed is in equilibrium with gravity.
+#pragma once
+
+#include "core/models/rest_strand.hpp"
+#include "core/models/sag_report.hpp"
+
+#include <plait/plait.h>
+
+namespace plait {
+
+// Changes lengths and rest rotations of `strand`, and with PLAIT_SAG_FREE_STIFFEN the stiffness of
+// joints that could not hold it.
+SagReport remove_sag(RestStrand& strand, const Vec3& gravity, plait_sag_free mode);
+
+} // namespace plait
