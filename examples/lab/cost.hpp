@@ -13,7 +13,7 @@ struct Cost {
     double step = 0;   // s simulated by it
 
     double ns_per_vertex() const;
-    double ms_per_frame() const;        // wall, of 1/60 s of simulated time, a million vertices
+    double ms_per_frame() const; // wall, of 1/60 s of simulated time, a million vertices
     double strands_at_60_hz(uint32_t vertices_per_strand) const; // in real time
 };
 

@@ -149,9 +149,8 @@ std::string plane_of(const Input& in, Plane& plane) {
                  in.scene.gravity.norm(),
                  JointLaw::cosserat};
     if (in.strand().curvature != 0 && rest.size() > 2) {
-        const double turn = std::remainder(plane_angle(plane, rest[2] - rest[1]) -
-                                               plane_angle(plane, rest[1] - rest[0]),
-                                           2 * pi);
+        const double turn = std::remainder(
+            plane_angle(plane, rest[2] - rest[1]) - plane_angle(plane, rest[1] - rest[0]), 2 * pi);
         plane.rod.curvature = std::copysign(in.strand().curvature, turn);
     }
     return in.strand().points.empty() ? "" : "the float64 equilibrium is not of given points";
@@ -262,8 +261,7 @@ Value frequency_error(const Input& in) {
                              in.method.model->half_tip};
     const double expected = chain.frequencies(in.scene.gravity.norm())[0];
     const Swing swing = fit_swing(first_mode(in), 1 / in.scene.rate);
-    return swing.frequency > 0 ? Value{swing.frequency / expected - 1, ""}
-                               : none("does not swing");
+    return swing.frequency > 0 ? Value{swing.frequency / expected - 1, ""} : none("does not swing");
 }
 
 Value damping_ratio(const Input& in) {
@@ -302,8 +300,8 @@ Value energy_rise(const Input& in) {
     if (!in.scene.motion.still())
         return none("the root's work is not known: needs a still root");
     const auto mass = masses_of(in.scene, *in.method.model, in.strand());
-    const double weight = std::accumulate(mass.begin() + 1, mass.end(), 0.0) *
-                          in.scene.gravity.norm() * in.length();
+    const double weight =
+        std::accumulate(mass.begin() + 1, mass.end(), 0.0) * in.scene.gravity.norm() * in.length();
     const double start = energy(in, in.recording.frames.front());
     double highest = start;
     in.each([&](const Frame& frame) { highest = std::max(highest, energy(in, frame)); });

@@ -1,4 +1,5 @@
-// What can be run: the library's models, and baselines, which replace one stage by a kernel of ours.
+// What can be run: the library's models, and baselines, which replace one stage by a kernel of
+// ours.
 #pragma once
 
 #include "common.hpp"
@@ -23,8 +24,8 @@ struct Model {
     const char* stage;  // what a baseline replaces; null: nothing
     const char* source; // its kernel, a file in baselines/
     bool bends, twists;
-    bool half_tip;   // masses: half a segment's at the tip, or a whole one
-    uint32_t pinned; // vertices
+    bool half_tip;                 // masses: half a segment's at the tip, or a whole one
+    uint32_t pinned;               // vertices
     std::vector<Setting> settings; // of the charts; the first is the one for real time
     void (*prepare)(plait_sim_desc&) = nullptr; // what else a baseline needs set
 

@@ -6,7 +6,8 @@ namespace lab {
 
 namespace {
 
-// Tension of segment j is the weight of all masses below it: K = sum_j (T_j/l_j)(x_{j+1}-x_j)^2 / 2.
+// Tension of segment j is the weight of all masses below it: K = sum_j (T_j/l_j)(x_{j+1}-x_j)^2
+// / 2.
 Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solve(const HangingChain& chain,
                                                                 double gravity) {
     const std::vector<double> mass = chain.masses();

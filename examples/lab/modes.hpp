@@ -15,7 +15,7 @@ struct HangingChain {
     uint32_t pinned = 1;
     bool half_tip = false;
 
-    std::vector<double> masses() const;               // per vertex, of a strand of mass 1 kg/m
+    std::vector<double> masses() const;                // per vertex, of a strand of mass 1 kg/m
     Eigen::VectorXd frequencies(double gravity) const; // rad/s, lowest first
     Eigen::MatrixXd modes() const; // a column per frequency, a row per vertex, pinned ones 0
 };

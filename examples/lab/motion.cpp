@@ -27,8 +27,7 @@ Pose pose_of(const Sine& s, double time) {
 Pose pose_of(const Accelerate& a, double time) {
     const double pushed = std::clamp(time, a.from, a.to) - a.from;
     const double coasted = std::max(0.0, time - a.to);
-    return {Quat::Identity(),
-            a.direction * a.acceleration * pushed * (0.5 * pushed + coasted)};
+    return {Quat::Identity(), a.direction * a.acceleration * pushed * (0.5 * pushed + coasted)};
 }
 
 Pose pose_of(const Move& m, double time) {
@@ -37,8 +36,8 @@ Pose pose_of(const Move& m, double time) {
 
 Pose pose_of(const Turn& turn, double time) {
     const double t = std::clamp(time, turn.from, turn.to) - turn.from;
-    const double share = turn.frequency > 0 ? std::sin(2 * pi * turn.frequency * t)
-                                            : t / (turn.to - turn.from);
+    const double share =
+        turn.frequency > 0 ? std::sin(2 * pi * turn.frequency * t) : t / (turn.to - turn.from);
     return turned(turn.axis, turn.degrees * share);
 }
 
@@ -180,8 +179,8 @@ Term read_keyframes(JsonReader& in, double time_unit) {
 }
 
 Term read_term(JsonReader in, double time_unit) {
-    static constexpr std::array names{"sine", "accelerate", "move",     "turn",
-                                      "place", "teleport",  "keyframes"};
+    static constexpr std::array names{"sine",  "accelerate", "move",     "turn",
+                                      "place", "teleport",   "keyframes"};
     int kind = -1;
     if (!in.choice("type", kind, names))
         in.fail("type", "is missing: sine, accelerate, move, turn, place, teleport or keyframes");

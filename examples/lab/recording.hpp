@@ -18,13 +18,13 @@ struct Recording {
     std::vector<std::vector<Vec3>> rest; // at the roots' first pose
     std::vector<Frame> frames;           // the first is the state the recording began with
     uint64_t nonfinite = 0;              // vertices, most in any frame
-    double teleport_change = 0;          // farthest a vertex moved, in the roots' frame, by a call, m
+    double teleport_change = 0; // farthest a vertex moved, in the roots' frame, by a call, m
     bool interrupted = false;
 };
 
 // What the method makes of the scene.
 plait_sim_desc describe(const Scene& scene, const Method& method);
-Method method_of(const Scene& scene);              // as the scene says
+Method method_of(const Scene& scene);                               // as the scene says
 Method method_of(const Scene& scene, const Model&, const Setting&); // as it would with these
 
 // Settles, then records. `watch` is told the share that is done. Throws Failure.

@@ -18,7 +18,8 @@ Measure at_the_end(const char* metric, const Scene& scene) {
 void print_positions(const RunReport& report) {
     const Frame& last = report.recording.frames.back();
     for (size_t s = 0; s < last.x.size(); ++s) {
-        std::printf("\nstrand %zu at %.6g s%*sx%*sy%*sz   m\n", s, last.time, 6, "", 13, "", 13, "");
+        std::printf("\nstrand %zu at %.6g s%*sx%*sy%*sz   m\n", s, last.time, 6, "", 13, "", 13,
+                    "");
         const size_t step = std::max<size_t>(1, last.x[s].size() / 40);
         for (size_t i = 0; i < last.x[s].size(); ++i)
             if (i % step == 0 || i + 1 == last.x[s].size())
@@ -100,12 +101,14 @@ std::vector<Measured> measure_all(const Scene& scene, const Method& method,
 
 void print_report(const RunReport& report) {
     const Scene& scene = report.scene;
-    std::printf("%s: %s on %s (%s)\n", scene.title.empty() ? scene.file.c_str() : scene.title.c_str(),
+    std::printf("%s: %s on %s (%s)\n",
+                scene.title.empty() ? scene.file.c_str() : scene.title.c_str(),
                 report.method.label().c_str(), report.device.name, report.device.backend);
-    std::printf("%zu strand%s, the first of %u segments and %.4g m, Gamma %.4g; %.5g Hz, %.4g s%s\n",
-                scene.strands.size(), scene.strands.size() > 1 ? "s" : "",
-                scene.strands[0].segments, scene.length(), scene.gamma(), scene.rate,
-                scene.duration, report.recording.interrupted ? ", interrupted" : "");
+    std::printf(
+        "%zu strand%s, the first of %u segments and %.4g m, Gamma %.4g; %.5g Hz, %.4g s%s\n",
+        scene.strands.size(), scene.strands.size() > 1 ? "s" : "", scene.strands[0].segments,
+        scene.length(), scene.gamma(), scene.rate, scene.duration,
+        report.recording.interrupted ? ", interrupted" : "");
     print_positions(report);
     std::printf("\n%-24s %12s %-9s %s\n", "metric", "value", "unit", "");
     for (const Measured& m : report.measured)

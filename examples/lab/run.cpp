@@ -29,8 +29,8 @@ Exit run(const RunOptions& options) {
     const Recording recording = record(contexts, scene, method, [&](double share) {
         progress.update(static_cast<uint32_t>(1000 * share));
     });
-    RunReport report{scene, method, contexts.device(), recording,
-                     measure_all(scene, method, recording), {}};
+    RunReport report{
+        scene, method, contexts.device(), recording, measure_all(scene, method, recording), {}};
     if (options.cost && !interrupted())
         report.cost = measure_cost(contexts, profiled, scene, method, options.costs);
     if (options.json)
@@ -53,7 +53,8 @@ void add_run(CLI::App& app, Command& chosen) {
     auto options = std::make_shared<RunOptions>();
     CLI::App* command = app.add_subcommand("run", "run one scene and measure it");
     command->add_option("scene", options->scene, "scene file; see docs/lab.md")->required();
-    add_key<std::string>(*command, options->overrides, "model", "tressfx, chain, cosserat, rod, ...");
+    add_key<std::string>(*command, options->overrides, "model",
+                         "tressfx, chain, cosserat, rod, ...");
     add_key<uint64_t>(*command, options->overrides, "substeps", "per step");
     add_key<uint64_t>(*command, options->overrides, "iterations", "of the solver, per substep");
     add_key<uint64_t>(*command, options->overrides, "bdf2", "0: backward Euler, 1: BDF2");

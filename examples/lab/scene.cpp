@@ -140,9 +140,8 @@ void read_time(JsonReader& top, Scene& scene) {
     top.number("rate", scene.rate, u, 1e5 * u);
     scene.rate /= u;
     scene.drag *= u;
-    scene.settle_drag = scene.length() > 0
-                            ? 2.4 * std::sqrt(scene.gravity.norm() / scene.length()) * u
-                            : 0;
+    scene.settle_drag =
+        scene.length() > 0 ? 2.4 * std::sqrt(scene.gravity.norm() / scene.length()) * u : 0;
     top.number("drag", scene.drag, 0, 1e4 * u);
     top.number("settle_drag", scene.settle_drag, 0, 1e4 * u);
     scene.drag /= u;

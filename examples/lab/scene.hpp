@@ -35,8 +35,8 @@ struct Reference {
 // One number to report.
 struct Measure {
     std::string metric;
-    double from = 0, to = 1e9;        // s of the recording that count
-    std::optional<double> expect;     // the metric's ideal, where it wants one
+    double from = 0, to = 1e9;          // s of the recording that count
+    std::optional<double> expect;       // the metric's ideal, where it wants one
     std::map<std::string, double> pass; // by model; "" for all: the largest that passes
     uint32_t strand = 0;
     std::optional<Reference> reference; // else the scene's

@@ -14,19 +14,19 @@ enum class JointLaw {
 };
 
 struct PlaneRod {
-    std::vector<double> lengths;   // of the segments, m
-    double clamp = 0;              // angle of the first one at rest, rad above the horizontal
-    double curvature = 0;          // of the rest shape, 1/m, positive turns anticlockwise
-    double bend_stiffness = 1;     // EI, N m^2, > 0
-    double stretch_stiffness = 0;  // EA, N; 0: cannot stretch or shear
-    double line_density = 1;       // kg/m
-    double gravity = 1;            // m/s^2, downwards
+    std::vector<double> lengths;  // of the segments, m
+    double clamp = 0;             // angle of the first one at rest, rad above the horizontal
+    double curvature = 0;         // of the rest shape, 1/m, positive turns anticlockwise
+    double bend_stiffness = 1;    // EI, N m^2, > 0
+    double stretch_stiffness = 0; // EA, N; 0: cannot stretch or shear
+    double line_density = 1;      // kg/m
+    double gravity = 1;           // m/s^2, downwards
     JointLaw law = JointLaw::cosserat;
 };
 
-// Vertices (x, y) from the root at the origin, m: half a joint at the clamp, half a mass at the tip.
-// Weight is put on little by little, so that the shape is the one a strand falls into. Empty where
-// that does not converge.
+// Vertices (x, y) from the root at the origin, m: half a joint at the clamp, half a mass at the
+// tip. Weight is put on little by little, so that the shape is the one a strand falls into. Empty
+// where that does not converge.
 std::vector<Eigen::Vector2d> hanging_shape(const PlaneRod& rod);
 
 // The tip of the continuous rod of the same length, by extrapolation from finer and finer ones.

@@ -16,7 +16,7 @@ using Eigen::Vector3f;
 
 namespace {
 
-constexpr uint32_t compared = 5; // pictures in a row of the A/B sheet
+constexpr uint32_t compared = 5; // pictures in a row of the comparison
 constexpr uint32_t columns = 4;  // of the contact sheet
 
 // `count` frames spread over all of them, the last one included.
@@ -104,21 +104,26 @@ struct Album::State {
     std::set<uint32_t> sheet_frames, compared_frames;
     uint32_t video_every;
     std::unique_ptr<Video> video;
-    std::map<uint32_t, render::Cell> cells, plain_cells; // by frame
+    using Cells = std::map<uint32_t, render::Cell>; // by frame
+    Cells cells;
+    std::vector<Variant> beside;
+    std::vector<Cells> beside_cells; // by variant
 
-    State(const Scene& s, const Figure& f);
+    State(const Scene& s, const Figure& f, std::vector<Variant> variants);
     std::string path(const char* name) const { return scene.out + "/" + name; }
     render::Image draw(const Shot& shot, uint32_t samples);
     std::string title() const;
     void write_sheets(std::vector<std::string>& files) const;
     void write_comparison(std::vector<std::string>& files) const;
+    render::SheetRow compared_row(const std::string& label, const Cells& from) const;
 };
 
-Album::State::State(const Scene& s, const Figure& f)
+Album::State::State(const Scene& s, const Figure& f, std::vector<Variant> variants)
     : scene(s), figure(f), camera(fit_camera(s.camera, s.pictures, f)), look(make_look(s.pictures)),
       sheet_frames(spread(s.pictures.cells, s.frames())),
       compared_frames(spread(compared, s.frames())),
-      video_every(std::max(1u, s.rate / std::min(s.rate, s.pictures.video_rate))) {
+      video_every(std::max(1u, s.rate / std::min(s.rate, s.pictures.video_rate))),
+      beside(std::move(variants)), beside_cells(beside.size()) {
     if (s.pictures.video && Video::possible())
         video = std::make_unique<Video>(path("motion.mp4"), s.pictures.width, s.pictures.height,
                                         static_cast<double>(s.rate) / video_every);
@@ -154,23 +159,29 @@ void Album::State::write_sheets(std::vector<std::string>& files) const {
     files.push_back(path("sheet.png"));
 }
 
+render::SheetRow Album::State::compared_row(const std::string& label, const Cells& from) const {
+    render::SheetRow row{label, {}};
+    for (const uint32_t frame : compared_frames)
+        if (const auto cell = from.find(frame); cell != from.end())
+            row.cells.push_back(cell->second);
+    return row;
+}
+
 void Album::State::write_comparison(std::vector<std::string>& files) const {
-    if (plain_cells.empty())
+    std::vector<render::SheetRow> rows;
+    const auto add = [&](const std::string& label, const Cells& from) {
+        const char letter[] = {static_cast<char>('A' + rows.size()), ':', ' ', 0};
+        rows.push_back(compared_row(letter + label, from));
+    };
+    for (size_t i = 0; i < beside.size(); ++i)
+        if (!beside_cells[i].empty())
+            add(beside[i].label, beside_cells[i]);
+    if (rows.empty())
         return;
-    const bool parity = scene.sim.model == PLAIT_MODEL_TRESSFX;
-    const std::string alone = parity ? "TressFX" : model_names[scene.sim.model];
-    const bool sampled = scene.sim.params.interhair == PLAIT_INTERHAIR_SLOTS;
-    render::SheetRow without{"A: " + alone + " alone", {}},
-        with{std::string("B: with the ") + (sampled ? "thesis's" : "exact") + " inter-hair step",
-             {}};
-    for (const auto& [frame, cell] : plain_cells) {
-        without.cells.push_back(cell);
-        with.cells.push_back(cells.at(frame));
-    }
-    render::write_sheet({"plait: " + std::filesystem::path(scene.groom.name).filename().string(),
-                         title(),
-                         {without, with}},
-                        path("ab.png"));
+    add(label_of(scene.sim.model, scene.sim.params.interhair), cells);
+    render::write_sheet(
+        {"plait: " + std::filesystem::path(scene.groom.name).filename().string(), title(), rows},
+        path("ab.png"));
     files.push_back(path("ab.png"));
 }
 
@@ -178,8 +189,8 @@ std::string Album::why_not() {
     return "";
 }
 
-Album::Album(const Scene& scene, const Figure& figure)
-    : state_(std::make_unique<State>(scene, figure)) {}
+Album::Album(const Scene& scene, const Figure& figure, std::vector<Variant> beside)
+    : state_(std::make_unique<State>(scene, figure, std::move(beside))) {}
 Album::~Album() = default;
 
 bool Album::wants(uint32_t frame) const {
@@ -195,13 +206,13 @@ void Album::take(const Shot& shot) {
         state_->video->add(state_->draw(shot, state_->scene.pictures.video_samples));
 }
 
-bool Album::wants_plain(uint32_t frame) const {
+bool Album::wants_beside(uint32_t frame) const {
     return state_->compared_frames.contains(frame);
 }
 
-void Album::take_plain(const Shot& shot) {
-    state_->plain_cells[shot.frame] = {state_->draw(shot, state_->scene.pictures.samples),
-                                       caption(shot)};
+void Album::take_beside(size_t variant, const Shot& shot) {
+    state_->beside_cells[variant][shot.frame] = {state_->draw(shot, state_->scene.pictures.samples),
+                                                 caption(shot)};
 }
 
 std::vector<std::string> Album::finish() {

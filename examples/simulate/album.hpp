@@ -1,6 +1,7 @@
-// The pictures of a run: a contact sheet, an A/B sheet and a video.
+// The pictures of a run: a contact sheet, a comparison and a video.
 #pragma once
 
+#include "comparison.hpp"
 #include "figure.hpp"
 #include "shot.hpp"
 
@@ -15,14 +16,15 @@ class Album {
     // Why there are no pictures in this build; "" if there are.
     static std::string why_not();
 
-    Album(const Scene& scene, const Figure& figure);
+    // `beside`: what the run is compared with, row by row.
+    Album(const Scene& scene, const Figure& figure, std::vector<Variant> beside);
     ~Album();
 
-    // The run itself, and the same without the inter-hair step.
+    // Of the run itself, and of the variants beside it.
     bool wants(uint32_t frame) const;
     void take(const Shot& shot);
-    bool wants_plain(uint32_t frame) const;
-    void take_plain(const Shot& shot);
+    bool wants_beside(uint32_t frame) const;
+    void take_beside(size_t variant, const Shot& shot);
 
     // Writes what there is; the names of the files.
     std::vector<std::string> finish();

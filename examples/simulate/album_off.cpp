@@ -10,16 +10,16 @@ std::string Album::why_not() {
            "(Debian: libembree-dev libcairo2-dev libeigen3-dev), then configure again";
 }
 
-Album::Album(const Scene&, const Figure&) {}
+Album::Album(const Scene&, const Figure&, std::vector<Variant>) {}
 Album::~Album() = default;
 bool Album::wants(uint32_t) const {
     return false;
 }
 void Album::take(const Shot&) {}
-bool Album::wants_plain(uint32_t) const {
+bool Album::wants_beside(uint32_t) const {
     return false;
 }
-void Album::take_plain(const Shot&) {}
+void Album::take_beside(size_t, const Shot&) {}
 std::vector<std::string> Album::finish() {
     return {};
 }

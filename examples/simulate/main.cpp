@@ -13,14 +13,15 @@ namespace simulate {
 
 namespace {
 
-std::unique_ptr<Album> make_album(const Scene& scene, const Figure& figure) {
+std::unique_ptr<Album> make_album(const Scene& scene, const Figure& figure,
+                                  const std::vector<Variant>& beside) {
     if (!scene.pictures.wanted)
         return nullptr;
     if (const std::string reason = Album::why_not(); !reason.empty()) {
         std::fprintf(stderr, "plait-simulate: %s\n", reason.c_str());
         return nullptr;
     }
-    return std::make_unique<Album>(scene, figure);
+    return std::make_unique<Album>(scene, figure, beside);
 }
 
 Measurements run_scene(const Scene& scene, const Figure& figure, Album* album) {
@@ -40,14 +41,15 @@ Measurements run_scene(const Scene& scene, const Figure& figure, Album* album) {
     return simulation.run(*make_motion(scene.motion), watchers, "simulating");
 }
 
-// The same run without the inter-hair step, for the A/B sheet and the cost of the step.
-Measurements run_plain(Scene scene, const Figure& figure, Album* album) {
-    scene.sim.params.interhair = PLAIT_INTERHAIR_OFF;
-    std::vector<Watcher> watchers;
-    if (album)
-        watchers.push_back({[album](uint32_t frame) { return album->wants_plain(frame); },
-                            [album](const Shot& shot) { album->take_plain(shot); }});
-    return Simulation(scene, figure).run(*make_motion(scene.motion), watchers, "comparing ");
+// The same hair and motion by other means, for the comparison sheet.
+Compared run_beside(const Scene& scene, const Figure& figure, const Variant& variant, size_t index,
+                    Album& album) {
+    const std::vector<Watcher> watchers{
+        {[&](uint32_t frame) { return album.wants_beside(frame); },
+         [&](const Shot& shot) { album.take_beside(index, shot); }}};
+    const Scene other = variant.of(scene);
+    return {variant,
+            Simulation(other, figure).run(*make_motion(scene.motion), watchers, "comparing ")};
 }
 
 void finish_report(Report& report, Album* album) {
@@ -66,10 +68,11 @@ void finish_report(Report& report, Album* album) {
 void simulate_scene(const Scene& scene) {
     const Figure figure = make_figure(scene);
     make_folder(scene.out);
-    const std::unique_ptr<Album> album = make_album(scene, figure);
+    const std::vector<Variant> beside = variants_beside(scene);
+    const std::unique_ptr<Album> album = make_album(scene, figure, beside);
     Report report{scene, figure, run_scene(scene, figure, album.get()), {}, false, {}};
-    if (album && scene.sim.params.interhair != PLAIT_INTERHAIR_OFF && !interrupted())
-        report.plain = run_plain(scene, figure, album.get());
+    for (size_t i = 0; i < beside.size() && album && !interrupted(); ++i)
+        report.beside.push_back(run_beside(scene, figure, beside[i], i, *album));
     finish_report(report, album.get());
 }
 
@@ -82,7 +85,7 @@ void replay(Scene scene) {
         throw Failure(scene.replay + ": holds no whole frame");
     const Figure figure = make_figure(scene);
     make_folder(scene.out);
-    const std::unique_ptr<Album> album = make_album(scene, figure);
+    const std::unique_ptr<Album> album = make_album(scene, figure, {});
     Progress progress("drawing", cache.frames());
     for (uint32_t frame = 0; frame < cache.frames() && album && !interrupted(); ++frame) {
         if (album->wants(frame))

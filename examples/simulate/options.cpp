@@ -6,10 +6,12 @@ namespace simulate {
 
 namespace {
 
-constexpr const char* footer =
-    "Leaves in --out: sheet.png (the motion), ab.png (without and with the inter-hair step),\n"
-    "motion.mp4 when ffmpeg is there, and stats.json. Ctrl-C ends early and keeps what there is.\n"
-    "Exit codes: 0 done, 1 the input is at fault, 2 the device is.";
+constexpr const char* footer = "Leaves in --out: sheet.png (the motion), ab.png (beside TressFX, "
+                               "and TressFX with the thesis's\n"
+                               "inter-hair step), motion.mp4 when ffmpeg is there, and stats.json. "
+                               "Ctrl-C ends early and keeps\n"
+                               "what there is.\n"
+                               "Exit codes: 0 done, 1 the input is at fault, 2 the device is.";
 
 // An option that becomes the scene-file key `key`.
 template <typename T>
@@ -37,7 +39,7 @@ void add_options(CLI::App& app, CommandLine& line) {
     option<double>(app, keys, "--seconds", "seconds", "S", "length of the motion [4]");
     count("--rate", "rate", "HZ", "steps and frames a second [60]");
     count("--substeps", "substeps", "N", "per step [2]");
-    text("--model", "model", "NAME", "tressfx, chain, cosserat or rod [tressfx]");
+    text("--model", "model", "NAME", "tressfx, chain, cosserat or rod [cosserat]");
     text("--sag-free", "sag_free", "NAME",
          "off, rest or stiffen: the groom as drawn is in balance with gravity [stiffen where it "
          "bends]");

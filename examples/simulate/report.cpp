@@ -62,11 +62,25 @@ void print_sag(const plait_sim_stats& stats) {
         static_cast<unsigned long long>(stats.sag_unstable));
 }
 
-void print_comparison(const Measurements& main, const Measurements& plain) {
-    std::printf("without the inter-hair step: %.2f ms/frame, worst stretch %.2f %%; the step costs "
-                "%+.2f ms\n",
-                plain.median_ms(), 100.0 * static_cast<double>(plain.max_stretch),
-                main.median_ms() - plain.median_ms());
+void print_compared(const std::string& label, const Measurements& run) {
+    std::printf("%-50s %9.2f ms/frame, worst stretch %9.2f %%\n", label.c_str(), run.median_ms(),
+                100.0 * static_cast<double>(run.max_stretch));
+}
+
+void print_comparison(const Report& report) {
+    const plait_sim_desc& own = report.scene.sim;
+    for (const Compared& other : report.beside)
+        print_compared(other.variant.label, other.run);
+    if (!report.beside.empty())
+        print_compared(label_of(own.model, own.params.interhair), report.main);
+}
+
+Json compared(const Compared& other) {
+    Json json = measured(other.run);
+    json["label"] = other.variant.label;
+    json["model"] = model_names[other.variant.model];
+    json["interhair"] = interhair_names[other.variant.interhair];
+    return json;
 }
 
 } // namespace
@@ -98,8 +112,9 @@ Json to_json(const Report& report) {
     json["import_repairs"] = report.figure.info.repairs_total;
     json["first_repair"] = report.figure.info.first_repair;
     json["interrupted"] = report.interrupted;
-    if (report.plain)
-        json["without_interhair"] = measured(*report.plain);
+    json["compared"] = Json::array();
+    for (const Compared& other : report.beside)
+        json["compared"].push_back(compared(other));
     return json;
 }
 
@@ -117,8 +132,7 @@ void print_report(const Report& report) {
                 static_cast<unsigned long long>(run.nonfinite));
     if (report.scene.sim.sag_free != PLAIT_SAG_FREE_OFF)
         print_sag(run.last);
-    if (report.plain)
-        print_comparison(run, *report.plain);
+    print_comparison(report);
     if (report.figure.info.repairs_total)
         std::printf("%llu repairs at import; the first: %s\n",
                     static_cast<unsigned long long>(report.figure.info.repairs_total),

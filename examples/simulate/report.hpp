@@ -1,15 +1,21 @@
 // What plait-simulate says about a run: a table for people, JSON for programs.
 #pragma once
 
+#include "comparison.hpp"
 #include "run.hpp"
 
 namespace simulate {
+
+struct Compared {
+    Variant variant;
+    Measurements run;
+};
 
 struct Report {
     const Scene& scene;
     const Figure& figure;
     Measurements main;
-    std::optional<Measurements> plain; // the same without the inter-hair step
+    std::vector<Compared> beside; // what it is compared with
     bool interrupted = false;
     std::vector<std::string> files;
 };

@@ -2,7 +2,8 @@
 
 namespace plait::cases {
 
-// Arc lengths of up to 5 m and positions below 2 m: 1e-6 m. A reach of a third draws most vertices in.
+// Arc lengths of up to 5 m and positions below 2 m: 1e-6 m. A reach of a third draws most vertices
+// in.
 Case attach_case() {
     Case result = {PLAIT_STAGE_attach, {}, {{"position", 2e-6}}};
     for (const Size& size : sizes()) {

@@ -27,8 +27,7 @@ float farthest_from_root(const OneStrand& strand) {
     const auto x = strand.read(PLAIT_FIELD_POSITION);
     float farthest = 0;
     for (const auto& p : x)
-        farthest = std::max(farthest,
-                            std::hypot(p[0] - x[0][0], p[1] - x[0][1], p[2] - x[0][2]));
+        farthest = std::max(farthest, std::hypot(p[0] - x[0][0], p[1] - x[0][1], p[2] - x[0][2]));
     return farthest;
 }
 

@@ -132,16 +132,16 @@ TEST_P(SagFree, groom_stays_and_comes_back) {
     expect_stays(std::string(PLAIT_SOURCE_DIR "/assets/") + GetParam().file, 5e-3);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Assets, SagFree,
-    testing::Values(GroomCase{PLAIT_MODEL_COSSERAT, "long.tfx"},
-                    GroomCase{PLAIT_MODEL_COSSERAT, "braid.tfx"},
-                    GroomCase{PLAIT_MODEL_COSSERAT, "curly.tfx"},
-                    GroomCase{PLAIT_MODEL_COSSERAT, "short.tfx"},
-                    GroomCase{PLAIT_MODEL_ROD, "long.tfx"}, GroomCase{PLAIT_MODEL_ROD, "braid.tfx"},
-                    GroomCase{PLAIT_MODEL_ROD, "curly.tfx"},
-                    GroomCase{PLAIT_MODEL_ROD, "short.tfx"}),
-    name_of);
+INSTANTIATE_TEST_SUITE_P(Assets, SagFree,
+                         testing::Values(GroomCase{PLAIT_MODEL_COSSERAT, "long.tfx"},
+                                         GroomCase{PLAIT_MODEL_COSSERAT, "braid.tfx"},
+                                         GroomCase{PLAIT_MODEL_COSSERAT, "curly.tfx"},
+                                         GroomCase{PLAIT_MODEL_COSSERAT, "short.tfx"},
+                                         GroomCase{PLAIT_MODEL_ROD, "long.tfx"},
+                                         GroomCase{PLAIT_MODEL_ROD, "braid.tfx"},
+                                         GroomCase{PLAIT_MODEL_ROD, "curly.tfx"},
+                                         GroomCase{PLAIT_MODEL_ROD, "short.tfx"}),
+                         name_of);
 
 // Real grooms, when there are any: in $PLAIT_GROOMS, by default ../shared/grooms beside the source.
 class SagFreeReal : public SagFree {};

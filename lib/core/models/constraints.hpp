@@ -1,5 +1,5 @@
-// Constraints on positions that more than one model can have: each appends its stage, or nothing where
-// the parameters turn it off.
+// Constraints on positions that more than one model can have: each appends its stage, or nothing
+// where the parameters turn it off.
 #pragma once
 
 #include "core/model.hpp"

@@ -1,5 +1,5 @@
-// One strand at rest as the rod models see it, in float64: what cl/common/rod.clh calls l, ks, kb, m
-// and r.
+// One strand at rest as the rod models see it, in float64: what cl/common/rod.clh calls l, ks, kb,
+// m and r.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -25,8 +25,8 @@ struct Material {
 };
 
 struct RestStrand {
-    // `positions`: xyz of every vertex, m. Frames are carried along the strand by the shortest turn,
-    // so that a strand as groomed has no twist.
+    // `positions`: xyz of every vertex, m. Frames are carried along the strand by the shortest
+    // turn, so that a strand as groomed has no twist.
     RestStrand(std::span<const float> positions, const Material& material,
                std::pmr::memory_resource* memory);
 
@@ -35,7 +35,7 @@ struct RestStrand {
     void frame_along(size_t segment, const Vec3& direction); // from the frame before it
 
     std::pmr::vector<Vec3> x; // m, as groomed
-    double whole = 0; // length as groomed, m
+    double whole = 0;         // length as groomed, m
     // Per segment; the joint of segment i is the one before it, the first one the clamp.
     std::pmr::vector<double> length;  // m
     std::pmr::vector<double> stretch; // EA/l, N/m

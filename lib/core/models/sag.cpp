@@ -2,10 +2,11 @@
 // equilibrium the tension T_i of segment i is the weight below it, whatever the orientations. So
 //   x_{i+1} - x_i = l_i (t_i + T_i/EA), |t_i| = 1      gives l_i and t_i,
 //   M_i = M_{i+1} - l_i t_i x T_i                      the moments, from the tip on,
-//   M_i = (kb_i/2) v_i                                 the rest rotations: m = (v, sqrt(1 - v^2)) is
+//   M_i = (kb_i/2) v_i                                 the rest rotations: m = (v, sqrt(1 - v^2))
+//   is
 //                                                      that from q_i to q_{i-1} r_i, in the world.
-// What remains is E(q) = sum kb_i (1 - |w_i|) - l_i T_i.t_i(q_i), exactly: the equilibrium is stable
-// where its Hessian in rotation vectors is positive definite,
+// What remains is E(q) = sum kb_i (1 - |w_i|) - l_i T_i.t_i(q_i), exactly: the equilibrium is
+// stable where its Hessian in rotation vectors is positive definite,
 //   segment:  l (T.t I - (t T' + T t')/2)
 //   joint:    kb w/4 I on both segments, -kb/4 (w I + [v]x) between that before and that after it.
 // Eliminated from the tip on, the pivot of segment i tells whether joint i holds what follows.
@@ -26,8 +27,8 @@ using Mat3 = Eigen::Matrix3d;
 // What STIFFEN sees to, for every joint. None depends on the number of segments, but the first:
 // v stays below this (60 degrees). The moment ceases to grow at 1.
 constexpr double most_bent = 0.5;
-// With the load of its joint all along, the strand would rest coiled by this turn at most: springier
-// hair finds other shapes when it is shaken.
+// With the load of its joint all along, the strand would rest coiled by this turn at most:
+// springier hair finds other shapes when it is shaken.
 constexpr double most_coiled = 2 * std::numbers::pi;
 // EI is at least so much of (what tips over the rest of the strand, N m) x (the strand's length).
 // Each such joint adds to the load of those before it, all together less than a factor e^2. An
@@ -107,11 +108,12 @@ void Joints::stiffen(size_t joint, double bend) {
 void Joints::hold(size_t i, const Vec3& T) {
     const Vec3 t = s_.frame[i] * Vec3::UnitX();
     moment_ -= s_.length[i] * t.cross(T);
-    const Mat3 load = s_.length[i] * (t.dot(T) * Mat3::Identity() -
-                                      (t * T.transpose() + T * t.transpose()) / 2) +
-                      carried_;
-    const double weakest =
-        Eigen::SelfAdjointEigenSolver<Mat3>().computeDirect(load, Eigen::EigenvaluesOnly).eigenvalues()[0];
+    const Mat3 load =
+        s_.length[i] * (t.dot(T) * Mat3::Identity() - (t * T.transpose() + T * t.transpose()) / 2) +
+        carried_;
+    const double weakest = Eigen::SelfAdjointEigenSolver<Mat3>()
+                               .computeDirect(load, Eigen::EigenvaluesOnly)
+                               .eigenvalues()[0];
     if (stiffen_ && s_.bend[i] > 0)
         stiffen(i, enough(i, moment_.norm(), std::max(0.0, -weakest)));
     const double kb = s_.bend[i];
