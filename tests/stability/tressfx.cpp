@@ -65,6 +65,19 @@ TEST(TressfxFailure, stretch_grows_with_the_vertices) {
     }
 }
 
+// What gravity adds in a step does not shrink with the strand: a segment is drawn out by 5.5 cm, be
+// it one of a strand of 30 cm or of one of 60 um (the shortest of AMD's mohawk).
+TEST(TressfxFailure, stretch_in_metres_does_not_know_the_length) {
+    for (const float length : {0.3f, 0.003f, 6e-5f}) {
+        StrandShape shape = hanging;
+        shape.length = length;
+        OneStrand strand(shape, at_rate(60.0f));
+        strand.run(10.0);
+        expect_within(strand.stats().max_stretch * length / 31.0, 0.0551, 0.002,
+                      std::to_string(length) + " m");
+    }
+}
+
 // The local shape constraint has no modulus: its iterations are one.
 TEST(TressfxFailure, stiffness_depends_on_the_iterations) {
     const std::pair<uint32_t, double> measured[] = {{1, -0.7757}, {2, -0.6489},  {4, -0.5295},
