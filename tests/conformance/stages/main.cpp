@@ -2,6 +2,7 @@
 //
 // Environment: PLAIT_TEST_DEVICE=part        only devices whose backend, platform or name has it
 //              PLAIT_TEST_ALLOW_NO_OPENCL=1  if there is no such device, say so and exit with 77
+//              PLAIT_TEST_MAX_VERTICES=V     leave out longer strands in the stages over lanes
 #include "case.hpp"
 #include "closed_forms.hpp"
 #include "subjects.hpp"
@@ -19,6 +20,18 @@ using cases::Case;
 using cases::Field;
 using cases::FieldKind;
 using cases::Outputs;
+
+std::string environment(const char* name) {
+    const char* value = std::getenv(name);
+    return value ? value : "";
+}
+
+// The stages over lanes take an interpreter hours at full length.
+bool is_too_long(plait_stage stage, const cases::Setup& setup) {
+    static const std::string most = environment("PLAIT_TEST_MAX_VERTICES");
+    return !most.empty() && plait_stage_describe(stage)->space == PLAIT_SPACE_LANES &&
+           setup.width > std::stoul(most);
+}
 
 // What the formulae say, computed once per setup.
 const Outputs& expected_of(const Case& stage_case, size_t setup) {
@@ -68,11 +81,14 @@ class Agrees : public StageTest {
         if (!open())
             return;
         EXPECT_TRUE(subject_.api().supports(subject_.device(), stage_case_.stage));
-        for (size_t i = 0; i < stage_case_.setups.size(); ++i)
-            if (const std::string wrong =
-                    difference(stage_case_, i, stage_case_.setups[i], subject_);
-                !wrong.empty())
-                ADD_FAILURE() << wrong;
+        size_t compared = 0;
+        for (size_t i = 0; i < stage_case_.setups.size(); ++i) {
+            if (is_too_long(stage_case_.stage, stage_case_.setups[i]))
+                continue;
+            ++compared;
+            EXPECT_EQ(difference(stage_case_, i, stage_case_.setups[i], subject_), "");
+        }
+        EXPECT_GT(compared, 0u);
     }
 };
 
@@ -176,11 +192,6 @@ void add_all(Subject& subject) {
     for (const auto* forms : {&strand_closed_forms(), &grid_closed_forms()})
         for (const ClosedForm& form : *forms)
             add<Solves>(subject, form.name, form);
-}
-
-std::string environment(const char* name) {
-    const char* value = std::getenv(name);
-    return value ? value : "";
 }
 
 } // namespace
