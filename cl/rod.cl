@@ -41,6 +41,27 @@ inline vec3 rod_moment(quat q, quat expected, real bend) {
     return scale3(vec3_of(m.x, m.y, m.z), copysign(0.5f * bend, m.w));
 }
 
+/* What the joint's section adds to its moment on q: with u and w of the turn from the expected
+ * orientation and g = k u, -1/2 (w g + u x g) in that one's axes. */
+inline vec3 rod_section_moment(rod_section k, quat q, quat expected) {
+    const quat m = mulq(conjq(expected), q);
+    const vec3 u = vec3_of(m.x, m.y, m.z);
+    const vec3 g = vec3_of(k.twist * m.x, (real)(0.0f), k.cross * m.z);
+    return scale3(rotate3(expected, axpy3(m.w, g, cross3(u, g))), (real)(-0.5f));
+}
+
+/* And to a block of the Hessian, rows and columns omega: side/4 R k R^T. */
+inline void rod_section_block(real a[ROD_UNKNOWNS][ROD_UNKNOWNS], rod_section k, quat expected,
+                              float side) {
+    const vec3 t = director(expected);
+    const vec3 b = rotate3(expected, vec3_of((real)(0.0f), (real)(0.0f), (real)(1.0f)));
+    const real along[3] = {t.x, t.y, t.z}, across[3] = {b.x, b.y, b.z};
+    for (int r = 0; r < 3; ++r)
+        for (int c = 0; c < 3; ++c)
+            a[3 + r][3 + c] +=
+                0.25f * side * (k.twist * along[r] * along[c] + k.cross * across[r] * across[c]);
+}
+
 /* Lower triangle of the diagonal block of segment k; `next_*` belong to segment k+1, 0 at the tip.
  */
 inline void rod_diagonal(real a[ROD_UNKNOWNS][ROD_UNKNOWNS], const rod_segment* e, real inertia,
@@ -115,6 +136,27 @@ inline void rod_back_substitute(real a[ROD_UNKNOWNS][ROD_UNKNOWNS], real v[ROD_U
     }
 }
 
+/* Where joint k would leave q_k if nothing bent it. */
+inline quat rod_expected(const rod_problem* rod, const rod_state* s, int k) {
+    return k == 0 ? rod->clamp : mulq(s->q[k - 1], loadq(rod->rest, rod->step->place, k));
+}
+
+inline vec3 rod_joint_moment(const rod_problem* rod, const rod_state* s, int k, quat expected,
+                             real bend) {
+    const vec3 moment = rod_moment(s->q[k], expected, bend);
+    const rod_section section = rod_section_of(rod, k);
+    return rod_section_round(section)
+               ? moment
+               : add3(moment, rod_section_moment(section, s->q[k], expected));
+}
+
+inline void rod_add_section(const rod_problem* rod, const rod_state* s, int k,
+                            real a[ROD_UNKNOWNS][ROD_UNKNOWNS], float side) {
+    const rod_section section = rod_section_of(rod, k);
+    if (!rod_section_round(section))
+        rod_section_block(a, section, rod_expected(rod, s, k), side);
+}
+
 /* Minus the gradient for segment k; `next` is segment k+1 or null at the tip. */
 inline void rod_descent(const rod_problem* rod, const rod_state* s, int k, const rod_segment* e,
                         const rod_segment* next, real g[ROD_UNKNOWNS]) {
@@ -122,13 +164,12 @@ inline void rod_descent(const rod_problem* rod, const rod_state* s, int k, const
     const real inertia = rod_material(rod, i, PLAIT_LANE_MASS) * rod->inertia;
     vec3 force = sub3(scale3(sub3(s->y[i], s->x[i]), inertia), e->tension);
     vec3 torque = scale3(cross3(e->director, e->tension), e->length);
-    const quat expected =
-        k == 0 ? rod->clamp : mulq(s->q[k - 1], loadq(rod->rest, rod->step->place, k));
-    torque = add3(torque, rod_moment(s->q[k], expected, e->bend));
+    const quat expected = rod_expected(rod, s, k);
+    torque = add3(torque, rod_joint_moment(rod, s, k, expected, e->bend));
     if (next) {
-        const quat onward = mulq(s->q[k], loadq(rod->rest, rod->step->place, k + 1));
+        const quat onward = rod_expected(rod, s, k + 1);
         force = add3(force, next->tension);
-        torque = sub3(torque, rod_moment(s->q[k + 1], onward, next->bend));
+        torque = sub3(torque, rod_joint_moment(rod, s, k + 1, onward, next->bend));
     }
     g[0] = force.x;
     g[1] = force.y;
@@ -166,6 +207,9 @@ inline void rod_direction(const rod_problem* rod, const rod_state* s, real u[][R
         const real inertia = rod_material(rod, k + 1, PLAIT_LANE_MASS) * rod->inertia;
         rod_diagonal(a, &e, inertia, tip ? (real)(0.0f) : next.stretch,
                      tip ? (real)(0.0f) : next.bend);
+        rod_add_section(rod, s, k, a, 1.0f);
+        if (!tip)
+            rod_add_section(rod, s, k + 1, a, 1.0f);
         rod_descent(rod, s, k, &e, tip ? 0 : &next, row[k].z);
         if (k > 0)
             rod_eliminate(a, row[k].z, b, &row[k - 1]);
@@ -173,6 +217,7 @@ inline void rod_direction(const rod_problem* rod, const rod_state* s, real u[][R
         rod_back_substitute(a, row[k].z);
         if (!tip) {
             rod_coupling(b, &next);
+            rod_add_section(rod, s, k + 1, b, -1.0f);
             for (int c = 0; c < ROD_UNKNOWNS; ++c) {
                 real column[ROD_UNKNOWNS];
                 for (int r = 0; r < ROD_UNKNOWNS; ++r)

@@ -39,6 +39,8 @@ void read_material(JsonReader& in, plait_sim_params& p) {
     in.number("line_density", p.line_density, 1e-9, 1e3);
     in.number("bend_stiffness", p.bend_stiffness, 0, 1e3);
     in.number("stretch_stiffness", p.stretch_stiffness, 0, 1e9);
+    in.number("twist_stiffness", p.twist_stiffness, 0, 1e3);
+    in.number("section_ratio", p.section_ratio, 1e-3, 1e3);
     in.number("tip_stiffness", p.tip_stiffness, 0, 100);
     in.number("drag", p.drag, 0, 1e4);
     in.integer("shape_constraints", p.shape_constraints, 0, 1);

@@ -343,9 +343,13 @@ typedef struct plait_sim_params {
     float bend_stiffness;    /* EI, N m^2, [0, 1e3], default 4.7e-9 (a hair of 70 um at 4 GPa) */
     float stretch_stiffness; /* EA, N, [0, 1e9]; default 0: what lets a strand of its length give 1
                                % at 10 g (the hair's own 15 N only slows the solve) */
-    float tip_stiffness;     /* bend stiffness at the tip / at the root, linear between, [0, 100],
-                                default 1 */
-    float drag;              /* 1/s, relative to the wind, [0, 1e4], default 1 */
+    float twist_stiffness; /* GJ, N m^2, [0, 1e3]; default 0: as bend_stiffness. Model rod; cosserat
+                              always twists as it bends */
+    float section_ratio;   /* EI2/EI of an elliptic section, [1e-3, 1e3], default 1: round. A strand
+                              curls about the axis of bend_stiffness. Model rod */
+    float tip_stiffness;   /* bend and twist stiffness at the tip / at the root, linear between, [0,
+                              100],   default 1 */
+    float drag;            /* 1/s, relative to the wind, [0, 1e4], default 1 */
 
     /* what artists may add to any model, once per substep */
     uint32_t shape_constraints; /* chain, cosserat, rod: 1: also global_* and local_* above, after
@@ -375,6 +379,24 @@ typedef struct plait_sim_params {
 
 PLAIT_API void plait_sim_params_init(plait_sim_params* params, size_t size);
 
+/* What a hair is made of. */
+typedef struct plait_fibre {
+    uint32_t struct_size;
+    float density;        /* kg/m^3, [1, 1e5], default 1300 */
+    float radius;         /* m, [1e-7, 0.1], default 35e-6; of an ellipse the larger half axis */
+    float flatness;       /* the smaller half axis / radius, [0.05, 1], default 1 */
+    float youngs_modulus; /* Pa, [0, 1e13], default 4e9 */
+    float shear_modulus;  /* Pa, [0, 1e13], default 1.5e9 */
+} plait_fibre;
+
+PLAIT_API void plait_fibre_init(plait_fibre* fibre, size_t size);
+
+/* Sets line_density, bend_stiffness, twist_stiffness and section_ratio of `params` to those of a
+ * fibre of elliptic section; it bends about the longer axis most easily. stretch_stiffness stays: a
+ * hair's own EA only slows the solve. */
+PLAIT_API plait_result plait_sim_params_set_fibre(plait_sim_params* params,
+                                                  const plait_fibre* fibre);
+
 typedef struct plait_sim_desc {
     uint32_t struct_size;
     plait_model model;
@@ -385,6 +407,8 @@ typedef struct plait_sim_desc {
     uint32_t follows_per_guide;  /* [0, 64], default 0 */
     float follow_radius;         /* m, default 0.003 */
     uint64_t seed;               /* follow offsets and slot hash */
+    plait_view strand_stiffness; /* float [guides] or empty: what scales each strand's bend and
+                                    twist stiffness, [0, 1e6]; cosserat, rod. Copied */
     plait_sag_free sag_free;     /* models cosserat and rod; others refuse it. Default OFF */
     plait_sim_params params;
 } plait_sim_desc;
@@ -524,6 +548,7 @@ PLAIT_DEFAULTS(plait_context_desc)
 PLAIT_DEFAULTS(plait_import_options)
 PLAIT_DEFAULTS(plait_groom_desc)
 PLAIT_DEFAULTS(plait_groom_info)
+PLAIT_DEFAULTS(plait_fibre)
 PLAIT_DEFAULTS(plait_sim_params)
 PLAIT_DEFAULTS(plait_sim_desc)
 PLAIT_DEFAULTS(plait_sim_stats)

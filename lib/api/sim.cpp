@@ -96,6 +96,22 @@ void plait_sim_params_init(plait_sim_params* params, size_t size) {
     api::init_struct(params, size, default_params());
 }
 
+void plait_fibre_init(plait_fibre* fibre, size_t size) {
+    api::init_struct(fibre, size, default_fibre());
+}
+
+plait_result plait_sim_params_set_fibre(plait_sim_params* params, const plait_fibre* fibre) {
+    return api::guard(__func__, [&]() -> Status {
+        plait_sim_params changed;
+        PLAIT_TRY(api::read_params(params, "params", changed));
+        plait_fibre given = default_fibre();
+        PLAIT_TRY(api::read_struct(fibre, given, "fibre"));
+        PLAIT_TRY(set_fibre(changed, given));
+        api::write_struct(params, changed);
+        return {};
+    });
+}
+
 void plait_sim_desc_init(plait_sim_desc* desc, size_t size) {
     api::init_struct(desc, size, default_sim_desc());
 }
@@ -114,7 +130,11 @@ plait_result plait_sim_create(plait_context* context, const plait_groom* groom,
         PLAIT_TRY(api::need(out, "out"));
         plait_sim_desc given;
         PLAIT_TRY(api::read_desc(desc, given));
-        auto parts = make_sim_parts(context->context, groom->groom, given);
+        std::pmr::vector<float> stiffness(&context->context.memory);
+        PLAIT_TRY(api::copy_view(given.strand_stiffness, 1, "desc->strand_stiffness", stiffness));
+        PLAIT_TRY(check_strand_stiffness(stiffness, groom->groom.shape.strands));
+        given.strand_stiffness = {}; // the caller's
+        auto parts = make_sim_parts(context->context, groom->groom, given, stiffness);
         if (!parts)
             return parts.error();
         auto handle =

@@ -65,7 +65,8 @@ class Model {
 struct ModelInput {
     const Layout& layout;
     const Groom& groom;
-    uint32_t tile; // strands per tile of the lane layout
+    std::span<const float> stiffness; // scale of each guide's, or empty
+    uint32_t tile;                    // strands per tile of the lane layout
     plait_sag_free sag_free;
     std::pmr::memory_resource* memory;
 };

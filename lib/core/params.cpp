@@ -5,6 +5,7 @@
 
 #include <cstring>
 #include <limits>
+#include <numbers>
 
 namespace plait {
 namespace {
@@ -58,6 +59,8 @@ Status check_model(const plait_sim_params& s) {
     PLAIT_RANGE(line_density, 1e-9, 1e3);
     PLAIT_RANGE(bend_stiffness, 0, 1e3);
     PLAIT_RANGE(stretch_stiffness, 0, 1e9);
+    PLAIT_RANGE(twist_stiffness, 0, 1e3);
+    PLAIT_RANGE(section_ratio, 1e-3f, 1e3);
     PLAIT_RANGE(tip_stiffness, 0, 100);
     PLAIT_RANGE(drag, 0, 1e4);
     PLAIT_RANGE(shape_constraints, 0, 1);
@@ -109,6 +112,7 @@ plait_sim_params default_params() {
     p.iterations = PLAIT_ITERATIONS_OF_MODEL;
     p.line_density = 5e-6f;
     p.bend_stiffness = 4.7e-9f;
+    p.section_ratio = 1;
     p.tip_stiffness = 1;
     p.drag = 1;
     p.wind_form = PLAIT_WIND_FORM_DRAG;
@@ -157,6 +161,41 @@ Status check_sim_desc(const plait_sim_desc& s) {
                    "cosserat (%d) and rod (%d) have",
                    s.sag_free, s.model, PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD)};
     return check_params(s.params);
+}
+
+Status check_strand_stiffness(std::span<const float> scales, size_t guides) {
+    if (!scales.empty() && scales.size() != guides)
+        return Error{PLAIT_INVALID_ARGUMENT,
+                     format("strand_stiffness.count is %zu, the groom has %zu strands",
+                            scales.size(), guides)};
+    for (size_t i = 0; i < scales.size(); ++i)
+        PLAIT_TRY(
+            check_range(format("strand_stiffness[%zu]", i).c_str(), double(scales[i]), 0, 1e6));
+    return {};
+}
+
+plait_fibre default_fibre() {
+    return {sizeof(plait_fibre), 1300, 35e-6f, 1, 4e9f, 1.5e9f};
+}
+
+Status set_fibre(plait_sim_params& params, const plait_fibre& s) {
+    PLAIT_RANGE(density, 1, 1e5);
+    PLAIT_RANGE(radius, 1e-7f, 0.1f);
+    PLAIT_RANGE(flatness, 0.05f, 1);
+    PLAIT_RANGE(youngs_modulus, 0, 1e13);
+    PLAIT_RANGE(shear_modulus, 0, 1e13);
+    const double a = double(s.radius), f = double(s.flatness), b = a * f;
+    const double quarter = std::numbers::pi / 4 * a * b;
+    plait_sim_params with = params;
+    with.line_density = static_cast<float>(4 * quarter * double(s.density));
+    with.bend_stiffness = static_cast<float>(quarter * b * b * double(s.youngs_modulus));
+    with.section_ratio = static_cast<float>(1 / (f * f));
+    // Saint-Venant's torsion constant of an ellipse
+    with.twist_stiffness =
+        static_cast<float>(4 * quarter * a * a * b * b / (a * a + b * b) * double(s.shear_modulus));
+    PLAIT_TRY(check_params(with));
+    params = with;
+    return {};
 }
 
 Status check_collider(const plait_collider_desc& s) {

@@ -31,12 +31,13 @@ Layout make_layout(const Groom& groom, const plait_sim_desc& desc) {
 
 } // namespace
 
-Result<SimParts> make_sim_parts(Context& context, const Groom& groom, const plait_sim_desc& desc) {
+Result<SimParts> make_sim_parts(Context& context, const Groom& groom, const plait_sim_desc& desc,
+                                std::span<const float> stiffness) {
     PLAIT_TRY(check_size(context, groom, desc));
     const Layout layout = make_layout(groom, desc);
     Device& device = context.device;
-    auto model =
-        make_model(desc.model, {layout, groom, context.info.tile, desc.sag_free, &context.memory});
+    auto model = make_model(
+        desc.model, {layout, groom, stiffness, context.info.tile, desc.sag_free, &context.memory});
     if (!model)
         return model.error();
     PLAIT_TRY((*model)->prepare(device, desc.params));

@@ -32,7 +32,9 @@ struct SimParts {
     InterHair grid;
     Display display;
 };
-Result<SimParts> make_sim_parts(Context& context, const Groom& groom, const plait_sim_desc& desc);
+// `stiffness`: what scales each guide's, or empty.
+Result<SimParts> make_sim_parts(Context& context, const Groom& groom, const plait_sim_desc& desc,
+                                std::span<const float> stiffness);
 
 struct SnapshotHeader; // snapshot.cpp
 

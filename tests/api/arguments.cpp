@@ -216,6 +216,16 @@ TEST(Arguments, SimDescriptorsOutsideTheirRanges) {
         sim_desc("max_steps_per_call", [](D& d) { d.max_steps_per_call = 0; }),
         sim_desc("interpolate_output", [](D& d) { d.interpolate_output = 2; }),
         sim_desc("follows_per_guide", [](D& d) { d.follows_per_guide = 65; }),
+        sim_desc("strand_stiffness.count is 1, the groom has 2",
+                 [](D& d) {
+                     static const float one = 1.0f;
+                     d.strand_stiffness = {&one, 1, 0};
+                 }),
+        sim_desc("strand_stiffness[1]",
+                 [](D& d) {
+                     static const float scales[] = {1.0f, -1.0f};
+                     d.strand_stiffness = {scales, 2, 0};
+                 }),
         sim_desc("sag_free", [](D& d) { set_raw(d.sag_free, 3); }),
         sim_desc("sag_free", [](D& d) { d.sag_free = PLAIT_SAG_FREE_REST; }), // tressfx
         sim_desc("follow_radius", [](D& d) { d.follow_radius = NAN; }),

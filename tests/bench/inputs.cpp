@@ -237,7 +237,8 @@ Words lane_rows(const Shape& shape, const std::array<float, Components>& row) {
 Words lane_material(const Shape& shape) {
     constexpr float density = 5e-6f, bend = 4.7e-9f, stretch = 1.2e-2f;
     const float l = strand_length / static_cast<float>(shape.vertices - 1);
-    return lane_rows<4>(shape, {l, stretch / l, 4 * bend / l, density * l});
+    return lane_rows<PLAIT_LANE_MATERIAL_COMPONENTS>(
+        shape, {l, stretch / l, 4 * bend / l, density * l, 0, 0});
 }
 
 using Maker = Words (*)(const Shape&);

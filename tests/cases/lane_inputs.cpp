@@ -42,10 +42,11 @@ void add_material(LaneHair& lanes, Random& random, bool segment, bool root) {
     constexpr double density = 5e-6, bend = 4e-8, stretch = 4e-3;
     const double length = segment ? segment_length : 0;
     const double scale = random.uniform(0.8, 1.2);
-    append(lanes.material,
-           std::array<double, 4>{length, segment ? scale * stretch / length : 0,
-                                 segment ? (root ? 2 : 1) * 4 * scale * bend / length : 0,
-                                 scale * density * segment_length});
+    const double joint = segment ? (root ? 2 : 1) * 4 * scale * bend / length : 0;
+    const double twist = random.uniform(-0.4, 0.4), cross = random.uniform(0.2, 1);
+    append(lanes.material, std::array<double, PLAIT_LANE_MATERIAL_COMPONENTS>{
+                               length, segment ? scale * stretch / length : 0, joint,
+                               scale * density * segment_length, twist * joint, cross * joint});
 }
 
 void add_strand(LaneHair& lanes, Random& random, uint32_t count, uint32_t stride, const float* pose,
@@ -95,7 +96,7 @@ Setup lane_setup(const Size& size, const LaneHair& lanes, const plait_lane_param
     setup.items = size.strands;
     setup.width = size.stride;
     setup.buffers = {float4s(lanes.hair.rest), float4s(lanes.hair.pose),
-                     lane_floats(lanes.material, 4)};
+                     lane_floats(lanes.material, PLAIT_LANE_MATERIAL_COMPONENTS)};
     if (bends)
         setup.buffers.push_back(lane_floats(lanes.rest, 4));
     setup.buffers.push_back(lane_floats(lanes.x, 3));

@@ -200,7 +200,11 @@ typedef struct plait_lane_layout_params {
 #define PLAIT_LANE_STRETCH 1 /* EA_i/l_i, N/m; 0 past the tip */
 #define PLAIT_LANE_BEND 2    /* 4EI/lbar of the joint before segment i, N m; 0 past the tip */
 #define PLAIT_LANE_MASS 3    /* m_i, kg; 1 past the tip */
-#define PLAIT_LANE_MATERIAL_COMPONENTS 4
+/* Only `rod` reads these; 0 where a strand is round and twists as it bends. The joint's axes are
+ * those of q_(i-1) r_i: x along the segment, about y a strand bends by EI, about z by EI2. */
+#define PLAIT_LANE_TWIST 4 /* 4(GJ - EI)/lbar of the joint before segment i, N m */
+#define PLAIT_LANE_CROSS 5 /* 4(EI2 - EI)/lbar, N m */
+#define PLAIT_LANE_MATERIAL_COMPONENTS 6
 
 /* output: interpolate the finished steps and attach the result to the roots of now. */
 typedef struct plait_output_params {

@@ -1,8 +1,8 @@
 // rod: damped Gauss-Newton on the rod energy. Unknowns of segment i are the displacement of vertex
 // i + 1 and the rotation vector of q_i. With C = edge/l - t, dC/dx = +-I/l, dC/dw = [t]x, the
-// Hessian is EA l J^T J + kb/4 |w_i - w_{i-1}|^2 + max(0, l t.F)(I - t t^T), F the tension: without
-// the last, geometric term it diverges under tension. Up to four halvings of the step; where all
-// fail, two iterations of cosserat instead.
+// Hessian is EA l J^T J + kb/4 |w_i - w_{i-1}|^2 (kb + kt, kb, kb + kc in the joint's axes) +
+// max(0, l t.F)(I - t t^T), F the tension: without the last, geometric term it diverges under
+// tension. Up to four halvings of the step; where all fail, two iterations of cosserat instead.
 #include "backend/reference/rod_model.hpp"
 
 #include <algorithm>
@@ -48,14 +48,22 @@ Eigen::VectorXd RodModel::direction() const {
             g.segment<3>(x0) -= F;
         }
         const Quat m = expected(i) * q[i].conjugate();
-        const Vec3 moment = bend_[i] / 2 * std::copysign(1.0, m.w()) * m.vec();
-        block(w, w) += bend_[i] / 4 * Mat3::Identity();
+        // Turning q_i by w changes u = bent(i).vec() by (u.w w' + w' x u)/2, w' = w in the joint's
+        // axes.
+        const Quat u = bent(i);
+        const Mat3 axes = expected(i).toRotationMatrix();
+        const Vec3 ku = section_[i].cwiseProduct(u.vec());
+        const Vec3 moment = bend_[i] / 2 * std::copysign(1.0, m.w()) * m.vec() -
+                            axes * (u.w() * ku + u.vec().cross(ku)) / 2;
+        const Mat3 joint = bend_[i] / 4 * Mat3::Identity() +
+                           axes * section_[i].asDiagonal() * axes.transpose() / 4;
+        block(w, w) += joint;
         g.segment<3>(w) -= moment;
         if (i > 0) {
             const Eigen::Index w0 = w - unknowns;
-            block(w0, w0) += bend_[i] / 4 * Mat3::Identity();
-            block(w0, w) -= bend_[i] / 4 * Mat3::Identity();
-            block(w, w0) -= bend_[i] / 4 * Mat3::Identity();
+            block(w0, w0) += joint;
+            block(w0, w) -= joint;
+            block(w, w0) -= joint;
             g.segment<3>(w0) += moment;
         }
     }

@@ -28,6 +28,7 @@ RodModel::RodModel(const RodBuffers& buffers, const plait_lane_params& params, s
         length_.push_back(material(PLAIT_LANE_LENGTH));
         stretch_.push_back(material(PLAIT_LANE_STRETCH));
         bend_.push_back(material(PLAIT_LANE_BEND));
+        section_.emplace_back(material(PLAIT_LANE_TWIST), 0, material(PLAIT_LANE_CROSS));
         rest_.push_back(lane_.rotation(buffers.rest_rotation, i));
         // Start from the present orientation turned on by most of the last step's turn.
         const Quat now = lane_.rotation(buffers.q, i), before = lane_.rotation(buffers.q_before, i);
@@ -56,7 +57,8 @@ double RodModel::energy() const {
     for (size_t i = 0; i < segments(); ++i)
         sum += mass_[i + 1] * inertia_ / 2 * (x[i + 1] - motion_.y[i + 1]).squaredNorm() +
                stretch_[i] / 2 * strain(i).squaredNorm() +
-               bend_[i] * (1 - std::abs(dot(q[i], expected(i))));
+               bend_[i] * (1 - std::abs(dot(q[i], expected(i)))) +
+               bent(i).vec().dot(section_[i].cwiseProduct(bent(i).vec())) / 2;
     return sum;
 }
 

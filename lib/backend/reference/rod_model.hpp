@@ -3,6 +3,8 @@
 //     + sum_i ks_i/2 |x_{i+1} - x_i - l_i t_i|^2              stretch and shear, t_i = q_i e_x
 //     + sum_i kb_i (1 - |<q_i, q_{i-1} r_i>|)                 bend and twist; q_{-1} is the root
 //     frame
+//     + sum_i u_i' diag(kt_i, 0, kc_i) u_i / 2                twist and section, u_i the vector
+//     part of conj(q_{i-1} r_i) q_i
 // Source: Kugelstadt & Schoemer 2016, Hsu et al. 2025.
 #pragma once
 
@@ -45,6 +47,7 @@ class RodModel {
   private:
     Quat expected(size_t segment) const; // q_{i-1} r_i
     Vec3 strain(size_t segment) const;   // x_{i+1} - x_i - l_i t_i
+    Quat bent(size_t segment) const { return expected(segment).conjugate() * q[segment]; }
     Vec3 director(size_t segment) const { return q[segment] * Vec3::UnitX(); }
     Eigen::VectorXd direction() const;
 
@@ -53,6 +56,7 @@ class RodModel {
     double inertia_; // (1 + c h)/h^2
     Quat root_frame_;
     std::vector<double> length_, stretch_, bend_, mass_;
+    std::vector<Vec3> section_; // (kt, 0, kc)
     std::vector<Quat> rest_;
 };
 

@@ -40,7 +40,8 @@ class LaneModel final : public Model {
         : solver_(solver_of(model)),
           layout_(input.layout), lanes_{input.layout.guides, input.layout.row, input.tile},
           strands_{{input.groom.strands.positions, input.memory},
-                   {input.groom.strands.vertex_counts, input.memory}},
+                   {input.groom.strands.vertex_counts, input.memory},
+                   {input.stiffness.begin(), input.stiffness.end(), input.memory}},
           sag_free_(input.sag_free), memory_(input.memory) {}
 
     uint32_t pinned_vertices() const override { return pinned; }
@@ -94,8 +95,11 @@ Status LaneModel::make(Device& device, Buffer& to, size_t components, const char
 
 // The groom stays the shape in which strands are; what changes is what holds them in it.
 Status LaneModel::fill_material(Device& device, const plait_sim_params& params) {
-    const Material material{params.line_density, params.bend_stiffness, params.stretch_stiffness,
-                            params.tip_stiffness, !solver_.bends};
+    Material material{params.line_density,  params.bend_stiffness,  params.stretch_stiffness,
+                      params.tip_stiffness, params.twist_stiffness, params.section_ratio,
+                      !solver_.bends};
+    if (solver_.stage != PLAIT_STAGE_rod)
+        material.twist_stiffness = 0, material.section_ratio = 1;
     RestLoad load;
     if (sag_free_ != PLAIT_SAG_FREE_OFF)
         load = {sag_free_, {params.gravity[0], params.gravity[1], params.gravity[2]}};

@@ -35,6 +35,8 @@ void Writer::strand(size_t strand, const RestStrand& s) {
         set(strand, i, PLAIT_LANE_LENGTH, s.length[i]);
         set(strand, i, PLAIT_LANE_STRETCH, s.stretch[i]);
         set(strand, i, PLAIT_LANE_BEND, s.bend[i]);
+        set(strand, i, PLAIT_LANE_TWIST, s.bend[i] * (s.twist - 1));
+        set(strand, i, PLAIT_LANE_CROSS, s.bend[i] * (s.cross - 1));
         set(rows_.rest, strand, i, s.rest[i]);
         if (!rows_.start.empty())
             set(rows_.start, strand, i,
@@ -69,7 +71,10 @@ LaneRows lane_rows(const RestStrands& strands, const LaneLayout& layout, const M
     std::span<const float> positions = strands.positions;
     for (size_t strand = 0; strand < strands.counts.size(); ++strand) {
         const size_t floats = size_t{3} * strands.counts[strand];
-        RestStrand s(positions.first(floats), material, memory);
+        Material own = material;
+        if (!strands.stiffness.empty())
+            own.scale(strands.stiffness[strand]);
+        RestStrand s(positions.first(floats), own, memory);
         if (loaded)
             rows.sag.add(remove_sag(s, gravity, load.mode));
         writer.strand(strand, s);

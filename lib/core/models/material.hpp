@@ -9,10 +9,11 @@
 
 namespace plait {
 
-// Strands at rest: xyz of every vertex, and vertices per strand.
+// Strands at rest: xyz of every vertex, vertices per strand.
 struct RestStrands {
     std::pmr::vector<float> positions;
     std::pmr::vector<uint32_t> counts;
+    std::pmr::vector<float> stiffness; // scale of each strand's, or empty
 };
 
 // Whether the groom's shape is that without a load, or that under its own weight.
@@ -24,7 +25,7 @@ struct RestLoad {
 };
 
 struct LaneRows {
-    // [rows*4]: PLAIT_LANE_LENGTH, _STRETCH, _BEND, _MASS. Rows past a tip have mass 1 and nothing
+    // [rows*6]: PLAIT_LANE_LENGTH, ... Rows past a tip have mass 1 and nothing
     // else.
     std::pmr::vector<float> material;
     // [rows*4]: rotation of the joint before each segment at rest; row 0: that of the first

@@ -28,8 +28,8 @@ RestStrand::RestStrand(std::span<const float> positions, const Material& materia
     const double EA = stretch_stiffness(material, whole);
     const double EI = double(material.bend_stiffness);
     const double density = double(material.line_density);
-    frame.resize(segments());
-    rest.resize(segments());
+    twist = EI > 0 && material.twist_stiffness > 0 ? double(material.twist_stiffness) / EI : 1;
+    cross = double(material.section_ratio);
     double before = 0, along = 0;
     for (size_t i = 0; i < segments(); ++i) {
         const double scale = 1 + (double(material.tip_stiffness) - 1) * along / whole;
@@ -38,17 +38,44 @@ RestStrand::RestStrand(std::span<const float> positions, const Material& materia
         stretch.push_back(EA / length[i]);
         bend.push_back(4 * EI * scale / joint);
         mass.push_back(density * (material.equal_masses ? before : joint));
-        frame_along(i, edge(i));
-        rest[i] = (i == 0 ? Quat::Identity() : frame[i - 1].conjugate()) * frame[i];
         along += length[i];
         before = length[i];
     }
     mass.push_back(density * (material.equal_masses ? before : 0.5 * before));
+    set_frames();
+    if (cross != 1) {
+        roll = curl_direction();
+        set_frames();
+    }
+}
+
+void RestStrand::set_frames() {
+    frame.resize(segments());
+    rest.resize(segments());
+    for (size_t i = 0; i < segments(); ++i) {
+        frame_along(i, edge(i));
+        rest[i] = frame_before(i).conjugate() * frame[i];
+    }
 }
 
 void RestStrand::frame_along(size_t segment, const Vec3& direction) {
-    const Quat from = segment == 0 ? Quat::Identity() : frame[segment - 1];
+    Quat from = frame_before(segment);
+    if (segment == 0)
+        from = Eigen::AngleAxisd(roll, Vec3::UnitX());
     frame[segment] = (Quat::FromTwoVectors(from * Vec3::UnitX(), direction) * from).normalized();
+}
+
+// Angle from y towards z of the axis about which the strand bends most: that of the larger
+// eigenvalue of the sum of c c', c the turn of each joint but the clamp.
+double RestStrand::curl_direction() const {
+    double yy = 0, zz = 0, yz = 0;
+    for (size_t i = 1; i < segments(); ++i) {
+        const double y = rest[i].y(), z = rest[i].z();
+        yy += y * y;
+        zz += z * z;
+        yz += y * z;
+    }
+    return 0.5 * std::atan2(2 * yz, yy - zz);
 }
 
 } // namespace plait

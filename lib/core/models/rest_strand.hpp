@@ -19,23 +19,36 @@ struct Material {
     float bend_stiffness;    // N m^2
     float stretch_stiffness; // N; 0: by the strand's length
     float tip_stiffness;
+    float twist_stiffness; // N m^2; 0: as bend_stiffness
+    float section_ratio;
     bool equal_masses; // a limp chain's; a rod has half a mass at the tip
 
+    void scale(float stiffness) {
+        bend_stiffness *= stiffness;
+        twist_stiffness *= stiffness;
+    }
     bool operator==(const Material&) const = default;
 };
 
 struct RestStrand {
     // `positions`: xyz of every vertex, m. Frames are carried along the strand by the shortest
-    // turn, so that a strand as groomed has no twist.
+    // turn, so that a strand as groomed has no twist; one that is not round is turned about itself
+    // so that it curls about its y axis.
     RestStrand(std::span<const float> positions, const Material& material,
                std::pmr::memory_resource* memory);
 
     size_t segments() const { return length.size(); }
     Vec3 edge(size_t segment) const { return x[segment + 1] - x[segment]; }
     void frame_along(size_t segment, const Vec3& direction); // from the frame before it
+    Quat frame_before(size_t segment) const {
+        return segment == 0 ? Quat::Identity() : frame[segment - 1];
+    }
 
     std::pmr::vector<Vec3> x; // m, as groomed
     double whole = 0;         // length as groomed, m
+    double twist = 1;         // GJ/EI
+    double cross = 1;         // EI2/EI
+    double roll = 0;          // about itself, of the first frame, rad
     // Per segment; the joint of segment i is the one before it, the first one the clamp.
     std::pmr::vector<double> length;  // m
     std::pmr::vector<double> stretch; // EA/l, N/m
@@ -43,6 +56,10 @@ struct RestStrand {
     std::pmr::vector<Quat> frame;     // orientation as groomed
     std::pmr::vector<Quat> rest;      // rotation of the joint at rest
     std::pmr::vector<double> mass;    // of every vertex, kg
+
+  private:
+    void set_frames();
+    double curl_direction() const;
 };
 
 } // namespace plait

@@ -2,13 +2,14 @@
 // equilibrium the tension T_i of segment i is the weight below it, whatever the orientations. So
 //   x_{i+1} - x_i = l_i (t_i + T_i/EA), |t_i| = 1      gives l_i and t_i,
 //   M_i = M_{i+1} - l_i t_i x T_i                      the moments, from the tip on,
-//   M_i = (kb_i/2) v_i                                 the rest rotations: m = (v, sqrt(1 - v^2))
-//   is
-//                                                      that from q_i to q_{i-1} r_i, in the world.
-// What remains is E(q) = sum kb_i (1 - |w_i|) - l_i T_i.t_i(q_i), exactly: the equilibrium is
-// stable where its Hessian in rotation vectors is positive definite,
+//   M_i = -g(u_i)/2 in the joint's axes               the rest rotations: (u, w) is the turn from
+//                                                      q_{i-1} r_i to q_i and
+//   g(u) = kb (u + w d u + u x d u), d = diag(GJ/EI - 1, 0, EI2/EI - 1).
+// What remains is E(q) = sum of the joints' energies - l_i T_i.t_i(q_i), exactly: the equilibrium
+// is stable where its Hessian in rotation vectors is positive definite,
 //   segment:  l (T.t I - (t T' + T t')/2)
-//   joint:    kb w/4 I on both segments, -kb/4 (w I + [v]x) between that before and that after it.
+//   joint:    S = (kb/4) (w I + J'd J - (u.d u) I), J = w I - [u]x, on both segments, and
+//             -S + [g]x/4 between that before and that after it.
 // Eliminated from the tip on, the pivot of segment i tells whether joint i holds what follows.
 // Sag-free rods: Hadap 2006, Twigg & Kacic-Alesic 2011, Hsu et al. 2022; the closed form for this
 // energy, and the stability: ours.
@@ -68,6 +69,47 @@ void unstretch(RestStrand& s, const std::pmr::vector<Vec3>& T) {
     }
 }
 
+// How a joint that is turned by (u, w) pushes back.
+struct Joint {
+    Joint(double bend, const RestStrand& s) : kb(bend), d(s.twist - 1, 0, s.cross - 1) {}
+
+    double w() const { return std::sqrt(1 - u.squaredNorm()); }
+    Quat turn() const { return {w(), u.x(), u.y(), u.z()}; }
+    // g in the axes before the turn; after it, the last term changes sign.
+    Vec3 g(double side = 1) const {
+        const Vec3 du = d.cwiseProduct(u);
+        return kb * (u + w() * du + side * u.cross(du));
+    }
+    Mat3 hessian() const {
+        const Mat3 J = w() * Mat3::Identity() - cross_matrix(u);
+        return kb / 4 *
+               (J.transpose() * d.asDiagonal() * J +
+                (w() - u.dot(d.cwiseProduct(u))) * Mat3::Identity());
+    }
+    // The turn at which it holds `moment`, in the axes after the turn; at most most_bent.
+    void hold(const Vec3& moment);
+
+    double kb; // N m
+    Vec3 d;
+    Vec3 u = Vec3::Zero();
+};
+
+void Joint::hold(const Vec3& moment) {
+    if (kb <= 0)
+        return;
+    constexpr int most = 60; // round joints take two
+    for (int k = 0; k < most; ++k) {
+        Mat3 secant = -cross_matrix(u) * d.asDiagonal();
+        secant.diagonal() += Vec3::Ones() + w() * d;
+        const Vec3 before = u;
+        u = secant.inverse() * (-2 / kb * moment);
+        if (!(u.norm() <= most_bent))
+            u *= most_bent / u.norm();
+        if ((u - before).norm() < 1e-15)
+            return;
+    }
+}
+
 // From the tip to the root: what a joint has to hold, and how it does.
 class Joints {
   public:
@@ -80,7 +122,6 @@ class Joints {
   private:
     double enough(size_t joint, double moment, double tipping) const;
     void stiffen(size_t joint, double bend);
-    void turn_rest(size_t joint, const Vec3& v);
 
     RestStrand& s_;
     bool stiffen_;
@@ -88,13 +129,15 @@ class Joints {
     Mat3 carried_ = Mat3::Zero(); // what the segments after add to the Hessian
 };
 
-// Stiffness kb for a joint that holds `moment`, and against `tipping`, both N m.
+// Stiffness kb for a joint that holds `moment`, and against `tipping`, both N m, about its weakest
+// axis.
 double Joints::enough(size_t i, double moment, double tipping) const {
     const double joint = (i == 0 ? 0 : s_.length[i - 1] / 2) + s_.length[i] / 2;
     const double share = s_.whole / joint;
     const double upright = 4 * safety * share * tipping; // against it stands kb w/4, and kb w is
-    return std::max({2 * moment / most_bent, 4 * moment * share / most_coiled,
-                     std::hypot(upright, 2 * moment)}); // sqrt(kb^2 - 4 M^2)
+    const double round = std::max({2 * moment / most_bent, 4 * moment * share / most_coiled,
+                                   std::hypot(upright, 2 * moment)}); // sqrt(kb^2 - 4 M^2)
+    return round / std::min({1.0, s_.twist, s_.cross});
 }
 
 void Joints::stiffen(size_t joint, double bend) {
@@ -105,38 +148,33 @@ void Joints::stiffen(size_t joint, double bend) {
     s_.bend[joint] = bend;
 }
 
+double smallest_eigenvalue(const Mat3& symmetric) {
+    return Eigen::SelfAdjointEigenSolver<Mat3>()
+        .computeDirect(symmetric, Eigen::EigenvaluesOnly)
+        .eigenvalues()[0];
+}
+
 void Joints::hold(size_t i, const Vec3& T) {
     const Vec3 t = s_.frame[i] * Vec3::UnitX();
     moment_ -= s_.length[i] * t.cross(T);
     const Mat3 load =
         s_.length[i] * (t.dot(T) * Mat3::Identity() - (t * T.transpose() + T * t.transpose()) / 2) +
         carried_;
-    const double weakest = Eigen::SelfAdjointEigenSolver<Mat3>()
-                               .computeDirect(load, Eigen::EigenvaluesOnly)
-                               .eigenvalues()[0];
     if (stiffen_ && s_.bend[i] > 0)
-        stiffen(i, enough(i, moment_.norm(), std::max(0.0, -weakest)));
-    const double kb = s_.bend[i];
-    Vec3 v = kb > 0 ? Vec3(2 / kb * moment_) : Vec3(Vec3::Zero());
-    if (v.norm() > most_bent)
-        v *= most_bent / v.norm();
-    moment_ = kb / 2 * v;
-    turn_rest(i, v);
+        stiffen(i, enough(i, moment_.norm(), std::max(0.0, -smallest_eigenvalue(load))));
+    Joint joint(s_.bend[i], s_);
+    joint.hold(s_.frame[i].conjugate() * moment_);
+    moment_ = s_.frame[i] * Vec3(joint.g(-1) / -2);
+    const Quat from = s_.frame[i] * joint.turn().conjugate();
+    s_.rest[i] = (s_.frame_before(i).conjugate() * from).normalized();
     // Elimination of this segment from the Hessian.
-    const double w = std::sqrt(1 - v.squaredNorm());
-    const Mat3 pivot = load + kb / 4 * w * Mat3::Identity();
-    const Mat3 before = -kb / 4 * (w * Mat3::Identity() + cross_matrix(v));
-    if (!(kb / 4 * w + weakest > 0))
+    const Mat3 axes = from.toRotationMatrix();
+    const Mat3 S = axes * joint.hessian() * axes.transpose();
+    const Mat3 before = cross_matrix(axes * joint.g()) / 4 - S;
+    const Mat3 pivot = load + S;
+    if (!(smallest_eigenvalue(pivot) > 0))
         report.unstable = 1;
-    carried_ = kb / 4 * w * Mat3::Identity() - before * pivot.ldlt().solve(before.transpose());
-}
-
-void Joints::turn_rest(size_t i, const Vec3& v) {
-    Quat m;
-    m.w() = std::sqrt(1 - v.squaredNorm());
-    m.vec() = v;
-    const Quat before = i == 0 ? Quat::Identity() : s_.frame[i - 1];
-    s_.rest[i] = (before.conjugate() * m * s_.frame[i]).normalized();
+    carried_ = S - before * pivot.ldlt().solve(before.transpose());
 }
 
 // Force on the far end of a segment.
@@ -146,9 +184,11 @@ Vec3 stretch_force(const RestStrand& s, size_t i) {
 
 // Of joint i on segment i.
 Vec3 bend_moment(const RestStrand& s, size_t i) {
-    const Quat before = i == 0 ? Quat::Identity() : s.frame[i - 1];
-    const Quat m = before * s.rest[i] * s.frame[i].conjugate();
-    return s.bend[i] / 2 * std::copysign(1.0, m.w()) * m.vec();
+    const Quat from = s.frame_before(i) * s.rest[i];
+    Joint joint(s.bend[i], s);
+    const Quat turn = from.conjugate() * s.frame[i];
+    joint.u = std::copysign(1.0, turn.w()) * turn.vec();
+    return from * Vec3(joint.g() / -2);
 }
 
 // What is missing of a tension or a joint's moment, from the energy's gradient and nothing else.
