@@ -13,10 +13,10 @@ watch() {
 }
 
 # Perturbed runs take the same paths through the kernels, so those are left to the real devices. The
-# longest kernels are walked through with strands of two and three vertices.
+# longest kernels are walked through with strands of up to 16 vertices.
 program=$1
 watch '-*_notices:*.rod:*.cosserat'
-export PLAIT_TEST_MAX_VERTICES=3
+export PLAIT_TEST_MAX_VERTICES=16
 watch '*.rod:*.cosserat'
 
 # A complaint is a line of its own followed by the kernel's name.
