@@ -327,6 +327,21 @@ TEST_P(StrandModel, any_bend_stiffness_stays_finite) {
     }
 }
 
+// Level hair without bend stiffness falls as a chain does.
+TEST_P(StrandModel, limp_hair_falls) {
+    for (const float length : {0.01f, 0.3f}) {
+        plait_sim_desc limp = desc();
+        limp.params.bend_stiffness = 0.0f;
+        limp.params.drag = 3.0f;
+        StrandShape shape = level;
+        shape.length = length;
+        OneStrand strand(shape, limp);
+        EXPECT_LT(worst_stretch_over(strand, 60), 0.03f);
+        strand.run(9.0);
+        EXPECT_LT(strand.tip()[1], -0.98f * length) << length << " m";
+    }
+}
+
 TEST_P(StrandModel, long_steps_of_stiff_hair) {
     plait_sim_desc with = desc(15.0f);
     with.params.bend_stiffness *= 1e4f;

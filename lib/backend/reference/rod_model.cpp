@@ -101,7 +101,7 @@ void RodModel::sweep_orientations() {
         for (int k = 0; k < 4; ++k)
             lambda = std::sqrt((turned + lambda * pull).norm() + v.squaredNorm());
         const Vec4 best = turned + lambda * pull;
-        if (best.squaredNorm() > 1e-30)
+        if (best.squaredNorm() > 1e-30 * b.squaredNorm())
             q[i] = Quat(best).normalized();
     }
 }

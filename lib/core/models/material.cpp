@@ -2,10 +2,17 @@
 
 #include <plait/params.h>
 
+#include <algorithm>
+
 namespace plait {
 namespace {
 
 constexpr size_t components = PLAIT_LANE_MATERIAL_COMPONENTS;
+
+// Orientations are found from what joints and stretch pull at them; of joints alone without
+// stiffness they would find nothing and stay. A joint has at least so much of EA l, far below what
+// can be seen: Gamma 4e5 at 16 segments.
+constexpr double least_bend = 1e-5;
 
 class Writer {
   public:
@@ -34,7 +41,8 @@ void Writer::strand(size_t strand, const RestStrand& s) {
     for (size_t i = 0; i < s.segments(); ++i) {
         set(strand, i, PLAIT_LANE_LENGTH, s.length[i]);
         set(strand, i, PLAIT_LANE_STRETCH, s.stretch[i]);
-        set(strand, i, PLAIT_LANE_BEND, s.bend[i]);
+        const double limp = least_bend * s.stretch[i] * s.length[i] * s.length[i];
+        set(strand, i, PLAIT_LANE_BEND, std::max(s.bend[i], limp));
         set(strand, i, PLAIT_LANE_TWIST, s.bend[i] * (s.twist - 1));
         set(strand, i, PLAIT_LANE_CROSS, s.bend[i] * (s.cross - 1));
         set(rows_.rest, strand, i, s.rest[i]);
