@@ -13,6 +13,7 @@ namespace lab {
 using Command = std::function<Exit()>;
 
 void add_run(CLI::App& app, Command& chosen);
+void add_stability(CLI::App& app, Command& chosen);
 
 // Options that several commands have.
 struct DeviceOptions {

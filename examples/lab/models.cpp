@@ -8,7 +8,7 @@ namespace lab {
 
 namespace {
 
-// As many substeps as a strand of 16 segments needs, and more; see docs/lab.md.
+// As many substeps as a strand of 16 segments needs, and more; see docs/baselines.md.
 std::vector<Model> make_baselines() {
     const std::vector<Setting> explicit_euler{{256, 1, false}, {512, 1, false}, {1000, 1, false}};
     const std::vector<Setting> rk2{{128, 1, false}, {64, 1, false}, {256, 1, false}};

@@ -1,0 +1,139 @@
+#include "../models.hpp"
+#include "rows.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <set>
+
+namespace lab::stability {
+
+namespace {
+
+bool is_map(const Row& row) {
+    return row.job.kind == "map";
+}
+
+bool bends(const std::string& label) {
+    const Model* model = find_model(label);
+    return model && (model->model == PLAIT_MODEL_COSSERAT || model->model == PLAIT_MODEL_ROD);
+}
+
+const Shake& shake_of(const Row& row) {
+    for (const Shake& shake : shakes())
+        if (row.column == shake.label)
+            return shake;
+    throw Failure("no motion is called \"" + row.column + "\"");
+}
+
+// "model setting", in the order they came.
+std::vector<std::string> subjects_of(const std::vector<Row>& rows, bool map) {
+    std::vector<std::string> subjects;
+    for (const Row& row : rows) {
+        const std::string subject = row.job.model + " " + row.job.setting;
+        if (is_map(row) == map && std::ranges::find(subjects, subject) == subjects.end())
+            subjects.push_back(subject);
+    }
+    return subjects;
+}
+
+// Letters of one subject's map.
+using Letters = std::map<std::tuple<double, uint32_t, double>, std::string>;
+
+Letters letters_of(const std::vector<Row>& rows, const std::string& subject) {
+    Letters letters;
+    for (const Row& row : rows) {
+        if (!is_map(row) || row.job.model + " " + row.job.setting != subject)
+            continue;
+        const Place& p = row.job.place;
+        std::string& block = letters[{p.rate, p.segments, p.gamma}];
+        block.resize(shakes().size(), ' ');
+        block[static_cast<size_t>(&shake_of(row) - shakes().data())] = letter_of(row.outcome.grade);
+    }
+    return letters;
+}
+
+void print_subject(const Letters& letters, const std::string& subject) {
+    std::set<double> gammas;
+    std::set<std::pair<double, uint32_t>> lines;
+    for (const auto& [at, block] : letters) {
+        lines.insert({std::get<0>(at), std::get<1>(at)});
+        gammas.insert(std::get<2>(at));
+    }
+    std::printf("\n%s\n    Hz    N", subject.c_str());
+    for (const double gamma : gammas)
+        std::printf(" %-7s", text_of(gamma).c_str());
+    for (const auto& [rate, segments] : lines) {
+        std::printf("\n  %4g  %3u", rate, segments);
+        for (const double gamma : gammas) {
+            const auto found = letters.find({rate, segments, gamma});
+            std::printf(" %s", found == letters.end() ? "       " : found->second.c_str());
+        }
+    }
+    std::puts("");
+}
+
+} // namespace
+
+void print_map(const std::vector<Row>& rows) {
+    const auto subjects = subjects_of(rows, true);
+    if (subjects.empty())
+        return;
+    std::printf("Each letter a motion of the root for 2 s:");
+    for (const Shake& shake : shakes())
+        std::printf(" %s%s", shake.label, &shake == &shakes().back() ? "\n" : ",");
+    std::puts("(shaking at 2 Hz). Columns: gamma = rho A g L^3 / EI.\n"
+              "N not finite or 100 L away, E gains energy, F frozen, J jitters at rest,\n"
+              "s strain above 10 % while shaken, r above 1 % at rest, . none of these.");
+    for (const std::string& subject : subjects)
+        print_subject(letters_of(rows, subject), subject);
+}
+
+void print_axes(const std::vector<Row>& rows) {
+    for (const std::string& subject : subjects_of(rows, false)) {
+        std::printf("\n%s, one parameter at a time\n", subject.c_str());
+        std::string axis;
+        for (const Row& row : rows) {
+            if (is_map(row) || row.job.model + " " + row.job.setting != subject)
+                continue;
+            if (row.job.kind != axis)
+                std::printf("%s  %-22s", axis.empty() ? "" : "\n", row.job.kind.c_str());
+            axis = row.job.kind;
+            std::printf(" %s:%c", row.column.c_str(), letter_of(row.outcome.grade));
+        }
+        std::puts("");
+    }
+}
+
+// Per model: how many of each letter, and how many miss where none may.
+void print_count(const std::vector<Row>& rows) {
+    std::vector<std::string> models;
+    for (const Row& row : rows)
+        if (std::ranges::find(models, row.job.model) == models.end())
+            models.push_back(row.job.model);
+    std::puts(
+        "\n              trials      N      E      F      J      s      r      .   inside the "
+        "envelope, missed");
+    for (const std::string& model : models) {
+        std::array<size_t, grades> count{};
+        size_t all = 0, inside = 0, missed = 0;
+        for (const Row& row : rows) {
+            if (row.job.model != model)
+                continue;
+            ++all;
+            ++count[static_cast<size_t>(row.outcome.grade)];
+            const bool limp_rod = std::isinf(row.job.place.gamma) && bends(model);
+            const bool in = is_map(row) && !limp_rod && in_envelope(row.job.place, shake_of(row));
+            inside += in;
+            missed += in && row.outcome.grade != Grade::pass;
+        }
+        std::printf("%-14s %5zu", model.c_str(), all);
+        for (const size_t n : count)
+            std::printf(" %6zu", n);
+        std::printf("   %zu, %zu\n", inside, missed);
+    }
+    std::puts(
+        "(the envelope: 60 Hz and above, N <= 64, gamma >= 1 and not limp for rods, <= 10 g)");
+}
+
+} // namespace lab::stability
