@@ -7,7 +7,7 @@
  *         common/rod.clh; orientations start from the rotation of the substep before, repeated
  *         (half the error of a substep at no cost), not from where they stood.
  */
-#pragma OPENCL FP_CONTRACT OFF
+#pragma OPENCL FP_CONTRACT ON
 #include "common/cosserat.clh"
 
 __kernel void plait_cosserat(const uint item_count, const plait_lane_params params,

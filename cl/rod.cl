@@ -8,7 +8,7 @@
  *         the geometric term of tension, without which it diverges; backtracking on the potential;
  *         one iteration of `cosserat` before, two where the search fails.
  */
-#pragma OPENCL FP_CONTRACT OFF
+#pragma OPENCL FP_CONTRACT ON
 #include "common/cosserat.clh"
 
 #define ROD_UNKNOWNS 6

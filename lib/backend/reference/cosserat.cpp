@@ -1,11 +1,13 @@
 // cosserat: alternate exact positions and closed-form orientations, with Anderson acceleration of
 // depth one on the orientations: with residual r = g - q of a sweep that takes q to g,
-//   theta = <r, r - r_> / |r - r_|^2 in [-20, 0.9],  q <- n(g - theta (g - g_)),
-// the underscore one iteration earlier; taken back to g if the energy rises above that of g.
+//   theta = <r, r - r_> / (|r - r_|^2 + 1e-12) in [-20, 0.9],  q <- n(g - theta (g - g_)),
+// the underscore one iteration earlier; taken back to g if the energy, positions solved, rises above
+// that of the iteration before. 1e-12: residuals of a millionth are a float's rounding.
 // Source: Hsu et al. 2025; exact positions, acceleration and its guard: ours.
 #include "backend/reference/rod_model.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace plait::reference {
 namespace {
@@ -29,15 +31,15 @@ std::vector<Quat> rotations(const Eigen::VectorXd& all) {
 void RodModel::alternate(uint32_t count) {
     solve_positions();
     Eigen::VectorXd g_before, r_before;
+    double limit = std::numeric_limits<double>::infinity();
     for (uint32_t k = 0; k < count; ++k) {
         const Eigen::VectorXd start = coefficients(q);
         sweep_orientations();
-        const double limit = energy();
         const std::vector<Quat> plain = q;
         const Eigen::VectorXd g = coefficients(q), r = g - start;
         if (k > 0) {
             const Eigen::VectorXd d = r - r_before;
-            const double theta = std::clamp(r.dot(d) / (1e-20 + d.squaredNorm()), -20.0, 0.9);
+            const double theta = std::clamp(r.dot(d) / (1e-12 + d.squaredNorm()), -20.0, 0.9);
             q = rotations(g - theta * (g - g_before));
         }
         g_before = g;
@@ -46,6 +48,8 @@ void RodModel::alternate(uint32_t count) {
         if (energy() > limit * 1.000001) {
             q = plain;
             solve_positions();
+        } else {
+            limit = energy();
         }
     }
 }

@@ -83,8 +83,8 @@ void RodModel::solve_positions() {
 }
 
 // q minimises -EA <edge, t> - <q, b>: q ~ v b e + lambda b, with v = -2 EA edge, b the neighbours'
-// pull, and lambda the fixed point of lambda^2 = |v|^2 + |v b e + lambda b|, four times from |v| +
-// |b|.
+// pull, and lambda the root of lambda^2 = |v|^2 + |v b e + lambda b|: a fixed point that draws from
+// |v| + |b| by half a step at least.
 void RodModel::sweep_orientations() {
     for (size_t i = 0; i < segments(); ++i) {
         const Quat from_root = expected(i);
@@ -98,7 +98,7 @@ void RodModel::sweep_orientations() {
         v.vec() = -2 * stretch_[i] * length_[i] * (x[i + 1] - x[i]);
         const Vec4 turned = (v * b * Quat(0, 1, 0, 0)).coeffs();
         double lambda = v.norm() + b.norm();
-        for (int k = 0; k < 4; ++k)
+        for (int k = 0; k < 60; ++k)
             lambda = std::sqrt((turned + lambda * pull).norm() + v.squaredNorm());
         const Vec4 best = turned + lambda * pull;
         if (best.squaredNorm() > 1e-30 * b.squaredNorm())
