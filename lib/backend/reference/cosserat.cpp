@@ -1,8 +1,8 @@
 // cosserat: alternate exact positions and closed-form orientations, with Anderson acceleration of
 // depth one on the orientations: with residual r = g - q of a sweep that takes q to g,
 //   theta = <r, r - r_> / (|r - r_|^2 + 1e-12) in [-20, 0.9],  q <- n(g - theta (g - g_)),
-// the underscore one iteration earlier; taken back to g if the energy, positions solved, rises above
-// that of the iteration before. 1e-12: residuals of a millionth are a float's rounding.
+// the underscore one iteration earlier; taken back to g if the energy, positions solved, rises
+// above that of the iteration before. 1e-12: residuals of a millionth are a float's rounding.
 // Source: Hsu et al. 2025; exact positions, acceleration and its guard: ours.
 #include "backend/reference/rod_model.hpp"
 
