@@ -427,7 +427,8 @@ PLAIT_API plait_result plait_sim_reset(plait_sim* sim);
 PLAIT_API plait_result plait_sim_set_params(plait_sim* sim, const plait_sim_params* params);
 PLAIT_API plait_result plait_sim_get_params(const plait_sim* sim, plait_sim_params* params);
 
-/* Where the roots will be at the end of the next plait_sim_step; on the way they interpolate. */
+/* Where the roots will be at the end of the next plait_sim_step; on the way they interpolate.
+ * Setting root_poses or bones waits for the device; a head alone does not. */
 typedef struct plait_roots {
     uint32_t struct_size;
     plait_pose head;
@@ -443,7 +444,8 @@ PLAIT_API plait_result plait_sim_set_roots(plait_sim* sim, const plait_roots* ro
 PLAIT_API plait_result plait_sim_teleport(plait_sim* sim, const plait_roots* roots);
 
 /* Advance by dt seconds, [0, 10]: enqueues the fixed steps that fit; the rest waits for the next
- * call. Returns before the device is done.
+ * call. Returns before the device is done, except that a step in which a collider moves waits for
+ * the one before it (docs/threading.md).
  * @errors INVALID_ARGUMENT (dt not finite), DEVICE_LOST, BACKEND */
 PLAIT_API plait_result plait_sim_step(plait_sim* sim, double dt);
 
