@@ -13,6 +13,10 @@ namespace lab {
 using Command = std::function<Exit()>;
 
 void add_run(CLI::App& app, Command& chosen);
+void add_accuracy(CLI::App& app, Command& chosen);
+void add_chart(CLI::App& app, Command& chosen);
+void add_features(CLI::App& app, Command& chosen);
+void add_all(CLI::App& app, Command& chosen);
 void add_stability(CLI::App& app, Command& chosen);
 
 // Options that several commands have.

@@ -22,6 +22,10 @@ int main_of(int argc, char** argv) {
     app.add_flag("--list-devices", list_devices, "list the devices and stop");
     app.require_subcommand(0, 1);
     add_run(app, chosen);
+    add_accuracy(app, chosen);
+    add_chart(app, chosen);
+    add_features(app, chosen);
+    add_all(app, chosen);
     add_stability(app, chosen);
     try {
         app.parse(argc, argv);

@@ -1,225 +1,37 @@
 #include "metrics.hpp"
 
+#include "metrics_input.hpp"
 #include "modes.hpp"
-#include "statics.hpp"
-#include "table.hpp"
 
 #include <Eigen/SVD>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 namespace lab {
 
 namespace {
 
-const double nan = std::numeric_limits<double>::quiet_NaN();
-
-struct Input {
-    const Scene& scene;
-    const Method& method;
-    const Recording& recording;
-    const Measure& measure;
-
-    const Strand& strand() const { return scene.strands[measure.strand]; }
-    double length() const { return strand().length; }
-    const Reference* reference() const {
-        if (measure.reference)
-            return &*measure.reference;
-        return scene.reference ? &*scene.reference : nullptr;
-    }
-    const std::vector<Vec3>& x(const Frame& frame) const { return frame.x[measure.strand]; }
-    const std::vector<Vec3>& last() const { return x(recording.frames.back()); }
-    bool counts(const Frame& frame) const {
-        return frame.time >= measure.from - 1e-9 && frame.time <= measure.to + 1e-9;
-    }
-    template <typename Visit> void each(const Visit& visit) const {
-        for (const Frame& frame : recording.frames)
-            if (counts(frame))
-                visit(frame);
-    }
-    Vec3 down() const { return scene.gravity.normalized(); }
-};
-
-Value none(const std::string& note) {
-    return {nan, note};
-}
-
-// ---- against a trajectory
-
-struct Errors {
-    double sum = 0, largest = 0;
-    size_t count = 0;
-};
-
-Value trajectory_errors(const Input& in, Errors& errors) {
-    if (!in.reference())
-        return none("needs a reference table");
-    const double end = in.recording.frames.back().time;
-    for (const Snapshot& snapshot : trajectory(*in.reference())) {
-        const bool counts = snapshot.time >= in.measure.from - 1e-9 &&
-                            snapshot.time <= std::min(in.measure.to, end) + 1e-6;
-        if (!counts)
-            continue;
-        const auto x = positions_at(in.recording, in.measure.strand, snapshot.time);
-        for (const auto& [vertex, expected] : snapshot.vertices) {
-            if (vertex >= x.size())
-                return none("the table has another number of vertices");
-            if (vertex == 0)
-                continue;
-            const double error = (x[vertex] - x[0] - expected).norm() / in.length();
-            errors.sum += error * error;
-            errors.largest = std::max(errors.largest, error);
-            errors.count += 1;
-        }
-    }
-    return errors.count ? Value{0, ""} : none("no sample of the table lies in the time recorded");
-}
-
-Value rms_error(const Input& in) {
-    Errors errors;
-    const Value value = trajectory_errors(in, errors);
-    return std::isnan(value.value)
-               ? value
-               : Value{std::sqrt(errors.sum / static_cast<double>(errors.count)), ""};
-}
-
-Value max_error(const Input& in) {
-    Errors errors;
-    const Value value = trajectory_errors(in, errors);
-    return std::isnan(value.value) ? value : Value{errors.largest, ""};
-}
-
-// ---- at rest
-
-Value tip_error(const Input& in) {
-    if (!in.reference())
-        return none("needs a reference table");
-    const auto rows = select(*in.reference());
-    if (rows.size() != 1)
-        return none(std::to_string(rows.size()) + " rows of the table fit `where`, not one");
-    const Vec3 tip = in.last().back() - in.last().front();
-    return {(tip - point_of(*in.reference(), rows[0])).norm() / in.length(), ""};
-}
-
-// The strand's own vertical plane, where it has one: the rest shape in it, and how to get there.
-struct Plane {
-    Vec3 along, up;
-    PlaneRod rod;
-};
-
-double plane_angle(const Plane& plane, const Vec3& v) {
-    return std::atan2(v.dot(plane.up), v.dot(plane.along));
-}
-
-// EA as the library chooses it: 1 % of stretch at 10 g.
-double stretch_stiffness(const Scene& scene, double length) {
-    const Material& m = scene.material;
-    return m.stretch_stiffness > 0 ? m.stretch_stiffness
-                                   : m.line_density * length * 10 * standard_gravity / 0.01;
-}
-
-std::string plane_of(const Input& in, Plane& plane) {
-    const Material& m = in.scene.material;
-    if (!(m.bend_stiffness > 0) || m.tip_stiffness != 1)
-        return "the float64 equilibrium is of strands of one bend stiffness > 0";
-    if (!in.scene.motion.still() || !in.scene.colliders.empty())
-        return "the float64 equilibrium is of strands that hang freely from a still root";
-    const auto& rest = in.recording.rest[in.measure.strand];
-    plane.up = -in.down();
-    Vec3 along = rest[1] - rest[0];
-    along -= plane.up * along.dot(plane.up);
-    if (along.norm() < 1e-6 * in.length())
-        along = rest.back() - rest.front() - plane.up * (rest.back() - rest.front()).dot(plane.up);
-    if (along.norm() < 1e-6 * in.length())
-        along = plane.up.unitOrthogonal();
-    plane.along = along.normalized();
-    const Vec3 normal = plane.along.cross(plane.up);
-    for (const Vec3& x : rest)
-        if (std::abs((x - rest[0]).dot(normal)) > 1e-4 * in.length())
-            return "the float64 equilibrium is of strands in a vertical plane";
-    plane.rod = {in.strand().segment_lengths(),
-                 plane_angle(plane, rest[1] - rest[0]),
-                 0,
-                 m.bend_stiffness,
-                 stretch_stiffness(in.scene, in.length()),
-                 m.line_density,
-                 in.scene.gravity.norm(),
-                 JointLaw::cosserat};
-    if (in.strand().curvature != 0 && rest.size() > 2) {
-        const double turn = std::remainder(
-            plane_angle(plane, rest[2] - rest[1]) - plane_angle(plane, rest[1] - rest[0]), 2 * pi);
-        plane.rod.curvature = std::copysign(in.strand().curvature, turn);
-    }
-    return in.strand().points.empty() ? "" : "the float64 equilibrium is not of given points";
-}
-
-Value static_error(const Input& in) {
-    Plane plane;
-    if (const std::string why = plane_of(in, plane); !why.empty())
-        return none(why);
-    const auto shape = hanging_shape(plane.rod);
-    if (shape.empty())
-        return none("the float64 equilibrium does not converge");
-    double sum = 0;
-    for (size_t i = 1; i < shape.size(); ++i) {
-        const Vec3 expected = shape[i].x() * plane.along + shape[i].y() * plane.up;
-        sum += (in.last()[i] - in.last()[0] - expected).squaredNorm();
-    }
-    return {std::sqrt(sum / static_cast<double>(shape.size() - 1)) / in.length(), ""};
-}
-
-Value static_tip_error(const Input& in) {
-    Plane plane;
-    if (const std::string why = plane_of(in, plane); !why.empty())
-        return none(why);
-    plane.rod.clamp -= 0.5 * plane.rod.curvature * plane.rod.lengths[0]; // of the tangent
-    const Eigen::Vector2d tip = elastica_tip(plane.rod);
-    const Vec3 expected = tip.x() * plane.along + tip.y() * plane.up;
-    return {(in.last().back() - in.last().front() - expected).norm() / in.length(), ""};
-}
-
-// How far the best N segments can be from the continuum: no solver is asked to be nearer.
-Value static_floor(const Input& in) {
-    Plane plane;
-    if (const std::string why = plane_of(in, plane); !why.empty())
-        return none(why);
-    PlaneRod best = plane.rod;
-    best.law = JointLaw::angle;
-    best.stretch_stiffness = 0;
-    const auto shape = hanging_shape(best);
-    plane.rod.clamp -= 0.5 * plane.rod.curvature * plane.rod.lengths[0];
-    if (shape.empty())
-        return none("the float64 equilibrium does not converge");
-    return {(shape.back() - elastica_tip(plane.rod)).norm() / in.length(), ""};
-}
-
-Value static_tip_over_floor(const Input& in) {
-    const Value tip = static_tip_error(in), floor = static_floor(in);
-    return std::isnan(floor.value) ? floor : Value{tip.value / floor.value, tip.note};
-}
-
 // ---- lengths
 
-Value strain_max(const Input& in) {
+Value strain_max(const MetricInput& in) {
     const auto lengths = in.strand().segment_lengths();
     double worst = 0;
     in.each([&](const Frame& frame) {
         const double strain = strain_at(lengths, in.x(frame));
-        worst = std::isfinite(strain) && std::isfinite(worst) ? std::max(worst, strain) : nan;
+        worst = std::isfinite(strain) && std::isfinite(worst) ? std::max(worst, strain) : no_number;
     });
     return {worst, std::isfinite(worst) ? "" : "non-finite"};
 }
 
-Value strain_rest(const Input& in) {
+Value strain_rest(const MetricInput& in) {
     return {strain_at(in.strand().segment_lengths(), in.last()), ""};
 }
 
 // ---- movement
 
-Value jitter(const Input& in) {
+Value jitter(const MetricInput& in) {
     double sum = 0;
     size_t count = 0;
     const auto& frames = in.recording.frames;
@@ -235,14 +47,22 @@ Value jitter(const Input& in) {
     return {std::sqrt(sum / static_cast<double>(count)) / in.length(), ""};
 }
 
+// Of the strand as its model has it; TressFX's stiffness has no modulus, so it counts as limp.
+HangingChain hanging(const MetricInput& in) {
+    const Model& model = *in.method.model;
+    const Material& m = in.scene.material;
+    const bool modulus = model.bends && model.model != PLAIT_MODEL_TRESSFX;
+    return {in.strand().segment_lengths(), model.pinned, model.half_tip,
+            modulus ? m.bend_stiffness / m.line_density : 0};
+}
+
 // Amplitude of the first mode over time: sideways displacement weighted by mass and mode shape.
-std::vector<double> first_mode(const Input& in) {
-    const HangingChain chain{in.strand().segment_lengths(), in.method.model->pinned,
-                             in.method.model->half_tip};
-    const Eigen::VectorXd shape = chain.modes().col(0);
+std::vector<double> first_mode(const MetricInput& in) {
+    const HangingChain chain = hanging(in);
+    const Eigen::VectorXd shape = chain.modes(in.scene.gravity.norm()).col(0);
     const auto mass = chain.masses();
-    const auto& rest = in.recording.rest[in.measure.strand];
-    Vec3 side = rest.back() - rest.front();
+    const auto& start = in.x(in.recording.frames.front());
+    Vec3 side = start.back() - start.front();
     side -= in.down() * side.dot(in.down());
     side.normalize();
     std::vector<double> signal;
@@ -256,15 +76,13 @@ std::vector<double> first_mode(const Input& in) {
     return signal;
 }
 
-Value frequency_error(const Input& in) {
-    const HangingChain chain{in.strand().segment_lengths(), in.method.model->pinned,
-                             in.method.model->half_tip};
-    const double expected = chain.frequencies(in.scene.gravity.norm())[0];
+Value frequency_error(const MetricInput& in) {
+    const double expected = hanging(in).frequencies(in.scene.gravity.norm())[0];
     const Swing swing = fit_swing(first_mode(in), 1 / in.scene.rate);
     return swing.frequency > 0 ? Value{swing.frequency / expected - 1, ""} : none("does not swing");
 }
 
-Value damping_ratio(const Input& in) {
+Value damping_ratio(const MetricInput& in) {
     const Swing swing = fit_swing(first_mode(in), 1 / in.scene.rate);
     return swing.frequency > 0 ? Value{swing.damping, ""} : none("does not swing");
 }
@@ -273,7 +91,7 @@ Value damping_ratio(const Input& in) {
 
 // Kinetic, of weight, of stretch and of bending, J. Shear and twist, which positions do not show,
 // are left out: all of it is positive, so what is found to rise has risen.
-double energy(const Input& in, const Frame& frame) {
+double energy(const MetricInput& in, const Frame& frame) {
     const auto& x = in.x(frame);
     const auto& v = frame.v[in.measure.strand];
     const auto lengths = in.strand().segment_lengths();
@@ -296,7 +114,7 @@ double energy(const Input& in, const Frame& frame) {
     return sum;
 }
 
-Value energy_rise(const Input& in) {
+Value energy_rise(const MetricInput& in) {
     if (!in.scene.motion.still())
         return none("the root's work is not known: needs a still root");
     const auto mass = masses_of(in.scene, *in.method.model, in.strand());
@@ -308,7 +126,7 @@ Value energy_rise(const Input& in) {
     return {(highest - start) / weight, ""};
 }
 
-Value speed_max(const Input& in) {
+Value speed_max(const MetricInput& in) {
     double fastest = 0;
     in.each([&](const Frame& frame) {
         for (const Vec3& v : frame.v[in.measure.strand])
@@ -320,7 +138,7 @@ Value speed_max(const Input& in) {
 // ---- attitude
 
 // Between the line from root to tip and gravity, averaged over the frames that count.
-Value tilt(const Input& in) {
+Value tilt(const MetricInput& in) {
     double sum = 0;
     size_t count = 0;
     in.each([&](const Frame& frame) {
@@ -331,7 +149,7 @@ Value tilt(const Input& in) {
     return {sum / static_cast<double>(count) * 180 / pi - in.measure.expect.value_or(0), ""};
 }
 
-Value out_of_plane(const Input& in) {
+Value out_of_plane(const MetricInput& in) {
     const auto& rest = in.recording.rest[in.measure.strand];
     Eigen::MatrixX3d from_root(rest.size(), 3);
     for (size_t i = 0; i < rest.size(); ++i)
@@ -350,20 +168,20 @@ Value out_of_plane(const Input& in) {
     return {worst / in.length(), ""};
 }
 
-Value teleport_change(const Input& in) {
+Value teleport_change(const MetricInput& in) {
     return {in.recording.teleport_change / in.length(), ""};
 }
 
 // ---- contact
 
-Value tip_travel(const Input& in) {
+Value tip_travel(const MetricInput& in) {
     const double end = std::min(in.measure.to, in.recording.frames.back().time);
     const auto a = positions_at(in.recording, in.measure.strand, in.measure.from);
     const auto b = positions_at(in.recording, in.measure.strand, end);
     return {(b.back() - a.back()).norm() / in.length(), ""};
 }
 
-Value tip_speed(const Input& in) {
+Value tip_speed(const MetricInput& in) {
     const double end = std::min(in.measure.to, in.recording.frames.back().time);
     return {tip_travel(in).value / (end - in.measure.from), ""};
 }
@@ -387,7 +205,7 @@ double depth(const plait_collider_desc& shape, const Pose& pose, const Vec3& x) 
     return deepest;
 }
 
-Value penetration(const Input& in) {
+Value penetration(const MetricInput& in) {
     if (in.scene.colliders.empty())
         return none("needs colliders");
     double worst = 0;
@@ -401,11 +219,26 @@ Value penetration(const Input& in) {
     return {worst / in.length(), ""};
 }
 
-Value nonfinite(const Input& in) {
+// Share of the strands that nothing has moved by a fiftieth of their length.
+Value untouched(const MetricInput& in) {
+    size_t still = 0;
+    const auto& first = in.recording.frames.front();
+    for (size_t s = 0; s < first.x.size(); ++s) {
+        double moved = 0;
+        in.each([&](const Frame& frame) {
+            for (size_t i = 0; i < first.x[s].size(); ++i)
+                moved = std::max(moved, (frame.x[s][i] - first.x[s][i]).norm());
+        });
+        still += moved < 0.02 * in.length();
+    }
+    return {static_cast<double>(still) / static_cast<double>(first.x.size()), ""};
+}
+
+Value nonfinite(const MetricInput& in) {
     return {static_cast<double>(in.recording.nonfinite), ""};
 }
 
-Value drop(const Input& in) {
+Value drop(const MetricInput& in) {
     return {(in.last().back() - in.last().front()).dot(in.down()) / in.length() -
                 in.measure.expect.value_or(0),
             ""};
@@ -414,7 +247,7 @@ Value drop(const Input& in) {
 struct Metric {
     const char* name;
     const char* unit;
-    Value (*evaluate)(const Input&);
+    Value (*evaluate)(const MetricInput&);
 };
 
 constexpr Metric metrics[] = {
@@ -438,6 +271,7 @@ constexpr Metric metrics[] = {
     {"tip_travel", "L", tip_travel},
     {"tip_speed", "L/s", tip_speed},
     {"penetration", "L", penetration},
+    {"untouched", "of strands", untouched},
     {"drop", "L", drop},
     {"nonfinite", "vertices", nonfinite},
 };
@@ -447,8 +281,19 @@ const Metric* find(const std::string& name) {
                                     [&](const Metric& metric) { return name == metric.name; });
     return found == std::end(metrics) ? nullptr : found;
 }
-
 } // namespace
+
+double stretch_stiffness(const Scene& scene, double length) {
+    const Material& m = scene.material;
+    return m.stretch_stiffness > 0 ? m.stretch_stiffness
+                                   : m.line_density * length * 10 * standard_gravity / 0.01;
+}
+
+Measure measure_of(const char* metric) {
+    Measure measure;
+    measure.metric = metric;
+    return measure;
+}
 
 bool is_metric(const std::string& name) {
     return find(name) != nullptr;
@@ -483,6 +328,8 @@ Value evaluate(const Scene& scene, const Method& method, const Recording& record
 }
 
 Verdict judge(const Measure& measure, const std::string& model, const Value& value) {
+    if (measure.at_least)
+        return value.value >= *measure.at_least ? Verdict::pass : Verdict::fail;
     auto mark = measure.pass.find(model);
     if (mark == measure.pass.end())
         mark = measure.pass.find("");
@@ -496,14 +343,14 @@ double strain_at(const std::vector<double>& lengths, const std::vector<Vec3>& x)
     for (size_t i = 0; i < lengths.size(); ++i) {
         const double strain = std::abs((x[i + 1] - x[i]).norm() / lengths[i] - 1);
         if (!std::isfinite(strain))
-            return nan;
+            return no_number;
         worst = std::max(worst, strain);
     }
     return worst;
 }
 
 std::vector<double> masses_of(const Scene& scene, const Model& model, const Strand& strand) {
-    auto mass = HangingChain{strand.segment_lengths(), model.pinned, model.half_tip}.masses();
+    auto mass = HangingChain{strand.segment_lengths(), model.pinned, model.half_tip, 0}.masses();
     for (double& m : mass)
         m *= scene.material.line_density;
     return mass;

@@ -14,6 +14,7 @@ struct Value {
 };
 
 bool is_metric(const std::string& name);
+Measure measure_of(const char* metric); // all of the first strand's recording, no mark
 const std::vector<std::string>& metric_names();
 std::string metric_list();                          // "rms_error, max_error, ..."
 const char* metric_unit(const std::string& metric); // "L", "deg", "1/s", "" ...
@@ -21,7 +22,8 @@ const char* metric_unit(const std::string& metric); // "L", "deg", "1/s", "" ...
 Value evaluate(const Scene& scene, const Method& method, const Recording& recording,
                const Measure& measure);
 
-// Whether the magnitude is at most the mark of this model; no mark: no opinion.
+// Whether the magnitude is at most the mark of this model, or at least what is asked; no mark: no
+// opinion.
 enum class Verdict { none, pass, fail };
 Verdict judge(const Measure& measure, const std::string& model, const Value& value);
 

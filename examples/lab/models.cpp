@@ -58,6 +58,9 @@ std::vector<Model> make_models() {
          nullptr},
         {"rod", PLAIT_MODEL_ROD, nullptr, nullptr, true, true, true, 1, rod, nullptr},
     };
+    const Setting quality[] = {{1, 32, false}, {4, 1, false}, {4, 2, true}, {2, 1, true}};
+    for (size_t i = 0; i < all.size(); ++i)
+        all[i].quality = quality[i];
     for (Model& baseline : make_baselines())
         all.push_back(std::move(baseline));
     return all;

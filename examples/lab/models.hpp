@@ -28,6 +28,7 @@ struct Model {
     uint32_t pinned;               // vertices
     std::vector<Setting> settings; // of the charts; the first is the one for real time
     void (*prepare)(plait_sim_desc&) = nullptr; // what else a baseline needs set
+    std::optional<Setting> quality = {};        // for accuracy at several times the cost
 
     bool baseline() const { return stage != nullptr; }
 };

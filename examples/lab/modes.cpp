@@ -6,6 +6,23 @@ namespace lab {
 
 namespace {
 
+// (EI / 2 l)(theta_i - theta_{i-1})^2 of every joint, theta_i = (x_{i+1} - x_i) / l_i.
+void add_joints(const HangingChain& chain, Eigen::MatrixXd& stiffness) {
+    const auto& l = chain.lengths;
+    for (size_t i = 0; i < l.size(); ++i) {
+        Eigen::RowVectorXd turn = Eigen::RowVectorXd::Zero(stiffness.cols());
+        const auto at = static_cast<Eigen::Index>(i);
+        turn[at + 1] += 1 / l[i];
+        turn[at] -= 1 / l[i];
+        if (i > 0) {
+            turn[at] -= 1 / l[i - 1];
+            turn[at - 1] += 1 / l[i - 1];
+        }
+        const double joint = 0.5 * (l[i] + (i > 0 ? l[i - 1] : 0));
+        stiffness += chain.bending / joint * turn.transpose() * turn;
+    }
+}
+
 // Tension of segment j is the weight of all masses below it: K = sum_j (T_j/l_j)(x_{j+1}-x_j)^2
 // / 2.
 Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solve(const HangingChain& chain,
@@ -23,6 +40,8 @@ Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solve(const HangingCha
         stiffness(j, j + 1) -= k;
         stiffness(j + 1, j) -= k;
     }
+    if (chain.bending > 0)
+        add_joints(chain, stiffness);
     const Eigen::Index free = vertices - chain.pinned;
     const Eigen::VectorXd diagonal =
         Eigen::Map<const Eigen::VectorXd>(mass.data(), vertices).tail(free);
@@ -45,8 +64,8 @@ Eigen::VectorXd HangingChain::frequencies(double gravity) const {
     return solve(*this, gravity).eigenvalues().cwiseSqrt();
 }
 
-Eigen::MatrixXd HangingChain::modes() const {
-    const Eigen::MatrixXd free = solve(*this, 1.0).eigenvectors();
+Eigen::MatrixXd HangingChain::modes(double gravity) const {
+    const Eigen::MatrixXd free = solve(*this, gravity).eigenvectors();
     Eigen::MatrixXd all = Eigen::MatrixXd::Zero(free.rows() + pinned, free.cols());
     all.bottomRows(free.rows()) = free;
     return all;

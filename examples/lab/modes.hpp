@@ -1,4 +1,4 @@
-// Small swings of a hanging limp chain: the reference for frequency and damping.
+// Small swings of a hanging strand: the reference for frequency and damping.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,10 +14,12 @@ struct HangingChain {
     std::vector<double> lengths; // m
     uint32_t pinned = 1;
     bool half_tip = false;
+    double bending = 0; // EI / rho A, m^4/s^2; held by half a joint at the root
 
     std::vector<double> masses() const;                // per vertex, of a strand of mass 1 kg/m
     Eigen::VectorXd frequencies(double gravity) const; // rad/s, lowest first
-    Eigen::MatrixXd modes() const; // a column per frequency, a row per vertex, pinned ones 0
+    Eigen::MatrixXd
+    modes(double gravity) const; // a column per frequency, a row per vertex, pinned ones 0
 };
 
 } // namespace lab

@@ -54,11 +54,13 @@ std::vector<std::vector<Vec3>> shapes_of(const Scene& scene, const Model& model)
     return shapes;
 }
 
+constexpr double limp = 1e5; // gamma beyond which bending is not to be seen
+
 // TressFX damps by e^(-60 d h), has iterations of its own, and a stiffness without a modulus.
 void describe_tressfx(const Scene& scene, const Setting& setting, plait_sim_params& p) {
     p.length_iterations = setting.iterations;
     p.damping = static_cast<float>(scene.drag / 60);
-    if (!(scene.material.bend_stiffness > 0))
+    if (scene.gamma() > limp)
         p.local_stiffness = p.global_stiffness = 0;
 }
 
@@ -78,6 +80,7 @@ plait_sim_desc describe(const Scene& scene, const Method& method) {
     desc.step = static_cast<float>(1 / scene.rate);
     desc.substeps = method.setting.substeps;
     desc.max_steps_per_call = 1;
+    desc.follows_per_guide = scene.follows_per_guide;
     plait_sim_params& p = desc.params = scene.params;
     to_floats(scene.gravity, p.gravity);
     p.iterations = std::min(method.setting.iterations, 64u);
@@ -86,19 +89,15 @@ plait_sim_desc describe(const Scene& scene, const Method& method) {
     p.bend_stiffness = static_cast<float>(scene.material.bend_stiffness);
     p.stretch_stiffness = static_cast<float>(scene.material.stretch_stiffness);
     p.tip_stiffness = static_cast<float>(scene.material.tip_stiffness);
+    if (scene.material.twist_ratio > 0 && desc.model == PLAIT_MODEL_ROD)
+        p.twist_stiffness =
+            static_cast<float>(scene.material.twist_ratio * scene.material.bend_stiffness);
     p.drag = static_cast<float>(scene.drag);
     if (desc.model == PLAIT_MODEL_TRESSFX)
         describe_tressfx(scene, method.setting, p);
     if (method.model->prepare)
         method.model->prepare(desc);
     return desc;
-}
-
-Method method_of(const Scene& scene, const Model& model, const Setting& setting) {
-    Method method{&model, setting};
-    if (scene.iterations)
-        method.setting.iterations = *scene.iterations;
-    return method;
 }
 
 Method method_of(const Scene& scene) {
@@ -115,8 +114,11 @@ Stage::Stage(plait_context* context, const Scene& scene, const Method& method, u
       groom_(make_groom(shapes_of(scene, *method.model), copies)),
       sim_(make_sim(context, groom_.get(), desc_)), rest_(shapes_of(scene, *method.model)),
       copies_(copies), pose_(scene.motion.at(0)) {
-    const plait_roots roots = roots_at(pose_);
-    check(plait_sim_teleport(sim_.get(), &roots));
+    plait_sim_stats stats = plait_sim_stats_defaults();
+    check(plait_sim_stats_get(sim_.get(), &stats));
+    row_ = stats.vertices_per_strand;
+    if (!scene.motion.still())
+        start_at(pose_);
     for (const SceneCollider& collider : scene.colliders) {
         plait_collider_desc shape = collider.shape;
         shape.pose = to_plait(collider.motion.at(0));
@@ -128,24 +130,31 @@ Stage::Stage(plait_context* context, const Scene& scene, const Method& method, u
         rest_ = read_field(PLAIT_FIELD_POSITION);
 }
 
+void Stage::start_at(const Pose& pose) {
+    const plait_roots roots = roots_at(pose);
+    check(plait_sim_teleport(sim_.get(), &roots));
+}
+
 uint64_t Stage::vertices() const {
     plait_sim_stats stats = plait_sim_stats_defaults();
     check(plait_sim_stats_get(sim_.get(), &stats));
     return stats.guides * stats.vertices_per_strand;
 }
 
-void Stage::set_params(double drag, const Vec3& wind) {
+void Stage::set_params(double drag, const Vec3& gravity, const Vec3& wind) {
     plait_sim_params p = desc_.params;
     p.drag = static_cast<float>(drag);
     if (desc_.model == PLAIT_MODEL_TRESSFX)
         p.damping = static_cast<float>(drag / 60);
+    to_floats(gravity, p.gravity);
     for (int i = 0; i < 3; ++i)
         p.wind[i] += static_cast<float>(wind[i]);
     check(plait_sim_set_params(sim_.get(), &p));
 }
 
-void Stage::set_drag(double drag) {
-    set_params(drag, Vec3::Zero());
+void Stage::settle(bool begin) {
+    set_params(begin ? scene_.settle_drag : scene_.drag,
+               begin ? scene_.settle_gravity : scene_.gravity, Vec3::Zero());
 }
 
 void Stage::pose_colliders(double time) {
@@ -181,7 +190,7 @@ double Stage::step_to(double time) {
     if (scene_.motion.teleports(time_, time))
         change = teleport(pose);
     if (scene_.air_moves_with_head && time > time_)
-        set_params(scene_.drag, (pose.t - pose_.t) / (time - time_));
+        set_params(scene_.drag, scene_.gravity, (pose.t - pose_.t) / (time - time_));
     const plait_roots roots = roots_at(pose);
     check(plait_sim_set_roots(sim_.get(), &roots));
     pose_colliders(time);
@@ -200,11 +209,10 @@ std::vector<std::vector<Vec3>> Stage::read_field(plait_field field) const {
     check(plait_sim_read(sim_.get(), field, nullptr, &size));
     std::vector<float> values(size / sizeof(float));
     check(plait_sim_read(sim_.get(), field, values.data(), &size));
-    const size_t row = values.size() / 4 / rest_.size();
     std::vector<std::vector<Vec3>> strands(rest_.size());
     for (size_t s = 0; s < rest_.size(); ++s)
         for (size_t i = 0; i < rest_[s].size(); ++i) {
-            const float* x = &values[4 * (s * row + i)];
+            const float* x = &values[4 * (s * row_ + i)];
             strands[s].emplace_back(static_cast<double>(x[0]), static_cast<double>(x[1]),
                                     static_cast<double>(x[2]));
         }
@@ -230,11 +238,11 @@ Recording record(Contexts& contexts, const Scene& scene, const Method& method,
         return recording.interrupted = interrupted();
     };
     if (settle > 0)
-        stage.set_drag(scene.settle_drag);
+        stage.settle(true);
     for (uint32_t k = 0; k < settle && !done(k); ++k)
         stage.step_to(0);
     if (settle > 0)
-        stage.set_drag(scene.drag);
+        stage.settle(false);
     for (uint32_t k = 0; k <= frames && !done(settle + k); ++k) {
         if (k > 0) {
             const double change = stage.step_to(k / scene.rate);

@@ -24,8 +24,7 @@ struct Recording {
 
 // What the method makes of the scene.
 plait_sim_desc describe(const Scene& scene, const Method& method);
-Method method_of(const Scene& scene);                               // as the scene says
-Method method_of(const Scene& scene, const Model&, const Setting&); // as it would with these
+Method method_of(const Scene& scene); // as the scene says
 
 // Settles, then records. `watch` is told the share that is done. Throws Failure.
 Recording record(Contexts& contexts, const Scene& scene, const Method& method,
@@ -38,7 +37,7 @@ class Stage {
 
     // To `time` in one fixed step, from the step before. Returns how far a teleport moved anything.
     double step_to(double time);
-    void set_drag(double drag);
+    void settle(bool begin); // at the scene's settling drag and gravity; or no longer
     void wait();
     void read(Frame& frame) const;
     plait_sim* sim() const { return sim_.get(); }
@@ -46,9 +45,10 @@ class Stage {
     const std::vector<std::vector<Vec3>>& rest() const { return rest_; }
 
   private:
+    void start_at(const Pose& pose);
     void pose_colliders(double time);
     double teleport(const Pose& to);
-    void set_params(double drag, const Vec3& wind);
+    void set_params(double drag, const Vec3& gravity, const Vec3& wind);
     std::vector<std::vector<Vec3>> read_field(plait_field field) const;
 
     const Scene& scene_;
@@ -58,6 +58,7 @@ class Stage {
     std::vector<plait_collider_id> colliders_;
     std::vector<std::vector<Vec3>> rest_;
     uint32_t copies_;
+    uint32_t row_ = 0; // vertices per strand in the fields
     Pose pose_;
     double time_ = 0;
 };

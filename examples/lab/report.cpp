@@ -9,8 +9,7 @@ namespace {
 
 // The last second of the recording.
 Measure at_the_end(const char* metric, const Scene& scene) {
-    Measure measure;
-    measure.metric = metric;
+    Measure measure = measure_of(metric);
     measure.from = std::max(0.0, scene.duration - 1);
     return measure;
 }
@@ -89,7 +88,7 @@ std::vector<Measured> measure_all(const Scene& scene, const Method& method,
                                   const Recording& recording) {
     std::vector<Measure> measures = scene.measures;
     for (const char* metric : {"strain_max", "strain_rest", "energy_rise", "nonfinite"})
-        measures.push_back({metric, 0, 1e9, {}, {}, 0, {}});
+        measures.push_back(measure_of(metric));
     measures.push_back(at_the_end("jitter", scene));
     std::vector<Measured> all;
     for (const Measure& measure : measures) {

@@ -1,5 +1,6 @@
 #include "scene.hpp"
 
+#include "hash.hpp"
 #include "metrics.hpp"
 #include "models.hpp"
 
@@ -80,6 +81,29 @@ Strand read_strand(JsonReader in) {
     return strand;
 }
 
+// Copies of the first strand: over a disc across gravity's axis y, or along a line.
+void read_bundle(JsonReader in, std::vector<Strand>& strands) {
+    uint32_t count = 1;
+    double radius = 0.01;
+    in.integer("count", count, 1, 100000);
+    in.number("radius", radius, 0, 1e3);
+    const bool in_line = in.value("line") != nullptr;
+    const Vec3 line = read_vector(in, "line", Vec3::Zero());
+    in.finish();
+    const Strand first = strands.front();
+    for (uint32_t k = 1; k < count; ++k) {
+        const double share = std::sqrt((k + 0.5) / count), angle = 2.399963229728653 * k; // golden
+        Strand copy = first;
+        const double r = radius * share;
+        const Vec3 on_disc(r * std::cos(angle), 0, r * std::sin(angle));
+        const Vec3 in_row = k * line;
+        copy.root += in_line ? in_row : on_disc;
+        for (Vec3& point : copy.points)
+            point += copy.root - first.root;
+        strands.push_back(copy);
+    }
+}
+
 void read_strands(JsonReader& top, Scene& scene) {
     const Json* one = top.value("strand");
     const Json* many = top.value("strands");
@@ -94,6 +118,9 @@ void read_strands(JsonReader& top, Scene& scene) {
             scene.strands.push_back(read_strand(top.element(*many, i, "strands")));
     else
         scene.strands.emplace_back();
+    if (const Json* bundle = top.value("bundle"))
+        read_bundle(top.object(*bundle, "bundle"), scene.strands);
+    top.integer("follows_per_guide", scene.follows_per_guide, 0, 64);
 }
 
 // gamma = rho A g L^3 / EI, of the first strand; 0 or "limp": no weight counts, or no stiffness.
@@ -121,6 +148,7 @@ void read_material(JsonReader in, Scene& scene) {
     in.number("line_density", m.line_density, 1e-9, 1e3);
     in.number("bend_stiffness", m.bend_stiffness, 0, 1e3);
     in.number("stretch_stiffness", m.stretch_stiffness, 0, 1e9);
+    in.number("twist_ratio", m.twist_ratio, 0, 1e3);
     in.number("tip_stiffness", m.tip_stiffness, 0, 100);
     read_gamma(in, scene);
     in.finish();
@@ -199,8 +227,14 @@ double property(JsonReader& in, const std::string& key, const Json& value, const
 Reference read_reference(JsonReader in, const Scene& scene) {
     static constexpr std::array units{"si", "natural"};
     Reference reference;
-    if (!in.text("table", reference.table))
-        in.fail("table", "is missing: a file of tests/data");
+    const bool has_table = in.text("table", reference.table);
+    if (in.text("converged", reference.converged) && !find_model(reference.converged))
+        in.fail("converged", "is \"" + reference.converged +
+                                 "\", no known model; the nearest is \"" +
+                                 std::string(nearest(reference.converged, model_labels())) + "\"");
+    if (has_table == !reference.converged.empty())
+        in.fail("table", has_table ? "is given beside converged: one of the two"
+                                   : "is missing: a file of tests/data");
     int unit = 0;
     in.choice("units", unit, units);
     if (unit == 1) {
@@ -237,6 +271,8 @@ void read_pass(JsonReader& in, std::map<std::string, double>& pass) {
     for (const std::string& model : model_labels())
         if (double mark = 0; each.number(model.c_str(), mark, 0, 1e9))
             pass[model] = mark;
+    if (double mark = 0; each.number("others", mark, 0, 1e9))
+        pass[""] = mark;
     each.finish();
 }
 
@@ -252,6 +288,8 @@ Measure read_measure(JsonReader in, const Scene& scene) {
     in.number("to", measure.to, measure.from, 1e9);
     measure.from *= u;
     measure.to *= u;
+    if (double least = 0; in.number("at_least", least, 0, 1e9))
+        measure.at_least = least;
     if (double expect = 0; in.number("expect", expect, -1e9, 1e9))
         measure.expect = expect;
     in.integer("strand", measure.strand, 0, static_cast<uint32_t>(scene.strands.size() - 1));
@@ -288,6 +326,14 @@ void read_method(JsonReader& top, Scene& scene) {
     top.text("backend", scene.backend);
 }
 
+std::string physics_of(Json document) {
+    if (document.is_object())
+        for (const char* key : {"title", "model", "substeps", "iterations", "bdf2", "device",
+                                "backend", "measure", "reference"})
+            document.erase(key);
+    return hash_of(document);
+}
+
 } // namespace
 
 double Scene::length() const {
@@ -312,11 +358,13 @@ uint32_t Scene::settle_frames() const {
 Scene read_scene(const Json& document, const Origin& origin) {
     Scene scene;
     scene.file = origin.file;
+    scene.physics = physics_of(document);
     scene.params = plait_sim_params_defaults();
     JsonReader top(document, origin);
     top.text("title", scene.title);
     read_method(top, scene);
     scene.gravity = read_vector(top, "gravity", scene.gravity);
+    scene.settle_gravity = read_vector(top, "settle_gravity", scene.gravity);
     read_strands(top, scene);
     if (const Json* material = top.value("material"))
         read_material(top.object(*material, "material"), scene);

@@ -16,6 +16,7 @@ struct Material {
     double line_density = 5e-6;     // rho A, kg/m
     double bend_stiffness = 4.7e-9; // EI, N m^2; 0: limp
     double stretch_stiffness = 0;   // EA, N; 0: the library's choice for the length
+    double twist_ratio = 0;         // GJ / EI, model rod; 0: as it bends
     double tip_stiffness = 1;       // EI at the tip / at the root
 };
 
@@ -24,9 +25,10 @@ struct SceneCollider {
     Motion motion;
 };
 
-// What a number is compared with: a table of tests/data.
+// What a number is compared with: a table of tests/data, or the scene's own converged run.
 struct Reference {
-    std::string table;
+    std::string table;                   // "" when `converged`
+    std::string converged;               // a model: run in float64 with 64 BDF2 substeps
     std::map<std::string, double> where; // only rows with these values in these columns
     std::vector<std::string> columns{"x", "y", "z"};
     double length_unit = 1, time_unit = 1; // m and s in the table's units
@@ -38,23 +40,27 @@ struct Measure {
     double from = 0, to = 1e9;          // s of the recording that count
     std::optional<double> expect;       // the metric's ideal, where it wants one
     std::map<std::string, double> pass; // by model; "" for all: the largest that passes
+    std::optional<double> at_least;     // instead: the smallest that passes
     uint32_t strand = 0;
     std::optional<Reference> reference; // else the scene's
 };
 
 struct Scene {
     std::string title, file;
+    std::string physics; // a name for all that is not method, measure or title
     std::vector<Strand> strands;
+    uint32_t follows_per_guide = 0;
     Material material;
     Vec3 gravity{0, -standard_gravity, 0}; // m/s^2
     double drag = 1;                       // 1/s
     bool air_moves_with_head = false;
-    plait_sim_params params; // what else is set, by the library's own names
-    double rate = 60;        // steps a second
-    double duration = 2;     // s, recorded
-    double settle = 0;       // s before, not recorded,
-    double settle_drag = 0;  // at this drag, 1/s
-    double unit_time = 1;    // s per unit of time in the file
+    plait_sim_params params;                      // what else is set, by the library's own names
+    double rate = 60;                             // steps a second
+    double duration = 2;                          // s, recorded
+    double settle = 0;                            // s before, not recorded,
+    double settle_drag = 0;                       // at this drag, 1/s,
+    Vec3 settle_gravity{0, -standard_gravity, 0}; // and in this gravity, m/s^2
+    double unit_time = 1;                         // s per unit of time in the file
     std::string model = "cosserat";
     uint32_t substeps = 1;
     std::optional<uint32_t> iterations, bdf2;

@@ -1,5 +1,6 @@
 #include "statics.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -36,32 +37,42 @@ class Balance {
         return angle;
     }
 
-    // One Newton step, damped until the moments shrink; the largest change of an angle.
+    // One Newton step downhill; the largest change of an angle.
     double step(std::vector<double>& angle, double load) const {
-        std::vector<double> gradient, diagonal, beside;
-        moments(angle, load, &gradient, &diagonal, &beside);
-        const std::vector<double> change = solve(gradient, diagonal, beside);
-        const double before = norm(gradient);
-        double largest = 0;
-        for (double share = 1; share > 1e-4; share *= 0.5) {
+        std::vector<double> gradient, diagonal, beside, change;
+        moments(angle, load, gradient, diagonal, beside);
+        const double stiffest = *std::max_element(diagonal.begin(), diagonal.end());
+        for (double shift = 0; !solve(gradient, diagonal, beside, shift, change);)
+            shift = std::max(2 * shift, 1e-4 * std::abs(stiffest) + 1e-300); // until convex
+        const double before = potential(angle, load);
+        const double rounding = 1e-14 * (std::abs(before) + load * weight_[0]);
+        for (double share = 1; share > 1e-9; share *= 0.5) {
             std::vector<double> trial = angle;
-            largest = 0;
+            double largest = 0;
             for (size_t i = 0; i < n_; ++i) {
                 trial[i] -= share * change[i];
                 largest = std::max(largest, std::abs(share * change[i]));
             }
-            moments(trial, load, &gradient, nullptr, nullptr);
-            if (norm(gradient) < before || share < 2e-4) {
+            if (potential(trial, load) <= before + rounding) {
                 angle = trial;
-                break;
+                return largest;
             }
         }
-        return largest;
+        return 0;
     }
 
   private:
-    static double norm(const std::vector<double>& v) {
-        return std::sqrt(std::inner_product(v.begin(), v.end(), v.begin(), 0.0));
+    double potential(const std::vector<double>& angle, double load) const {
+        double sum = 0;
+        for (size_t i = 0; i < n_; ++i) {
+            const double before = i > 0 ? angle[i - 1] : rod_.clamp;
+            const double turn = angle[i] - before - rest_turn(i);
+            const double k = rod_.bend_stiffness / joint_length(i);
+            sum += rod_.law == JointLaw::angle ? 0.5 * k * turn * turn
+                                               : 4 * k * (1 - std::cos(0.5 * turn));
+            sum += load * weight_[i] * rod_.lengths[i] * std::sin(angle[i]);
+        }
+        return sum;
     }
 
     // Moment and stiffness of a joint.
@@ -72,44 +83,46 @@ class Balance {
         return {2 * k * std::sin(0.5 * turn), k * std::cos(0.5 * turn)};
     }
 
-    void moments(const std::vector<double>& angle, double load, std::vector<double>* gradient,
-                 std::vector<double>* diagonal, std::vector<double>* beside) const {
-        gradient->assign(n_, 0);
-        if (diagonal) {
-            diagonal->assign(n_, 0);
-            beside->assign(n_, 0);
-        }
+    void moments(const std::vector<double>& angle, double load, std::vector<double>& gradient,
+                 std::vector<double>& diagonal, std::vector<double>& beside) const {
+        gradient.assign(n_, 0);
+        diagonal.assign(n_, 0);
+        beside.assign(n_, 0);
         for (size_t i = 0; i < n_; ++i) {
             const double before = i > 0 ? angle[i - 1] : rod_.clamp;
             const auto [moment, stiffness] = joint(i, angle[i] - before - rest_turn(i));
             const double lever = load * weight_[i] * rod_.lengths[i];
-            (*gradient)[i] += moment + lever * std::cos(angle[i]);
-            if (i > 0)
-                (*gradient)[i - 1] -= moment;
-            if (!diagonal)
-                continue;
-            (*diagonal)[i] += stiffness - lever * std::sin(angle[i]);
+            gradient[i] += moment + lever * std::cos(angle[i]);
+            diagonal[i] += stiffness - lever * std::sin(angle[i]);
             if (i > 0) {
-                (*diagonal)[i - 1] += stiffness;
-                (*beside)[i] = -stiffness; // between i - 1 and i
+                gradient[i - 1] -= moment;
+                diagonal[i - 1] += stiffness;
+                beside[i] = -stiffness; // between i - 1 and i
             }
         }
     }
 
-    // Thomas.
-    std::vector<double> solve(std::vector<double> right, std::vector<double> diagonal,
-                              const std::vector<double>& beside) const {
-        for (size_t i = 1; i < n_; ++i) {
-            const double factor = beside[i] / diagonal[i - 1];
-            diagonal[i] -= factor * beside[i];
-            right[i] -= factor * right[i - 1];
+    // Thomas; false where the shifted matrix is not positive definite.
+    bool solve(const std::vector<double>& gradient, const std::vector<double>& diagonal,
+               const std::vector<double>& beside, double shift, std::vector<double>& change) const {
+        std::vector<double> pivot = diagonal;
+        change = gradient;
+        for (size_t i = 0; i < n_; ++i) {
+            pivot[i] += shift;
+            if (i > 0) {
+                const double factor = beside[i] / pivot[i - 1];
+                pivot[i] -= factor * beside[i];
+                change[i] -= factor * change[i - 1];
+            }
+            if (!(pivot[i] > 0))
+                return false;
         }
         for (size_t i = n_; i-- > 0;) {
             if (i + 1 < n_)
-                right[i] -= beside[i + 1] * right[i + 1];
-            right[i] /= diagonal[i];
+                change[i] -= beside[i + 1] * change[i + 1];
+            change[i] /= pivot[i];
         }
-        return right;
+        return true;
     }
 
     const PlaneRod& rod_;
@@ -126,7 +139,7 @@ std::vector<Eigen::Vector2d> hanging_shape(const PlaneRod& rod) {
     for (int k = 1; k <= loads; ++k) {
         const double load = std::pow(static_cast<double>(k) / loads, 3); // weak ones first
         double change = 1;
-        for (int i = 0; i < 200 && change > 1e-13; ++i)
+        for (int i = 0; i < 500 && change > 1e-13; ++i)
             change = balance.step(angle, load);
         if (!(change < 1e-9))
             return {};

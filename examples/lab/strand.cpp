@@ -48,8 +48,8 @@ Quat aimed(const Strand& strand, const Vec3& first) {
 }
 
 std::vector<Vec3> bent_into_mode(const Strand& strand, uint32_t pinned, bool half_tip) {
-    const HangingChain chain{strand.segment_lengths(), pinned, half_tip};
-    const Eigen::VectorXd shape = chain.modes().col(strand.mode - 1);
+    const HangingChain chain{strand.segment_lengths(), pinned, half_tip, 0};
+    const Eigen::VectorXd shape = chain.modes(1).col(strand.mode - 1);
     const Vec3 side = strand.direction.unitOrthogonal();
     std::vector<Vec3> points{strand.root};
     double before = 0;

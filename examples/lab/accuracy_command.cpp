@@ -1,0 +1,56 @@
+// plait-lab accuracy: the table.
+#include "accuracy.hpp"
+#include "commands.hpp"
+
+#include "common/file.hpp"
+
+#include <iostream>
+
+namespace lab {
+
+namespace {
+
+struct Options {
+    AccuracyOptions run;
+    DeviceOptions device;
+    bool json = false;
+    std::string csv;
+};
+
+Exit run(Options options) {
+    options.run.device = options.device.device;
+    options.run.backend = options.device.backend;
+    const AccuracyRun done = run_accuracy(options.run);
+    Json all = Json::array();
+    for (const Result& result : done.results)
+        all.push_back(to_json(result));
+    if (options.json)
+        std::cout << all.dump(2) << '\n';
+    else
+        std::cout << accuracy_text(done) << "wrote " << options.run.out << "/accuracy.csv\n";
+    write_text(accuracy_markdown(done), options.run.out + "/accuracy.md");
+    return Exit::ok;
+}
+
+} // namespace
+
+void add_accuracy(CLI::App& app, Command& chosen) {
+    auto options = std::make_shared<Options>();
+    CLI::App* command = app.add_subcommand("accuracy", "every row of the accuracy table");
+    command->add_option("--models", options->run.models, "only these")->delimiter(',');
+    command->add_option("--rows", options->run.rows, "only these, say 1,4,18")->delimiter(',');
+    command->add_option("--scenes", options->run.scenes, "only rows of these scenes")
+        ->delimiter(',');
+    command->add_option("--table", options->run.table, "the rows [assets/lab/accuracy.json]");
+    command->add_option("--out", options->run.out, "folder of accuracy.csv, taken up again")
+        ->capture_default_str();
+    command->add_flag("--fresh", options->run.fresh, "measure again what is there");
+    command->add_flag("--baselines", options->run.baselines, "the baselines, too");
+    command->add_flag("--all-settings", options->run.all_settings,
+                      "all settings of a model, not only for real time and for quality");
+    command->add_flag("--json", options->json, "print JSON instead of a table");
+    add_device_options(*command, options->device);
+    command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+}
+
+} // namespace lab

@@ -1,0 +1,247 @@
+#include "chart.hpp"
+
+#include "hash.hpp"
+#include "metrics.hpp"
+
+#include "common/file.hpp"
+#include "common/progress.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <limits>
+
+namespace lab {
+
+namespace {
+
+const double nan = std::numeric_limits<double>::quiet_NaN();
+
+bool wanted(const std::vector<std::string>& list, const std::string& name) {
+    return list.empty() || std::find(list.begin(), list.end(), name) != list.end();
+}
+
+Family read_family(JsonReader in, const std::filesystem::path& folder) {
+    Family family;
+    if (!in.text("name", family.name))
+        in.fail("name", "is missing: of the files it makes");
+    in.text("title", family.title);
+    if (!in.text("scene", family.scene))
+        in.fail("scene", "is missing: a file beside this one");
+    family.scene = (folder / family.scene).string();
+    if (const Json* set = in.value("set"))
+        family.overrides = *set;
+    if (const Json* needs = in.value("needs"))
+        family.needs = needs->get<std::vector<std::string>>();
+    in.finish();
+    return family;
+}
+
+// N: not finite, or 100 lengths away. E: energy out of nothing. o: off the scale. s, r: strained by
+// 10 % at some time, by 1 % at the end: these still have a place in the figure.
+char letter_of(const Scene& scene, const Method& method, const Recording& recording, double error) {
+    const auto value = [&](const char* metric) {
+        return evaluate(scene, method, recording, measure_of(metric)).value;
+    };
+    if (recording.nonfinite > 0)
+        return 'N';
+    for (const Frame& frame : recording.frames)
+        for (const Vec3& x : frame.x[0])
+            if ((x - frame.x[0][0]).norm() > 100 * scene.length())
+                return 'N';
+    if (value("energy_rise") > 0.05)
+        return 'E';
+    if (!(error < 1))
+        return 'o';
+    if (value("strain_max") > 0.1)
+        return 's';
+    return value("strain_rest") > 0.01 ? 'r' : '\0';
+}
+
+class Runner {
+  public:
+    Runner(const ChartOptions& options, ChartRun& run)
+        : options_(options), contexts_(options.backend, options.device),
+          profiled_(options.backend, options.device, true),
+          results_(options.out + "/charts.csv", options.fresh), run_(run) {
+        run.device = contexts_.device();
+    }
+
+    void all(const std::vector<Family>& families, const std::vector<Method>& methods) {
+        Progress progress("chart", static_cast<uint32_t>(families.size() * methods.size()));
+        uint32_t done = 0;
+        for (const Family& family : families) {
+            Chart chart{family, 0, nan, {}, {}};
+            const Scene scene = read_scene(family.scene, family.overrides);
+            chart.segments = scene.strands[0].segments;
+            for (const Method& method : methods) {
+                if (interrupted()) {
+                    run_.interrupted = true;
+                    return;
+                }
+                one(chart, scene, method);
+                progress.update(++done);
+            }
+            run_.charts.push_back(std::move(chart));
+        }
+    }
+
+  private:
+    void one(Chart& chart, const Scene& scene, const Method& method) {
+        const Row row{chart.family.name, "", "", {}, {}, false, chart.family.needs};
+        if (const std::string why = why_not(row, *method.model); !why.empty()) {
+            const std::string line = method.model->label + ": " + why;
+            if (!wanted(chart.left_out, line) || chart.left_out.empty())
+                chart.left_out.push_back(line);
+            return;
+        }
+        ChartPoint point{method, nan, '\0', {}};
+        measured_error(chart, scene, point);
+        measured_cost(chart, scene, point);
+        if (!interrupted())
+            chart.points.push_back(point);
+    }
+
+    Result blank(const Chart& chart, const Scene& scene, const Method& method,
+                 const char* what) const {
+        Result result;
+        result.row = chart.family.name;
+        result.variant = what;
+        result.model = method.model->label;
+        result.setting = method.setting.label();
+        result.device = run_.device.name;
+        result.backend = run_.device.backend;
+        result.driver = run_.device.driver;
+        result.fingerprint = scene.physics;
+        return result;
+    }
+
+    // The letter is kept where a verdict would be, the floor where a mark would be.
+    void measured_error(Chart& chart, const Scene& scene, ChartPoint& point) {
+        Result result = blank(chart, scene, point.method, "error");
+        if (const Result* known = results_.find(result.key())) {
+            result = *known;
+        } else {
+            const Recording recording = record(contexts_, scene, point.method);
+            if (recording.interrupted)
+                return;
+            const Value error = evaluate(scene, point.method, recording, measure_of("rms_error"));
+            const char letter = letter_of(scene, point.method, recording, error.value);
+            result.value = error.value;
+            result.note = error.note;
+            result.verdict = letter ? std::string(1, letter) : "";
+            result.unit = "L";
+            result.mark =
+                evaluate(scene, point.method, recording, measure_of("static_floor")).value;
+            results_.add(result);
+        }
+        point.error = result.value;
+        point.letter = result.verdict.empty() ? '\0' : result.verdict[0];
+        if (result.mark && std::isfinite(*result.mark))
+            chart.floor = *result.mark;
+    }
+
+    // Wall in `value`, kernels in `mark`, vertices and runs in the note.
+    void measured_cost(Chart& chart, const Scene& scene, ChartPoint& point) {
+        const std::string size =
+            std::to_string(options_.costs.vertices) + " x " + std::to_string(options_.costs.runs);
+        Result result = blank(chart, scene, point.method, ("cost " + size).c_str());
+        if (const Result* known = results_.find(result.key())) {
+            result = *known;
+        } else {
+            const Cost cost =
+                measure_cost(contexts_, profiled_, scene, point.method, options_.costs);
+            result.value = cost.wall;
+            result.mark = cost.kernel;
+            result.unit = "s";
+            result.note = std::to_string(cost.vertices);
+            results_.add(result);
+        }
+        point.cost = {std::strtoull(result.note.c_str(), nullptr, 10), options_.costs.runs,
+                      result.value, result.mark.value_or(0), 1 / scene.rate};
+    }
+
+    const ChartOptions& options_;
+    Contexts contexts_, profiled_;
+    Results results_;
+    ChartRun& run_;
+};
+
+} // namespace
+
+std::vector<Family> read_families(const std::string& file) {
+    Origin origin{file, Json::object(), {}};
+    const Json document = read_json(origin);
+    JsonReader top(document, origin);
+    std::vector<Family> families;
+    const Json* list = top.value("charts");
+    if (!list || !list->is_array())
+        top.fail("charts", "is missing or no list");
+    for (size_t i = 0; i < list->size(); ++i)
+        families.push_back(read_family(top.element(*list, i, "charts"),
+                                       std::filesystem::path(file).parent_path()));
+    top.finish();
+    return families;
+}
+
+ChartRun run_charts(const ChartOptions& options) {
+    auto families = read_families(
+        options.table.empty() ? std::string(PLAIT_LAB_SCENES) + "/charts.json" : options.table);
+    std::vector<std::string> known;
+    for (const Family& family : families)
+        known.push_back(family.name);
+    for (const std::string& name : options.families)
+        if (!wanted(known, name))
+            throw Failure("--families: \"" + name + "\" is none; the nearest is \"" +
+                          std::string(nearest(name, known)) + "\"");
+    std::erase_if(families,
+                  [&](const Family& family) { return !wanted(options.families, family.name); });
+    ChartRun run;
+    Runner(options, run).all(families, methods_of(options.models, true, true));
+    for (const Chart& chart : run.charts) {
+        const std::string path = options.out + "/" + chart.family.name;
+        write_text(chart_csv(chart, run.device), path + ".csv");
+        run.files.push_back(path + ".csv");
+        if (draw(chart, run.device, options.out))
+            run.files.insert(run.files.end(), {path + ".svg", path + ".png"});
+    }
+    return run;
+}
+
+std::vector<ChartPoint> pareto_front(const std::vector<ChartPoint>& points) {
+    std::vector<ChartPoint> sorted;
+    for (const ChartPoint& point : points)
+        if (point.error > 0 && point.letter != 'N' && point.letter != 'E' && point.letter != 'o')
+            sorted.push_back(point);
+    std::sort(sorted.begin(), sorted.end(), [](const ChartPoint& a, const ChartPoint& b) {
+        return a.cost.ms_per_frame() < b.cost.ms_per_frame();
+    });
+    std::vector<ChartPoint> front;
+    for (const ChartPoint& point : sorted)
+        if (front.empty() || point.error < front.back().error)
+            front.push_back(point);
+    return front;
+}
+
+std::string chart_csv(const Chart& chart, const plait_device_info& device) {
+    std::string text =
+        "# " + chart.family.title + "; " + device.name + "; driver " + device.driver + "\n";
+    text +=
+        "model,baseline,substeps,iterations,bdf2,error_rms_over_L,class,ms_per_frame_per_million,"
+        "kernel_ns_per_vertex,strands_at_60_hz,floor_over_L\n";
+    for (const ChartPoint& p : chart.points) {
+        char line[256];
+        const Setting& s = p.method.setting;
+        std::snprintf(line, sizeof line, "%s,%d,%u,%u,%d,%.6g,%c,%.6g,%.6g,%.6g,%.6g\n",
+                      p.method.model->label.c_str(), p.method.model->baseline(), s.substeps,
+                      s.iterations, s.bdf2, p.error, p.letter ? p.letter : '.',
+                      p.cost.ms_per_frame(),
+                      1e9 * p.cost.kernel / static_cast<double>(p.cost.vertices),
+                      p.cost.strands_at_60_hz(chart.segments + 1), chart.floor);
+        text += line;
+    }
+    return text;
+}
+
+} // namespace lab

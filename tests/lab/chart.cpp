@@ -1,0 +1,97 @@
+// Figures and pages: what is best at its cost, what fails, and that the lists of the repository
+// hold.
+#include "chart.hpp"
+#include "page.hpp"
+
+#include "simulate/support.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+using lab::ChartPoint;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+namespace {
+
+// `ms` per 1/60 s and million vertices.
+ChartPoint point(const char* model, double error, double ms, char letter = '\0') {
+    ChartPoint p{{lab::find_model(model), {2, 3, true}}, error, letter, {}};
+    p.cost = {1000000, 21, ms / 1e3, 0, 1.0 / 60};
+    return p;
+}
+
+TEST(LabChart, costs_are_of_a_sixtieth_second_and_a_million_vertices) {
+    const lab::Cost cost{200000, 21, 0.01, 0.005, 1.0 / 120}; // 10 ms for 1/120 s
+    EXPECT_NEAR(cost.ns_per_vertex(), 50, 1e-9);
+    EXPECT_NEAR(cost.ms_per_frame(), 100, 1e-9);
+    EXPECT_NEAR(cost.strands_at_60_hz(10), 1e3 / 60 / 100 * 1e5, 1e-6);
+}
+
+TEST(LabChart, the_front_is_what_nothing_beats) {
+    const auto front = lab::pareto_front({point("rod", 0.01, 30), point("rod", 0.5, 10),
+                                          point("rod", 0.02, 40), point("rod", 0.001, 90),
+                                          point("rod", 1e-6, 5, 'E'), point("rod", NAN, 1, 'N')});
+    ASSERT_EQ(front.size(), 3u);
+    EXPECT_EQ(front[0].error, 0.5);
+    EXPECT_EQ(front[1].error, 0.01);
+    EXPECT_EQ(front[2].error, 0.001);
+}
+
+TEST(LabChart, failures_are_drawn_on_the_edge) {
+    lab::Chart chart;
+    chart.family.title = "A family";
+    chart.floor = 0.0023;
+    chart.points = {point("rod", 0.01, 30), point("tressfx", NAN, 10, 'N')};
+    const auto device = plait_device_info_defaults();
+    const std::string script = lab::gnuplot_script(chart, device, "a/b");
+    EXPECT_THAT(script, AllOf(HasSubstr("A family"), HasSubstr("2×3b N"), HasSubstr("a/b.svg"),
+                              HasSubstr("a/b.png"), HasSubstr("0.0023 with lines"),
+                              HasSubstr("title 'rod'"), HasSubstr("title 'tressfx'")));
+    EXPECT_THAT(script, Not(HasSubstr("nan")));
+    EXPECT_THAT(lab::chart_csv(chart, device), HasSubstr("rod,0,2,3,1,0.01,.,30,"));
+    EXPECT_THAT(lab::chart_csv(chart, device), HasSubstr("tressfx,0,2,3,1,nan,N,10,"));
+}
+
+TEST(LabChart, families_and_features_of_the_repository_are_valid) {
+    const auto families = lab::read_families(std::string(PLAIT_SCENES) + "/charts.json");
+    EXPECT_GE(families.size(), 5u);
+    for (const lab::Family& family : families) {
+        const lab::Scene scene = lab::read_scene(family.scene, family.overrides);
+        EXPECT_TRUE(scene.reference.has_value()) << family.name;
+    }
+    const auto features = lab::read_features(std::string(PLAIT_SCENES) + "/features.json");
+    EXPECT_GE(features.size(), 10u);
+    for (const lab::Feature& feature : features) {
+        EXPECT_NO_THROW(lab::read_scene(feature.scene, feature.with)) << feature.name;
+        EXPECT_NO_THROW(lab::read_scene(feature.scene, feature.without)) << feature.name;
+    }
+}
+
+TEST(LabPage, names_files_after_the_device) {
+    EXPECT_EQ(lab::slug("pthread-Intel(R) Xeon(R) CPU"), "pthread-intel-r-xeon-r-cpu");
+}
+
+class LabFeatures : public TemporaryFolder {};
+
+// A strand with gravity and without: leaving it out moves the hair by its fall.
+TEST_F(LabFeatures, say_what_leaving_out_moves) {
+    write("s.json",
+          R"({"title": "fall", "strand": {"segments": 3}, "duration": 0.1, "model": "chain"})");
+    lab::FeatureOptions options;
+    options.table = write("f.json", R"({"features": [{"feature": "weight", "scene": "s.json",
+        "without": {"gravity": [0, 0, 0]}}]})");
+    options.backend = "reference";
+    options.costs = {8, 3, false};
+    const lab::FeatureRun run = lab::run_features(options);
+    ASSERT_EQ(run.results.size(), 1u);
+    EXPECT_GT(run.results[0].moved, 0.01);
+    EXPECT_LT(run.results[0].moved, 1);
+    EXPECT_GT(run.results[0].cost_with, 0);
+    EXPECT_TRUE(std::isnan(run.results[0].error_with)); // the scene has no reference
+    EXPECT_THAT(lab::features_markdown(run), HasSubstr("| weight | fall |"));
+}
+
+} // namespace

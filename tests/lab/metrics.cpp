@@ -1,0 +1,200 @@
+// The laboratory's own arithmetic, against closed forms and reference tables.
+#include "metrics.hpp"
+#include "modes.hpp"
+#include "statics.hpp"
+#include "table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using lab::Vec3;
+
+namespace {
+
+lab::PlaneRod level(double gamma, size_t segments) {
+    lab::PlaneRod rod;
+    rod.lengths.assign(segments, 1.0 / static_cast<double>(segments));
+    rod.bend_stiffness = 1 / gamma;
+    rod.law = lab::JointLaw::angle;
+    return rod;
+}
+
+TEST(LabStatics, is_the_table_of_discrete_cantilevers) {
+    const lab::Table& table = lab::load_table("cantilever_discrete.csv");
+    ASSERT_GE(table.rows.size(), 20u);
+    for (const auto& row : table.rows) {
+        const auto shape = hanging_shape(level(row[0], static_cast<size_t>(row[1])));
+        ASSERT_FALSE(shape.empty()) << "gamma " << row[0] << ", N " << row[1];
+        EXPECT_NEAR(shape.back().x(), row[2], 1e-9) << "gamma " << row[0] << ", N " << row[1];
+        EXPECT_NEAR(shape.back().y(), row[3], 1e-9) << "gamma " << row[0] << ", N " << row[1];
+    }
+}
+
+TEST(LabStatics, is_the_elastica_in_the_limit) {
+    for (const auto& row : lab::load_table("cantilever.csv").rows) {
+        const Eigen::Vector2d tip = elastica_tip(level(row[0], 16));
+        EXPECT_NEAR(tip.x(), row[1], 2e-7) << "gamma " << row[0];
+        EXPECT_NEAR(tip.y(), row[2], 2e-7) << "gamma " << row[0];
+    }
+}
+
+// Small loads: y = -w L^4 / 8 EI, less half of a joint's share.
+TEST(LabStatics, bends_like_a_beam_when_stiff) {
+    const auto shape = hanging_shape(level(1e-3, 64));
+    EXPECT_NEAR(shape.back().y(), -1e-3 / 8, 1e-3 / 8 * 2e-3);
+}
+
+TEST(LabStatics, both_joint_laws_agree_for_small_turns) {
+    lab::PlaneRod rod = level(10, 128);
+    const auto angle = hanging_shape(rod);
+    rod.law = lab::JointLaw::cosserat;
+    const auto cosserat = hanging_shape(rod);
+    EXPECT_LT((angle.back() - cosserat.back()).norm(), 1e-4);
+}
+
+TEST(LabStatics, hangs_from_any_clamp) {
+    for (const double clamp : {-1.5, -0.5, 0.7, 1.5}) {
+        lab::PlaneRod rod = level(1e5, 32);
+        rod.clamp = clamp;
+        const auto shape = hanging_shape(rod);
+        ASSERT_FALSE(shape.empty());
+        EXPECT_LT(shape.back().y(), -0.9) << "clamp " << clamp; // limp: it hangs
+    }
+}
+
+TEST(LabModes, are_the_table_of_hanging_chains) {
+    const lab::Table& table = lab::load_table("chain_modes.csv");
+    ASSERT_GE(table.rows.size(), 12u);
+    for (const auto& row : table.rows) {
+        const auto n = static_cast<size_t>(row[1]);
+        const std::vector<double> lengths(n, 1.0 / static_cast<double>(n));
+        const lab::HangingChain chain{lengths, 1, row[0] > 0, 0};
+        EXPECT_NEAR(chain.frequencies(1)[0], row[2], 1e-9) << n << " segments";
+    }
+}
+
+// A clamped hanging beam, w1 in sqrt(g/L) by collocation of the continuum.
+TEST(LabModes, bend) {
+    for (const auto& [gamma, w1] : {std::pair{1.0, 3.73262539156},
+                                    {10.0, 1.67340875302},
+                                    {100.0, 1.28687415686},
+                                    {1000.0, 1.22365920436}}) {
+        const std::vector<double> lengths(200, 1.0 / 200);
+        const lab::HangingChain chain{lengths, 1, true, 1 / gamma};
+        EXPECT_NEAR(chain.frequencies(1)[0], w1, 3e-4 * w1) << "gamma " << gamma;
+    }
+}
+
+TEST(LabSwing, finds_frequency_and_damping) {
+    for (const double zeta : {0.0, 0.002, 0.05}) {
+        std::vector<double> signal;
+        const double omega = 6.77;
+        for (int k = 0; k < 600; ++k) {
+            const double t = k / 60.0;
+            signal.push_back(std::exp(-zeta * omega * t) *
+                             std::cos(omega * std::sqrt(1 - zeta * zeta) * t));
+        }
+        const lab::Swing swing = lab::fit_swing(signal, 1 / 60.0);
+        EXPECT_NEAR(swing.frequency / (omega * std::sqrt(1 - zeta * zeta)), 1, 1e-4) << zeta;
+        EXPECT_NEAR(swing.damping, zeta, 2e-4 + 2e-3 * zeta) << zeta;
+    }
+    EXPECT_EQ(lab::fit_swing({0, 1, 2, 3}, 1).frequency, 0);
+}
+
+TEST(LabMetrics, strain_is_the_worst_segment) {
+    EXPECT_NEAR(lab::strain_at({1, 1}, {Vec3(0, 0, 0), Vec3(1.02, 0, 0), Vec3(1.02, 0.9, 0)}), 0.1,
+                1e-12);
+    EXPECT_TRUE(std::isnan(lab::strain_at({1}, {Vec3(0, 0, 0), Vec3(NAN, 0, 0)})));
+}
+
+// A recording made by hand: x(t) of every vertex, at 10 Hz.
+class LabRecording : public testing::Test {
+  protected:
+    template <typename X> void fill(double seconds, const X& x) {
+        for (int k = 0; k <= std::lround(10 * seconds); ++k) {
+            lab::Frame frame{k / 10.0, {}, {{}}, {{}}};
+            for (size_t i = 0; i < 3; ++i) {
+                frame.x[0].push_back(x(k / 10.0, i));
+                frame.v[0].push_back((x(k / 10.0 + 1e-6, i) - x(k / 10.0 - 1e-6, i)) / 2e-6);
+            }
+            recording_.frames.push_back(frame);
+        }
+        recording_.rest = {recording_.frames[0].x[0]};
+    }
+    double metric(const char* name, double from = 0, double to = 1e9, double expect = 0) {
+        lab::Measure measure;
+        measure.metric = name;
+        measure.from = from;
+        measure.to = to;
+        measure.expect = expect;
+        return evaluate(scene_, method_, recording_, measure).value;
+    }
+
+    lab::Scene scene_ = lab::read_scene(lab::Json{{"strand", {{"segments", 2}, {"length", 2}}},
+                                                  {"gravity", {0, -10, 0}},
+                                                  {"rate", 10}},
+                                        {});
+    lab::Method method_{lab::find_model("chain"), {}};
+    lab::Recording recording_;
+};
+
+TEST_F(LabRecording, interpolates_cubics_exactly_inside) {
+    fill(1, [](double t, size_t i) { return Vec3(t * t + static_cast<double>(i), t, 0); });
+    const auto x = positions_at(recording_, 0, 0.537);
+    EXPECT_NEAR(x[2].x(), 0.537 * 0.537 + 2, 1e-12);
+}
+
+TEST_F(LabRecording, tilt_is_from_gravity) {
+    fill(1, [](double, size_t i) -> Vec3 { return Vec3(1, -1, 0) * static_cast<double>(i); });
+    EXPECT_NEAR(metric("tilt"), 45, 1e-9);
+    EXPECT_NEAR(metric("tilt", 0, 1e9, 40), 5, 1e-9);
+}
+
+TEST_F(LabRecording, travel_and_speed_of_the_tip) {
+    fill(2, [](double t, size_t i) { return Vec3(0.5 * t * static_cast<double>(i), 0, 0); });
+    EXPECT_NEAR(metric("tip_travel", 1, 2), 0.5, 1e-12); // 1 m of 2 m
+    EXPECT_NEAR(metric("tip_speed", 1, 2), 0.5, 1e-12);
+    EXPECT_NEAR(metric("speed_max"), 1, 1e-9);
+}
+
+TEST_F(LabRecording, jitter_is_rms_per_frame) {
+    fill(1, [](double t, size_t i) { return Vec3(i ? 0.01 * std::round(10 * t) : 0, 0, 0); });
+    EXPECT_NEAR(metric("jitter"), 0.01 / 2, 1e-12);
+}
+
+// A free fall of both masses keeps its energy; at half the speed it loses, at twice it gains.
+TEST_F(LabRecording, energy_is_kept_in_free_fall) {
+    const auto fall = [](double g) {
+        return [g](double t, size_t i) {
+            return Vec3(static_cast<double>(i), i ? -0.5 * g * t * t : 0, 0);
+        };
+    };
+    fill(1, fall(10));
+    EXPECT_NEAR(metric("energy_rise"), 0, 1e-6);
+    recording_ = {};
+    fill(1, fall(20));
+    EXPECT_NEAR(metric("energy_rise"), 5.0 * 2 * 2 / (2.0 * 2), 10); // more than half of m g L
+    EXPECT_GT(metric("energy_rise"), 0.5);
+}
+
+TEST_F(LabRecording, nothing_is_said_of_what_is_not_finite) {
+    fill(1, [](double, size_t i) { return Vec3(static_cast<double>(i), 0, 0); });
+    recording_.nonfinite = 3;
+    EXPECT_TRUE(std::isnan(metric("tilt")));
+    EXPECT_EQ(metric("nonfinite"), 3);
+}
+
+TEST(LabVerdict, is_by_model_or_for_all) {
+    lab::Measure measure;
+    EXPECT_EQ(judge(measure, "rod", {1, ""}), lab::Verdict::none);
+    measure.pass = {{"", 0.1}, {"rod", 0.01}};
+    EXPECT_EQ(judge(measure, "chain", {-0.05, ""}), lab::Verdict::pass);
+    EXPECT_EQ(judge(measure, "rod", {-0.05, ""}), lab::Verdict::fail);
+    EXPECT_EQ(judge(measure, "chain", {NAN, ""}), lab::Verdict::fail);
+    measure.at_least = 3;
+    EXPECT_EQ(judge(measure, "chain", {2.9, ""}), lab::Verdict::fail);
+    EXPECT_EQ(judge(measure, "chain", {3.1, ""}), lab::Verdict::pass);
+}
+
+} // namespace
