@@ -1,28 +1,22 @@
 /* chain: one step of an inextensible chain without bending.
  *
- * Items: strands, over lanes. Reads pose, rest, material; reads and writes the lane state x, v.
- * Predict, K tridiagonal length solves (Han & Harada 2013), one exact follow-the-leader sweep with
- * the velocity correction of Mueller et al. 2012 applied to that sweep's displacement alone (ours).
- * K = 0 is Mueller's dynamic follow-the-leader.
+ * Items: strands, over lanes. Reads pose, rest, material, capsule; reads and writes the lane state
+ * x, v. Predict, K tridiagonal length solves (Han & Harada 2013), one exact follow-the-leader sweep
+ * with the velocity correction of Mueller et al. 2012 applied to that sweep's displacement alone
+ * (ours). K = 0 is Mueller's dynamic follow-the-leader.
  */
 #pragma OPENCL FP_CONTRACT ON
-#include "common/lane_step.clh"
+#include "common/chain_contact.clh"
 
 #define CHAIN_CORRECTION 0.5f /* s_damping of Mueller et al. 2012 */
 
-/* n(a), or `otherwise` where a vanishes. */
-inline vec3 unit3(vec3 a, vec3 otherwise) {
-    const real square = dot3(a, a);
-    const mask good = square > (real)(1e-30f);
-    const real s = rsqrt(pick(good, square, (real)(1.0f)));
-    return vec3_of(pick(good, a.x * s, otherwise.x), pick(good, a.y * s, otherwise.y),
-                   pick(good, a.z * s, otherwise.z));
-}
-
-/* Project x on linearised edge lengths: J M^-1 J^T lambda = C, C capped at one rest length. */
-inline void chain_solve_lengths(const lane_step* step, vec3* x) {
+/* Project x on linearised edge lengths: J W J^T lambda = C, C capped at one rest length; W is the
+ * inverse mass, less where contacts hold. */
+inline void chain_solve_lengths(const lane_step* step, const lane_contacts* contacts,
+                                const chain_mobility* hold, vec3* x) {
     vec3 u[PLAIT_VERTICES];
     real upper[PLAIT_VERTICES], lambda[PLAIT_VERTICES];
+    const int touches = hold != 0;
     const vec3 down = vec3_of((real)(0.0f), (real)(-1.0f), (real)(0.0f));
     real w0 = (real)(0.0f); /* the root is pinned */
     for (int i = 0; i < step->segments; ++i) {
@@ -32,15 +26,24 @@ inline void chain_solve_lengths(const lane_step* step, vec3* x) {
         u[i] = unit3(edge, down);
         real residual = fmin(dot3(edge, u[i]) - rest, rest);
         residual = pick(rest > (real)(0.0f), residual, (real)(0.0f)); /* past the tip */
-        real diagonal = w0 + w1;
+        const real one = (real)(1.0f);
+        real diagonal = touches ? chain_yields(contacts, hold, i, u[i], u[i], one) +
+                                      chain_yields(contacts, hold, i + 1, u[i], u[i], one)
+                                : w0 + w1;
         if (i > 0) {
-            const real lower = -dot3(u[i - 1], u[i]) * w0;
+            const real cosine = dot3(u[i - 1], u[i]);
+            const real lower =
+                touches ? -chain_yields(contacts, hold, i, u[i - 1], u[i], cosine) : -cosine * w0;
             diagonal -= lower * upper[i - 1];
             residual -= lower * lambda[i - 1];
         }
-        const real next = i + 1 < step->segments
-                              ? -dot3(u[i], unit3(sub3(x[i + 2], x[i + 1]), down)) * w1
-                              : (real)(0.0f);
+        real next = (real)(0.0f);
+        if (i + 1 < step->segments) {
+            const vec3 onward = unit3(sub3(x[i + 2], x[i + 1]), down);
+            const real cosine = dot3(u[i], onward);
+            next =
+                touches ? -chain_yields(contacts, hold, i + 1, u[i], onward, cosine) : -cosine * w1;
+        }
         upper[i] = next / diagonal;
         lambda[i] = residual / diagonal;
         w0 = w1;
@@ -51,44 +54,103 @@ inline void chain_solve_lengths(const lane_step* step, vec3* x) {
         vec3 pull = scale3(u[i - 1], -lambda[i - 1]);
         if (i < step->segments)
             pull = axpy3(lambda[i], u[i], pull);
-        x[i] = axpy3(1.0f / lane_material_at(step, i, PLAIT_LANE_MASS), pull, x[i]);
+        if (touches)
+            x[i] = add3(chain_move(contacts, hold, i, pull), x[i]);
+        else
+            x[i] = axpy3(1.0f / lane_material_at(step, i, PLAIT_LANE_MASS), pull, x[i]);
     }
 }
 
-/* Exact lengths, root to tip; d[i] is the displacement of vertex i. */
-inline void chain_follow_leader(const lane_step* step, vec3* x, vec3* d) {
+/* Exact lengths, root to tip. */
+inline void chain_follow_leader(const lane_step* step, const lane_contacts* contacts, vec3* x) {
     const vec3 down = vec3_of((real)(0.0f), (real)(-1.0f), (real)(0.0f));
+    const int touches = contacts && contacts->touching;
     for (int i = 0; i < step->segments; ++i) {
-        const vec3 direction = unit3(sub3(x[i + 1], x[i]), down);
-        const vec3 exact = axpy3(lane_material_at(step, i, PLAIT_LANE_LENGTH), direction, x[i]);
-        d[i + 1] = sub3(exact, x[i + 1]);
-        x[i + 1] = exact;
+        const real length = lane_material_at(step, i, PLAIT_LANE_LENGTH);
+        const vec3 exact = axpy3(length, unit3(sub3(x[i + 1], x[i]), down), x[i]);
+        x[i + 1] = touches ? chain_keep_off(contacts, i + 1, x[i], length, x[i + 1], exact) : exact;
+    }
+}
+
+/* The same, off the colliders; again for strands that it pulled through one. */
+inline void chain_follow_leader_in_contact(const lane_step* step, lane_contacts* contacts,
+                                           vec3* x) {
+    vec3 first[PLAIT_VERTICES];
+    contact_renew(contacts, x);
+    chain_follow_leader(step, contacts, x);
+    contact_renew(contacts, x);
+    mask crossed = (real)(0.0f) > (real)(0.0f);
+    for (int i = 1; i <= step->segments && contacts->touching; ++i) {
+        crossed |= contact_excess(contacts, i, x[i]) > (real)(0.0f);
+        first[i] = x[i];
+    }
+    if (!any_lane(crossed))
+        return;
+    chain_follow_leader(step, contacts, x);
+    for (int i = 1; i <= step->segments; ++i)
+        x[i] = pick3(crossed, x[i], first[i]);
+}
+
+/* x, which contacts hold, on its lengths: some rounds, so that pushes and slip agree with them.
+ * Strands that touch nothing leave after the first. */
+inline void chain_solve_contacts(const lane_step* step, lane_contacts* contacts, uint iterations,
+                                 const vec3* y, vec3* x) {
+    vec3 before[PLAIT_VERTICES];
+    chain_mobility hold[PLAIT_VERTICES];
+    for (int round = 0; round < CHAIN_CONTACT_ROUNDS; ++round) {
+        contact_renew(contacts, x);
+        if (!any_lane(contacts->lanes))
+            break;
+        for (int i = 1; i <= step->segments; ++i)
+            before[i] = x[i];
+        chain_mobilities(contacts, x, hold);
+        chain_yield(contacts, hold, y, x);
+        for (uint k = 0; k < iterations; ++k)
+            chain_solve_lengths(step, contacts, hold, x);
+        const mask takes = round == 0 ? (real)(0.0f) == (real)(0.0f) : contacts->lanes;
+        for (int i = 1; i <= step->segments; ++i)
+            x[i] = pick3(takes, x[i], before[i]);
     }
 }
 
 __kernel void plait_chain(const uint item_count, const plait_lane_params params,
                           __global const float4* rest, __global const float4* pose,
-                          __global const real* lane_material, __global real* lane_x,
-                          __global real* lane_v, __global real* lane_x_before,
-                          __global real* lane_v_before) {
+                          __global const real* lane_material, __global const float4* capsule,
+                          __global real* lane_x, __global real* lane_v,
+                          __global real* lane_x_before, __global real* lane_v_before) {
     lane_step step;
     if (!lane_begin(&step, item_count, &params, rest, pose, lane_material))
         return;
     const lane_buffers state = {lane_x, lane_v, lane_x_before, lane_v_before};
-    vec3 x[PLAIT_VERTICES], y[PLAIT_VERTICES], w[PLAIT_VERTICES], d[PLAIT_VERTICES];
+    vec3 x[PLAIT_VERTICES], y[PLAIT_VERTICES], w[PLAIT_VERTICES], solved[PLAIT_VERTICES];
     lane_predict(&step, &params, state, y, w);
     for (int i = 0; i <= step.segments; ++i)
         x[i] = y[i];
 
-    for (uint k = 0; k < params.iterations; ++k)
-        chain_solve_lengths(&step, x);
-    chain_follow_leader(&step, x, d);
+    lane_contacts of_step;
+    lane_contacts* contacts = params.collider_count > 0 ? &of_step : 0;
+    if (contacts) {
+        contact_begin(contacts, &step, &params, capsule, lane_x);
+        chain_solve_contacts(&step, contacts, params.iterations, y, x);
+    }
+    if (!contacts || !any_lane(contacts->lanes))
+        for (uint k = 0; k < params.iterations; ++k)
+            chain_solve_lengths(&step, 0, 0, x);
+    for (int i = 0; i <= step.segments; ++i)
+        solved[i] = x[i];
+    if (contacts)
+        chain_follow_leader_in_contact(&step, contacts, x);
+    else
+        chain_follow_leader(&step, 0, x);
 
     store3(lane_x, step.place, 0, step.pose.root);
     for (int i = 1; i <= step.segments; ++i) {
         /* the sweep moved vertex i+1 as if pulled by i: i recoils */
         if (i < step.segments)
-            w[i] = axpy3((real)(-CHAIN_CORRECTION / step.h), d[i + 1], w[i]);
-        lane_finish(&step, state, i, x[i], y[i], w[i]);
+            w[i] = axpy3((real)(-CHAIN_CORRECTION / step.h), sub3(x[i + 1], solved[i + 1]), w[i]);
+        if (contacts && contacts->touching)
+            contact_finish(contacts, state, i, x[i], y[i], w[i]);
+        else
+            lane_finish(&step, state, i, x[i], y[i], w[i]);
     }
 }

@@ -1,7 +1,7 @@
 /* cosserat: one substep of a stable Cosserat rod.
  *
  * Items   strands, over lanes.
- * Reads   rest, pose, lane_material, lane_rest.
+ * Reads   rest, pose, lane_material, lane_rest, capsule.
  * Moves   lane_x, lane_v, lane_q, and the steps before.
  * Source  Hsu et al. 2025; Kugelstadt & Schoemer 2016. Changed: see common/cosserat.clh and
  *         common/rod.clh; orientations start from the rotation of the substep before, repeated
@@ -13,7 +13,8 @@
 __kernel void plait_cosserat(const uint item_count, const plait_lane_params params,
                              __global const float4* rest, __global const float4* pose,
                              __global const real* lane_material, __global const real* lane_rest,
-                             __global real* lane_x, __global real* lane_v, __global real* lane_q,
+                             __global const float4* capsule, __global real* lane_x,
+                             __global real* lane_v, __global real* lane_q,
                              __global real* lane_q_before, __global real* lane_x_before,
                              __global real* lane_v_before) {
     lane_step step;
@@ -23,10 +24,13 @@ __kernel void plait_cosserat(const uint item_count, const plait_lane_params para
     rod_state s;
     vec3 w[PLAIT_VERTICES];
     lane_predict(&step, &params, state, s.y, w);
-    const rod_problem rod = rod_problem_of(&step, lane_rest);
+    lane_contacts contacts;
+    contact_begin(&contacts, &step, &params, capsule, lane_x);
+    const rod_problem rod =
+        rod_problem_of(&step, lane_rest, params.collider_count > 0 ? &contacts : 0);
     rod_load(&rod, &s, lane_q, lane_q_before);
 
-    cosserat_iterate(&rod, &s, params.iterations);
+    cosserat_iterate(&rod, &s, params.iterations, 1);
 
-    rod_store(&step, state, &s, w, lane_q);
+    rod_store(&rod, state, &s, w, lane_q);
 }

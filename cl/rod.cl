@@ -1,7 +1,7 @@
 /* rod: one substep of the Cosserat rod by damped Gauss-Newton with a direct solve.
  *
  * Items   strands, over lanes.
- * Reads   rest, pose, lane_material, lane_rest.
+ * Reads   rest, pose, lane_material, lane_rest, capsule.
  * Moves   lane_x, lane_v, lane_q, and the steps before.
  * Source  the potential of common/rod.clh; unknowns per segment k are the displacement of vertex
  * k+1 and the rotation vector of q_k, so the Hessian is block tridiagonal, 6x6. Gauss-Newton plus
@@ -89,6 +89,19 @@ inline void rod_diagonal(real a[ROD_UNKNOWNS][ROD_UNKNOWNS], const rod_segment* 
     a[5][5] = angular - turn * t.z * t.z;
 }
 
+/* Adds the contact of vertex i. */
+inline void rod_diagonal_contact(real a[ROD_UNKNOWNS][ROD_UNKNOWNS], const rod_problem* rod,
+                                 const rod_state* s, int i) {
+    sym3 h = {a[0][0], a[1][1], a[2][2], a[1][0], a[2][0], a[2][1]};
+    h = add_contact(h, &rod->contacts->at[i], contact_term_at(rod->contacts, i, s->x[i]));
+    a[0][0] = h.xx;
+    a[1][1] = h.yy;
+    a[2][2] = h.zz;
+    a[1][0] = h.xy;
+    a[2][0] = h.xz;
+    a[2][1] = h.yz;
+}
+
 /* Block between segments k-1 (rows) and k (columns), e being segment k. */
 inline void rod_coupling(real b[ROD_UNKNOWNS][ROD_UNKNOWNS], const rod_segment* e) {
     const vec3 t = scale3(e->director, e->pull);
@@ -171,6 +184,8 @@ inline void rod_descent(const rod_problem* rod, const rod_state* s, int k, const
         force = add3(force, next->tension);
         torque = sub3(torque, rod_joint_moment(rod, s, k + 1, onward, next->bend));
     }
+    if (rod_touches(rod))
+        force = add3(force, contact_term_at(rod->contacts, i, s->x[i]).force);
     g[0] = force.x;
     g[1] = force.y;
     g[2] = force.z;
@@ -210,6 +225,8 @@ inline void rod_direction(const rod_problem* rod, const rod_state* s, real u[][R
         rod_add_section(rod, s, k, a, 1.0f);
         if (!tip)
             rod_add_section(rod, s, k + 1, a, 1.0f);
+        if (rod_touches(rod))
+            rod_diagonal_contact(a, rod, s, k + 1);
         rod_descent(rod, s, k, &e, tip ? 0 : &next, row[k].z);
         if (k > 0)
             rod_eliminate(a, row[k].z, b, &row[k - 1]);
@@ -271,6 +288,8 @@ inline void rod_pick(const rod_problem* rod, mask condition, rod_state* s, const
  * `cosserat` instead. */
 inline void rod_newton(const rod_problem* rod, rod_state* s) {
     real u[PLAIT_VERTICES - 1][ROD_UNKNOWNS];
+    if (rod->contacts)
+        contact_renew(rod->contacts, s->x);
     rod_state from = *s;
     const real limit = rod_potential(rod, s) * 1.000001f + 1e-20f;
     rod_direction(rod, s, u);
@@ -283,17 +302,33 @@ inline void rod_newton(const rod_problem* rod, rod_state* s) {
         rose = !(rod_potential(rod, s) <= limit);
     }
     if (any_lane(rose)) {
-        cosserat_iterate(rod, &from, 2);
+        cosserat_iterate(rod, &from, 2, 0);
         rod_pick(rod, rose, s, &from);
     }
+}
+
+inline int rod_touched(const rod_problem* rod) {
+    return rod->contacts && any_lane(rod->contacts->lanes);
+}
+
+/* Newton steps, and for strands that touch something one more: what touches has to settle too. */
+inline void rod_solve(const rod_problem* rod, rod_state* s, uint iterations) {
+    rod_state free;
+    for (uint k = 0; k < iterations || (k == iterations && rod_touched(rod)); ++k) {
+        if (k == iterations)
+            free = *s;
+        rod_newton(rod, s);
+    }
+    if (rod_touched(rod))
+        rod_pick(rod, !rod->contacts->lanes, s, &free);
 }
 
 __kernel void plait_rod(const uint item_count, const plait_lane_params params,
                         __global const float4* rest, __global const float4* pose,
                         __global const real* lane_material, __global const real* lane_rest,
-                        __global real* lane_x, __global real* lane_v, __global real* lane_q,
-                        __global real* lane_q_before, __global real* lane_x_before,
-                        __global real* lane_v_before) {
+                        __global const float4* capsule, __global real* lane_x,
+                        __global real* lane_v, __global real* lane_q, __global real* lane_q_before,
+                        __global real* lane_x_before, __global real* lane_v_before) {
     lane_step step;
     if (!lane_begin(&step, item_count, &params, rest, pose, lane_material))
         return;
@@ -301,12 +336,14 @@ __kernel void plait_rod(const uint item_count, const plait_lane_params params,
     rod_state s;
     vec3 w[PLAIT_VERTICES];
     lane_predict(&step, &params, state, s.y, w);
-    const rod_problem rod = rod_problem_of(&step, lane_rest);
+    lane_contacts contacts;
+    contact_begin(&contacts, &step, &params, capsule, lane_x);
+    const rod_problem rod =
+        rod_problem_of(&step, lane_rest, params.collider_count > 0 ? &contacts : 0);
     rod_load(&rod, &s, lane_q, lane_q_before);
 
-    cosserat_iterate(&rod, &s, 1);
-    for (uint k = 0; k < params.iterations; ++k)
-        rod_newton(&rod, &s);
+    cosserat_iterate(&rod, &s, 1, 1);
+    rod_solve(&rod, &s, params.iterations);
 
-    rod_store(&step, state, &s, w, lane_q);
+    rod_store(&rod, state, &s, w, lane_q);
 }

@@ -27,7 +27,7 @@ class Schedule {
 
   private:
     static constexpr size_t capacity = 64; // dispatches per submit; a substep takes about ten
-    static constexpr size_t max_buffers = 10;
+    static constexpr size_t max_buffers = 11;
     struct Entry {
         alignas(16) std::array<unsigned char, 192> params;
         std::array<plait_buffer*, max_buffers> buffers;

@@ -86,7 +86,8 @@ void fill(plait_grid_params& p, const Shape& shape) {
     p.diffuse_floor = 0.5f;
 }
 void fill(plait_lane_params& p, const Shape& shape) {
-    p = {shape.vertices, shape.tile, step, 3, 0, 1, {0, -9.81f, 0}, {0, 0, 0}};
+    p = {shape.vertices, shape.tile, step, 3, 0,    1,    {0, -9.81f, 0},
+         {0, 0, 0},      0,          0,    1, 3e6f, 1e-6f};
 }
 void fill(plait_lane_state_params& p, const Shape& shape) {
     p = {shape.vertices, shape.tile, 0};

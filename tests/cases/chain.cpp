@@ -3,14 +3,22 @@
 namespace plait::cases {
 
 // A length solve divides by w_i + w_(i+1) - ..., which folds make small: 1e-5 of a strand of up to
-// 5 m, and h' = 1/45 s carries it to the velocity.
+// 5 m, and h' = 1/45 s carries it to the velocity. Friction takes its bound from a depth, so that a
+// round of contact returns the rounding of x contact_rate h'^2 mu = 330 mu times: hence little
+// friction here.
 Case chain_case() {
     Case result = {
-        PLAIT_STAGE_chain, {}, {{"lane_x", 2e-5}, {"lane_v", 1e-3}, {"lane_x_before", 1e-6}}};
+        PLAIT_STAGE_chain,
+        {},
+        {{"lane_x", 2e-5}, {"lane_v", 1e-3}, {"lane_x_before", 2e-5}, {"lane_v_before", 1e-3}}};
     for (const Size& size : sizes())
         for (const uint32_t bdf2 : {0u, 1u})
             result.setups.push_back(
                 lane_setup(size, make_lane_hair(size, 31), lane_params(size, 1, bdf2), false));
+    for (const Size& size : contact_sizes())
+        for (const uint32_t bdf2 : {0u, 1u})
+            result.setups.push_back(lane_setup(size, make_lane_hair_in_contact(size, 35, 0.05f),
+                                               lane_params(size, 1, bdf2), false));
     return result;
 }
 

@@ -37,6 +37,19 @@ Point sum(const Point& a, const Point& b, double scale = 1) {
     return {a[0] + scale * b[0], a[1] + scale * b[1], a[2] + scale * b[2]};
 }
 
+Point direction_of(const Point& p) {
+    return sum({0, 0, 0}, p, 1 / std::hypot(p[0], p[1], p[2]));
+}
+
+Point cross(const Point& a, const Point& b) {
+    return direction_of(
+        {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]});
+}
+
+std::array<double, 4> with_radius(const Point& p, double radius) {
+    return {p[0], p[1], p[2], radius};
+}
+
 // A hair of 5e-6 kg/m whose bending and weight are of one size, per segment.
 void add_material(LaneHair& lanes, Random& random, bool segment, bool root) {
     constexpr double density = 5e-6, bend = 4e-8, stretch = 4e-3;
@@ -73,6 +86,24 @@ void add_strand(LaneHair& lanes, Random& random, uint32_t count, uint32_t stride
     }
 }
 
+// A tapered capsule whose side is `gap` (m) off the start of a vertex, down the way that forces
+// drive it, and moves a little.
+void add_capsule(LaneHair& lanes, Random& random, size_t vertex, double gap, float friction) {
+    const size_t stride = lanes.hair.size.stride, strand = vertex / stride;
+    const float* root = &lanes.x[3 * strand * stride];
+    const float* x = &lanes.x[3 * vertex];
+    const Point down = sum(direction_of({20, -40, 30}), random_step(random, 0.2));
+    const Point across = cross(down, random.direction());
+    const double radius = random.uniform(0.03, 0.04);
+    const Point middle = sum({root[0] + x[0], root[1] + x[1], root[2] + x[2]}, down, radius + gap);
+    const Point to = sum(middle, random_step(random, 0.03));
+    for (const Point& at : {middle, to})
+        for (const double side : {-1.0, 1.0})
+            append(lanes.capsules,
+                   with_radius(sum(at, across, 0.04 * side), radius - 0.005 * side));
+    append(lanes.capsules, std::array<double, 4>{double(friction), 0, 0, 0});
+}
+
 } // namespace
 
 LaneHair make_lane_hair(const Size& size, uint32_t seed) {
@@ -85,8 +116,24 @@ LaneHair make_lane_hair(const Size& size, uint32_t seed) {
     return lanes;
 }
 
+LaneHair make_lane_hair_in_contact(const Size& size, uint32_t seed, float friction) {
+    LaneHair lanes = make_lane_hair(size, seed);
+    Random random(seed + 1);
+    for (size_t s = 0; s < size.strands; ++s) {
+        const size_t vertex = s * size.stride + lanes.hair.vertex_count[s] / 2;
+        add_capsule(lanes, random, vertex, s % 3 == 2 ? -0.015 : 0.004, s % 2 ? 0.3f : friction);
+    }
+    return lanes;
+}
+
 plait_lane_params lane_params(const Size& size, uint32_t iterations, uint32_t bdf2) {
-    return {size.stride, 1, 1.0f / 30, iterations, bdf2, 4, {20, -40, 30}, {9, 8, -7}};
+    plait_lane_params params = {size.stride, 1, 1.0f / 30, iterations, bdf2, 4, {20, -40, 30},
+                                {9, 8, -7},  0, 0,         0,          0,    0};
+    params.alpha_from = 0.3f;
+    params.alpha_to = 0.8f;
+    params.contact_rate = 3e5f; // what starts inside is pushed out by millimetres
+    params.contact_slip = 0.03f;
+    return params;
 }
 
 Setup lane_setup(const Size& size, const LaneHair& lanes, const plait_lane_params& params,
@@ -99,6 +146,7 @@ Setup lane_setup(const Size& size, const LaneHair& lanes, const plait_lane_param
                      lane_floats(lanes.material, PLAIT_LANE_MATERIAL_COMPONENTS)};
     if (bends)
         setup.buffers.push_back(lane_floats(lanes.rest, 4));
+    setup.buffers.push_back(!lanes.capsules.empty() ? float4s(lanes.capsules) : null_array());
     setup.buffers.push_back(lane_floats(lanes.x, 3));
     setup.buffers.push_back(lane_floats(lanes.v, 3));
     if (bends) {
@@ -108,7 +156,16 @@ Setup lane_setup(const Size& size, const LaneHair& lanes, const plait_lane_param
     // kept even where BDF2 is off, so that turning it on is a fair disturbance
     setup.buffers.push_back(lane_floats(lanes.x_before, 3));
     setup.buffers.push_back(lane_floats(lanes.v_before, 3));
-    return setup.with(params);
+    plait_lane_params with_capsules = params;
+    with_capsules.collider_count = static_cast<uint32_t>(lanes.capsules.size() / 20);
+    if (with_capsules.collider_count > 0)
+        setup.name += ", " + std::to_string(with_capsules.collider_count) + " capsules";
+    return setup.with(with_capsules);
+}
+
+const std::vector<Size>& contact_sizes() {
+    static const std::vector<Size> list = {{7, 9}, {4, 16}};
+    return list;
 }
 
 } // namespace plait::cases

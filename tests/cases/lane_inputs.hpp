@@ -10,10 +10,15 @@ struct LaneHair {
     Hair hair; // rest shape, poses, counts
     std::vector<float> material, rest;
     std::vector<float> x, v, q, q_before, x_before, v_before;
+    std::vector<float> capsules; // float4 [5*colliders]; empty: none
 };
 
 // A strand is at its pose, bent and turned a little in every joint, and moves.
 LaneHair make_lane_hair(const Size& size, uint32_t seed);
+// With a moving capsule near the middle of every strand, of friction 0.3 or as given; every third
+// starts inside it.
+LaneHair make_lane_hair_in_contact(const Size& size, uint32_t seed, float friction);
+const std::vector<Size>& contact_sizes();
 
 // A long substep under strong forces, so that 1 % of any of them shows.
 plait_lane_params lane_params(const Size& size, uint32_t iterations, uint32_t bdf2);

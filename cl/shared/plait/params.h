@@ -179,6 +179,11 @@ typedef struct plait_lane_params {
     float drag;           /* c, 1/s, relative to the air */
     float gravity[3];     /* m/s^2 */
     float air[3];         /* velocity of the air, m/s */
+    plait_u32 collider_count;
+    float alpha_from;   /* fraction of the step at the substep's begin, [0, 1] */
+    float alpha_to;     /* fraction of the step at the substep's end, [0, 1] */
+    float contact_rate; /* 1/s^2: stiffness of contact over mass; a load of m a sinks a/rate in */
+    float contact_slip; /* m: the displacement per substep at which friction is all of mu N */
 } plait_lane_params;
 
 /* lane_reset, lane_teleport. */

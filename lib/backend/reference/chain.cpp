@@ -2,8 +2,8 @@
 // lengths, J M^-1 J^T lambda = C with C capped at one rest length, then one exact sweep from the
 // root whose displacement d of the next vertex is taken from a vertex's velocity, v_i -=
 // d_{i+1}/(2h). Source: Han & Harada 2013 (tridiagonal lengths), Mueller et al. 2012 (sweep and
-// correction).
-#include "backend/reference/lanes.hpp"
+// correction). Contacts: ours, see contact.hpp.
+#include "backend/reference/contact.hpp"
 
 #include <Eigen/Dense>
 
@@ -11,14 +11,28 @@ namespace plait::reference {
 namespace {
 
 struct Links {
-    std::vector<double> length, inverse_mass; // [V - 1], [V]; the root does not move
+    std::vector<double> length, mass; // [V - 1], [V]; the root does not move
+    double reach;                     // h^2/(1 + c h)
 };
+
+// Inverse masses; where a contact holds, (m I + reach B)^-1 with its Hessian B.
+std::vector<Mat3> mobilities(const Links& links, const Contacts* contacts,
+                             const std::vector<Vec3>& x) {
+    std::vector<Mat3> W{Mat3::Zero()};
+    for (size_t i = 1; i < x.size(); ++i) {
+        Mat3 resists = links.mass[i] * Mat3::Identity();
+        if (contacts)
+            resists += links.reach * contacts->hessian(i, x[i]);
+        W.push_back(resists.inverse());
+    }
+    return W;
+}
 
 Vec3 direction_or_down(const Vec3& d) {
     return d.squaredNorm() > 1e-30 ? Vec3(d.normalized()) : Vec3(-Vec3::UnitY());
 }
 
-void project_lengths(const Links& links, std::vector<Vec3>& x) {
+void project_lengths(const Links& links, const std::vector<Mat3>& W, std::vector<Vec3>& x) {
     const auto n = static_cast<Eigen::Index>(links.length.size());
     Eigen::MatrixXd system = Eigen::MatrixXd::Zero(n, n);
     Eigen::VectorXd residual(n);
@@ -28,26 +42,58 @@ void project_lengths(const Links& links, std::vector<Vec3>& x) {
     for (Eigen::Index i = 0; i < n; ++i) {
         const double l = links.length[i];
         residual[i] = l > 0 ? std::min((x[i + 1] - x[i]).dot(u[i]) - l, l) : 0;
-        system(i, i) = links.inverse_mass[i] + links.inverse_mass[i + 1];
+        system(i, i) = u[i].dot((W[i] + W[i + 1]) * u[i]);
         if (i + 1 < n)
-            system(i, i + 1) = system(i + 1, i) = -u[i].dot(u[i + 1]) * links.inverse_mass[i + 1];
+            system(i, i + 1) = system(i + 1, i) = -u[i].dot(W[i + 1] * u[i + 1]);
     }
     const Eigen::VectorXd lambda = system.partialPivLu().solve(residual);
     for (Eigen::Index i = 0; i < n; ++i) {
-        x[i] += links.inverse_mass[i] * lambda[i] * u[i];
-        x[i + 1] -= links.inverse_mass[i + 1] * lambda[i] * u[i];
+        x[i] += lambda[i] * W[i] * u[i];
+        x[i + 1] -= lambda[i] * W[i + 1] * u[i];
     }
 }
 
-// Returns the displacement of every vertex.
-std::vector<Vec3> sweep(const Links& links, std::vector<Vec3>& x) {
-    std::vector<Vec3> d(x.size(), Vec3::Zero());
+void sweep(const Links& links, const Contacts* contacts, std::vector<Vec3>& x) {
     for (size_t i = 0; i + 1 < x.size(); ++i) {
-        const Vec3 exact = x[i] + links.length[i] * direction_or_down(x[i + 1] - x[i]);
-        d[i + 1] = exact - x[i + 1];
-        x[i + 1] = exact;
+        const double l = links.length[i];
+        const Vec3 exact = x[i] + l * direction_or_down(x[i + 1] - x[i]);
+        x[i + 1] = contacts && contacts->touching()
+                       ? contacts->keep_off(i + 1, x[i], l, x[i + 1], exact)
+                       : exact;
     }
-    return d;
+}
+
+// Four rounds of contact: where inertia and contact alone put a vertex, then the lengths.
+void solve(const Links& links, const Motion& motion, uint32_t iterations, Contacts* contacts,
+           std::vector<Vec3>& x) {
+    constexpr int rounds = 4;
+    for (int round = 0; round < (contacts ? rounds : 1); ++round) {
+        if (contacts)
+            contacts->renew(x);
+        const bool touched = contacts && contacts->touched();
+        if (round > 0 && !touched)
+            return;
+        const auto W = mobilities(links, contacts, x);
+        for (size_t i = 1; i < x.size() && touched; ++i)
+            x[i] = motion.y[i] + links.reach * W[i] * contacts->force(i, motion.y[i]);
+        for (uint32_t k = 0; k < iterations; ++k)
+            project_lengths(links, W, x);
+    }
+}
+
+// Lengths, exact; again where that pulled a vertex through a surface.
+void follow(const Links& links, Contacts* contacts, std::vector<Vec3>& x) {
+    if (contacts)
+        contacts->renew(x);
+    sweep(links, contacts, x);
+    if (!contacts)
+        return;
+    contacts->renew(x);
+    bool crossed = false;
+    for (size_t i = 1; i < x.size(); ++i)
+        crossed = crossed || contacts->excess(i, x[i]) > 0;
+    if (crossed)
+        sweep(links, contacts, x);
 }
 
 } // namespace
@@ -60,21 +106,32 @@ void chain(uint32_t item_count, const plait_lane_params& params, const chain_arg
             root_of(args.rest, pose_of(args.pose, strand), strand, params.vertex_stride);
         Motion motion(lane, params, state, root);
         Links links;
+        links.reach = motion.h * motion.h / (1 + params.drag * motion.h);
+        std::vector<double> before(1, 0.0); // length of the segment before a vertex
         for (uint32_t i = 0; i < params.vertex_stride; ++i) {
             const auto material = [&](size_t component) {
                 return args.lane_material[lane.index(i, component, PLAIT_LANE_MATERIAL_COMPONENTS)];
             };
-            if (i + 1 < params.vertex_stride)
-                links.length.push_back(material(PLAIT_LANE_LENGTH));
-            links.inverse_mass.push_back(i == 0 ? 0 : 1 / material(PLAIT_LANE_MASS));
+            links.mass.push_back(material(PLAIT_LANE_MASS));
+            if (i + 1 == params.vertex_stride)
+                break;
+            links.length.push_back(material(PLAIT_LANE_LENGTH));
+            before.push_back(links.length.back());
         }
+        std::optional<Contacts> contacts;
+        if (params.collider_count > 0)
+            contacts.emplace(params, args.capsule, motion, before, links.mass);
+        Contacts* held = contacts ? &*contacts : nullptr;
         std::vector<Vec3> x = motion.y;
-        for (uint32_t k = 0; k < params.iterations; ++k)
-            project_lengths(links, x);
-        const std::vector<Vec3> d = sweep(links, x);
+        solve(links, motion, params.iterations, held, x);
+        const std::vector<Vec3> solved = x;
+        follow(links, held, x);
         for (size_t i = 1; i + 1 < x.size(); ++i)
-            motion.w[i] -= d[i + 1] / (2 * motion.h);
-        motion.store(lane, state, x);
+            motion.w[i] -= (x[i + 1] - solved[i + 1]) / (2 * motion.h);
+        if (held)
+            held->store(lane, state, x);
+        else
+            motion.store(lane, state, x);
     }
 }
 

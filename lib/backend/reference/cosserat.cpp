@@ -28,11 +28,17 @@ std::vector<Quat> rotations(const Eigen::VectorXd& all) {
 
 } // namespace
 
-void RodModel::alternate(uint32_t count) {
+void RodModel::alternate(uint32_t count, bool renew) {
+    if (renew)
+        renew_contacts();
     solve_positions();
     Eigen::VectorXd g_before, r_before;
     double limit = std::numeric_limits<double>::infinity();
     for (uint32_t k = 0; k < count; ++k) {
+        if (renew)
+            renew_contacts();
+        if (renew && k > 0 && touched())
+            limit = energy(); // another one, with the contacts renewed
         const Eigen::VectorXd start = coefficients(q);
         sweep_orientations();
         const std::vector<Quat> plain = q;

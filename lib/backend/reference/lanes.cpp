@@ -16,15 +16,17 @@ Vec3 root_of(const View<const Vec4>& rest, const Pose& pose, size_t strand, uint
 
 Motion::Motion(const Lane& lane, const plait_lane_params& params, const LaneState& state,
                const Vec3& new_root)
-    : h(params.bdf2 ? params.h * 2.0 / 3.0 : params.h), root(new_root), y(params.vertex_stride),
-      w(params.vertex_stride, Vec3::Zero()) {
+    : h(params.bdf2 ? params.h * 2.0 / 3.0 : params.h), root(new_root), start(params.vertex_stride),
+      y(params.vertex_stride), w(params.vertex_stride, Vec3::Zero()) {
     const Vec3 push = vec3(params.gravity) + params.drag * vec3(params.air);
     const Vec3 root_now = lane.vector(state.x, 0);
     const Vec3 root_before = params.bdf2 ? lane.vector(state.x_before, 0) : root_now;
+    start[0] = root_now - root;
     y[0] = Vec3::Zero();
     for (uint32_t i = 1; i < params.vertex_stride; ++i) {
         Vec3 x = root_now + lane.vector(state.x, i);
         Vec3 v = lane.vector(state.v, i);
+        start[i] = x - root;
         if (params.bdf2) {
             const Vec3 x_before = root_before + lane.vector(state.x_before, i);
             const Vec3 v_before = lane.vector(state.v_before, i);

@@ -61,6 +61,7 @@ struct Motion {
 
     double h;
     Vec3 root;
+    std::vector<Vec3> start; // positions at the substep's begin, [0] that of the root
     std::vector<Vec3> y, w;
 };
 

@@ -2,15 +2,14 @@
 // i + 1 and the rotation vector of q_i. With C = edge/l - t, dC/dx = +-I/l, dC/dw = [t]x, the
 // Hessian is EA l J^T J + kb/4 |w_i - w_{i-1}|^2 (kb + kt, kb, kb + kc in the joint's axes) +
 // max(0, l t.F)(I - t t^T), F the tension: without the last, geometric term it diverges under
-// tension. Up to four halvings of the step; where all fail, two iterations of cosserat instead.
+// tension. Up to four halvings of the step; where all fail, two iterations of cosserat instead. A
+// strand that touches something takes one step more.
 #include "backend/reference/rod_model.hpp"
 
 #include <algorithm>
 
 namespace plait::reference {
 namespace {
-
-using Mat3 = Eigen::Matrix3d;
 
 Mat3 cross_matrix(const Vec3& t) {
     Mat3 m;
@@ -35,6 +34,10 @@ Eigen::VectorXd RodModel::direction() const {
         const Mat3 T = cross_matrix(t), across = Mat3::Identity() - t * t.transpose();
         block(x1, x1) += (mass_[i + 1] * inertia_ + stretch_[i]) * Mat3::Identity();
         g.segment<3>(x1) += mass_[i + 1] * inertia_ * (x[i + 1] - motion_.y[i + 1]) + F;
+        if (contacts_) {
+            block(x1, x1) += contacts_->hessian(i + 1, x[i + 1]);
+            g.segment<3>(x1) -= contacts_->force(i + 1, x[i + 1]);
+        }
         block(x1, w) += EA * T;
         block(w, x1) += EA * T.transpose();
         block(w, w) += (EA * length_[i] + std::max(0.0, length_[i] * t.dot(F))) * across;
@@ -76,6 +79,7 @@ Eigen::VectorXd RodModel::direction() const {
 
 void RodModel::newton() {
     constexpr int halvings = 4;
+    renew_contacts();
     const double limit = energy() * 1.000001 + 1e-20;
     const RodModel from = *this;
     const Eigen::VectorXd u = direction();
@@ -91,13 +95,15 @@ void RodModel::newton() {
             return;
     }
     *this = from;
-    alternate(2);
+    alternate(2, false);
 }
 
 void rod(uint32_t item_count, const plait_lane_params& params, const rod_args& args) {
     step_rods(item_count, params, args, [&](RodModel& model) {
         model.alternate(1);
         for (uint32_t k = 0; k < params.iterations; ++k)
+            model.newton();
+        if (model.touched())
             model.newton();
     });
 }

@@ -36,10 +36,25 @@ RodModel::RodModel(const RodBuffers& buffers, const plait_lane_params& params, s
             Quat(Vec4(now.coeffs() + repeat * (now.coeffs() - before.coeffs()))).normalized());
         lane_.store(buffers.q_before, i, now);
     }
+    if (params.collider_count == 0)
+        return;
+    std::vector<double> before(1, 0.0); // length of the segment before a vertex
+    before.insert(before.end(), length_.begin(), length_.end());
+    contacts_ = std::make_shared<Contacts>(params, buffers.capsules, motion_, before, mass_);
 }
 
-void RodModel::store(const RodBuffers& buffers) const {
-    motion_.store(lane_, buffers.state, x);
+void RodModel::renew_contacts() {
+    if (contacts_)
+        contacts_->renew(x);
+}
+
+void RodModel::store(const RodBuffers& buffers) {
+    if (contacts_) {
+        contacts_->clip(x);
+        contacts_->store(lane_, buffers.state, x);
+    } else {
+        motion_.store(lane_, buffers.state, x);
+    }
     for (size_t i = 0; i < segments(); ++i)
         lane_.store(buffers.q, i, q[i]);
 }
@@ -58,28 +73,46 @@ double RodModel::energy() const {
         sum += mass_[i + 1] * inertia_ / 2 * (x[i + 1] - motion_.y[i + 1]).squaredNorm() +
                stretch_[i] / 2 * strain(i).squaredNorm() +
                bend_[i] * (1 - std::abs(dot(q[i], expected(i)))) +
-               bent(i).vec().dot(section_[i].cwiseProduct(bent(i).vec())) / 2;
+               bent(i).vec().dot(section_[i].cwiseProduct(bent(i).vec())) / 2 +
+               (contacts_ ? contacts_->energy(i + 1, x[i + 1]) : 0);
     return sum;
 }
 
-// The energy is quadratic in x: one linear system per coordinate, all with the same matrix.
+// The energy is quadratic in x, also in contact: with the terms of the last renewal. Only contact
+// couples the coordinates; without, there is one linear system with three right-hand sides.
 void RodModel::solve_positions() {
+    const bool touches = contacts_ && contacts_->touching();
     const auto n = static_cast<Eigen::Index>(segments());
-    Eigen::MatrixXd hessian = Eigen::MatrixXd::Zero(n, n);
-    Eigen::MatrixXd force = Eigen::MatrixXd::Zero(n, 3);
+    const Eigen::Index d = touches ? 3 : 1; // unknowns per vertex
+    Eigen::MatrixXd hessian = Eigen::MatrixXd::Zero(d * n, d * n);
+    Eigen::MatrixXd force = Eigen::MatrixXd::Zero(n, 3); // minus the gradient at x
+    const auto block = [&](Eigen::Index i, Eigen::Index k) {
+        return hessian.block(d * i, d * k, d, d);
+    };
+    const Eigen::MatrixXd one = Eigen::MatrixXd::Identity(d, d);
     for (Eigen::Index i = 0; i < n; ++i) { // unknown i is vertex i + 1
-        hessian(i, i) += mass_[i + 1] * inertia_ + stretch_[i];
-        force.row(i) +=
-            mass_[i + 1] * inertia_ * motion_.y[i + 1] + stretch_[i] * length_[i] * director(i);
+        const double inertia = mass_[i + 1] * inertia_;
+        const Vec3 pull = stretch_[i] * strain(i);
+        block(i, i) += (inertia + stretch_[i]) * one;
+        force.row(i) += inertia * (motion_.y[i + 1] - x[i + 1]) - pull;
+        if (touches) {
+            block(i, i) += contacts_->hessian(i + 1, x[i + 1]);
+            force.row(i) += contacts_->force(i + 1, x[i + 1]);
+        }
         if (i == 0)
             continue;
-        hessian(i - 1, i - 1) += stretch_[i];
-        hessian(i, i - 1) = hessian(i - 1, i) = -stretch_[i];
-        force.row(i - 1) -= stretch_[i] * length_[i] * director(i);
+        block(i - 1, i - 1) += stretch_[i] * one;
+        block(i, i - 1) -= stretch_[i] * one;
+        block(i - 1, i) -= stretch_[i] * one;
+        force.row(i - 1) += pull;
     }
-    const Eigen::MatrixXd solution = hessian.ldlt().solve(force);
+    // Rows of vertices one after the other where the coordinates are coupled.
+    using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    Rows correction = force;
+    Eigen::Map<Rows> unknowns(correction.data(), d * n, touches ? 1 : 3);
+    unknowns = hessian.ldlt().solve(Eigen::MatrixXd(unknowns));
     for (Eigen::Index i = 0; i < n; ++i)
-        x[i + 1] = solution.row(i);
+        x[i + 1] += correction.row(i);
 }
 
 // q minimises -EA <edge, t> - <q, b>: q ~ v b e + lambda b, with v = -2 EA edge, b the neighbours'

@@ -5,12 +5,14 @@
 //     frame
 //     + sum_i u_i' diag(kt_i, 0, kc_i) u_i / 2                twist and section, u_i the vector
 //     part of conj(q_{i-1} r_i) q_i
+//     + the terms of contact.hpp
 // Source: Kugelstadt & Schoemer 2016, Hsu et al. 2025.
 #pragma once
 
-#include "backend/reference/lanes.hpp"
+#include "backend/reference/contact.hpp"
 
 #include <Eigen/Dense>
+#include <memory>
 
 namespace plait::reference {
 
@@ -20,6 +22,7 @@ struct RodBuffers {
     const View<const Vec4>& pose;
     const View<const double>& material;
     const View<const double>& rest_rotation;
+    const View<const Vec4>& capsules;
     const View<double>& q;
     const View<double>& q_before;
     LaneState state;
@@ -28,7 +31,9 @@ struct RodBuffers {
 class RodModel {
   public:
     RodModel(const RodBuffers& buffers, const plait_lane_params& params, size_t strand);
-    void store(const RodBuffers& buffers) const;
+    RodModel(const RodModel&) = default; // shares the contacts
+    RodModel& operator=(const RodModel&) = default;
+    void store(const RodBuffers& buffers);
 
     size_t segments() const { return q.size(); }
     double energy() const;
@@ -36,10 +41,13 @@ class RodModel {
     void solve_positions();
     // Minimise over one orientation after another, root to tip.
     void sweep_orientations();
-    // `count` accelerated iterations, see cosserat.cpp.
-    void alternate(uint32_t count);
+    // `count` accelerated iterations, see cosserat.cpp; `renew`: contacts before every solve.
+    void alternate(uint32_t count, bool renew = true);
     // One damped Gauss-Newton step, see rod.cpp.
     void newton();
+    // Contacts of the end of the step; did anything touch in it?
+    void renew_contacts();
+    bool touched() const { return contacts_ && contacts_->touched(); }
 
     std::vector<Vec3> x; // relative to the root
     std::vector<Quat> q;
@@ -58,19 +66,18 @@ class RodModel {
     std::vector<double> length_, stretch_, bend_, mass_;
     std::vector<Vec3> section_; // (kt, 0, kc)
     std::vector<Quat> rest_;
+    std::shared_ptr<Contacts> contacts_; // null: no colliders
 };
 
 // Steps every strand of a dispatch with `solve`.
 template <typename Args, typename Solve>
 void step_rods(uint32_t item_count, const plait_lane_params& params, const Args& args,
                const Solve& solve) {
-    const RodBuffers buffers{args.rest,
-                             args.pose,
-                             args.lane_material,
-                             args.lane_rest,
-                             args.lane_q,
-                             args.lane_q_before,
-                             {args.lane_x, args.lane_v, args.lane_x_before, args.lane_v_before}};
+    const RodBuffers buffers{
+        args.rest,          args.pose,
+        args.lane_material, args.lane_rest,
+        args.capsule,       args.lane_q,
+        args.lane_q_before, {args.lane_x, args.lane_v, args.lane_x_before, args.lane_v_before}};
     for (size_t strand = 0; strand < item_count; ++strand) {
         RodModel rod(buffers, params, strand);
         solve(rod);

@@ -5,12 +5,21 @@
 #include "core/models/constraints.hpp"
 #include "core/models/material.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace plait {
 namespace {
 
 constexpr uint32_t pinned = 1; // the root; the clamp is a joint
+
+// Contact, in strand lengths.
+constexpr float contact_stiffness = 1e5f;  // a weight sinks 1/so deep
+constexpr float least_gravity = 1.0f;      // m/s^2, where there is none
+constexpr float steps_of_contact = 100.0f; // least rate, 1/h^2
+constexpr float contact_creep = 5e-4f;     // 1/s
+constexpr float rounding = 1e-6f;
 
 struct Solver {
     plait_stage stage;
@@ -42,7 +51,8 @@ class LaneModel final : public Model {
           strands_{{input.groom.strands.positions, input.memory},
                    {input.groom.strands.vertex_counts, input.memory},
                    {input.stiffness.begin(), input.stiffness.end(), input.memory}},
-          sag_free_(input.sag_free), memory_(input.memory) {}
+          sag_free_(input.sag_free), memory_(input.memory),
+          length_(std::max(static_cast<float>(input.groom.shape.mean_length), 1e-6f)) {}
 
     uint32_t pinned_vertices() const override { return pinned; }
     Status prepare(Device& device, const plait_sim_params& params) override;
@@ -59,9 +69,10 @@ class LaneModel final : public Model {
   private:
     Status make(Device& device, Buffer& to, size_t components, const char* name) const;
     void constrain(Schedule& schedule, const Substep& at) const;
-    void collide(Schedule& schedule, const Substep& at) const;
     Status fill_material(Device& device, const plait_sim_params& params);
     Status make_history(Device& device);
+    float contact_rate(const plait_sim_params& params, float h) const;
+    float contact_slip(float h) const;
     size_t kept() const { return x_before_ ? dynamic_.size() : dynamic_.size() - 2; }
     plait_lane_state_params state_params() const {
         return {layout_.row, lanes_.tile, x_before_ ? 1u : 0u};
@@ -73,6 +84,7 @@ class LaneModel final : public Model {
     RestStrands strands_; // for when the material changes
     plait_sag_free sag_free_;
     std::pmr::memory_resource* memory_;
+    float length_; // m, of the mean strand
     Material filled_{};
     RestLoad filled_load_;
     SagReport sag_;
@@ -154,6 +166,20 @@ void LaneModel::trim(const plait_sim_params& params) {
     v_before_ = {};
 }
 
+// A contact under a vertex' own weight is a hundred-thousandth of a strand deep, less than float32
+// loses at a metre from the origin; in short substeps stiff enough that nothing bounces.
+float LaneModel::contact_rate(const plait_sim_params& params, float h) const {
+    const float g = std::hypot(params.gravity[0], params.gravity[1], params.gravity[2]);
+    const float step = params.bdf2 ? h * 2.0f / 3.0f : h;
+    return std::max(contact_stiffness * std::max(g, least_gravity) / length_,
+                    steps_of_contact / (step * step));
+}
+
+// Held hair creeps by so much in a substep; below a millionth of its length is rounding.
+float LaneModel::contact_slip(float h) const {
+    return length_ * std::max(contact_creep * h, rounding);
+}
+
 void LaneModel::substep(Schedule& schedule, const Substep& at) {
     const plait_sim_params& p = at.params;
     const State& s = at.state;
@@ -169,18 +195,22 @@ void LaneModel::substep(Schedule& schedule, const Substep& at) {
         params.gravity[i] = p.gravity[i];
         params.air[i] = p.wind[i];
     }
+    params.collider_count = at.collider_count;
+    params.alpha_from = at.alpha_from;
+    params.alpha_to = at.alpha_to;
+    params.contact_rate = contact_rate(p, at.h);
+    params.contact_slip = contact_slip(at.h);
     if (solver_.bends)
         schedule.add(solver_.stage, layout_.guides, params,
-                     {&s.rest, &s.pose, &material_, &rest_, &x_, &v_, &q_, &q_before_, &x_before_,
-                      &v_before_},
+                     {&s.rest, &s.pose, &material_, &rest_, &at.capsules, &x_, &v_, &q_, &q_before_,
+                      &x_before_, &v_before_},
                      layout_.row);
     else
         schedule.add(solver_.stage, layout_.guides, params,
-                     {&s.rest, &s.pose, &material_, &x_, &v_, &x_before_, &v_before_}, layout_.row);
+                     {&s.rest, &s.pose, &material_, &at.capsules, &x_, &v_, &x_before_, &v_before_},
+                     layout_.row);
     if (constrains(p))
         constrain(schedule, at);
-    if (at.collider_count > 0)
-        collide(schedule, at);
 }
 
 // What artists add to the physics, on positions; velocities follow them.
@@ -191,17 +221,6 @@ void LaneModel::constrain(Schedule& schedule, const Substep& at) const {
         add_local_shape(schedule, at);
     }
     add_attachment(schedule, at);
-    adopt(schedule, at);
-}
-
-// Contact follows the solve: vertices are pushed out of the colliders, and the next solve restores
-// the lengths.
-void LaneModel::collide(Schedule& schedule, const Substep& at) const {
-    const State& s = at.state;
-    publish(schedule, at);
-    schedule.add(PLAIT_STAGE_collide, layout_.guide_vertices(),
-                 plait_collide_params{layout_.row, at.collider_count, at.alpha_from, at.alpha_to},
-                 {&s.vertex_count, &at.capsules, &s.position_prev, &s.position});
     adopt(schedule, at);
 }
 

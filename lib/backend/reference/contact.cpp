@@ -1,0 +1,240 @@
+// Source: Alart & Curnier 1991 (stick or slip from the last solve's forces), Li et al. 2020 (friction
+// lagged in a potential). Ours: tangent planes of the first crossing, the push that is remembered as
+// a depth, the way out for what starts inside.
+#include "backend/reference/contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plait::reference {
+namespace {
+
+constexpr double started_inside = 0.005; // deeper at the substep's begin, in segments
+constexpr double deepest = 0.02;         // after a solve, in segments
+constexpr double soft = 10;              // stiffness for what started inside, in m/h^2
+constexpr int newton_steps = 4;          // towards the first crossing
+constexpr double same_side = 0.5;        // cosine of 60 degrees
+
+// A tangent plane of the capsule's distance: `height` of the end of the way above it.
+struct Plane {
+    Vec3 normal;
+    double height;
+};
+
+// The distance along the way is convex: Newton from outside comes to the first zero and not beyond.
+// Nothing if the way ends or turns away before.
+std::optional<Plane> first_crossing(const Capsule& capsule, const Vec3& from, const Vec3& to) {
+    const Vec3 way = to - from;
+    double t = 0;
+    Surface at = surface(capsule, from);
+    for (int k = 0; k < newton_steps; ++k) {
+        const double slope = at.normal.dot(way);
+        if (slope >= 0)
+            return {};
+        t += std::max(at.distance, 0.0) / -slope;
+        if (t >= 1)
+            return {};
+        at = surface(capsule, from + t * way);
+    }
+    return Plane{at.normal, at.distance + (1 - t) * at.normal.dot(way)};
+}
+
+} // namespace
+
+Contacts::Contacts(const plait_lane_params& params, const View<const Vec4>& capsules,
+                   const Motion& motion, std::vector<double> length, std::vector<double> mass)
+    : params_(params), capsules_(capsules), motion_(motion), length_(std::move(length)),
+      mass_(std::move(mass)), at_(params.vertex_stride) {}
+
+Contacts::Touch Contacts::touch(size_t collider, size_t vertex, const Vec3& x) const {
+    const Capsule then = capsule_at(capsules_, collider, params_.alpha_from);
+    const Capsule now = capsule_at(capsules_, collider, params_.alpha_to);
+    const Vec3 start = motion_.root + motion_.start[vertex], end = motion_.root + x;
+    // The start, carried along by the surface that is nearest to it.
+    const double k = surface(then, start).k;
+    const Vec3 anchor = start + now.centre(k) - then.centre(k);
+    const Surface at_anchor = surface(now, anchor), at_end = surface(now, end);
+    const double friction = capsule_friction(capsules_, collider);
+    const Touch nearest{at_end.distance, at_anchor.distance, friction, at_end.normal,
+                        anchor - motion_.root};
+    Touch swept = nearest;
+    bool crosses = true;
+    if (at_anchor.distance > 0) {
+        const auto plane = first_crossing(now, anchor, end);
+        crosses = plane.has_value();
+        if (crosses) {
+            swept.normal = plane->normal;
+            swept.gap = plane->height;
+        }
+    } else {
+        swept.normal = at_anchor.normal;
+        swept.gap = at_anchor.distance + at_anchor.normal.dot(end - anchor);
+    }
+    if (!crosses)
+        return nearest;
+    const bool inside = at_anchor.distance < -started_inside * length_[vertex];
+    const bool beyond = at_anchor.distance > 0 && at_end.distance > 0;
+    const bool other_side = !(at_end.normal.dot(swept.normal) > same_side);
+    return inside || beyond || other_side ? swept : nearest;
+}
+
+std::optional<Contacts::Touch> Contacts::nearest(size_t vertex, const Vec3& x) const {
+    std::optional<Touch> best;
+    for (size_t collider = 0; collider < params_.collider_count; ++collider) {
+        const Touch candidate = touch(collider, vertex, x);
+        if (!best || candidate.gap < best->gap)
+            best = candidate;
+    }
+    return best;
+}
+
+Vec3 Contacts::slip_of(const Contact& at, const Vec3& x) const {
+    return (Mat3::Identity() - at.normal * at.normal.transpose()) * (x - at.anchor);
+}
+
+// A new contact slides where friction cannot stop a free vertex; one that slid, until it turns back;
+// one that stuck, once the spring that held it pulls with more than mu N.
+bool Contacts::slides(const Contact& before, const Contact& now, const Vec3& u,
+                      double mobility) const {
+    const double slip = params_.contact_slip;
+    if (before.stiffness == 0 || before.push == 0)
+        return u.norm() > slip + now.friction * now.push * mobility;
+    if (!before.sticks())
+        return before.slide.dot(u) > 0;
+    return before.push * u.norm() / slip > now.push;
+}
+
+Contacts::Contact Contacts::renewed(size_t vertex, const Vec3& x) const {
+    const Contact& before = at_[vertex];
+    const auto found = nearest(vertex, x);
+    Contact now;
+    now.anchor = motion_.start[vertex];
+    if (!found || length_[vertex] == 0)
+        return now;
+    const double tolerance = started_inside * length_[vertex];
+    const double left = -before.stiffness * (before.normal.dot(x) - before.offset);
+    const bool was = solved_ && before.stiffness > 0;
+    const bool pressed = solved_ ? was && left > 0 : found->start < 0;
+
+    // Force against depth: stiff from the surface on; for what started at depth D, a soft spring
+    // that pushes with `most` at D, and stiff beyond D.
+    const double stiff = mass_[vertex] * params_.contact_rate, most = stiff * tolerance;
+    const double depth = -found->gap, D = -found->start;
+    double stiffness = stiff, level = 0;
+    now.stiff = true;
+    if (D > tolerance) {
+        now.stiff = depth > D;
+        if (!now.stiff)
+            stiffness = std::max(soft * mass_[vertex] / (motion_.h * motion_.h), most / D);
+        level = D - most / stiffness;
+    }
+    now.normal = found->normal;
+    now.anchor = found->anchor;
+    now.friction = found->friction;
+    now.offset = now.normal.dot(x) + depth - level;
+    if (!(depth > 0 || (pressed && -depth < tolerance)))
+        return now;
+    now.stiffness = stiffness;
+    now.push = was ? std::max(left, 0.0) : std::min(stiff * std::max(D, 0.0), most);
+    const Vec3 u = slip_of(now, x);
+    if (slides(solved_ ? before : Contact{}, now, u, motion_.h * motion_.h / mass_[vertex]))
+        now.slide = u.normalized();
+    return now;
+}
+
+void Contacts::renew(const std::vector<Vec3>& x) {
+    for (size_t i = 1; i < x.size(); ++i)
+        at_[i] = renewed(i, x[i]);
+    solved_ = true;
+    touched_ = touched_ || touching();
+}
+
+bool Contacts::touching() const {
+    return std::any_of(at_.begin(), at_.end(), [](const Contact& at) { return at.stiffness > 0; });
+}
+
+// Across the direction of slip friction turns as mu N/|u|; along it, it stays as it is.
+Mat3 Contacts::hessian(size_t vertex, const Vec3& x) const {
+    const Contact& at = at_[vertex];
+    const Mat3 n = at.normal * at.normal.transpose(), d = at.slide * at.slide.transpose();
+    const double reach =
+        at.sticks() ? params_.contact_slip : std::max(slip_of(at, x).norm(), double(params_.contact_slip));
+    return at.stiffness * n + at.friction * at.push / reach * (Mat3::Identity() - n - d);
+}
+
+Vec3 Contacts::force(size_t vertex, const Vec3& x) const {
+    const Contact& at = at_[vertex];
+    const Vec3 direction = at.sticks() ? Vec3(slip_of(at, x) / params_.contact_slip) : at.slide;
+    return -at.stiffness * (at.normal.dot(x) - at.offset) * at.normal -
+           at.friction * at.push * direction;
+}
+
+double Contacts::energy(size_t vertex, const Vec3& x) const {
+    const Contact& at = at_[vertex];
+    const double depth = std::max(at.offset - at.normal.dot(x), 0.0);
+    const double e = params_.contact_slip, u = slip_of(at, x).norm();
+    return at.stiffness / 2 * depth * depth +
+           at.friction * at.push * (u < e ? u * u / (2 * e) : u - e / 2);
+}
+
+double Contacts::depth_allowed(size_t vertex) const {
+    return at_[vertex].stiff ? deepest * length_[vertex] : INFINITY;
+}
+
+double Contacts::excess(size_t vertex, const Vec3& x) const {
+    const Contact& at = at_[vertex];
+    if (at.stiffness == 0)
+        return 0;
+    return std::max(at.offset - at.normal.dot(x) - depth_allowed(vertex), 0.0);
+}
+
+void Contacts::clip(std::vector<Vec3>& x) {
+    renew(x);
+    for (size_t i = 1; i < x.size(); ++i)
+        x[i] += excess(i, x[i]) * at_[i].normal;
+}
+
+// The depth where the solve left it holds the push; on the sphere around the leader the nearest point
+// of that depth lies on a circle. Length goes first.
+Vec3 Contacts::keep_off(size_t i, const Vec3& leader, double length, const Vec3& solved,
+                        const Vec3& exact) const {
+    const Contact& at = at_[i];
+    const double height = std::max(at.normal.dot(solved), at.offset - depth_allowed(i));
+    const bool holds = at.stiffness > 0;
+    const bool enters = !at.normal.isZero(0) && at.normal.dot(exact) < std::min(height, at.offset);
+    if (!holds && !enters)
+        return exact;
+    const double above = std::clamp(height - at.normal.dot(leader), -length, length);
+    const Vec3 out = exact - leader;
+    const Vec3 across = out - out.dot(at.normal) * at.normal;
+    return leader + above * at.normal +
+           std::sqrt(length * length - above * above) * direction(across);
+}
+
+void Contacts::store(const Lane& lane, const LaneState& state, const std::vector<Vec3>& x) const {
+    motion_.store(lane, state, x);
+    const Vec3 root_start = motion_.root + motion_.start[0];
+    for (size_t i = 1; i < x.size(); ++i) {
+        const Contact& at = at_[i];
+        if (!(at.stiffness > 0 && at.push > 0))
+            continue;
+        const Vec3 surface = (at.anchor - motion_.start[i]) / params_.h;
+        Vec3 v = lane.vector(state.v, i);
+        v += at.normal.dot(surface - v) * at.normal;
+        lane.store(state.v, i, v);
+        if (!params_.bdf2)
+            continue;
+        // The step before becomes one that leads to this one: all of it where the vertex sticks,
+        // else what is normal to the surface.
+        const Mat3 part =
+            at.sticks() ? Mat3(Mat3::Identity()) : Mat3(at.normal * at.normal.transpose());
+        const Vec3 v_before = lane.vector(state.v_before, i);
+        const Vec3 x_before = lane.vector(state.x_before, i);
+        const Vec3 x_led = motion_.root + x[i] - params_.h * v - root_start;
+        lane.store(state.v_before, i,
+                   Vec3(v_before + part * ((at.sticks() ? v : surface) - v_before)));
+        lane.store(state.x_before, i, Vec3(x_before + part * (x_led - x_before)));
+    }
+}
+
+} // namespace plait::reference

@@ -1,0 +1,66 @@
+// Contact of one strand with tapered capsules, as terms of an incremental potential: per vertex one
+// plane n.x = o with a push s/2 min(n.x - o, 0)^2, and friction mu N psi(|u|) against the anchor, psi
+// quadratic up to the slip e and linear beyond, u the tangential part of x - anchor.
+#pragma once
+
+#include "backend/reference/capsule.hpp"
+#include "backend/reference/lanes.hpp"
+
+#include <optional>
+
+namespace plait::reference {
+
+using Mat3 = Eigen::Matrix3d;
+
+class Contacts {
+  public:
+    // `length[i]` of the segment before vertex i, 0 past the tip; `mass[i]` of vertex i.
+    Contacts(const plait_lane_params& params, const View<const Vec4>& capsules,
+             const Motion& motion, std::vector<double> length, std::vector<double> mass);
+
+    // Look for the contacts of vertices at x again.
+    void renew(const std::vector<Vec3>& x);
+    bool touching() const; // any vertex now
+    bool touched() const { return touched_; }
+
+    Mat3 hessian(size_t vertex, const Vec3& x) const;
+    Vec3 force(size_t vertex, const Vec3& x) const; // minus the gradient, slip in its last direction
+    double energy(size_t vertex, const Vec3& x) const;
+
+    // Where a chain's sweep keeps vertex `i`, `length` from its leader.
+    Vec3 keep_off(size_t i, const Vec3& leader, double length, const Vec3& solved,
+                  const Vec3& exact) const;
+    // How much deeper the vertex is than a solve may leave it.
+    double excess(size_t vertex, const Vec3& x) const;
+    void clip(std::vector<Vec3>& x);
+    // Positions and velocities; what is pressed to a surface moves with it.
+    void store(const Lane& lane, const LaneState& state, const std::vector<Vec3>& x) const;
+
+  private:
+    struct Contact {
+        Vec3 normal = Vec3::Zero(), anchor = Vec3::Zero(), slide = Vec3::Zero();
+        double offset = 0, stiffness = 0, push = 0, friction = 0;
+        bool stiff = false; // from outside: it may not be left deep
+        bool sticks() const { return slide.isZero(0); }
+    };
+    // A vertex and the capsule it is nearest to.
+    struct Touch {
+        double gap, start, friction;
+        Vec3 normal, anchor;
+    };
+    Touch touch(size_t collider, size_t vertex, const Vec3& x) const;
+    std::optional<Touch> nearest(size_t vertex, const Vec3& x) const;
+    Contact renewed(size_t vertex, const Vec3& x) const;
+    bool slides(const Contact& before, const Contact& now, const Vec3& u, double mobility) const;
+    Vec3 slip_of(const Contact& at, const Vec3& x) const;
+    double depth_allowed(size_t vertex) const;
+
+    const plait_lane_params& params_;
+    const View<const Vec4>& capsules_;
+    const Motion& motion_;
+    std::vector<double> length_, mass_;
+    std::vector<Contact> at_;
+    bool solved_ = false, touched_ = false;
+};
+
+} // namespace plait::reference
