@@ -1,0 +1,250 @@
+// Contact of the strand models with capsules: friction that holds up to its angle and no further,
+// nothing that passes through, nothing that bursts. Bars and measured values: docs/models.
+#include "stability/one_strand.hpp"
+
+#include <ostream>
+
+namespace plait::test {
+namespace {
+
+constexpr float g = 9.81f; // m/s^2
+constexpr float length = 0.3f;
+
+plait_sim_desc desc_of(plait_model model, uint32_t substeps = 1) {
+    plait_sim_desc desc = plait_sim_desc_defaults();
+    desc.model = model;
+    desc.substeps = substeps;
+    desc.params.gravity[1] = -g;
+    return desc;
+}
+
+plait_collider_id add_capsule(const OneStrand& strand, Vec3 a, Vec3 b, float radius,
+                              float friction) {
+    plait_collider_desc desc = plait_collider_desc_defaults();
+    std::copy(a.begin(), a.end(), desc.a);
+    std::copy(b.begin(), b.end(), desc.b);
+    desc.radius_a = desc.radius_b = radius;
+    desc.friction = friction;
+    desc.pose = {{0.0f, 0.0f, 0.0f, 1.0f}, {0.0f, 0.0f, 0.0f}};
+    plait_collider_id id{};
+    PLAIT_EXPECT(plait_collider_create(strand.sim(), &desc, &id));
+    return id;
+}
+
+void move(const OneStrand& strand, plait_collider_id id, Vec3 t) {
+    const plait_pose pose = {{0.0f, 0.0f, 0.0f, 1.0f}, {t[0], t[1], t[2]}};
+    PLAIT_EXPECT(plait_collider_set_pose(strand.sim(), id, &pose));
+}
+
+using Points = std::vector<std::array<float, 4>>;
+
+double distance(const std::array<float, 4>& x, const Vec3& centre) {
+    return std::hypot(double(x[0]) - double(centre[0]), double(x[1]) - double(centre[1]),
+                      double(x[2]) - double(centre[2]));
+}
+
+double largest_move(const Points& a, const Points& b) {
+    double most = 0;
+    for (size_t i = 0; i < a.size(); ++i)
+        most = std::max(most, distance(a[i], {b[i][0], b[i][1], b[i][2]}));
+    return most;
+}
+
+// A model as it is used: `chain` needs substeps to come to rest at all.
+struct Use {
+    plait_model model;
+    uint32_t substeps;
+};
+
+void PrintTo(const Use& use, std::ostream* out) {
+    *out << "model " << use.model << ", " << use.substeps << " substeps";
+}
+
+class Contact : public testing::TestWithParam<Use> {
+  protected:
+    plait_sim_desc desc() const { return desc_of(GetParam().model, GetParam().substeps); }
+};
+
+INSTANTIATE_TEST_SUITE_P(Models, Contact,
+                         testing::Values(Use{PLAIT_MODEL_CHAIN, 4}, Use{PLAIT_MODEL_COSSERAT, 1},
+                                         Use{PLAIT_MODEL_ROD, 1}));
+
+// ---- an incline: gravity leans by an angle against the normal of a big cylinder under the strand
+// --
+
+class Incline {
+  public:
+    // `degrees` beyond the angle of friction.
+    Incline(plait_model model, float friction, double degrees) {
+        const double angle = std::atan(double(friction)) + degrees * 3.14159265 / 180;
+        plait_sim_desc desc = desc_of(model);
+        desc.params.drag = 0.0f;
+        desc.params.bend_stiffness = 1e-10f; // hardly holds: the strand slides as one
+        desc.params.gravity[1] = -g * static_cast<float>(std::cos(angle));
+        desc.params.gravity[2] = -g * static_cast<float>(std::sin(angle));
+        strand_ = std::make_unique<OneStrand>(StrandShape{17, length, {1.0f, 0.0f, 0.0f}}, desc);
+        constexpr float radius = 10.0f;
+        add_capsule(*strand_, {-1.0f, -radius, 0.0f}, {1.0f, -radius, 0.0f}, radius, friction);
+        expected_ = double(g) * (std::sin(angle) - double(friction) * std::cos(angle));
+    }
+    // m/s of the tip, down the slope, over a number of steps.
+    double speed(int steps) {
+        const double from = double(strand_->tip()[2]);
+        for (int i = 0; i < steps; ++i)
+            strand_->step();
+        return (from - double(strand_->tip()[2])) * 60 / steps;
+    }
+    double expected() const { return expected_; } // m/s^2
+
+  private:
+    std::unique_ptr<OneStrand> strand_;
+    double expected_ = 0;
+};
+
+constexpr plait_model sliding_models[] = {PLAIT_MODEL_CHAIN, PLAIT_MODEL_ROD};
+
+TEST(InclineFriction, holds_a_degree_below_its_angle) {
+    for (const plait_model model : {PLAIT_MODEL_CHAIN, PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD}) {
+        Incline incline(model, 0.3f, -1);
+        incline.speed(60);
+        EXPECT_LT(incline.speed(60), 1e-3 * double(length)) << "model " << model;
+    }
+}
+
+TEST(InclineFriction, lets_go_a_degree_above) {
+    for (const plait_model model : sliding_models) {
+        Incline incline(model, 0.3f, 1);
+        incline.speed(20);
+        EXPECT_GT(incline.speed(5), 0.02) << "model " << model;
+    }
+}
+
+TEST(InclineFriction, is_mu_times_the_push_while_it_slides) {
+    for (const plait_model model : sliding_models) {
+        Incline incline(model, 0.3f, 10);
+        incline.speed(2);
+        const double before = incline.speed(1);
+        incline.speed(5);
+        const double after = incline.speed(1);
+        EXPECT_NEAR((after - before) * 60 / 6, incline.expected(), 0.05 * incline.expected())
+            << "model " << model;
+    }
+}
+
+// ---- hair over a bar
+// ------------------------------------------------------------------------------
+
+// A level strand falls over a cylinder of 5 cm and comes to rest.
+TEST_P(Contact, rests_on_a_bar_whole_and_still) {
+    OneStrand strand({17, length, {1.0f, 0.0f, 0.0f}}, desc());
+    add_capsule(strand, {0.1f, -0.1f, -1.0f}, {0.1f, -0.1f, 1.0f}, 0.05f, 0.3f);
+    strand.run(15.0);
+    EXPECT_GT(strand.tip()[0], 0.12f); // on the far side
+    EXPECT_LT(strand.stats().max_stretch, 2e-3f);
+    Points before = strand.read(PLAIT_FIELD_POSITION);
+    for (int i = 0; i < 30; ++i) {
+        strand.step();
+        const Points now = strand.read(PLAIT_FIELD_POSITION);
+        EXPECT_LT(largest_move(now, before), 1e-4 * double(length));
+        before = now;
+    }
+    for (const auto& x : before)
+        EXPECT_GT(distance(x, {0.1f, -0.1f, x[2]}), 0.05 - 1e-4);
+}
+
+TEST_P(Contact, moving_surface_drags_hair_along) {
+    for (const float friction : {0.0f, 1.0f}) {
+        OneStrand strand({17, length, {1.0f, 0.0f, 0.0f}}, desc());
+        const auto bar =
+            add_capsule(strand, {0.1f, -0.1f, -1.0f}, {0.1f, -0.1f, 1.0f}, 0.05f, friction);
+        strand.run(3.0);
+        for (int i = 1; i <= 30; ++i) {
+            move(strand, bar, {0.0f, 0.0f, 0.001f * static_cast<float>(i)});
+            strand.step();
+        }
+        float most = 0.0f;
+        for (const auto& x : strand.read(PLAIT_FIELD_POSITION))
+            most = std::max(most, x[2]);
+        if (friction > 0.0f)
+            EXPECT_GT(most, 0.01f);
+        else
+            EXPECT_LT(most, 0.001f);
+    }
+}
+
+// ---- what must not pass, and not burst
+// ------------------------------------------------------------
+
+// A ball of 5 mm flies through hanging hair: steps of one to five radii. A vertex passes if it
+// comes nearer to the centre than three quarters of the radius, seen from the ball.
+TEST(Tunnelling, no_vertex_passes_through_a_ball) {
+    constexpr float radius = 0.005f;
+    std::vector<Vec3> points;
+    for (int s = 0; s < 60; ++s)
+        for (int i = 0; i < 17; ++i)
+            points.push_back({-0.1f + 0.2f * static_cast<float>(s * 37 % 60) / 60.0f,
+                              -length * static_cast<float>(i) / 16.0f,
+                              -0.006f + 0.012f * static_cast<float>(s) / 60.0f});
+    for (const plait_model model : {PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD})
+        for (const float radii : {1.0f, 2.0f, 5.0f}) {
+            OneStrand hair(points, 17, desc_of(model), shared_context());
+            const auto ball =
+                add_capsule(hair, {-0.2f, -0.26f, 0.0f}, {-0.2f, -0.26f, 0.0f}, radius, 0.3f);
+            int met = 0, passed = 0;
+            Points before = hair.read(PLAIT_FIELD_POSITION);
+            const int steps = static_cast<int>(0.4f / (radii * radius));
+            for (int i = 0; i < steps; ++i) {
+                const float from = -0.2f + radii * radius * static_cast<float>(i);
+                const float to = from + radii * radius;
+                move(hair, ball, {to + 0.2f, 0.0f, 0.0f});
+                hair.step();
+                const Points now = hair.read(PLAIT_FIELD_POSITION);
+                for (size_t k = 0; k < now.size(); ++k) {
+                    // the way of the vertex, seen from the ball
+                    const double a[3] = {double(before[k][0]) - double(from),
+                                         double(before[k][1]) + 0.26, double(before[k][2])};
+                    const double b[3] = {double(now[k][0]) - double(to), double(now[k][1]) + 0.26,
+                                         double(now[k][2])};
+                    double square = 0, along = 0, nearest = 0;
+                    for (int c = 0; c < 3; ++c) {
+                        square += (b[c] - a[c]) * (b[c] - a[c]);
+                        along -= a[c] * (b[c] - a[c]);
+                    }
+                    const double t = square > 0 ? std::clamp(along / square, 0.0, 1.0) : 0.0;
+                    for (int c = 0; c < 3; ++c)
+                        nearest += std::pow(a[c] + t * (b[c] - a[c]), 2);
+                    nearest = std::sqrt(nearest);
+                    if (std::hypot(a[0], a[1], a[2]) < 0.9 * double(radius))
+                        continue; // it did not come from outside
+                    met += nearest < 1.02 * double(radius);
+                    passed += nearest < 0.75 * double(radius);
+                }
+                before = now;
+            }
+            EXPECT_GT(met, 0) << "model " << model << ", " << radii << " radii a step";
+            EXPECT_EQ(passed, 0) << "model " << model << ", " << radii << " radii a step";
+        }
+}
+
+// A hanging strand whose lower part, or all of it, starts inside a ball.
+TEST_P(Contact, what_starts_inside_does_not_burst) {
+    for (const float friction : {0.3f, 10.0f})
+        for (const float share : {0.1f, 0.3f, 0.5f, 0.7f, 1.0f}) {
+            OneStrand strand({17, length, {0.0f, -1.0f, 0.0f}}, desc());
+            const Vec3 centre = {0.003f, -length * (1.0f - share / 2.0f), 0.0f};
+            add_capsule(strand, centre, centre, length / 2.0f * share + 0.01f, friction);
+            float stretch = 0.0f, speed = 0.0f;
+            for (int i = 0; i < 300; ++i) {
+                strand.step();
+                const plait_sim_stats stats = strand.stats();
+                ASSERT_EQ(stats.nonfinite, 0u);
+                stretch = std::max(stretch, stats.max_stretch);
+                speed = std::max(speed, stats.max_speed);
+            }
+            EXPECT_LT(stretch, 0.2f) << share << " inside, friction " << friction;
+            EXPECT_LT(speed, 15.0f) << share << " inside, friction " << friction;
+        }
+}
+
+} // namespace
+} // namespace plait::test
