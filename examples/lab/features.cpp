@@ -50,13 +50,15 @@ struct Half {
     double cost, error;
 };
 
+// Either half's error is from the whole scene's reference.
 Half run_half(Contexts& contexts, const Feature& feature, const Json& overrides,
               const CostOptions& costs) {
+    const Scene whole = read_scene(feature.scene, feature.with);
     const Scene scene = read_scene(feature.scene, overrides);
     const Method method = method_of(scene);
     Half half{record(contexts, scene, method), 0, nan};
-    if (scene.reference)
-        half.error = evaluate(scene, method, half.recording, measure_of("rms_error")).value;
+    if (whole.reference)
+        half.error = evaluate(whole, method, half.recording, measure_of("rms_error")).value;
     half.cost = measure_cost(contexts, contexts, scene, method, costs).ms_per_frame();
     return half;
 }
