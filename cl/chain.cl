@@ -5,7 +5,7 @@
  * with the velocity correction of Mueller et al. 2012 applied to that sweep's displacement alone
  * (ours). K = 0 is Mueller's dynamic follow-the-leader.
  */
-#pragma OPENCL FP_CONTRACT ON
+#pragma OPENCL FP_CONTRACT OFF
 #include "common/chain_contact.clh"
 
 #define CHAIN_CORRECTION 0.5f /* s_damping of Mueller et al. 2012 */

@@ -4,8 +4,8 @@ namespace plait::cases {
 
 // A length solve divides by w_i + w_(i+1) - ..., which folds make small: 1e-5 of a strand of up to
 // 5 m, and h' = 1/45 s carries it to the velocity. Friction takes its bound from a depth, so that a
-// round of contact returns the rounding of x contact_rate h'^2 mu = 330 mu times: hence little
-// friction here.
+// round of contact returns the rounding of x contact_rate h'^2 mu times: hence softer contact and
+// less friction than the rods' cases have.
 Case chain_case() {
     Case result = {
         PLAIT_STAGE_chain,
@@ -16,9 +16,12 @@ Case chain_case() {
             result.setups.push_back(
                 lane_setup(size, make_lane_hair(size, 31), lane_params(size, 1, bdf2), false));
     for (const Size& size : contact_sizes())
-        for (const uint32_t bdf2 : {0u, 1u})
-            result.setups.push_back(lane_setup(size, make_lane_hair_in_contact(size, 35, 0.05f),
-                                               lane_params(size, 1, bdf2), false));
+        for (const uint32_t bdf2 : {0u, 1u}) {
+            plait_lane_params params = lane_params(size, 1, bdf2);
+            params.contact_rate = 3e4f;
+            result.setups.push_back(
+                lane_setup(size, make_lane_hair_in_contact(size, 32, 0.05f), params, false));
+        }
     return result;
 }
 

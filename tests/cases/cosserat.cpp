@@ -17,7 +17,7 @@ Case cosserat_case() {
                 lane_setup(size, make_lane_hair(size, 32), lane_params(size, 3, bdf2), true));
     for (const Size& size : contact_sizes())
         for (const uint32_t bdf2 : {0u, 1u})
-            result.setups.push_back(lane_setup(size, make_lane_hair_in_contact(size, 32, 3.0f),
+            result.setups.push_back(lane_setup(size, make_lane_hair_in_contact(size, 32, 1.0f),
                                                lane_params(size, 3, bdf2), true));
     return result;
 }

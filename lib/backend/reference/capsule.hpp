@@ -1,5 +1,5 @@
-// A tapered capsule is the hull of two spheres, that is the union of the spheres c(k), r(k) with k in
-// [0, 1]. f(k) = |x - c(k)| - r(k) is convex, its minimum is the signed distance of x inside and
+// A tapered capsule is the hull of two spheres, that is the union of the spheres c(k), r(k) with k
+// in [0, 1]. f(k) = |x - c(k)| - r(k) is convex, its minimum is the signed distance of x inside and
 // outside, and the normal points from c(k) to x.
 #pragma once
 

@@ -1,6 +1,6 @@
-// Source: Alart & Curnier 1991 (stick or slip from the last solve's forces), Li et al. 2020 (friction
-// lagged in a potential). Ours: tangent planes of the first crossing, the push that is remembered as
-// a depth, the way out for what starts inside.
+// Source: Alart & Curnier 1991 (stick or slip from the last solve's forces), Li et al. 2020
+// (friction lagged in a potential). Ours: tangent planes of the first crossing, the push that is
+// remembered as a depth, the way out for what starts inside.
 #include "backend/reference/contact.hpp"
 
 #include <algorithm>
@@ -92,8 +92,8 @@ Vec3 Contacts::slip_of(const Contact& at, const Vec3& x) const {
     return (Mat3::Identity() - at.normal * at.normal.transpose()) * (x - at.anchor);
 }
 
-// A new contact slides where friction cannot stop a free vertex; one that slid, until it turns back;
-// one that stuck, once the spring that held it pulls with more than mu N.
+// A new contact slides where friction cannot stop a free vertex; one that slid, until it turns
+// back; one that stuck, once the spring that held it pulls with more than mu N.
 bool Contacts::slides(const Contact& before, const Contact& now, const Vec3& u,
                       double mobility) const {
     const double slip = params_.contact_slip;
@@ -157,8 +157,9 @@ bool Contacts::touching() const {
 Mat3 Contacts::hessian(size_t vertex, const Vec3& x) const {
     const Contact& at = at_[vertex];
     const Mat3 n = at.normal * at.normal.transpose(), d = at.slide * at.slide.transpose();
-    const double reach =
-        at.sticks() ? params_.contact_slip : std::max(slip_of(at, x).norm(), double(params_.contact_slip));
+    const double reach = at.sticks()
+                             ? params_.contact_slip
+                             : std::max(slip_of(at, x).norm(), double(params_.contact_slip));
     return at.stiffness * n + at.friction * at.push / reach * (Mat3::Identity() - n - d);
 }
 
@@ -194,8 +195,8 @@ void Contacts::clip(std::vector<Vec3>& x) {
         x[i] += excess(i, x[i]) * at_[i].normal;
 }
 
-// The depth where the solve left it holds the push; on the sphere around the leader the nearest point
-// of that depth lies on a circle. Length goes first.
+// The depth where the solve left it holds the push; on the sphere around the leader the nearest
+// point of that depth lies on a circle. Length goes first.
 Vec3 Contacts::keep_off(size_t i, const Vec3& leader, double length, const Vec3& solved,
                         const Vec3& exact) const {
     const Contact& at = at_[i];

@@ -1,6 +1,6 @@
 // Contact of one strand with tapered capsules, as terms of an incremental potential: per vertex one
-// plane n.x = o with a push s/2 min(n.x - o, 0)^2, and friction mu N psi(|u|) against the anchor, psi
-// quadratic up to the slip e and linear beyond, u the tangential part of x - anchor.
+// plane n.x = o with a push s/2 min(n.x - o, 0)^2, and friction mu N psi(|u|) against the anchor,
+// psi quadratic up to the slip e and linear beyond, u the tangential part of x - anchor.
 #pragma once
 
 #include "backend/reference/capsule.hpp"
@@ -24,7 +24,8 @@ class Contacts {
     bool touched() const { return touched_; }
 
     Mat3 hessian(size_t vertex, const Vec3& x) const;
-    Vec3 force(size_t vertex, const Vec3& x) const; // minus the gradient, slip in its last direction
+    Vec3 force(size_t vertex,
+               const Vec3& x) const; // minus the gradient, slip in its last direction
     double energy(size_t vertex, const Vec3& x) const;
 
     // Where a chain's sweep keeps vertex `i`, `length` from its leader.
