@@ -23,6 +23,13 @@ INSTANTIATE_TEST_SUITE_P(Models, Constraints,
                                          PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD),
                          [](const auto& model) { return std::string(names[model.param]); });
 
+// TressFX always has shape constraints; see tressfx.cpp.
+class ShapeOptions : public Constraints {};
+
+INSTANTIATE_TEST_SUITE_P(Models, ShapeOptions,
+                         testing::Values(PLAIT_MODEL_CHAIN, PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD),
+                         [](const auto& model) { return std::string(names[model.param]); });
+
 float farthest_from_root(const OneStrand& strand) {
     const auto x = strand.read(PLAIT_FIELD_POSITION);
     float farthest = 0;
@@ -50,9 +57,7 @@ float tip_height(const plait_sim_desc& desc) {
     return strand.tip()[1];
 }
 
-TEST_P(Constraints, global_shape_draws_towards_rest) {
-    if (GetParam() == PLAIT_MODEL_TRESSFX)
-        return; // always on there; see tressfx.cpp
+TEST_P(ShapeOptions, global_shape_draws_towards_rest) {
     plait_sim_desc shaped = desc();
     shaped.params.shape_constraints = 1;
     shaped.params.local_stiffness = 0;
@@ -80,9 +85,7 @@ float chord(const plait_sim_desc& desc) {
 }
 
 // Relative to the segment before: it keeps a strand bent, whichever way the root segment points.
-TEST_P(Constraints, local_shape_keeps_a_bend) {
-    if (GetParam() == PLAIT_MODEL_TRESSFX)
-        return;
+TEST_P(ShapeOptions, local_shape_keeps_a_bend) {
     plait_sim_desc shaped = desc();
     shaped.params.shape_constraints = 1;
     shaped.params.local_stiffness = 0.9f;
@@ -92,9 +95,7 @@ TEST_P(Constraints, local_shape_keeps_a_bend) {
     EXPECT_LT(chord(shaped), free - 0.02f);
 }
 
-TEST_P(Constraints, off_means_off) {
-    if (GetParam() == PLAIT_MODEL_TRESSFX)
-        return;
+TEST_P(ShapeOptions, off_means_off) {
     plait_sim_desc changed = desc();
     changed.params.global_stiffness = 0.3f;
     changed.params.global_range = 1.0f;
