@@ -188,24 +188,30 @@ class Runner {
 
 } // namespace
 
-std::vector<Method> methods_of(const std::vector<std::string>& labels, bool baselines,
-                               bool all_settings) {
+std::vector<const Model*> models_of(const std::vector<std::string>& labels, bool baselines) {
     for (const std::string& label : labels)
         if (!find_model(label))
             throw Failure("--models: \"" + label + "\" is no known model; the nearest is \"" +
                           std::string(nearest(label, model_labels())) + "\"");
+    std::vector<const Model*> chosen;
+    for (const Model& model : models())
+        if (wanted(labels, model.label) && (!labels.empty() || !model.baseline() || baselines))
+            chosen.push_back(&model);
+    return chosen;
+}
+
+std::vector<Method> methods_of(const std::vector<std::string>& labels, bool baselines,
+                               bool all_settings) {
     std::vector<Method> methods;
-    for (const Model& model : models()) {
-        if (!wanted(labels, model.label) || (labels.empty() && model.baseline() && !baselines))
-            continue;
+    for (const Model* model : models_of(labels, baselines)) {
         if (all_settings) {
-            for (const Setting& setting : model.settings)
-                methods.push_back({&model, setting});
+            for (const Setting& setting : model->settings)
+                methods.push_back({model, setting});
             continue;
         }
-        methods.push_back({&model, model.settings.front()});
-        if (model.quality)
-            methods.push_back({&model, *model.quality});
+        methods.push_back({model, model->settings.front()});
+        if (model->quality)
+            methods.push_back({model, *model->quality});
     }
     return methods;
 }

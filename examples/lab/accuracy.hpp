@@ -26,7 +26,9 @@ AccuracyRun run_accuracy(const AccuracyOptions& options);
 std::string accuracy_text(const AccuracyRun& run);     // for a terminal
 std::string accuracy_markdown(const AccuracyRun& run); // for a page
 
-// The models named, or all (baselines only if asked for), and the settings they are measured with.
+// The models named, or all; baselines only if asked for, or named.
+std::vector<const Model*> models_of(const std::vector<std::string>& labels, bool baselines);
+// They, with the settings they are measured with.
 std::vector<Method> methods_of(const std::vector<std::string>& models, bool baselines,
                                bool all_settings);
 

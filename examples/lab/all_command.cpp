@@ -49,14 +49,6 @@ Exit run_features_command(FeatureOptions options, const DeviceOptions& device) {
     return Exit::ok;
 }
 
-void add_costs(CLI::App& command, CostOptions& costs) {
-    command.add_option("--cost-vertices", costs.vertices, "vertices timed, at least")
-        ->capture_default_str();
-    command.add_option("--cost-runs", costs.runs, "steps timed")
-        ->capture_default_str()
-        ->check(CLI::Range(1, 100000));
-}
-
 } // namespace
 
 void add_features(CLI::App& app, Command& chosen) {
@@ -65,7 +57,7 @@ void add_features(CLI::App& app, Command& chosen) {
     CLI::App* command = app.add_subcommand("features", "what each feature costs, and does");
     command->add_option("--features", options->features, "only these")->delimiter(',');
     command->add_option("--table", options->table, "the features [assets/lab/features.json]");
-    add_costs(*command, options->costs);
+    add_cost_options(*command, options->costs);
     add_device_options(*command, *device);
     command->callback([options, device, &chosen] {
         chosen = [options, device] { return run_features_command(*options, *device); };
@@ -80,7 +72,7 @@ void add_all(CLI::App& app, Command& chosen) {
         ->capture_default_str();
     command->add_option("--write", options->write, "also write a page of results into this folder");
     command->add_flag("--fresh", options->fresh, "measure again what is there");
-    add_costs(*command, options->charts.costs);
+    add_cost_options(*command, options->charts.costs);
     add_device_options(*command, options->device);
     command->callback([options, &chosen] { chosen = [options] { return run_all(*options); }; });
 }

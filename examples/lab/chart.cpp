@@ -68,14 +68,16 @@ class Runner {
         run.device = contexts_.device();
     }
 
-    void all(const std::vector<Family>& families, const std::vector<Method>& methods) {
-        Progress progress("chart", static_cast<uint32_t>(families.size() * methods.size()));
-        uint32_t done = 0;
+    void all(const std::vector<Family>& families, const std::vector<const Model*>& models) {
+        uint32_t all = 0, done = 0;
+        for (const Family& family : families)
+            all += static_cast<uint32_t>(methods_on(family, models).size());
+        Progress progress("chart", all);
         for (const Family& family : families) {
             Chart chart{family, 0, nan, {}, {}};
             const Scene scene = read_scene(family.scene, family.overrides);
             chart.segments = scene.strands[0].segments;
-            for (const Method& method : methods) {
+            for (const Method& method : methods_on(family, models)) {
                 if (interrupted()) {
                     run_.interrupted = true;
                     return;
@@ -88,6 +90,16 @@ class Runner {
     }
 
   private:
+    static std::vector<Method> methods_on(const Family& family,
+                                          const std::vector<const Model*>& models) {
+        const Scene scene = read_scene(family.scene, family.overrides);
+        std::vector<Method> methods;
+        for (const Model* model : models)
+            for (const Setting& setting : settings_of(*model, scene))
+                methods.push_back({model, setting});
+        return methods;
+    }
+
     void one(Chart& chart, const Scene& scene, const Method& method) {
         const Row row{chart.family.name, "", "", {}, {}, false, chart.family.needs};
         if (const std::string why = why_not(row, *method.model); !why.empty()) {
@@ -97,8 +109,16 @@ class Runner {
             return;
         }
         ChartPoint point{method, nan, '\0', {}};
-        measured_error(chart, scene, point);
         measured_cost(chart, scene, point);
+        if (point.cost.runs == 0) {
+            char line[96];
+            std::snprintf(line, sizeof line, "%s: costs %.0f s, more than %.0f",
+                          method.label().c_str(), point.cost.ms_per_frame() / 1e3,
+                          options_.costs.dearest / 1e3);
+            chart.left_out.push_back(line);
+            return;
+        }
+        measured_error(chart, scene, point);
         if (!interrupted())
             chart.points.push_back(point);
     }
@@ -142,7 +162,7 @@ class Runner {
             chart.floor = *result.mark;
     }
 
-    // Wall in `value`, kernels in `mark`, vertices and runs in the note.
+    // Wall in `value`, kernels in `mark`, vertices and steps in the note.
     void measured_cost(Chart& chart, const Scene& scene, ChartPoint& point) {
         const std::string size =
             std::to_string(options_.costs.vertices) + " x " + std::to_string(options_.costs.runs);
@@ -155,11 +175,13 @@ class Runner {
             result.value = cost.wall;
             result.mark = cost.kernel;
             result.unit = "s";
-            result.note = std::to_string(cost.vertices);
+            result.note = std::to_string(cost.vertices) + " x " + std::to_string(cost.runs);
             results_.add(result);
         }
-        point.cost = {std::strtoull(result.note.c_str(), nullptr, 10), options_.costs.runs,
-                      result.value, result.mark.value_or(0), 1 / scene.rate};
+        unsigned long long vertices = 0;
+        unsigned runs = 0;
+        std::sscanf(result.note.c_str(), "%llu x %u", &vertices, &runs);
+        point.cost = {vertices, runs, result.value, result.mark.value_or(0), 1 / scene.rate};
     }
 
     const ChartOptions& options_;
@@ -198,7 +220,7 @@ ChartRun run_charts(const ChartOptions& options) {
     std::erase_if(families,
                   [&](const Family& family) { return !wanted(options.families, family.name); });
     ChartRun run;
-    Runner(options, run).all(families, methods_of(options.models, true, true));
+    Runner(options, run).all(families, models_of(options.models, true));
     for (const Chart& chart : run.charts) {
         const std::string path = options.out + "/" + chart.family.name;
         write_text(chart_csv(chart, run.device), path + ".csv");
@@ -229,16 +251,17 @@ std::string chart_csv(const Chart& chart, const plait_device_info& device) {
         "# " + chart.family.title + "; " + device.name + "; driver " + device.driver + "\n";
     text +=
         "model,baseline,substeps,iterations,bdf2,error_rms_over_L,class,ms_per_frame_per_million,"
-        "kernel_ns_per_vertex,strands_at_60_hz,floor_over_L\n";
+        "kernel_ns_per_vertex,strands_at_60_hz,floor_over_L,vertices,steps\n";
     for (const ChartPoint& p : chart.points) {
-        char line[256];
+        char line[320];
         const Setting& s = p.method.setting;
-        std::snprintf(line, sizeof line, "%s,%d,%u,%u,%d,%.6g,%c,%.6g,%.6g,%.6g,%.6g\n",
+        std::snprintf(line, sizeof line, "%s,%d,%u,%u,%d,%.6g,%c,%.6g,%.6g,%.6g,%.6g,%llu,%u\n",
                       p.method.model->label.c_str(), p.method.model->baseline(), s.substeps,
                       s.iterations, s.bdf2, p.error, p.letter ? p.letter : '.',
                       p.cost.ms_per_frame(),
                       1e9 * p.cost.kernel / static_cast<double>(p.cost.vertices),
-                      p.cost.strands_at_60_hz(chart.segments + 1), chart.floor);
+                      p.cost.strands_at_60_hz(chart.segments + 1), chart.floor,
+                      static_cast<unsigned long long>(p.cost.vertices), p.cost.runs);
         text += line;
     }
     return text;

@@ -3,6 +3,7 @@
 
 #include "accuracy.hpp"
 #include "cost.hpp"
+#include "settings.hpp"
 
 namespace lab {
 
@@ -33,7 +34,7 @@ struct ChartOptions {
     std::vector<std::string> models, families;
     std::string device, backend, out = "out/lab";
     bool fresh = false;
-    CostOptions costs;
+    CostOptions costs{100000, 21, true, 2, 30e3};
 };
 
 struct ChartRun {

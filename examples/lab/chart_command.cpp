@@ -37,11 +37,7 @@ void add_chart(CLI::App& app, Command& chosen) {
     command->add_option("--out", options->out, "folder of the figures and charts.csv")
         ->capture_default_str();
     command->add_flag("--fresh", options->fresh, "measure again what is there");
-    command->add_option("--cost-vertices", options->costs.vertices, "vertices timed, at least")
-        ->capture_default_str();
-    command->add_option("--cost-runs", options->costs.runs, "steps timed")
-        ->capture_default_str()
-        ->check(CLI::Range(1, 100000));
+    add_cost_options(*command, options->costs);
     add_device_options(*command, *device);
     command->callback([options, device, &chosen] {
         chosen = [options, device] { return run(*options, *device); };

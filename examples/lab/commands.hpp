@@ -25,6 +25,9 @@ struct DeviceOptions {
 };
 void add_device_options(CLI::App& command, DeviceOptions& options);
 
+struct CostOptions;
+void add_cost_options(CLI::App& command, CostOptions& costs);
+
 // "key=value" into an object that overrides a scene; the value is JSON, or a word.
 void add_overrides(CLI::App& command, Json& overrides);
 

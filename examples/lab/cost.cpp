@@ -7,8 +7,6 @@ namespace lab {
 
 namespace {
 
-constexpr uint32_t warm_up = 3;
-
 uint32_t copies_for(const Scene& scene, uint64_t vertices) {
     uint64_t one = 0;
     for (const Strand& strand : scene.strands)
@@ -27,18 +25,53 @@ double seconds_of_kernels(plait_sim* sim) {
     return sum;
 }
 
-// On a context that keeps the device's time, which costs a few percent: not for the wall.
-double kernel_seconds(Contexts& profiled, const Scene& scene, const Method& method,
-                      uint32_t copies) {
-    constexpr uint32_t steps = 5;
-    Stage stage(profiled.of(*method.model), scene, method, copies);
-    for (uint32_t k = 1; k <= warm_up + steps; ++k) {
-        if (k == warm_up + 1)
-            seconds_of_kernels(stage.sim());
-        stage.step_to(k / scene.rate);
-        stage.wait();
+// Steps a stage from its start: a little to warm up, then as the options say.
+class Stepper {
+  public:
+    Stepper(Stage& stage, const Scene& scene) : stage_(stage), scene_(scene) {}
+
+    double step() { // s it took
+        const auto start = std::chrono::steady_clock::now();
+        stage_.step_to(++steps_ / scene_.rate);
+        stage_.wait();
+        const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+        return spent.count();
     }
-    return seconds_of_kernels(stage.sim()) / steps;
+    void warm_up() {
+        for (double spent = 0; steps_ < 3 && spent < 0.2;)
+            spent += step();
+    }
+    std::vector<double> time(uint32_t runs, double seconds) {
+        std::vector<double> times;
+        for (double spent = 0; times.size() < runs && (times.size() < 3 || spent < seconds);) {
+            times.push_back(step());
+            spent += times.back();
+        }
+        return times;
+    }
+
+  private:
+    Stage& stage_;
+    const Scene& scene_;
+    uint32_t steps_ = 0;
+};
+
+double median(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+// On a context that keeps the device's time, which costs a few percent: not for the wall.
+double kernel_seconds(Contexts& profiled, const Scene& scene, const Method& method, uint32_t copies,
+                      const CostOptions& options) {
+    Stage stage(profiled.of(*method.model), scene, method, copies);
+    Stepper stepper(stage, scene);
+    stepper.step(); // may compile
+    stepper.warm_up();
+    seconds_of_kernels(stage.sim());
+    const auto steps = stepper.time(std::min(options.runs, 5u), 0.25 * options.seconds);
+    return seconds_of_kernels(stage.sim()) / static_cast<double>(steps.size());
 }
 
 } // namespace
@@ -59,21 +92,19 @@ Cost measure_cost(Contexts& contexts, Contexts& profiled, const Scene& scene, co
                   const CostOptions& options) {
     const uint32_t copies = copies_for(scene, options.vertices);
     Stage stage(contexts.of(*method.model), scene, method, copies);
-    Cost cost{stage.vertices(), options.runs, 0, 0, 1 / scene.rate};
-    std::vector<double> times;
-    for (uint32_t k = 1; k <= warm_up + options.runs; ++k) {
-        const auto start = std::chrono::steady_clock::now();
-        stage.step_to(k / scene.rate);
-        stage.wait();
-        const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
-        if (k > warm_up)
-            times.push_back(spent.count());
+    Stepper stepper(stage, scene);
+    Cost cost{stage.vertices(), 0, stepper.step(), 0, 1 / scene.rate};
+    if (cost.ms_per_frame() > options.dearest) { // or it was the compiler
+        cost.wall = std::min(cost.wall, stepper.step());
+        if (cost.ms_per_frame() > options.dearest)
+            return cost;
     }
-    const auto middle = times.begin() + static_cast<ptrdiff_t>(times.size() / 2);
-    std::nth_element(times.begin(), middle, times.end());
-    cost.wall = *middle;
+    stepper.warm_up();
+    const auto times = stepper.time(options.runs, options.seconds);
+    cost.runs = static_cast<uint32_t>(times.size());
+    cost.wall = median(times);
     if (options.kernel)
-        cost.kernel = kernel_seconds(profiled, scene, method, copies);
+        cost.kernel = kernel_seconds(profiled, scene, method, copies, options);
     return cost;
 }
 

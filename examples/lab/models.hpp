@@ -12,23 +12,24 @@ namespace lab {
 
 // One way to spend time on accuracy.
 struct Setting {
-    uint32_t substeps = 1;
+    uint32_t substeps = 1; // 0: as many as an explicit method needs on the scene
     uint32_t iterations = 1;
     bool bdf2 = false;
-    std::string label() const; // "4x2 BDF2": substeps x iterations
+    std::string label() const; // "4x2 BDF2": substeps x iterations; "auto": as many as it needs
 };
 
 struct Model {
     std::string label;
     plait_model model;
     const char* stage;  // what a baseline replaces; null: nothing
-    const char* source; // its kernel, a file in baselines/
+    std::string source; // its kernel, a file in baselines/
     bool bends, twists;
-    bool half_tip;                 // masses: half a segment's at the tip, or a whole one
-    uint32_t pinned;               // vertices
-    std::vector<Setting> settings; // of the charts; the first is the one for real time
-    void (*prepare)(plait_sim_desc&) = nullptr; // what else a baseline needs set
-    std::optional<Setting> quality = {};        // for accuracy at several times the cost
+    bool half_tip;                       // masses: half a segment's at the tip, or a whole one
+    uint32_t pinned;                     // vertices
+    std::vector<Setting> settings;       // of the charts; the first is the one for real time
+    std::optional<Setting> quality = {}; // for accuracy at several times the cost
+    // Of explicit methods: the longest step, s, borne by a motion of w rad/s.
+    double (*longest_step)(double w) = nullptr;
 
     bool baseline() const { return stage != nullptr; }
 };

@@ -1,4 +1,5 @@
 #include "commands.hpp"
+#include "cost.hpp"
 #include "scene.hpp"
 #include "table.hpp"
 
@@ -10,6 +11,14 @@ void add_device_options(CLI::App& command, DeviceOptions& options) {
     command.add_option("--backend", options.backend, "opencl or reference [the best]");
     command.add_option_function<std::string>("--tables", set_table_folder,
                                              "folder of the reference tables [tests/data]");
+}
+
+void add_cost_options(CLI::App& command, CostOptions& costs) {
+    command.add_option("--cost-vertices", costs.vertices, "vertices timed, at least")
+        ->capture_default_str();
+    command.add_option("--cost-runs", costs.runs, "steps timed; three, where they are long")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 100000));
 }
 
 namespace {

@@ -1,5 +1,7 @@
 #include "recording.hpp"
 
+#include "settings.hpp"
+
 #include "common/progress.hpp"
 
 #include <algorithm>
@@ -78,7 +80,7 @@ plait_sim_desc describe(const Scene& scene, const Method& method) {
     plait_sim_desc desc = plait_sim_desc_defaults();
     desc.model = method.model->model;
     desc.step = static_cast<float>(1 / scene.rate);
-    desc.substeps = method.setting.substeps;
+    desc.substeps = resolved(*method.model, method.setting, scene).substeps;
     desc.max_steps_per_call = 1;
     desc.follows_per_guide = scene.follows_per_guide;
     plait_sim_params& p = desc.params = scene.params;
@@ -95,15 +97,13 @@ plait_sim_desc describe(const Scene& scene, const Method& method) {
     p.drag = static_cast<float>(scene.drag);
     if (desc.model == PLAIT_MODEL_TRESSFX)
         describe_tressfx(scene, method.setting, p);
-    if (method.model->prepare)
-        method.model->prepare(desc);
     return desc;
 }
 
 Method method_of(const Scene& scene) {
     const Model& model = *find_model(scene.model);
-    Setting setting = model.settings.front();
-    setting.substeps = scene.substeps;
+    Setting setting = default_setting(model, scene);
+    setting.substeps = scene.substeps.value_or(setting.substeps);
     setting.iterations = scene.iterations.value_or(setting.iterations);
     setting.bdf2 = scene.bdf2.value_or(setting.bdf2);
     return {&model, setting};

@@ -62,11 +62,7 @@ void add_run(CLI::App& app, Command& chosen) {
     add_device_options(*command, options->device);
     command->add_flag("--json", options->json, "print JSON instead of tables");
     command->add_flag("!--no-cost", options->cost, "do not measure what it costs");
-    command->add_option("--cost-vertices", options->costs.vertices, "vertices timed, at least")
-        ->capture_default_str();
-    command->add_option("--cost-runs", options->costs.runs, "steps timed")
-        ->capture_default_str()
-        ->check(CLI::Range(1, 100000));
+    add_cost_options(*command, options->costs);
     command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }
 

@@ -316,8 +316,9 @@ void read_method(JsonReader& top, Scene& scene) {
     if (top.text("model", scene.model) && !find_model(scene.model))
         top.fail("model", "is \"" + scene.model + "\", no known model; the nearest is \"" +
                               std::string(nearest(scene.model, model_labels())) + "\"");
-    top.integer("substeps", scene.substeps, 1, 1000);
     uint32_t value = 0;
+    if (top.integer("substeps", value, 1, 1000))
+        scene.substeps = value;
     if (top.integer("iterations", value, 0, 256))
         scene.iterations = value;
     if (top.integer("bdf2", value, 0, 1))

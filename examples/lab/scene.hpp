@@ -62,8 +62,7 @@ struct Scene {
     Vec3 settle_gravity{0, -standard_gravity, 0}; // and in this gravity, m/s^2
     double unit_time = 1;                         // s per unit of time in the file
     std::string model = "cosserat";
-    uint32_t substeps = 1;
-    std::optional<uint32_t> iterations, bdf2;
+    std::optional<uint32_t> substeps, iterations, bdf2; // absent: the model's own
     std::string device, backend;
     Motion motion;
     std::vector<SceneCollider> colliders;
