@@ -1,8 +1,8 @@
 // The sag-free start: a groom as authored is an equilibrium under gravity, and a stable one.
+#include "../real_groom.hpp"
 #include "one_strand.hpp"
 
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <ostream>
 #include <string>
@@ -156,15 +156,12 @@ INSTANTIATE_TEST_SUITE_P(Assets, SagFree,
                                          GroomCase{PLAIT_MODEL_ROD, "short.tfx"}),
                          name_of);
 
-// Real grooms, when there are any: in $PLAIT_GROOMS, by default ../shared/grooms beside the source.
 class SagFreeReal : public SagFree {};
 
 TEST_P(SagFreeReal, groom_stays_and_comes_back) {
-    const char* given = std::getenv("PLAIT_GROOMS");
-    const std::string path =
-        std::string(given ? given : PLAIT_SOURCE_DIR "/../shared/grooms") + "/" + GetParam().file;
-    if (!std::filesystem::exists(path))
-        GTEST_SKIP() << "without " << path;
+    const std::string path = real_groom(GetParam().file);
+    if (path.empty())
+        return;
     expect_stays(path, 1.5e-2);
 }
 

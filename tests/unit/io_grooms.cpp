@@ -1,27 +1,12 @@
-// Real grooms, when there are any: in $PLAIT_GROOMS, by default ../shared/grooms beside the source.
+// The readers on real grooms.
+#include "../real_groom.hpp"
 #include "io_support.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 
 namespace plait {
 namespace {
-
-std::string grooms() {
-    const char* given = std::getenv("PLAIT_GROOMS");
-    return given ? given : PLAIT_SOURCE_DIR "/../shared/grooms";
-}
-
-// The groom's path, or "" after saying that this test runs without it.
-std::string groom(const char* name) {
-    const std::string path = grooms() + "/" + name;
-    if (std::filesystem::exists(path))
-        return path;
-    std::printf("without %s: not in %s\n", name, grooms().c_str());
-    return "";
-}
 
 bool all_finite(const std::pmr::vector<float>& values) {
     return std::all_of(values.begin(), values.end(), [](float v) { return std::isfinite(v); });
@@ -42,7 +27,7 @@ void expect_survives(const StrandSet& strands, const char* name) {
 }
 
 TEST(IoGrooms, SintelOf16Vertices) {
-    const std::string path = groom("sintel_16.tfx");
+    const std::string path = real_groom("sintel_16.tfx");
     if (path.empty())
         return;
     auto strands = read_strands(path);
@@ -62,7 +47,7 @@ TEST(IoGrooms, SintelOf16Vertices) {
 }
 
 TEST(IoGrooms, RatboyWithStrandUvAndSkin) {
-    const std::string path = groom("ratboy_mohawk.tfx");
+    const std::string path = real_groom("ratboy_mohawk.tfx");
     if (path.empty())
         return;
     auto strands = read_strands(path);
@@ -78,8 +63,8 @@ TEST(IoGrooms, RatboyWithStrandUvAndSkin) {
 }
 
 TEST(IoGrooms, RatboyIsSkinnedToTheBonesOfItsFile) {
-    const std::string path = groom("ratboy_mohawk.tfx");
-    if (path.empty() || groom("ratboy_mohawk.tfxbone").empty())
+    const std::string path = real_groom("ratboy_mohawk.tfx");
+    if (path.empty() || real_groom("ratboy_mohawk.tfxbone").empty())
         return;
     auto strands = read_strands(path);
     ASSERT_OK(strands);
