@@ -399,7 +399,7 @@ PLAIT_API plait_result plait_sim_params_set_fibre(plait_sim_params* params,
 
 typedef struct plait_sim_desc {
     uint32_t struct_size;
-    plait_model model;
+    plait_model model;           /* of every strand, until plait_sim_set_models */
     float step;                  /* fixed step, s, [1e-5, 1], default 1/60 */
     uint32_t substeps;           /* per fixed step, [1, 1000], default 1 */
     uint32_t max_steps_per_call; /* time beyond so many is dropped and counted, default 8 */
@@ -426,6 +426,18 @@ PLAIT_API plait_result plait_sim_reset(plait_sim* sim);
 
 PLAIT_API plait_result plait_sim_set_params(plait_sim* sim, const plait_sim_params* params);
 PLAIT_API plait_result plait_sim_get_params(const plait_sim* sim, plait_sim_params* params);
+
+/* The model of every guide strand, `count` of them, from the next step on: chain, cosserat or rod,
+ * in a sim that was made with one of these. Strands of one model are stepped together, whatever
+ * their order. x and v stay; a strand that leaves chain gets orientations along its segments with
+ * the least twist. Parameters are one set: of each the strand's model reads what it has. plait_sim_
+ * reset and set_params keep the models, save and restore carry them. See docs/models/switching.md.
+ * @errors INVALID_STATE: the sim is of model tressfx; UNSUPPORTED: the backend lacks a stage.
+ *         A call that fails changes nothing. */
+PLAIT_API plait_result plait_sim_set_models(plait_sim* sim, const plait_model* models,
+                                            size_t count);
+/* dst == NULL: writes the needed count, that of the guides. */
+PLAIT_API plait_result plait_sim_get_models(const plait_sim* sim, plait_model* dst, size_t* count);
 
 /* Where the roots will be at the end of the next plait_sim_step; on the way they interpolate.
  * Setting root_poses or bones waits for the device; a head alone does not. */

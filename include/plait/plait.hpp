@@ -143,6 +143,17 @@ class Sim : public detail::Owner<plait_sim, plait_sim_destroy> {
         return params;
     }
 
+    void set_models(const std::vector<plait_model>& models) {
+        check(plait_sim_set_models(get(), models.data(), models.size()));
+    }
+    std::vector<plait_model> models() const {
+        std::size_t count = 0;
+        check(plait_sim_get_models(get(), nullptr, &count));
+        std::vector<plait_model> models(count);
+        check(plait_sim_get_models(get(), models.data(), &count));
+        return models;
+    }
+
     // T: std::uint32_t for VERTEX_COUNT, else float.
     template <typename T = float> std::vector<T> read(plait_field field) const {
         std::size_t size = 0;

@@ -6,6 +6,7 @@
 #include "api/view.hpp"
 #include "core/params.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace plait::api {
@@ -166,6 +167,25 @@ plait_result plait_sim_get_params(const plait_sim* sim, plait_sim_params* params
         PLAIT_TRY(api::need(sim, "sim"));
         PLAIT_TRY(api::check_output(params, "params"));
         api::write_struct(params, sim->sim.params());
+        return {};
+    });
+}
+
+plait_result plait_sim_set_models(plait_sim* sim, const plait_model* models, size_t count) {
+    return api::with_sim(__func__, sim, [&](Sim& s) -> Status {
+        PLAIT_TRY(api::need(models, "models"));
+        return s.set_models({models, count});
+    });
+}
+
+plait_result plait_sim_get_models(const plait_sim* sim, plait_model* dst, size_t* count) {
+    return api::guard(__func__, [&]() -> Status {
+        PLAIT_TRY(api::need(sim, "sim"));
+        PLAIT_TRY(api::need(count, "count"));
+        const auto models = sim->sim.models();
+        if (dst)
+            std::copy_n(models.begin(), std::min(*count, models.size()), dst);
+        *count = dst ? std::min(*count, models.size()) : models.size();
         return {};
     });
 }

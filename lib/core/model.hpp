@@ -7,6 +7,7 @@
 #include "core/state.hpp"
 
 #include <memory>
+#include <vector>
 
 namespace plait {
 
@@ -24,9 +25,9 @@ struct Substep {
 
 // State in the lane layout.
 struct LaneBuffer {
-    const Buffer* buffer;
-    uint32_t components;
-    LaneLayout layout;
+    const Buffer* buffer = nullptr;
+    uint32_t components = 0;
+    LaneLayout layout{};
 };
 
 class Model {
@@ -36,11 +37,17 @@ class Model {
     // Vertices from the root on that follow it and nothing else.
     virtual uint32_t pinned_vertices() const = 0;
 
-    // Makes the buffers that `params` need and are not there yet, and fills those that depend on
-    // them.
-    virtual Status prepare(Device& device, const plait_sim_params& params) = 0;
-    // Releases those that `params` do not need.
-    virtual void trim(const plait_sim_params& params) = 0;
+    // Makes what `params` need and is not there yet, and fills what depends on them: aside, so that
+    // the model stays as it is until swap() takes it. swap() again gives it back; discard() drops
+    // what swap() would take.
+    virtual Status prepare(Device&, const plait_sim_params&) { return {}; }
+    // The same for the model of every guide strand.
+    virtual Status prepare_models(Device&, Schedule&, const Substep&,
+                                  std::span<const plait_model>) {
+        return Error{PLAIT_INTERNAL, "strands of this model do not switch"};
+    }
+    virtual void swap() noexcept {}
+    virtual void discard() {}
 
     // Appends the stages of one substep; `state.pose` is already that of alpha_to.
     virtual void substep(Schedule& schedule, const Substep& at) = 0;
@@ -56,9 +63,11 @@ class Model {
     // How the rest shape was found, where it was looked for.
     virtual SagReport sag() const { return {}; }
 
-    // The model's own buffers that carry state from step to step.
-    virtual std::span<const LaneBuffer> dynamic() const = 0;
-    virtual uint64_t device_bytes() const = 0;
+    // The model of every guide strand, where strands have one of their own.
+    virtual void read_models(std::span<plait_model>) const {}
+    // Adds the model's own buffers that carry state from step to step.
+    virtual void add_dynamic(std::pmr::vector<LaneBuffer>&) const {}
+    virtual uint64_t device_bytes() const { return 0; }
 };
 
 // What a model is made of besides parameters.

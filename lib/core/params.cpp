@@ -163,6 +163,15 @@ Status check_sim_desc(const plait_sim_desc& s) {
     return check_params(s.params);
 }
 
+Status check_strand_model(const plait_model& model, size_t strand) {
+    const double low = PLAIT_MODEL_CHAIN, high = PLAIT_MODEL_ROD;
+    if (raw(model) >= low && raw(model) <= high)
+        return {};
+    return Error{PLAIT_INVALID_ARGUMENT,
+                 format("models[%zu] is %g, range is [%g, %g] (chain, cosserat, rod)", strand,
+                        raw(model), low, high)};
+}
+
 Status check_strand_stiffness(std::span<const float> scales, size_t guides) {
     if (!scales.empty() && scales.size() != guides)
         return Error{PLAIT_INVALID_ARGUMENT,

@@ -1,12 +1,20 @@
 #include "core/sim.hpp"
 
 #include "base/format.hpp"
+#include "core/params.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace plait {
 namespace {
+
+// Drops what was prepared and not taken, however the call ends.
+struct Discard {
+    Model& model;
+    ~Discard() { model.discard(); }
+};
 
 Status check_size(const Context& context, const Groom& groom, const plait_sim_desc& desc) {
     const double strands = double(groom.shape.strands) * (1 + desc.follows_per_guide);
@@ -41,6 +49,8 @@ Result<SimParts> make_sim_parts(Context& context, const Groom& groom, const plai
     if (!model)
         return model.error();
     PLAIT_TRY((*model)->prepare(device, desc.params));
+    (*model)->swap();
+    (*model)->discard();
     const bool interpolate = desc.interpolate_output != 0;
     auto state = create_state(device, groom, layout, interpolate ? layout.guides : layout.strands(),
                               (*model)->pinned_vertices(), &context.memory);
@@ -160,28 +170,62 @@ void Sim::add_interhair() {
         model_->adopt(schedule_, present());
 }
 
+// All or nothing: what is new is made aside, taken, and given back if its stages cannot run.
 Status Sim::set_params(const plait_sim_params& params) {
+    const Discard discard{*model_};
+    PLAIT_TRY(model_->prepare(device(), params));
     InterHair grid;
     const bool same_grid = grid_.fits(params);
-    PLAIT_TRY(model_->prepare(device(), params));
     if (!same_grid) {
         auto made = InterHair::create(device(), params);
-        if (!made) {
-            model_->trim(desc_.params);
+        if (!made)
             return made.error();
-        }
         grid = std::move(*made);
-        std::swap(grid_, grid);
     }
-    const plait_sim_params before = desc_.params;
-    desc_.params = params;
-    const Status status = check_stages();
-    if (!status) {
-        desc_.params = before;
+    plait_sim_params next = params;
+    const auto exchange = [&] {
+        model_->swap();
+        std::swap(desc_.params, next);
         if (!same_grid)
             std::swap(grid_, grid);
-    }
-    model_->trim(desc_.params);
+    };
+    exchange();
+    const Status status = check_stages();
+    if (!status)
+        exchange();
+    return status;
+}
+
+std::pmr::vector<plait_model> Sim::models() const {
+    std::pmr::vector<plait_model> list(layout_.guides, desc_.model, &context_.memory);
+    model_->read_models(list);
+    return list;
+}
+
+Status Sim::check_models(std::span<const plait_model> models) const {
+    if (desc_.model == PLAIT_MODEL_TRESSFX)
+        return Error{PLAIT_INVALID_STATE,
+                     "the sim is of model 0 (tressfx); strands of the models 1 (chain), 2 "
+                     "(cosserat) and 3 (rod) can be switched"};
+    if (models.size() != layout_.guides)
+        return Error{PLAIT_INVALID_ARGUMENT,
+                     format("count is %zu, the sim has %u guides", models.size(), layout_.guides)};
+    for (size_t i = 0; i < models.size(); ++i)
+        PLAIT_TRY(check_strand_model(models[i], i));
+    return {};
+}
+
+Status Sim::set_models(std::span<const plait_model> models) {
+    PLAIT_TRY(check_models(models));
+    if (std::ranges::equal(models, this->models()))
+        return {};
+    const Discard discard{*model_};
+    schedule_.clear();
+    PLAIT_TRY(model_->prepare_models(device(), schedule_, present(), models));
+    model_->swap();
+    const Status status = check_stages();
+    if (!status)
+        model_->swap();
     return status;
 }
 

@@ -51,6 +51,9 @@ class Sim {
     Status reset();
     Status set_params(const plait_sim_params& params);
     const plait_sim_params& params() const { return desc_.params; }
+    // The model of every guide strand; the same as they have costs nothing.
+    Status set_models(std::span<const plait_model> models);
+    std::pmr::vector<plait_model> models() const;
     Status set_roots(const RootsInput& input);
     Status teleport(const RootsInput& input);
     Status step(double dt);
@@ -98,6 +101,7 @@ class Sim {
     Status prepare_teleport();
     Result<std::pmr::vector<plait_pose>> own_poses(const RootsInput& input);
     Status check_stages();
+    Status check_models(std::span<const plait_model> models) const;
     uint64_t device_bytes();
     Status read_velocity(std::span<float> dst);
     Status write_velocity(const float* src);
@@ -105,12 +109,14 @@ class Sim {
     struct Block {
         const Buffer* buffer;
         size_t floats;
-        const LaneBuffer* lanes; // null: saved as it lies
+        LaneBuffer lanes; // no buffer: saved as it lies
     };
-    std::pmr::vector<Block> blocks(bool kept, const std::array<bool, 4>& own);
+    std::pmr::vector<Block> blocks(bool kept, const std::array<bool, 4>& own_poses);
     SnapshotHeader snapshot_header();
     size_t snapshot_bytes(const SnapshotHeader& header);
     Status check_fits(const SnapshotHeader& header) const;
+    Result<std::pmr::vector<plait_model>> saved_models(const SnapshotHeader& header,
+                                                       const unsigned char* from) const;
     Status restore_roots(const SnapshotHeader& header);
     Status save_block(const Block& block, unsigned char* out);
     Status restore_block(const Block& block, const unsigned char* from);

@@ -1,4 +1,5 @@
-// The dynamic state as bytes: header, colliders, then runs of floats. Little-endian, float32
+// The dynamic state as bytes: header, colliders, the model of every strand where they have been
+// switched, then runs of floats. Little-endian, float32
 // whatever the backend computes in, so that a snapshot of one device restores on another.
 #include "base/format.hpp"
 #include "base/hash.hpp"
@@ -26,7 +27,8 @@ struct SnapshotHeader {
     uint32_t own[4];
     uint32_t aimed;
     uint32_t kept;
-    uint32_t reserved[2];
+    uint32_t switched; // 1: strands are of other models than `model`
+    uint32_t reserved;
 };
 static_assert(sizeof(SnapshotHeader) == 56 + 112 + 32);
 static_assert(sizeof(Colliders::Slot) == 4 * (2 + 9 + 28), "no padding: slots are saved as bytes");
@@ -59,8 +61,9 @@ Status check_header(const SnapshotHeader& h) {
         if (h.own[i] > 1)
             return malformed(format("own[%zu] is %u, range is [0, 1]", i, h.own[i]));
     }
-    if (h.aimed > 1 || h.kept > 1)
-        return malformed(format("aimed is %u, kept is %u, range is [0, 1]", h.aimed, h.kept));
+    if (h.aimed > 1 || h.kept > 1 || h.switched > 1)
+        return malformed(format("aimed is %u, kept is %u, switched is %u, range is [0, 1]", h.aimed,
+                                h.kept, h.switched));
     return {};
 }
 
@@ -99,21 +102,24 @@ std::array<bool, 4> owned(const SnapshotHeader& h) {
 
 } // namespace
 
-// What a snapshot holds, in its order. `kept`: the step before the last; `own`: roots' own poses.
-std::pmr::vector<Sim::Block> Sim::blocks(bool kept, const std::array<bool, 4>& own) {
+// What a snapshot holds, in its order. `kept`: the step before the last; `own_poses`: of roots.
+std::pmr::vector<Sim::Block> Sim::blocks(bool kept, const std::array<bool, 4>& own_poses) {
     const size_t vertices = layout_.guide_vertices();
     std::pmr::vector<Block> list(&context_.memory);
-    list.push_back({&state_.position, 4 * vertices, nullptr});
-    list.push_back({&state_.position_prev, 4 * vertices, nullptr});
-    list.push_back({&state_.position_prev2, 4 * vertices, nullptr});
-    list.push_back({&state_.pose, 4 * state_.pose.count(), nullptr});
-    for (const LaneBuffer& lanes : model_->dynamic())
-        list.push_back({lanes.buffer, vertices * lanes.components, &lanes});
+    list.push_back({&state_.position, 4 * vertices, {}});
+    list.push_back({&state_.position_prev, 4 * vertices, {}});
+    list.push_back({&state_.position_prev2, 4 * vertices, {}});
+    list.push_back({&state_.pose, 4 * state_.pose.count(), {}});
+    std::pmr::vector<LaneBuffer> own(&context_.memory);
+    model_->add_dynamic(own);
+    for (const LaneBuffer& lanes : own)
+        list.push_back({lanes.buffer,
+                        size_t{lanes.layout.strands} * lanes.layout.row * lanes.components, lanes});
     if (kept)
-        list.push_back({&display_.kept(), 4 * vertices, nullptr});
-    for (size_t i = 0; i < own.size(); ++i)
-        if (own[i])
-            list.push_back({&roots_.places()[i]->poses, size_t{8} * layout_.guides, nullptr});
+        list.push_back({&display_.kept(), 4 * vertices, {}});
+    for (size_t i = 0; i < own_poses.size(); ++i)
+        if (own_poses[i])
+            list.push_back({&roots_.places()[i]->poses, size_t{8} * layout_.guides, {}});
     return list;
 }
 
@@ -132,6 +138,8 @@ SnapshotHeader Sim::snapshot_header() {
     h.dropped = clock_.dropped;
     h.aimed = roots_.aimed;
     h.kept = display_.interpolates();
+    const auto strands = models();
+    h.switched = std::ranges::any_of(strands, [&](plait_model m) { return m != desc_.model; });
     const auto places = roots_.places();
     for (size_t i = 0; i < places.size(); ++i) {
         const bool meant = places[i] != places[1] || roots_.aimed; // no target: nothing to keep
@@ -143,6 +151,8 @@ SnapshotHeader Sim::snapshot_header() {
 
 size_t Sim::snapshot_bytes(const SnapshotHeader& h) {
     size_t bytes = sizeof h + h.colliders * sizeof(Colliders::Slot);
+    if (h.switched)
+        bytes += layout_.guides * sizeof(uint32_t);
     for (const Block& block : blocks(h.kept != 0, owned(h)))
         bytes += block.floats * sizeof(float);
     return bytes;
@@ -162,11 +172,34 @@ Status Sim::save(std::span<unsigned char> dst) {
     };
     put(&h, sizeof h);
     put(colliders_.slots().data(), colliders_.slots().size_bytes());
+    if (h.switched)
+        for (const plait_model model : models()) {
+            const auto number = static_cast<uint32_t>(model);
+            put(&number, sizeof number);
+        }
     for (const Block& block : blocks(h.kept != 0, owned(h))) {
         PLAIT_TRY(save_block(block, out));
         out += block.floats * sizeof(float);
     }
     return {};
+}
+
+// The model of every strand, as a snapshot says from `from` on; the sim's own where it says
+// nothing.
+Result<std::pmr::vector<plait_model>> Sim::saved_models(const SnapshotHeader& h,
+                                                        const unsigned char* from) const {
+    std::pmr::vector<plait_model> list(layout_.guides, desc_.model, &context_.memory);
+    if (!h.switched)
+        return list;
+    for (size_t i = 0; i < list.size(); ++i) {
+        uint32_t number;
+        std::memcpy(&number, from + i * sizeof number, sizeof number);
+        if (number < PLAIT_MODEL_CHAIN || number > PLAIT_MODEL_ROD)
+            return malformed(format("the model of strand %zu is %u, range is [%d, %d]", i, number,
+                                    PLAIT_MODEL_CHAIN, PLAIT_MODEL_ROD));
+        list[i] = static_cast<plait_model>(number);
+    }
+    return list;
 }
 
 // A snapshot is of the same groom, model and step; parameters and the rest may differ.
@@ -178,6 +211,8 @@ Status Sim::check_fits(const SnapshotHeader& h) const {
     if (h.model != static_cast<uint32_t>(desc_.model))
         return Error{PLAIT_INVALID_ARGUMENT,
                      format("the snapshot is of model %u, the sim's is %d", h.model, desc_.model)};
+    if (h.switched && desc_.model == PLAIT_MODEL_TRESSFX)
+        return malformed("switched is 1, strands of model 0 do not switch");
     if (h.step != desc_.step || h.substeps != desc_.substeps)
         return Error{PLAIT_INVALID_ARGUMENT,
                      format("the snapshot has steps of %g s in %u substeps, the sim %g s in %u",
@@ -201,12 +236,12 @@ Status Sim::restore_roots(const SnapshotHeader& h) {
 
 // Lanes are saved as [strand][V][components], whatever the tile of this device is.
 Status Sim::save_block(const Block& block, unsigned char* out) {
-    if (!block.lanes)
+    if (!block.lanes.buffer)
         return device().read(*block.buffer, 0,
                              block.floats * sizeof(float) / block.buffer->element_size(), out);
     std::pmr::vector<float> tiled(block.buffer->count(), &context_.memory);
     PLAIT_TRY(device().read(*block.buffer, tiled.data()));
-    for_each_lane_element(block.lanes->layout, block.lanes->components,
+    for_each_lane_element(block.lanes.layout, block.lanes.components,
                           [&](size_t lane, size_t plain) {
                               std::memcpy(out + plain * sizeof(float), &tiled[lane], sizeof(float));
                           });
@@ -214,13 +249,13 @@ Status Sim::save_block(const Block& block, unsigned char* out) {
 }
 
 Status Sim::restore_block(const Block& block, const unsigned char* from) {
-    if (!block.lanes)
+    if (!block.lanes.buffer)
         return device().write(*block.buffer, 0,
                               block.floats * sizeof(float) / block.buffer->element_size(), from);
     std::pmr::vector<float> tiled(block.buffer->count(), &context_.memory);
     PLAIT_TRY(device().read(*block.buffer, tiled.data()));
     for_each_lane_element(
-        block.lanes->layout, block.lanes->components, [&](size_t lane, size_t plain) {
+        block.lanes.layout, block.lanes.components, [&](size_t lane, size_t plain) {
             std::memcpy(&tiled[lane], from + plain * sizeof(float), sizeof(float));
         });
     return device().write(*block.buffer, tiled.data());
@@ -252,8 +287,14 @@ Status Sim::restore(std::span<const unsigned char> src) {
     from += slots.size() * sizeof(Colliders::Slot);
     for (size_t i = 0; i < slots.size(); ++i)
         PLAIT_TRY(check_slot(slots[i], i));
-    const auto list = blocks(h.kept != 0, owned(h));
+    const auto strand_models = saved_models(h, from);
+    if (!strand_models)
+        return strand_models.error();
+    from += h.switched ? layout_.guides * sizeof(uint32_t) : 0;
     PLAIT_TRY(check_finite(from, static_cast<size_t>(src.data() + src.size() - from) / 4));
+    if (*strand_models != models())
+        PLAIT_TRY(set_models(*strand_models));
+    const auto list = blocks(h.kept != 0, owned(h));
     schedule_.clear();
     PLAIT_TRY(colliders_.assign(device(), slots));
     PLAIT_TRY(restore_roots(h));

@@ -95,6 +95,9 @@ void fill(plait_lane_state_params& p, const Shape& shape) {
 void fill(plait_lane_layout_params& p, const Shape& shape) {
     p = {shape.vertices, shape.tile, step};
 }
+void fill(plait_lane_move_params& p, const Shape& shape) {
+    p = {shape.vertices, shape.tile, 3};
+}
 void fill(plait_output_params& p, const Shape& shape) {
     p = {shape.vertices, 0.5f};
 }
@@ -291,6 +294,18 @@ const std::map<std::string, Maker>& makers() {
          [](const Shape& s) {
              return lane_rows<3>(s, {0.1f, 0, 0});
          }},
+        {"lane_strand", [](const Shape& s) { return counting(s.strands); }},
+        {"lane_slot",
+         [](const Shape& s) {
+             Words words;
+             for (uint32_t i = 0; i < s.strands; ++i)
+                 words.insert(words.end(), {s.strands - 1 - i, i});
+             return words;
+         }},
+        {"lane_from", lane_positions},
+        {"lane_to", lane_positions},
+        {"rows", still},
+        {"gathered", zeros},
         {"lane_q", downwards},
         {"lane_q_before", downwards},
         {"words", [](const Shape&) { return Words(size_t{voxels} * slot_capacity); }},

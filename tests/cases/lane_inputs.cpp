@@ -126,6 +126,15 @@ LaneHair make_lane_hair_in_contact(const Size& size, uint32_t seed, float fricti
     return lanes;
 }
 
+std::vector<uint32_t> other_order(uint32_t strands, uint32_t count) {
+    std::vector<uint32_t> list(count);
+    for (uint32_t i = 0; i < count; ++i)
+        list[i] = strands - 1 - i;
+    if (count > 2)
+        std::swap(list[0], list[count / 2]);
+    return list;
+}
+
 plait_lane_params lane_params(const Size& size, uint32_t iterations, uint32_t bdf2) {
     plait_lane_params params = {size.stride, 1, 1.0f / 30, iterations, bdf2, 4, {20, -40, 30},
                                 {9, 8, -7},  0, 0,         0,          0,    0};

@@ -20,6 +20,9 @@ LaneHair make_lane_hair(const Size& size, uint32_t seed);
 LaneHair make_lane_hair_in_contact(const Size& size, uint32_t seed, float friction);
 const std::vector<Size>& contact_sizes();
 
+// `count` different numbers below `strands`, not in order where there is a choice.
+std::vector<uint32_t> other_order(uint32_t strands, uint32_t count);
+
 // A long substep under strong forces, so that 1 % of any of them shows.
 plait_lane_params lane_params(const Size& size, uint32_t iterations, uint32_t bdf2);
 

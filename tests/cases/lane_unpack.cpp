@@ -10,10 +10,18 @@ Case lane_unpack_case() {
         Setup setup;
         setup.name = name_of(size);
         setup.items = lanes.hair.vertices();
-        setup.buffers = {uints(lanes.hair.vertex_count), lane_floats(lanes.x, 3),
-                         lane_floats(lanes.v, 3), float4s(lanes.hair.position),
+        setup.buffers = {null_array(),
+                         uints(lanes.hair.vertex_count),
+                         lane_floats(lanes.x, 3),
+                         lane_floats(lanes.v, 3),
+                         float4s(lanes.hair.position),
                          float4s(lanes.hair.position_prev)};
         result.setups.push_back(setup.with(plait_lane_layout_params{size.stride, 1, 1.0f / 60}));
+        // all strands but one, in another order
+        setup.name += ", reordered";
+        setup.items -= size.stride;
+        setup.buffers[0] = uints(other_order(size.strands, size.strands - 1));
+        result.setups.push_back(setup);
     }
     return result;
 }

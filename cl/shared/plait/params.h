@@ -63,9 +63,9 @@ typedef struct plait_roots_params {
     plait_u32 per_root; /* 0: root_from/root_to are null and not read */
 } plait_roots_params;
 
-/* reset, teleport, tangents, snapshot, stats: stages that need only the layout. */
+/* reset, teleport, tangents, snapshot, stats, gather: stages that need only the layout. */
 typedef struct plait_layout_params {
-    plait_u32 vertex_stride; /* V: vertices per strand row, 2..256 */
+    plait_u32 vertex_stride; /* V: vertices (gather: float4) per strand row, 2..256 */
 } plait_layout_params;
 
 /* integrate: Verlet step and, if global_stiffness > 0, the global shape constraint. */
@@ -193,12 +193,19 @@ typedef struct plait_lane_state_params {
     plait_u32 history; /* 1: BDF2's step before is kept; 0: lane_x_before, lane_v_before are null */
 } plait_lane_state_params;
 
-/* lane_pack, lane_unpack. */
+/* lane_pack, lane_unpack, lane_orient. */
 typedef struct plait_lane_layout_params {
     plait_u32 vertex_stride;
     plait_u32 tile;
-    float h; /* s: position_prev = position - h v (lane_pack, lane_unpack) */
+    float h; /* s: position_prev = position - h v; the step before is h ago (lane_orient) */
 } plait_lane_layout_params;
+
+/* lane_move. */
+typedef struct plait_lane_move_params {
+    plait_u32 vertex_stride;
+    plait_u32 tile;       /* of both buffers */
+    plait_u32 components; /* of a vertex row */
+} plait_lane_move_params;
 
 /* lane_material: per vertex row, components of the lane layout. */
 #define PLAIT_LANE_LENGTH 0  /* l_i of the segment after vertex i, m; 0 past the tip */

@@ -6,16 +6,18 @@ namespace plait::reference {
 void lane_unpack(uint32_t item_count, const plait_lane_layout_params& params,
                  const lane_unpack_args& args) {
     for (size_t item = 0; item < item_count; ++item) {
-        const auto [strand, i] = place(item, params.vertex_stride);
+        const auto [slot, i] = place(item, params.vertex_stride);
+        const size_t strand = strand_of(args.lane_strand, slot);
         if (i >= vertices_of(args.vertex_count, strand, params.vertex_stride))
             continue;
-        const Lane lane(strand, params.vertex_stride, params.tile);
+        const Lane lane(slot, params.vertex_stride, params.tile);
+        const size_t vertex = strand * params.vertex_stride + i;
         const Vec3 root = lane.vector(args.lane_x, 0);
         const Vec3 x = i == 0 ? root : Vec3(root + lane.vector(args.lane_x, i));
         const Vec3 v = i == 0 ? Vec3(Vec3::Zero()) : lane.vector(args.lane_v, i);
-        const double w = args.position[item].w();
-        args.position[item] = with_w(x, w);
-        args.position_prev[item] = with_w(x - params.h * v, w);
+        const double w = args.position[vertex].w();
+        args.position[vertex] = with_w(x, w);
+        args.position_prev[vertex] = with_w(x - params.h * v, w);
     }
 }
 

@@ -17,10 +17,7 @@ class Lane {
     size_t index(size_t row, size_t component, size_t components) const {
         return ((base_ + row) * components + component) * tile_ + lane_;
     }
-    Vec3 vector(const View<const double>& data, size_t row) const {
-        return {data[index(row, 0, 3)], data[index(row, 1, 3)], data[index(row, 2, 3)]};
-    }
-    Vec3 vector(const View<double>& data, size_t row) const {
+    template <typename T> Vec3 vector(const View<T>& data, size_t row) const {
         return {data[index(row, 0, 3)], data[index(row, 1, 3)], data[index(row, 2, 3)]};
     }
     template <typename T> Quat rotation(const View<T>& data, size_t row) const {
@@ -39,6 +36,11 @@ class Lane {
   private:
     size_t base_, tile_, lane_;
 };
+
+// Strand of a lane; where no list is given they lie in order.
+inline size_t strand_of(const View<const uint32_t>& lane_strand, size_t lane) {
+    return lane_strand.size() > 0 ? lane_strand[lane] : lane;
+}
 
 // World position of a strand's root under a pose.
 Vec3 root_of(const View<const Vec4>& rest, const Pose& pose, size_t strand, uint32_t stride);

@@ -100,6 +100,12 @@ size_t Shape::elements(const char* argument) const {
         return tiled_vertices_ * 4;
     if (is("lane_material"))
         return tiled_vertices_ * PLAIT_LANE_MATERIAL_COMPONENTS;
+    if (is("lane_slot"))
+        return 2 * items_;
+    if (is("gathered"))
+        return vertices_;
+    if (is("lane_strand", "rows", "lane_from", "lane_to"))
+        return 0;
     if (is("words"))
         return items_;
     if (is("grid_slot"))

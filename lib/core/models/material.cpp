@@ -70,22 +70,25 @@ LaneRows empty_rows(const LaneLayout& layout, bool loaded, std::pmr::memory_reso
 
 } // namespace
 
-LaneRows lane_rows(const RestStrands& strands, const LaneLayout& layout, const Material& material,
-                   const RestLoad& load, std::pmr::memory_resource* memory) {
+LaneRows lane_rows(const RestStrands& strands, std::span<const uint32_t> members,
+                   const LaneLayout& layout, const Material& material, const RestLoad& load,
+                   std::pmr::memory_resource* memory) {
     const bool loaded = load.mode != PLAIT_SAG_FREE_OFF;
     const Vec3 gravity = Eigen::Vector3f(load.gravity.data()).cast<double>();
     LaneRows rows = empty_rows(layout, loaded, memory);
     Writer writer(rows, layout);
     std::span<const float> positions = strands.positions;
-    for (size_t strand = 0; strand < strands.counts.size(); ++strand) {
+    for (size_t strand = 0, lane = 0; lane < members.size(); ++strand) {
         const size_t floats = size_t{3} * strands.counts[strand];
-        Material own = material;
-        if (!strands.stiffness.empty())
-            own.scale(strands.stiffness[strand]);
-        RestStrand s(positions.first(floats), own, memory);
-        if (loaded)
-            rows.sag.add(remove_sag(s, gravity, load.mode));
-        writer.strand(strand, s);
+        if (members[lane] == strand) {
+            Material own = material;
+            if (!strands.stiffness.empty())
+                own.scale(strands.stiffness[strand]);
+            RestStrand s(positions.first(floats), own, memory);
+            if (loaded)
+                rows.sag.add(remove_sag(s, gravity, load.mode));
+            writer.strand(lane++, s);
+        }
         positions = positions.subspan(floats);
     }
     return rows;

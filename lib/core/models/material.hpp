@@ -36,7 +36,9 @@ struct LaneRows {
     SagReport sag;
 };
 
-LaneRows lane_rows(const RestStrands& strands, const LaneLayout& layout, const Material& material,
-                   const RestLoad& load, std::pmr::memory_resource* memory);
+// `members`: the strands that lie in the layout, in ascending order.
+LaneRows lane_rows(const RestStrands& strands, std::span<const uint32_t> members,
+                   const LaneLayout& layout, const Material& material, const RestLoad& load,
+                   std::pmr::memory_resource* memory);
 
 } // namespace plait

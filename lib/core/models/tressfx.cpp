@@ -25,34 +25,41 @@ class TressFx final : public Model {
     uint32_t pinned_vertices() const override { return pinned; }
     explicit TressFx(const Layout& layout) : layout_(layout) {}
     Status prepare(Device& device, const plait_sim_params& params) override;
-    void trim(const plait_sim_params& params) override;
+    void swap() noexcept override {
+        if (changes_)
+            strand_motion_.swap(next_strand_motion_);
+    }
+    void discard() override;
     void substep(Schedule& schedule, const Substep& at) override;
     void reset(Schedule& schedule, const Substep& at) override;
     void teleport(Schedule& schedule, const Substep& at, const Buffer& pose) override;
-    std::span<const LaneBuffer> dynamic() const override { return {}; }
     uint64_t device_bytes() const override { return strand_motion_.bytes(); }
 
   private:
     void shock(Schedule& schedule, const Substep& at) const;
 
     Layout layout_;
-    Buffer strand_motion_; // float4 [2*guides], only while velocity shock propagation is on
+    // float4 [2*guides], only while velocity shock propagation is on
+    Buffer strand_motion_, next_strand_motion_;
+    bool changes_ = false;
 };
 
 Status TressFx::prepare(Device& device, const plait_sim_params& params) {
-    if (!has_shock(params) || strand_motion_)
-        return {};
-    auto buffer = device.create(PLAIT_ELEMENT_FLOAT4, size_t{PLAIT_MOTION_STRIDE} * layout_.guides,
-                                "strand_motion");
-    if (!buffer)
-        return buffer.error();
-    strand_motion_ = std::move(*buffer);
+    const bool needed = has_shock(params);
+    if (needed && !strand_motion_) {
+        auto buffer = device.create(PLAIT_ELEMENT_FLOAT4,
+                                    size_t{PLAIT_MOTION_STRIDE} * layout_.guides, "strand_motion");
+        if (!buffer)
+            return buffer.error();
+        next_strand_motion_ = std::move(*buffer);
+    }
+    changes_ = needed != bool(strand_motion_);
     return {};
 }
 
-void TressFx::trim(const plait_sim_params& params) {
-    if (!has_shock(params))
-        strand_motion_ = {};
+void TressFx::discard() {
+    next_strand_motion_ = {};
+    changes_ = false;
 }
 
 void integrate(Schedule& schedule, const Substep& at, float global_stiffness) {

@@ -1,0 +1,129 @@
+// Strands of one lane model: the buffers they are in and the stages they take. A sim whose strands
+// are all of one model has one part; after plait_sim_set_models it has one per model in use, each
+// with its strands side by side, so that no lane is spent on a strand of another model.
+#pragma once
+
+#include "core/model.hpp"
+#include "core/models/material.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace plait {
+
+// What every part of a sim is made from.
+struct LaneSource {
+    explicit LaneSource(const ModelInput& input);
+
+    Layout layout; // of the whole sim
+    uint32_t tile;
+    plait_sag_free sag_free;
+    std::pmr::memory_resource* memory;
+    RestStrands strands; // for when the material changes
+};
+
+struct Contact {
+    float rate; // 1/s^2
+    float slip; // m
+};
+
+class LanePart;
+
+// Where a strand is: in which part, and there in which lane.
+struct LanePlace {
+    const LanePart* part;
+    uint32_t lane;
+};
+
+class LanePart {
+  public:
+    using Members = std::pmr::vector<uint32_t>;
+
+    // `members`: strands in ascending order.
+    LanePart(const LaneSource& source, plait_model model, Members members);
+
+    plait_model model() const { return model_; }
+    const Members& members() const { return members_; }
+
+    // Makes the buffers that do not depend on parameters.
+    Status open(Device& device);
+    // Makes what `params` need and is not there yet, aside: swap() takes it, or gives it back.
+    Status prepare(Device& device, const plait_sim_params& params);
+    void swap() noexcept;
+    void discard(); // what swap() would take
+
+    void substep(Schedule& schedule, const Substep& at, const Contact& contact);
+    void publish(Schedule& schedule, const Substep& at) const;
+    void adopt(Schedule& schedule, const Substep& at) const;
+    void reset(Schedule& schedule, const Substep& at);
+    void teleport(Schedule& schedule, const Substep& at, const Buffer& pose);
+
+    // Instead of prepare, for a part that takes its strands from others (lane_switch.cpp): copies
+    // their state. `from`: [guides]. Leaves the others as they are.
+    Status take_over(Device& device, Schedule& schedule, const Substep& at,
+                     std::span<const LanePlace> from);
+
+    const SagReport& sag() const { return fill_.sag; }
+    void add_dynamic(std::pmr::vector<LaneBuffer>& to) const;
+    uint64_t device_bytes() const;
+
+  private:
+    // What parameters decide.
+    struct Fill {
+        Material of{};
+        RestLoad load;
+        SagReport sag;
+        Buffer material, rest, start; // start: where a sag-free strand starts
+    };
+    // BDF2's step before.
+    struct History {
+        Buffer x, v;
+    };
+    // Strands on their way from one part here: pairs of lane there, lane here.
+    struct Moves {
+        Buffer list;
+        uint32_t count;
+    };
+
+    bool whole() const { return members_.size() == source_.layout.guides; }
+    Status make(Device& device, Buffer& to, size_t components, const char* name) const;
+    Status make_lists(Device& device);
+    Material material_of(const plait_sim_params& params) const;
+    RestLoad load_of(const plait_sim_params& params) const;
+    Status make_fill(Device& device, Fill& fill, const Members& members, const Material& material,
+                     const RestLoad& load) const;
+    Status prepare_history(Device& device, const plait_sim_params& params);
+    bool keeps_fill_of(const LanePart& other) const;
+    template <typename Place> Result<Moves> list_moves(Device& device, const Place& place) const;
+    void move(Schedule& schedule, const Moves& moves, uint32_t components, const Buffer& from,
+              const Buffer& to) const;
+    Status fill_arrivals(Device& device, Schedule& schedule, std::span<const LanePlace> from);
+    Status move_from(Device& device, Schedule& schedule, const Substep& at, const LanePart& other,
+                     std::span<const LanePlace> from);
+    // `pose` of this part's strands: itself, or gathered into `own`.
+    const Buffer& gathered(Schedule& schedule, const Buffer& pose, const Buffer& own) const;
+    const Buffer& rest(const Substep& at) const { return whole() ? at.state.rest : own_rest_; }
+    // The strand of a lane; those that fill up the last tile repeat the last strand.
+    uint32_t member(size_t lane) const { return members_[std::min(lane, members_.size() - 1)]; }
+    plait_lane_layout_params layout_params(const Substep& at) const {
+        return {lanes_.row, lanes_.tile, at.h};
+    }
+    plait_lane_state_params state_params() const {
+        return {lanes_.row, lanes_.tile, history_.x ? 1u : 0u};
+    }
+
+    const LaneSource& source_;
+    plait_model model_;
+    Members members_;
+    LaneLayout lanes_;
+    Fill fill_, next_fill_;
+    bool has_next_fill_ = false, has_next_history_ = false;
+    Buffer x_, v_, q_, q_before_;
+    History history_, next_history_;
+    // Of a part that is not the whole sim: its strands, and their rows of what lies in order.
+    Buffer lane_strand_;            // uint [members]
+    Buffer own_rest_;               // float4 [members*V]
+    Buffer own_pose_, own_pose_to_; // float4 [2*members]
+};
+
+} // namespace plait

@@ -1,0 +1,122 @@
+// Strands that change their model: a part of the new model takes them over from the parts they are
+// in, on the device and bit by bit. x and v stay as they are, and so does q between the rods; a
+// strand that was a chain has had none, and gets those of least turn in every joint.
+#include "core/models/lane_part.hpp"
+
+namespace plait {
+
+// Material and rest shape of a strand do not depend on which others are there; a sag-free part's
+// are found anew, with the report on all of them.
+bool LanePart::keeps_fill_of(const LanePart& other) const {
+    return other.model_ == model_ && fill_.load.mode == PLAIT_SAG_FREE_OFF;
+}
+
+// The lanes here whose strand has a place, place(strand, lane&), to come from.
+template <typename Place>
+Result<LanePart::Moves> LanePart::list_moves(Device& device, const Place& place) const {
+    std::pmr::vector<uint32_t> list(source_.memory);
+    for (uint32_t lane = 0, from = 0; lane < lanes_.padded_strands(); ++lane)
+        if (place(member(lane), from))
+            list.insert(list.end(), {from, lane});
+    if (list.empty())
+        return Moves{};
+    auto buffer = device.create(PLAIT_ELEMENT_UINT, list.size(), "lane_slot");
+    if (!buffer)
+        return buffer.error();
+    PLAIT_TRY(device.write(*buffer, list.data()));
+    return Moves{std::move(*buffer), static_cast<uint32_t>(list.size() / 2)};
+}
+
+void LanePart::move(Schedule& schedule, const Moves& moves, uint32_t components, const Buffer& from,
+                    const Buffer& to) const {
+    schedule.add(PLAIT_STAGE_lane_move, moves.count,
+                 plait_lane_move_params{lanes_.row, lanes_.tile, components},
+                 {&moves.list, &from, &to});
+}
+
+// Material and rest shape of the strands whose rows no part has.
+Status LanePart::fill_arrivals(Device& device, Schedule& schedule,
+                               std::span<const LanePlace> from) {
+    Members arrivals(source_.memory);
+    for (const uint32_t strand : members_)
+        if (!keeps_fill_of(*from[strand].part))
+            arrivals.push_back(strand);
+    if (arrivals.empty())
+        return {};
+    Fill fill;
+    PLAIT_TRY(make_fill(device, fill, arrivals, fill_.of, fill_.load));
+    const auto moves = list_moves(device, [&](uint32_t strand, uint32_t& lane) {
+        const auto found = std::lower_bound(arrivals.begin(), arrivals.end(), strand);
+        lane = static_cast<uint32_t>(found - arrivals.begin());
+        return found != arrivals.end() && *found == strand;
+    });
+    if (!moves)
+        return moves.error();
+    fill_.sag = fill.sag;
+    move(schedule, *moves, PLAIT_LANE_MATERIAL_COMPONENTS, fill.material, fill_.material);
+    move(schedule, *moves, 4, fill.rest, fill_.rest);
+    if (fill.start)
+        move(schedule, *moves, 4, fill.start, fill_.start);
+    return schedule.submit(device);
+}
+
+// After the rest rotations are there.
+Status LanePart::move_from(Device& device, Schedule& schedule, const Substep& at,
+                           const LanePart& other, std::span<const LanePlace> from) {
+    const auto moves = list_moves(device, [&](uint32_t strand, uint32_t& lane) {
+        lane = from[strand].lane;
+        return from[strand].part == &other;
+    });
+    if (!moves)
+        return moves.error();
+    if (moves->count == 0)
+        return {};
+    if (keeps_fill_of(other)) {
+        move(schedule, *moves, PLAIT_LANE_MATERIAL_COMPONENTS, other.fill_.material,
+             fill_.material);
+        move(schedule, *moves, 4, other.fill_.rest, fill_.rest);
+    }
+    move(schedule, *moves, 3, other.x_, x_);
+    move(schedule, *moves, 3, other.v_, v_);
+    move(schedule, *moves, 4, other.q_, q_);
+    move(schedule, *moves, 4, other.q_before_, q_before_);
+    if (history_.x) {
+        move(schedule, *moves, 3, other.history_.x, history_.x);
+        move(schedule, *moves, 3, other.history_.v, history_.v);
+    }
+    if (other.model_ == PLAIT_MODEL_CHAIN && model_ != PLAIT_MODEL_CHAIN) {
+        const Buffer& pose = gathered(schedule, at.state.pose, own_pose_);
+        schedule.add(PLAIT_STAGE_lane_orient, moves->count, layout_params(at),
+                     {&moves->list, &pose, &fill_.rest, &x_, &v_, &q_, &q_before_});
+    }
+    return schedule.submit(device);
+}
+
+Status LanePart::take_over(Device& device, Schedule& schedule, const Substep& at,
+                           std::span<const LanePlace> from) {
+    PLAIT_TRY(open(device));
+    fill_.of = material_of(at.params);
+    fill_.load = load_of(at.params);
+    PLAIT_TRY(make(device, fill_.material, PLAIT_LANE_MATERIAL_COMPONENTS, "lane_material"));
+    PLAIT_TRY(make(device, fill_.rest, 4, "lane_rest"));
+    if (fill_.load.mode != PLAIT_SAG_FREE_OFF)
+        PLAIT_TRY(make(device, fill_.start, 4, "lane_start"));
+    if (at.params.bdf2) {
+        PLAIT_TRY(make(device, history_.x, 3, "lane_x_before"));
+        PLAIT_TRY(make(device, history_.v, 3, "lane_v_before"));
+    }
+    if (!whole())
+        schedule.add(PLAIT_STAGE_gather, lanes_.strands, plait_layout_params{lanes_.row},
+                     {&lane_strand_, &at.state.rest, &own_rest_});
+    PLAIT_TRY(schedule.submit(device));
+    PLAIT_TRY(fill_arrivals(device, schedule, from));
+    std::pmr::vector<const LanePart*> others(source_.memory);
+    for (const uint32_t strand : members_)
+        if (std::find(others.begin(), others.end(), from[strand].part) == others.end())
+            others.push_back(from[strand].part);
+    for (const LanePart* other : others)
+        PLAIT_TRY(move_from(device, schedule, at, *other, from));
+    return {};
+}
+
+} // namespace plait
