@@ -225,25 +225,62 @@ ChartRun run_charts(const ChartOptions& options) {
         const std::string path = options.out + "/" + chart.family.name;
         write_text(chart_csv(chart, run.device), path + ".csv");
         run.files.push_back(path + ".csv");
-        if (draw(chart, run.device, options.out))
+        if (draw(figure_of(chart, run.device), options.out))
             run.files.insert(run.files.end(), {path + ".svg", path + ".png"});
     }
     return run;
 }
 
-std::vector<ChartPoint> pareto_front(const std::vector<ChartPoint>& points) {
-    std::vector<ChartPoint> sorted;
-    for (const ChartPoint& point : points)
-        if (point.error > 0 && point.letter != 'N' && point.letter != 'E' && point.letter != 'o')
-            sorted.push_back(point);
-    std::sort(sorted.begin(), sorted.end(), [](const ChartPoint& a, const ChartPoint& b) {
-        return a.cost.ms_per_frame() < b.cost.ms_per_frame();
-    });
-    std::vector<ChartPoint> front;
-    for (const ChartPoint& point : sorted)
-        if (front.empty() || point.error < front.back().error)
-            front.push_back(point);
-    return front;
+namespace {
+
+// Okabe and Ito's colours: told apart by everyone, and in grey.
+const char* colour_of(const std::string& model, size_t index) {
+    if (model == "tressfx")
+        return "#D55E00";
+    if (model == "chain")
+        return "#0072B2";
+    if (model == "cosserat")
+        return "#009E73";
+    if (model == "rod")
+        return "#8E3B8F";
+    constexpr const char* others[] = {"#7F7F7F", "#E69F00", "#56B4E9",
+                                      "#A0522D", "#4D4D4D", "#B8A000"};
+    return others[index % std::size(others)];
+}
+
+// "4×2", and "4×2 b" with BDF2.
+Dot dot_of(const ChartPoint& point) {
+    const Setting& s = point.method.setting;
+    return {point.cost.ms_per_frame(),
+            point.error,
+            point.method.label(),
+            std::to_string(s.substeps) + "×" + std::to_string(s.iterations) + (s.bdf2 ? " b" : ""),
+            point.letter,
+            point.method.model->baseline()};
+}
+
+} // namespace
+
+Figure figure_of(const Chart& chart, const plait_device_info& device) {
+    Figure figure;
+    figure.name = chart.family.name;
+    figure.title = chart.family.title;
+    figure.subtitle = std::string(device.name) + ", " + device.backend;
+    figure.per_strand = chart.segments + 1;
+    figure.floor = chart.floor;
+    figure.left_out = chart.left_out;
+    size_t baselines = 0;
+    for (const ChartPoint& point : chart.points) {
+        const Model& model = *point.method.model;
+        const std::string name = model.label + (model.baseline() ? " (baseline)" : "");
+        if (figure.series.empty() || figure.series.back().name != name) {
+            figure.series.push_back(
+                {name, colour_of(model.label, baselines), model.baseline(), {}});
+            baselines += model.baseline();
+        }
+        figure.series.back().dots.push_back(dot_of(point));
+    }
+    return figure;
 }
 
 std::string chart_csv(const Chart& chart, const plait_device_info& device) {

@@ -3,6 +3,7 @@
 
 #include "accuracy.hpp"
 #include "cost.hpp"
+#include "figure.hpp"
 #include "settings.hpp"
 
 namespace lab {
@@ -47,13 +48,7 @@ struct ChartRun {
 std::vector<Family> read_families(const std::string& file);
 ChartRun run_charts(const ChartOptions& options);
 
-// Points no other point beats in both cost and error, by cost.
-std::vector<ChartPoint> pareto_front(const std::vector<ChartPoint>& points);
-
 std::string chart_csv(const Chart& chart, const plait_device_info& device);
-std::string gnuplot_script(const Chart& chart, const plait_device_info& device,
-                           const std::string& path); // of the picture, without its extension
-// Draws <out>/<family>.svg and .png; false, with a sentence on stderr, where there is no gnuplot.
-bool draw(const Chart& chart, const plait_device_info& device, const std::string& out);
+Figure figure_of(const Chart& chart, const plait_device_info& device);
 
 } // namespace lab

@@ -14,10 +14,9 @@ Exit run(ChartOptions options, const DeviceOptions& device) {
     const ChartRun done = run_charts(options);
     for (const Chart& chart : done.charts) {
         std::printf("%s\n", chart.family.title.c_str());
-        for (const ChartPoint& p : pareto_front(chart.points))
-            std::printf("  %-20s %10.3g L %10.4g ms\n", p.method.label().c_str(), p.error,
-                        p.cost.ms_per_frame());
-        for (const std::string& line : chart.left_out)
+        for (const Dot& dot : front_of(figure_of(chart, done.device)))
+            std::printf("  %-20s %10.3g L %10.4g ms\n", dot.name.c_str(), dot.error, dot.cost);
+        for (const std::string& line : left_out_by_reason(chart.left_out))
             std::printf("  left out: %s\n", line.c_str());
     }
     for (const std::string& file : done.files)

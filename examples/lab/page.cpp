@@ -35,8 +35,10 @@ std::string figures_of(const ChartRun& run, const std::string& prefix) {
         "Crosses on the upper edge failed: N not finite, E energy out of nothing, o off "
         "the scale. Beside each figure lies its table as CSV.\n";
     for (const Chart& chart : run.charts) {
-        text += "\n![" + chart.family.title + "](" + prefix + chart.family.name + ".svg)\n";
-        for (const std::string& line : chart.left_out)
+        const Figure figure = figure_of(chart, run.device);
+        text += "\n![" + figure.title + "](" + prefix + figure.name + ".svg)\n\n" +
+                winners_markdown(figure);
+        for (const std::string& line : left_out_by_reason(figure.left_out))
             text += "\nLeft out: " + line + ".\n";
     }
     return text;

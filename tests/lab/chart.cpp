@@ -31,13 +31,27 @@ TEST(LabChart, costs_are_of_a_sixtieth_second_and_a_million_vertices) {
 }
 
 TEST(LabChart, the_front_is_what_nothing_beats) {
-    const auto front = lab::pareto_front({point("rod", 0.01, 30), point("rod", 0.5, 10),
-                                          point("rod", 0.02, 40), point("rod", 0.001, 90),
-                                          point("rod", 1e-6, 5, 'E'), point("rod", NAN, 1, 'N')});
-    ASSERT_EQ(front.size(), 3u);
+    lab::Chart chart;
+    chart.points = {point("rod", 0.01, 30),   point("rod", 0.5, 10),     point("rod", 0.02, 40),
+                    point("rod", 0.001, 90),  point("verlet", 3e-4, 95), point("rod", 1e-6, 5, 'E'),
+                    point("rod", NAN, 1, 'N')};
+    const lab::Figure figure = lab::figure_of(chart, plait_device_info_defaults());
+    const auto front = lab::front_of(figure);
+    ASSERT_EQ(front.size(), 4u);
     EXPECT_EQ(front[0].error, 0.5);
     EXPECT_EQ(front[1].error, 0.01);
     EXPECT_EQ(front[2].error, 0.001);
+    EXPECT_EQ(front[3].name, "verlet 2x3 BDF2");
+    const std::string table = lab::winners_markdown(figure);
+    EXPECT_THAT(table, HasSubstr("| 10 | rod 2x3 BDF2 | 0.5 | rod 2x3 BDF2 | 0.5 |\n"));
+    EXPECT_THAT(table, HasSubstr("| 95 | verlet 2x3 BDF2 (baseline) | 0.0003 | rod 2x3 BDF2 | "
+                                 "0.001 |\n"));
+}
+
+TEST(LabChart, who_is_left_out_is_said_once_a_reason) {
+    EXPECT_THAT(lab::left_out_by_reason(
+                    {"chain: does not bend", "rk2 64x1: costs 40 s", "pbd: does not bend"}),
+                testing::ElementsAre("chain, pbd: does not bend", "rk2 64x1: costs 40 s"));
 }
 
 TEST(LabChart, failures_are_drawn_on_the_edge) {
@@ -46,8 +60,8 @@ TEST(LabChart, failures_are_drawn_on_the_edge) {
     chart.floor = 0.0023;
     chart.points = {point("rod", 0.01, 30), point("tressfx", NAN, 10, 'N')};
     const auto device = plait_device_info_defaults();
-    const std::string script = lab::gnuplot_script(chart, device, "a/b");
-    EXPECT_THAT(script, AllOf(HasSubstr("A family"), HasSubstr("2×3b N"), HasSubstr("a/b.svg"),
+    const std::string script = lab::gnuplot_script(lab::figure_of(chart, device), "a/b");
+    EXPECT_THAT(script, AllOf(HasSubstr("A family"), HasSubstr("2×3 b N"), HasSubstr("a/b.svg"),
                               HasSubstr("a/b.png"), HasSubstr("0.0023 with lines"),
                               HasSubstr("title 'rod'"), HasSubstr("title 'tressfx'")));
     EXPECT_THAT(script, Not(HasSubstr("nan")));
