@@ -1,6 +1,9 @@
-// plait-lab features, and plait-lab all: the table, the figures, the features, and a page of them.
+// plait-lab features, and plait-lab all: the table, the figures, the features, stability, and a
+// page of them.
 #include "commands.hpp"
 #include "page.hpp"
+
+#include "common/progress.hpp"
 
 #include <cstdio>
 #include <iostream>
@@ -18,26 +21,53 @@ struct Options {
     bool fresh = false;
 };
 
+stability::SweepOptions stability_options(const Options& o) {
+    stability::SweepOptions sweep;
+    sweep.models.clear();
+    for (const Model* model : models_of(o.accuracy.models, true))
+        sweep.models.push_back(model->label);
+    sweep.out = o.out;
+    sweep.fresh = o.fresh;
+    sweep.axes = false;
+    sweep.few_baselines = true;
+    return sweep;
+}
+
+// One after the other, until somebody interrupts.
+Page measure_all(const Options& o) {
+    Page page;
+    page.accuracy = run_accuracy(o.accuracy);
+    std::cout << accuracy_text(page.accuracy) << std::endl;
+    if (!interrupted())
+        page.charts = run_charts(o.charts);
+    for (const std::string& file : page.charts.files)
+        std::printf("wrote %s\n", file.c_str());
+    if (!interrupted())
+        page.features = run_features(o.features);
+    std::cout << features_text(page.features);
+    if (!interrupted()) {
+        const auto options = stability_options(o);
+        Contexts contexts(o.device.backend, o.device.device);
+        page.stability = sweep(options, contexts);
+        page.grid = grid_of(options);
+        print_count(page.stability.rows);
+    }
+    return page;
+}
+
 Exit run_all(Options o) {
     o.accuracy.device = o.charts.device = o.features.device = o.device.device;
     o.accuracy.backend = o.charts.backend = o.features.backend = o.device.backend;
     o.accuracy.out = o.charts.out = o.out;
     o.accuracy.fresh = o.charts.fresh = o.fresh;
     o.charts.models = o.accuracy.models;
-    const AccuracyRun accuracy = run_accuracy(o.accuracy);
-    std::cout << accuracy_text(accuracy) << std::endl;
-    const ChartRun charts = accuracy.interrupted ? ChartRun{} : run_charts(o.charts);
-    const bool stop = accuracy.interrupted || charts.interrupted;
-    const FeatureRun features = stop ? FeatureRun{} : run_features(o.features);
-    std::cout << features_text(features);
-    for (const std::string& file : charts.files)
-        std::printf("wrote %s\n", file.c_str());
+    const Page page = measure_all(o);
     if (o.write.empty())
         return Exit::ok;
-    if (stop)
+    if (interrupted())
         throw Failure(
             "interrupted: no page is written of half a run; the same command takes it up");
-    for (const std::string& file : write_page(o.write, accuracy, charts, features, o.out))
+    for (const std::string& file : write_page(o.write, page, o.out))
         std::printf("wrote %s\n", file.c_str());
     return Exit::ok;
 }
@@ -66,7 +96,7 @@ void add_features(CLI::App& app, Command& chosen) {
 
 void add_all(CLI::App& app, Command& chosen) {
     auto options = std::make_shared<Options>();
-    CLI::App* command = app.add_subcommand("all", "accuracy, chart and features");
+    CLI::App* command = app.add_subcommand("all", "accuracy, chart, features and stability");
     command->add_option("--models", options->accuracy.models, "only these")->delimiter(',');
     command->add_option("--out", options->out, "folder of the results, taken up again")
         ->capture_default_str();

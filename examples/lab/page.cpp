@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <ctime>
 #include <filesystem>
+#include <fstream>
+#include <sstream>
 
 namespace lab {
 
@@ -33,7 +35,8 @@ std::string figures_of(const ChartRun& run, const std::string& prefix) {
     std::string text =
         "\n## Cost against accuracy\n\nMarkers say substeps×iterations, `b` BDF2. "
         "Crosses on the upper edge failed: N not finite, E energy out of nothing, o off "
-        "the scale. Beside each figure lies its table as CSV.\n";
+        "the scale. Below each figure: who is best from which cost on; beside it lies its table as "
+        "CSV.\n";
     for (const Chart& chart : run.charts) {
         const Figure figure = figure_of(chart, run.device);
         text += "\n![" + figure.title + "](" + prefix + figure.name + ".svg)\n\n" +
@@ -42,6 +45,36 @@ std::string figures_of(const ChartRun& run, const std::string& prefix) {
             text += "\nLeft out: " + line + ".\n";
     }
     return text;
+}
+
+std::string features_of(const FeatureRun& run) {
+    return "\n## Each feature alone\n\nMilliseconds per 1/60 s and million vertices; *moves* is "
+           "how far leaving the feature out moves the hair, errors are from the scene's "
+           "reference.\n\n" +
+           features_markdown(run);
+}
+
+std::string stability_of(const Page& page, const std::string& prefix) {
+    return "\n## Stability\n\nEach method in its first setting, baselines at 60 Hz alone, explicit "
+           "ones with as many substeps as they need, up to 1000: " +
+           page.grid +
+           "; seven motions of the root. What the letters mean: [stability](../stability.md). The "
+           "envelope is 60 Hz and above, N ≤ 64, Γ ≥ 1, ≤ 10 g.\n\n" +
+           stability::counts_markdown(page.stability.rows) + "\n![Where each method fails](" +
+           prefix + "stability.png)\n\nEvery trial: [CSV](" + prefix + "stability.csv).\n";
+}
+
+// What people wrote into the page that is there: all between the two marks.
+std::string hand_written(const std::string& file) {
+    std::ifstream stream(file);
+    std::ostringstream all;
+    all << stream.rdbuf();
+    const std::string text = all.str();
+    const size_t begin = text.find(by_hand), end = text.find(by_hand_end);
+    if (begin == text.npos || end == text.npos || end < begin)
+        return "\n";
+    const size_t from = begin + std::string(by_hand).size();
+    return text.substr(from, end - from);
 }
 
 } // namespace
@@ -58,31 +91,31 @@ std::string slug(const std::string& name) {
     return out;
 }
 
-std::vector<std::string> write_page(const std::string& folder, const AccuracyRun& accuracy,
-                                    const ChartRun& charts, const FeatureRun& features,
-                                    const std::string& figures) {
+std::vector<std::string> write_page(const std::string& folder, const Page& page,
+                                    const std::string& out) {
     make_folder(folder);
-    const std::string name = "lab-" + slug(accuracy.device.name);
+    const std::string name = "lab-" + slug(page.accuracy.device.name);
     std::vector<std::string> files{folder + "/" + name + ".md"};
-    for (const Chart& chart : charts.charts)
-        for (const char* kind : {".svg", ".csv"}) {
-            const std::string from = figures + "/" + chart.family.name + kind;
-            const std::string to = folder + "/" + name + "-" + chart.family.name + kind;
-            std::error_code error;
-            std::filesystem::copy_file(from, to, std::filesystem::copy_options::overwrite_existing,
-                                       error);
-            if (!error)
-                files.push_back(to);
-        }
+    const auto publish = [&](const std::string& file) {
+        std::error_code error;
+        const std::string to = folder + "/" + name + "-" + file;
+        std::filesystem::copy_file(out + "/" + file, to,
+                                   std::filesystem::copy_options::overwrite_existing, error);
+        if (!error)
+            files.push_back(to);
+    };
+    for (const Chart& chart : page.charts.charts)
+        for (const char* kind : {".svg", ".csv"})
+            publish(chart.family.name + kind);
+    publish("stability.png");
+    publish("stability.csv");
+    const std::string kept = hand_written(files[0]);
     write_text(
-        head(accuracy.device) +
-            "\n## Accuracy\n\nBold passes its mark, `!` misses it, n/a: the "
-            "model cannot do it.\n\n" +
-            accuracy_markdown(accuracy) + figures_of(charts, name + "-") +
-            "\n## Each feature alone\n\nMilliseconds per 1/60 s and million vertices; *moves* is "
-            "how far leaving the feature out moves the hair, errors are from the scene's "
-            "reference.\n\n" +
-            features_markdown(features),
+        head(page.accuracy.device) + "\n## In words\n\n" + by_hand + kept + by_hand_end +
+            "\n\n## Accuracy\n\nBold passes its mark, `!` misses it, n/a: the "
+            "model cannot do it. Why what misses does: [the laboratory](../lab.md#misses).\n\n" +
+            accuracy_markdown(page.accuracy) + figures_of(page.charts, name + "-") +
+            features_of(page.features) + stability_of(page, name + "-"),
         files[0]);
     return files;
 }

@@ -1,15 +1,28 @@
-// A page of results: device, driver, date, the accuracy table, the figures, the features.
+// A page of results: device, driver, date, the accuracy table, the figures, the features,
+// stability.
 #pragma once
 
 #include "chart.hpp"
 #include "features.hpp"
+#include "stability/search.hpp"
 
 namespace lab {
 
-// Writes <folder>/lab-<device>.md and copies the figures beside it; the files written.
-std::vector<std::string> write_page(const std::string& folder, const AccuracyRun& accuracy,
-                                    const ChartRun& charts, const FeatureRun& features,
-                                    const std::string& figures);
+struct Page {
+    AccuracyRun accuracy;
+    ChartRun charts;
+    FeatureRun features;
+    stability::Sweep stability;
+    std::string grid; // of the stability map
+};
+
+// Writes <folder>/lab-<device>.md and copies the figures of folder `out` beside it; the files
+// written. What stands between by_hand and its end in the page that was there is kept.
+std::vector<std::string> write_page(const std::string& folder, const Page& page,
+                                    const std::string& out);
+
+constexpr const char* by_hand = "<!-- by hand, kept by plait-lab -->";
+constexpr const char* by_hand_end = "<!-- end -->";
 
 std::string slug(const std::string& name); // "Intel(R) Xeon" -> "intel-r-xeon"
 

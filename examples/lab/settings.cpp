@@ -19,13 +19,15 @@ double stiffest(const Scene& scene) {
     return w;
 }
 
+uint32_t substeps_of(const Model& model, double rate, double w) {
+    const double steps = std::ceil(1 / (rate * 0.9 * model.longest_step(w)));
+    return static_cast<uint32_t>(std::clamp(steps, 1.0, 1.0 * most_substeps));
+}
+
 Setting resolved(const Model& model, const Setting& setting, const Scene& scene) {
     Setting own = setting;
-    if (own.substeps == 0) {
-        const double steps = 1 / (scene.rate * 0.9 * model.longest_step(stiffest(scene)));
-        own.substeps =
-            static_cast<uint32_t>(std::clamp(std::ceil(steps), 1.0, 1.0 * most_substeps));
-    }
+    if (own.substeps == 0)
+        own.substeps = substeps_of(model, scene.rate, stiffest(scene));
     return own;
 }
 

@@ -12,8 +12,10 @@ constexpr uint32_t most_substeps = 1000; // the library's own limit
 // Of the scene's stiffest motion, rad/s: a segment's stretch, or bending over two segments.
 double stiffest(const Scene& scene);
 
-// With nothing left to the scene: substeps of an explicit method at 0.9 of the longest step it
-// bears, at most 1000.
+// Of an explicit method at w rad/s and so many steps a second: 0.9 of the longest step it bears.
+uint32_t substeps_of(const Model& model, double rate, double w);
+
+// With nothing left to the scene: as many substeps of an explicit method as it needs, at most 1000.
 Setting resolved(const Model& model, const Setting& setting, const Scene& scene);
 // What a model is run with where the scene asks for nothing: the first of its settings.
 Setting default_setting(const Model& model, const Scene& scene);

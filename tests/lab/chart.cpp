@@ -8,6 +8,8 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <cstring>
+#include <sstream>
 
 using lab::ChartPoint;
 using testing::AllOf;
@@ -86,6 +88,41 @@ TEST(LabChart, families_and_features_of_the_repository_are_valid) {
 
 TEST(LabPage, names_files_after_the_device) {
     EXPECT_EQ(lab::slug("pthread-Intel(R) Xeon(R) CPU"), "pthread-intel-r-xeon-r-cpu");
+}
+
+class LabPages : public TemporaryFolder {
+  protected:
+    static std::string text_of(const std::string& file) {
+        std::ostringstream all;
+        all << std::ifstream(file).rdbuf();
+        return all.str();
+    }
+};
+
+TEST_F(LabPages, keep_what_was_written_by_hand) {
+    lab::Page page;
+    page.accuracy.device = plait_device_info_defaults();
+    std::strcpy(page.accuracy.device.name, "A Device");
+    lab::Chart chart;
+    chart.family.title = "A family";
+    chart.points = {point("rod", 0.01, 30), point("verlet", 0.001, 300)};
+    page.charts.charts = {chart};
+    lab::stability::Row row{{"map", "rod", "1x1", {60, 16, 10}, ""}, "10 g", {}};
+    page.stability.rows = {row};
+    row.outcome.grade = lab::stability::Grade::explosion;
+    page.stability.rows.push_back(row);
+    const std::string file = path("lab-a-device.md");
+    EXPECT_THAT(lab::write_page(path(""), page, path("")),
+                testing::Contains(testing::EndsWith("lab-a-device.md")));
+    std::string text = text_of(file);
+    EXPECT_THAT(text, HasSubstr("| 300 | verlet 2x3 BDF2 (baseline) | 0.001 | rod 2x3 BDF2 |"));
+    EXPECT_THAT(text, HasSubstr("| rod | 2 | 0 | 1 | 0 | 0 | 0 | 0 | 1 | 2 | 1 |"));
+    const std::string mark = lab::by_hand;
+    text.insert(text.find(mark) + mark.size(), "\nOf my own.\n");
+    write("lab-a-device.md", text);
+    lab::write_page(path(""), page, path(""));
+    EXPECT_THAT(text_of(file), HasSubstr(mark + "\nOf my own.\n"));
+    EXPECT_EQ(text_of(file), text);
 }
 
 class LabFeatures : public TemporaryFolder {};

@@ -7,9 +7,11 @@ namespace lab::stability {
 
 namespace {
 
-// Rows of one model's picture from the top: setting, rate, segments; columns: gamma and motion.
+// From the top: method, rate, segments; columns: gamma and motion.
+using Line = std::tuple<size_t, double, uint32_t>; // the first is a place in methods
 struct Picture {
-    std::vector<std::tuple<std::string, double, uint32_t>> lines;
+    std::vector<std::string> methods; // "cosserat 1x3"
+    std::vector<Line> lines;
     std::vector<double> gammas;
     std::map<std::pair<size_t, size_t>, int> cells; // (column, line)
 };
@@ -18,28 +20,36 @@ template <typename T> size_t place_in(const std::vector<T>& all, const T& one) {
     return static_cast<size_t>(std::find(all.begin(), all.end(), one) - all.begin());
 }
 
+// Of one model's map, or of all models' in the order they come.
 Picture picture_of(const std::vector<Row>& rows, const std::string& model) {
     Picture picture;
-    std::set<std::tuple<std::string, double, uint32_t>> lines;
+    std::set<Line> lines;
     std::set<double> gammas;
+    const auto line_of = [&](const Row& row) {
+        const std::string method = row.job.model + " " + row.job.setting;
+        const size_t place = place_in(picture.methods, method);
+        if (place == picture.methods.size())
+            picture.methods.push_back(method);
+        return Line{place, row.job.place.rate, row.job.place.segments};
+    };
+    std::vector<const Row*> shown;
     for (const Row& row : rows)
-        if (row.job.kind == "map" && row.job.model == model) {
-            lines.insert({row.job.setting, row.job.place.rate, row.job.place.segments});
-            gammas.insert(row.job.place.gamma);
-        }
+        if (row.job.kind == "map" && (model.empty() || row.job.model == model))
+            shown.push_back(&row);
+    for (const Row* row : shown) {
+        lines.insert(line_of(*row));
+        gammas.insert(row->job.place.gamma);
+    }
     picture.lines.assign(lines.begin(), lines.end());
     picture.gammas.assign(gammas.begin(), gammas.end());
-    for (const Row& row : rows) {
-        if (row.job.kind != "map" || row.job.model != model)
-            continue;
+    for (const Row* row : shown) {
         size_t motion = 0;
-        while (row.column != shakes()[motion].label)
+        while (row->column != shakes()[motion].label)
             ++motion;
         const size_t column =
-            place_in(picture.gammas, row.job.place.gamma) * (shakes().size() + 1) + motion;
-        const size_t line =
-            place_in(picture.lines, {row.job.setting, row.job.place.rate, row.job.place.segments});
-        picture.cells[{column, line}] = static_cast<int>(row.outcome.grade);
+            place_in(picture.gammas, row->job.place.gamma) * (shakes().size() + 1) + motion;
+        picture.cells[{column, place_in(picture.lines, line_of(*row))}] =
+            static_cast<int>(row->outcome.grade);
     }
     return picture;
 }
@@ -73,12 +83,12 @@ void write_script(const Picture& picture, const std::string& model,
                << static_cast<double>(i * (shakes().size() + 1)) + 3;
     script << ")\nset xlabel 'gamma = rho A g L^3 / EI'\nset ytics (";
     for (size_t i = 0; i < lines; ++i) {
-        const auto& [setting, rate, segments] = picture.lines[i];
-        script << (i ? ", " : "") << "'" << setting << ", " << rate << " Hz, N " << segments << "' "
-               << i;
+        const auto& [method, rate, segments] = picture.lines[i];
+        script << (i ? ", " : "") << "'" << picture.methods[method] << ", " << rate << " Hz, N "
+               << segments << "' " << i;
     }
     script << ") font ',9'\n";
-    const size_t width = 620 + 13 * columns, height = 140 + 14 * lines;
+    const size_t width = 620 + 13 * columns, height = 140 + 14 * lines; // pixels
     const std::string plot = "plot '" + stem.string() +
                              ".dat' using 1:2:(0.5):(0.5):3 with boxxyerror fillcolor palette "
                              "fillstyle solid noborder\n";
@@ -92,16 +102,16 @@ void write_script(const Picture& picture, const std::string& model,
 } // namespace
 
 bool draw_maps(const std::vector<Row>& rows, const std::filesystem::path& folder) {
-    std::set<std::string> models;
+    std::set<std::string> models{""}; // all of them in one picture, called stability
     for (const Row& row : rows)
         if (row.job.kind == "map")
             models.insert(row.job.model);
     bool drawn = true;
     for (const std::string& model : models) {
         const Picture picture = picture_of(rows, model);
-        const std::filesystem::path stem = folder / model;
+        const std::filesystem::path stem = folder / (model.empty() ? "stability" : model);
         write_data(picture, stem.string() + ".dat");
-        write_script(picture, model, stem);
+        write_script(picture, model.empty() ? "All" : model, stem);
         const std::string command = "gnuplot '" + stem.string() + ".gp'";
         drawn = std::system(command.c_str()) == 0 && drawn;
     }

@@ -5,6 +5,7 @@
 #include "../common.hpp"
 #include "sweep.hpp"
 
+#include <array>
 #include <filesystem>
 #include <fstream>
 
@@ -49,9 +50,17 @@ Json to_json(const std::vector<Row>& rows);
 void print_map(const std::vector<Row>& rows);
 void print_axes(const std::vector<Row>& rows);
 // How many of each letter, and how many miss inside the envelope.
+struct Count {
+    std::string model;
+    size_t trials = 0, inside = 0, missed = 0;
+    std::array<size_t, grades> letters{}; // in the order of Grade
+};
+std::vector<Count> count_letters(const std::vector<Row>& rows);
 void print_count(const std::vector<Row>& rows);
+std::string counts_markdown(const std::vector<Row>& rows);
 
-// DIR/MODEL.svg and .png for each model. False where there is no gnuplot.
+// DIR/MODEL.svg and .png for each model, and DIR/stability.svg of all. False where there is no
+// gnuplot.
 bool draw_maps(const std::vector<Row>& rows, const std::filesystem::path& folder);
 
 std::string text_of(double value); // "60", "limp"

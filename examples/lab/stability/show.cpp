@@ -105,35 +105,50 @@ void print_axes(const std::vector<Row>& rows) {
     }
 }
 
-// Per model: how many of each letter, and how many miss where none may.
+std::vector<Count> count_letters(const std::vector<Row>& rows) {
+    std::vector<Count> counts;
+    for (const Row& row : rows) {
+        auto count = std::ranges::find(counts, row.job.model, &Count::model);
+        if (count == counts.end())
+            count = counts.insert(count, Count{row.job.model});
+        ++count->trials;
+        ++count->letters[static_cast<size_t>(row.outcome.grade)];
+        const bool limp_rod = std::isinf(row.job.place.gamma) && bends(row.job.model);
+        const bool in = is_map(row) && !limp_rod && in_envelope(row.job.place, shake_of(row));
+        count->inside += in;
+        count->missed += in && row.outcome.grade != Grade::pass;
+    }
+    return counts;
+}
+
 void print_count(const std::vector<Row>& rows) {
-    std::vector<std::string> models;
-    for (const Row& row : rows)
-        if (std::ranges::find(models, row.job.model) == models.end())
-            models.push_back(row.job.model);
     std::puts(
         "\n              trials      N      E      F      J      s      r      .   inside the "
         "envelope, missed");
-    for (const std::string& model : models) {
-        std::array<size_t, grades> count{};
-        size_t all = 0, inside = 0, missed = 0;
-        for (const Row& row : rows) {
-            if (row.job.model != model)
-                continue;
-            ++all;
-            ++count[static_cast<size_t>(row.outcome.grade)];
-            const bool limp_rod = std::isinf(row.job.place.gamma) && bends(model);
-            const bool in = is_map(row) && !limp_rod && in_envelope(row.job.place, shake_of(row));
-            inside += in;
-            missed += in && row.outcome.grade != Grade::pass;
-        }
-        std::printf("%-14s %5zu", model.c_str(), all);
-        for (const size_t n : count)
+    for (const Count& count : count_letters(rows)) {
+        std::printf("%-14s %5zu", count.model.c_str(), count.trials);
+        for (const size_t n : count.letters)
             std::printf(" %6zu", n);
-        std::printf("   %zu, %zu\n", inside, missed);
+        std::printf("   %zu, %zu\n", count.inside, count.missed);
     }
     std::puts(
         "(the envelope: 60 Hz and above, N <= 64, gamma >= 1 and not limp for rods, <= 10 g)");
+}
+
+std::string counts_markdown(const std::vector<Row>& rows) {
+    std::string text = "| model | trials | N | E | F | J | s | r | pass | inside the envelope | of "
+                       "them missed |\n|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n";
+    const auto cell = [&](size_t n) { text.append(std::to_string(n)).append(" | "); };
+    for (const Count& count : count_letters(rows)) {
+        text.append("| ").append(count.model).append(" | ");
+        cell(count.trials);
+        for (const size_t n : count.letters)
+            cell(n);
+        cell(count.inside);
+        cell(count.missed);
+        text.back() = '\n';
+    }
+    return text;
 }
 
 } // namespace lab::stability

@@ -117,6 +117,7 @@ class Watch {
     void see(const std::vector<Point>& x, const plait_pose& root, double elapsed, bool shaking,
              bool last);
     Outcome outcome() const;
+    bool lost() const { return !finite_; }
 
   private:
     void see_energy(const std::vector<Point>& x, const Turn& root, double elapsed);
@@ -349,6 +350,8 @@ std::vector<Outcome> run(plait_context* context, const Trial& trial) {
         const auto x = scene.read();
         for (size_t s = 0; s < x.size(); ++s)
             watches[s].see(x[s], trial.strands[s].root(time), dt, !settling, time > end - 0.5);
+        if (std::ranges::all_of(watches, &Watch::lost))
+            break;
     }
     std::vector<Outcome> outcomes;
     for (const Watch& watch : watches)

@@ -1,0 +1,29 @@
+// The stability sweep as a whole: planned, done where a run before has not, drawn.
+#pragma once
+
+#include "../models.hpp"
+#include "bad_input.hpp"
+#include "rows.hpp"
+
+namespace lab::stability {
+
+struct SweepOptions {
+    std::vector<std::string> models{"tressfx", "chain", "cosserat", "rod"};
+    std::string out = "out/stability";
+    bool full = false, fresh = false, pictures = true, axes = true;
+    bool few_baselines = false; // at 60 Hz alone: some take a thousand substeps
+};
+
+struct Sweep {
+    std::string device;
+    std::vector<Row> rows;
+    bool interrupted = false;
+};
+
+// Throws Failure on a model's name that is none.
+Sweep sweep(const SweepOptions& options, Contexts& contexts);
+std::vector<std::pair<std::string, Verdict>> try_bad_inputs(const SweepOptions& options,
+                                                            Contexts& contexts);
+std::string grid_of(const SweepOptions& options); // "30, 60, 240 Hz; N 2, ...; Γ ..."
+
+} // namespace lab::stability
