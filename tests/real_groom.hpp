@@ -8,8 +8,8 @@
 
 namespace plait {
 
-// Path of the groom `name` in $PLAIT_GROOMS, by default ../shared/grooms beside the source; "" where
-// there is none, after saying so: the test is then to leave.
+// Path of the groom `name` in $PLAIT_GROOMS, by default ../shared/grooms beside the source; ""
+// where there is none, after saying so: the test is then to leave.
 inline std::string real_groom(const std::string& name) {
     const char* given = std::getenv("PLAIT_GROOMS");
     const std::string folder = given ? given : PLAIT_SOURCE_DIR "/../shared/grooms";

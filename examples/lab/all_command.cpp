@@ -42,6 +42,11 @@ Page measure_all(const Options& o) {
         page.charts = run_charts(o.charts);
     for (const std::string& file : page.charts.files)
         std::printf("wrote %s\n", file.c_str());
+    if (!interrupted()) {
+        Contexts contexts(o.device.backend, o.device.device);
+        page.grid = grid::run_grid(contexts, o.out, o.charts.costs);
+        std::cout << grid::rows_text(page.grid.rows);
+    }
     if (!interrupted())
         page.features = run_features(o.features);
     std::cout << features_text(page.features);
@@ -49,7 +54,7 @@ Page measure_all(const Options& o) {
         const auto options = stability_options(o);
         Contexts contexts(o.device.backend, o.device.device);
         page.stability = sweep(options, contexts);
-        page.grid = grid_of(options);
+        page.places = grid_of(options);
         print_count(page.stability.rows);
     }
     return page;

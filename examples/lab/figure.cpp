@@ -115,7 +115,10 @@ Axes axes_of(const Figure& figure) {
     }
     axes.y.take(figure.floor);
     axes.x = {axes.x.least / 1.5, axes.x.most * 1.9};
-    axes.y = {std::pow(10, std::floor(std::log10(std::min(axes.y.least, 0.01) / 1.5))), top};
+    axes.y = {
+        std::pow(10, std::floor(std::log10(
+                         (figure.bands ? std::min(axes.y.least, 0.01) : axes.y.least) / 1.5))),
+        top};
     return axes;
 }
 

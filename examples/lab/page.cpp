@@ -54,10 +54,22 @@ std::string features_of(const FeatureRun& run) {
            features_markdown(run);
 }
 
+std::string grid_of(const grid::GridRun& run, const std::string& prefix) {
+    if (run.rows.empty())
+        return "";
+    return "\n## Between strands\n\nRows 23 to 25 are of the [grid](../stages/grid_slots.md) "
+           "alone, "
+           "the same for every model; its cost is of one step of 100,000 vertices, and its error "
+           "from the field they move with, each strand at a velocity of its own "
+           "besides.\n\n" +
+           grid::rows_markdown(run.rows) + "\n![" + run.figure.title + "](" + prefix +
+           "grid.svg)\n\n" + winners_markdown(run.figure);
+}
+
 std::string stability_of(const Page& page, const std::string& prefix) {
     return "\n## Stability\n\nEach method in its first setting, baselines at 60 Hz alone, explicit "
            "ones with as many substeps as they need, up to 1000: " +
-           page.grid +
+           page.places +
            "; seven motions of the root. What the letters mean: [stability](../stability.md). The "
            "envelope is 60 Hz and above, N ≤ 64, Γ ≥ 1, ≤ 10 g.\n\n" +
            stability::counts_markdown(page.stability.rows) + "\n![Where each method fails](" +
@@ -107,7 +119,8 @@ std::vector<std::string> write_page(const std::string& folder, const Page& page,
     for (const Chart& chart : page.charts.charts)
         for (const char* kind : {".svg", ".csv"})
             publish(chart.family.name + kind);
-    publish("stability.png");
+    for (const char* file : {"grid.svg", "grid.csv", "stability.png"})
+        publish(file);
     publish("stability.csv");
     const std::string kept = hand_written(files[0]);
     write_text(
@@ -115,7 +128,8 @@ std::vector<std::string> write_page(const std::string& folder, const Page& page,
             "\n\n## Accuracy\n\nBold passes its mark, `!` misses it, n/a: the "
             "model cannot do it. Why what misses does: [the laboratory](../lab.md#misses).\n\n" +
             accuracy_markdown(page.accuracy) + figures_of(page.charts, name + "-") +
-            features_of(page.features) + stability_of(page, name + "-"),
+            grid_of(page.grid, name + "-") + features_of(page.features) +
+            stability_of(page, name + "-"),
         files[0]);
     return files;
 }

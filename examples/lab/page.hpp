@@ -4,6 +4,7 @@
 
 #include "chart.hpp"
 #include "features.hpp"
+#include "grid/grid.hpp"
 #include "stability/search.hpp"
 
 namespace lab {
@@ -13,7 +14,8 @@ struct Page {
     ChartRun charts;
     FeatureRun features;
     stability::Sweep stability;
-    std::string grid; // of the stability map
+    std::string places; // of the stability map
+    grid::GridRun grid;
 };
 
 // Writes <folder>/lab-<device>.md and copies the figures of folder `out` beside it; the files

@@ -21,8 +21,10 @@ constexpr Need needs[] = {
     {"twist", "has no twist", [](const Model& m) { return m.twists; }},
     {"equal_masses", "has half a mass at the tip, the reference has not",
      [](const Model& m) { return !m.half_tip; }},
-    {"free_root", "every root is held", [](const Model&) { return false; }},
-    {"tip_clamp", "no tip can be clamped", [](const Model&) { return false; }},
+    {"free_root", "every root is held; tests/unit/rod_energy.cpp measures its energy",
+     [](const Model&) { return false; }},
+    {"tip_clamp", "no tip can be clamped; tests/unit/rod_energy.cpp measures its energy",
+     [](const Model&) { return false; }},
 };
 
 const Need* find_need(const std::string& name) {

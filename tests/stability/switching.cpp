@@ -46,8 +46,8 @@ float length_of(const std::vector<Vec3>& points) {
 float worst_distance(const Points& a, const Points& b) {
     float worst = 0;
     for (size_t i = 0; i < a.size(); ++i)
-        worst = std::max(worst,
-                         std::hypot(a[i][0] - b[i][0], a[i][1] - b[i][1], a[i][2] - b[i][2]));
+        worst =
+            std::max(worst, std::hypot(a[i][0] - b[i][0], a[i][1] - b[i][1], a[i][2] - b[i][2]));
     return worst;
 }
 
@@ -72,13 +72,14 @@ class Switch : public testing::TestWithParam<std::pair<plait_model, plait_model>
     float accuracy() const { return to == cosserat ? 3e-4f : 1e-5f; }
 };
 
-INSTANTIATE_TEST_SUITE_P(
-    Models, Switch,
-    testing::Values(std::pair{chain, cosserat}, std::pair{chain, rod}, std::pair{cosserat, chain},
-                    std::pair{cosserat, rod}, std::pair{rod, chain}, std::pair{rod, cosserat}),
-    [](const auto& pair) {
-        return std::string(names[pair.param.first]) + "_to_" + names[pair.param.second];
-    });
+INSTANTIATE_TEST_SUITE_P(Models, Switch,
+                         testing::Values(std::pair{chain, cosserat}, std::pair{chain, rod},
+                                         std::pair{cosserat, chain}, std::pair{cosserat, rod},
+                                         std::pair{rod, chain}, std::pair{rod, cosserat}),
+                         [](const auto& pair) {
+                             return std::string(names[pair.param.first]) + "_to_" +
+                                    names[pair.param.second];
+                         });
 
 // In the fall and at rest. Bending that a chain did not have pulls at once; what it does to a hair
 // limp as a thread is the most: measured 40 m/s^2 straight, 104 curled, where a chain that goes on
@@ -104,9 +105,9 @@ TEST_P(Switch, settles_where_a_strand_of_the_model_does) {
         become(strand, to);
         strand.run(20);
         other.run(20.5);
-        EXPECT_LT(worst_distance(strand.read(PLAIT_FIELD_POSITION),
-                                 other.read(PLAIT_FIELD_POSITION)),
-                  accuracy() * length_of(points));
+        EXPECT_LT(
+            worst_distance(strand.read(PLAIT_FIELD_POSITION), other.read(PLAIT_FIELD_POSITION)),
+            accuracy() * length_of(points));
     }
 }
 
@@ -169,9 +170,9 @@ TEST(Switching, there_and_back_is_calm) {
         strand.run(20);
         OneStrand other(straight(level), desc_of(chain));
         other.run(20);
-        EXPECT_LT(worst_distance(strand.read(PLAIT_FIELD_POSITION),
-                                 other.read(PLAIT_FIELD_POSITION)),
-                  1e-5f * level.length);
+        EXPECT_LT(
+            worst_distance(strand.read(PLAIT_FIELD_POSITION), other.read(PLAIT_FIELD_POSITION)),
+            1e-5f * level.length);
     }
 }
 
@@ -227,8 +228,8 @@ TEST_P(Switch, adds_no_energy_but_the_new_models_elastic_one) {
             strand.step();
             most = std::max(most, hair.mechanical(strand, to));
         }
-        EXPECT_LT(most - begin, elastic + (to == chain ? 0 : stored) +
-                                    2e-3 * hair.weight_by_length())
+        EXPECT_LT(most - begin,
+                  elastic + (to == chain ? 0 : stored) + 2e-3 * hair.weight_by_length())
             << "after " << at << " s";
     }
 }

@@ -58,9 +58,8 @@ void add_map(std::vector<Work>& work, const Model& model, const Setting& setting
     const std::vector<double> none{limp};
     const bool bends = subject_of(model, setting, Place{}, contexts).bends();
     const bool full = options.full;
-    for (const double rate : model.baseline() && options.few_baselines
-                                 ? std::vector<double>{60}
-                                 : rates(full))
+    for (const double rate :
+         model.baseline() && options.few_baselines ? std::vector<double>{60} : rates(full))
         for (const uint32_t segments : segment_counts(full))
             for (const double gamma : bends ? gammas(full) : none) {
                 const Place place{rate, segments, gamma};
@@ -150,7 +149,8 @@ std::string grid_of(const SweepOptions& options) {
            list(gammas(options.full));
 }
 
-std::vector<std::pair<std::string, Verdict>> try_bad_inputs(const SweepOptions& options, Contexts& contexts) {
+std::vector<std::pair<std::string, Verdict>> try_bad_inputs(const SweepOptions& options,
+                                                            Contexts& contexts) {
     std::vector<std::pair<std::string, Verdict>> verdicts;
     for (const std::string& label : options.models) {
         const Model& model = *find_model(label);
