@@ -21,17 +21,20 @@ bool same(const plait_pose& a, const plait_pose& b) {
     return std::memcmp(&a, &b, sizeof a) == 0;
 }
 
-void pack(const Colliders::Slot& slot, float* out) {
-    const plait_pose* poses[2] = {&slot.from, &slot.to};
-    for (const plait_pose* pose : poses) {
+// The path from `begin` to `end`; returns where the next capsule goes.
+float* pack(const Colliders::Slot& slot, const plait_pose& begin, const plait_pose& end,
+            float* out) {
+    for (const plait_pose* pose : {&begin, &end}) {
         transform(*pose, slot.a, out);
         out[3] = slot.radius_a;
         transform(*pose, slot.b, out + 4);
         out[7] = slot.radius_b;
         out += 8;
     }
-    std::fill_n(out, 4, 0.0f);
-    out[0] = slot.friction;
+    turn(begin, end, out);
+    std::fill_n(out + 4, 4, 0.0f);
+    out[4] = slot.friction;
+    return out + 8;
 }
 
 } // namespace
@@ -45,11 +48,11 @@ Result<Colliders::Slot*> Colliders::find(plait_collider_id id) {
                                          static_cast<unsigned long long>(id.value))};
 }
 
-// Room for `count` capsules on the device; doubles, so that adding many is cheap.
+// Room for the paths of `count` colliders on the device; doubles, so that adding many is cheap.
 Status Colliders::reserve(Device& device, size_t count) {
-    if (buffer_.count() >= count * PLAIT_CAPSULE_STRIDE)
+    if (buffer_.count() >= capsules(count) * PLAIT_CAPSULE_STRIDE)
         return {};
-    const size_t room = std::max(count, buffer_.count() / PLAIT_CAPSULE_STRIDE * 2);
+    const size_t room = std::max(capsules(count), buffer_.count() / PLAIT_CAPSULE_STRIDE * 2);
     packed_.reserve(room * capsule_floats);
     auto buffer = device.create(PLAIT_ELEMENT_FLOAT4, room * PLAIT_CAPSULE_STRIDE, "capsule");
     if (!buffer)
@@ -106,14 +109,14 @@ Status Colliders::begin_step(Device& device, double end) {
     }
     if (uploaded_ || count_ == 0)
         return {};
-    packed_.resize(count_ * capsule_floats);
+    packed_.resize(capsules(count_) * capsule_floats);
     float* out = packed_.data();
-    for (const Slot& slot : slots_)
-        if (slot.alive) {
-            pack(slot, out);
-            out += capsule_floats;
-        }
-    PLAIT_TRY(device.write(buffer_, 0, size_t{count_} * PLAIT_CAPSULE_STRIDE, packed_.data()));
+    for (uint32_t i = 0; i < substeps_; ++i) // as the roots go
+        for (const Slot& slot : slots_)
+            if (slot.alive)
+                out = pack(slot, interpolate(slot.from, slot.to, double(i) / substeps_),
+                           interpolate(slot.from, slot.to, double(i + 1) / substeps_), out);
+    PLAIT_TRY(device.write(buffer_, 0, packed_.size() / 4, packed_.data()));
     uploaded_ = true;
     return {};
 }

@@ -11,14 +11,15 @@ namespace plait {
 
 class Colliders {
   public:
-    explicit Colliders(std::pmr::memory_resource* memory) : slots_(memory), packed_(memory) {}
+    Colliders(uint32_t substeps, std::pmr::memory_resource* memory)
+        : substeps_(substeps), slots_(memory), packed_(memory) {}
 
     Result<plait_collider_id> create(Device& device, const plait_collider_desc& desc);
     Status set_pose(plait_collider_id id, const plait_pose& pose);
     Status destroy(plait_collider_id id);
 
     uint32_t count() const { return count_; }
-    const Buffer& capsules() const { return buffer_; } // float4 [5*count]
+    const Buffer& capsules() const { return buffer_; } // float4 [substeps][count][6]
 
     // As Roots: the step's path ends at share `end` of the call's. Uploads what moved.
     Status begin_step(Device& device, double end);
@@ -42,7 +43,9 @@ class Colliders {
   private:
     Result<Slot*> find(plait_collider_id id);
     Status reserve(Device& device, size_t count);
+    size_t capsules(size_t count) const { return count * substeps_; }
 
+    uint32_t substeps_;
     std::pmr::vector<Slot> slots_;
     std::pmr::vector<float> packed_; // scratch for uploads
     uint32_t count_ = 0;

@@ -18,9 +18,8 @@ struct Substep {
     const plait_sim_params& params;
     const Buffer& capsules;
     uint32_t collider_count;
-    float h;          // s
-    float alpha_from; // of the fixed step, where the substep begins, [0, 1]
-    float alpha_to;   // and where it ends
+    uint32_t collider_first; // in `capsules`, of this substep
+    float h;                 // s
 };
 
 // State in the lane layout.

@@ -2,6 +2,7 @@
 
 #include "base/format.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 
@@ -43,6 +44,19 @@ plait_pose interpolate(const plait_pose& from, const plait_pose& to, double shar
     for (size_t i = 0; i < 3; ++i)
         pose.t[i] = static_cast<float>((1 - share) * from.t[i] + share * to.t[i]);
     return pose;
+}
+
+void turn(const plait_pose& from, const plait_pose& to, float out[4]) {
+    const double a[4] = {to.q[0], to.q[1], to.q[2], to.q[3]};
+    const double b[4] = {-from.q[0], -from.q[1], -from.q[2], from.q[3]};
+    const double q[4] = {a[3] * b[0] + a[0] * b[3] + a[1] * b[2] - a[2] * b[1],
+                         a[3] * b[1] + a[1] * b[3] + a[2] * b[0] - a[0] * b[2],
+                         a[3] * b[2] + a[2] * b[3] + a[0] * b[1] - a[1] * b[0],
+                         a[3] * b[3] - a[0] * b[0] - a[1] * b[1] - a[2] * b[2]};
+    const bool equal = std::equal(from.q, from.q + 4, to.q);
+    const double norm = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+    for (size_t i = 0; i < 4; ++i)
+        out[i] = equal ? identity_pose.q[i] : static_cast<float>(q[i] / norm);
 }
 
 void transform(const plait_pose& pose, const float p[3], float out[3]) {

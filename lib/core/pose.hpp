@@ -16,6 +16,10 @@ Result<plait_pose> checked_pose(const plait_pose& pose, const char* name);
 // Normalised linear blend of the rotations along the shorter arc, linear blend of translations.
 plait_pose interpolate(const plait_pose& from, const plait_pose& to, double share);
 
+// The unit quaternion, x y z w, that turns the orientation of `from` into that of `to`; exactly
+// the identity for equal ones.
+void turn(const plait_pose& from, const plait_pose& to, float out[4]);
+
 // q*p + t
 void transform(const plait_pose& pose, const float p[3], float out[3]);
 

@@ -78,7 +78,7 @@ Sim::Sim(Context& context, SimParts parts)
     : context_(context), layout_(parts.layout), desc_(parts.desc), cube_(parts.cube),
       skin_(std::move(parts.skin)), model_(std::move(parts.model)), state_(std::move(parts.state)),
       grid_(std::move(parts.grid)), display_(std::move(parts.display)),
-      roots_(layout_, &context.memory), colliders_(&context.memory),
+      roots_(layout_, &context.memory), colliders_(desc_.substeps, &context.memory),
       clock_(desc_.step, desc_.max_steps_per_call) {}
 
 Sim::~Sim() {
@@ -149,17 +149,20 @@ Status Sim::fixed_step(double end, bool keep) {
     return {};
 }
 
-Substep Sim::at(float alpha_from, float alpha_to) const {
-    return {layout_,          state_,     desc_.params, colliders_.capsules(), colliders_.count(),
-            substep_length(), alpha_from, alpha_to};
+Substep Sim::at(uint32_t substep) const {
+    return {layout_,
+            state_,
+            desc_.params,
+            colliders_.capsules(),
+            colliders_.count(),
+            substep * colliders_.count(),
+            substep_length()};
 }
 
 void Sim::add_substep(uint32_t index) {
-    const auto substeps = static_cast<float>(desc_.substeps);
-    const float from = static_cast<float>(index) / substeps;
-    const float to = static_cast<float>(index + 1) / substeps;
-    roots_.pose_in_step(schedule_, to, state_.pose);
-    model_->substep(schedule_, at(from, to));
+    const float share = static_cast<float>(index + 1) / static_cast<float>(desc_.substeps);
+    roots_.pose_in_step(schedule_, share, state_.pose);
+    model_->substep(schedule_, at(index));
 }
 
 void Sim::add_interhair() {

@@ -93,8 +93,8 @@ class Sim {
 
     Status submit();
     Status fixed_step(double end, bool keep);
-    Substep at(float alpha_from, float alpha_to) const;
-    Substep present() const { return at(1, 1); } // between steps
+    Substep at(uint32_t substep) const;
+    Substep present() const { return at(desc_.substeps - 1); } // between steps
     void add_substep(uint32_t index);
     void add_interhair();
     Status refresh();

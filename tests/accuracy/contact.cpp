@@ -2,6 +2,7 @@
 // nothing that passes through, nothing that bursts. Bars and measured values: docs/models.
 #include "stability/one_strand.hpp"
 
+#include <cstdio>
 #include <ostream>
 
 namespace plait::test {
@@ -170,6 +171,74 @@ TEST_P(Contact, moving_surface_drags_hair_along) {
         else
             EXPECT_LT(most, 0.001f);
     }
+}
+
+// Turned by `angle` about the direction `axis` through the point `through`.
+plait_pose turned(Vec3 axis, float angle, Vec3 through) {
+    const float s = std::sin(angle / 2), c = std::cos(angle);
+    const float along = axis[0] * through[0] + axis[1] * through[1] + axis[2] * through[2];
+    const Vec3 across = {axis[1] * through[2] - axis[2] * through[1],
+                         axis[2] * through[0] - axis[0] * through[2],
+                         axis[0] * through[1] - axis[1] * through[0]};
+    plait_pose pose = {{axis[0] * s, axis[1] * s, axis[2] * s, std::cos(angle / 2)}, {}};
+    for (size_t i = 0; i < 3; ++i)
+        pose.t[i] =
+            through[i] - (c * through[i] + std::sin(angle) * across[i] + (1 - c) * along * axis[i]);
+    return pose;
+}
+
+// Over a bar that spins towards the root, hair is hauled up by so much as the surface moves, 25 mm,
+// less what it slips.
+TEST_P(Contact, spinning_surface_drags_hair_along) {
+    for (const float friction : {0.0f, 1.0f}) {
+        OneStrand strand({17, length, {1.0f, 0.0f, 0.0f}}, desc());
+        const Vec3 axis = {0.1f, -0.1f, 0.0f};
+        const auto bar =
+            add_capsule(strand, {0.1f, -0.1f, -1.0f}, {0.1f, -0.1f, 1.0f}, 0.05f, friction);
+        strand.run(3.0);
+        const auto before = strand.read(PLAIT_FIELD_POSITION);
+        for (int i = 1; i <= 30; ++i) {
+            const plait_pose pose =
+                turned({0.0f, 0.0f, 1.0f}, 0.5f * static_cast<float>(i) / 30, axis);
+            PLAIT_EXPECT(plait_collider_set_pose(strand.sim(), bar, &pose));
+            strand.step();
+        }
+        const double moved = largest_move(before, strand.read(PLAIT_FIELD_POSITION));
+        std::printf("friction %g: moved %.2g m\n", double(friction), moved);
+        if (friction > 0.0f)
+            EXPECT_GT(moved, 0.01);
+        else
+            EXPECT_LT(moved, 1e-3);
+    }
+}
+
+// Hair along a skull that turns as fast as heads do, half a metre off the axis: it is carried, not
+// rubbed, and the skull it grows from does not come between.
+TEST_P(Contact, turning_head_does_not_stretch_its_hair) {
+    double stretch[2] = {};
+    for (const bool skull : {false, true}) {
+        plait_sim_desc with = desc();
+        with.params.gravity[1] = 0;
+        std::vector<Vec3> points(17);
+        for (size_t i = 0; i < points.size(); ++i)
+            points[i] = {0.5f, 0.1002f, 0.0004f * static_cast<float>(i)};
+        OneStrand strand(points, with);
+        plait_collider_id ball{};
+        if (skull)
+            ball = add_capsule(strand, {0.5f, 0.0f, 0.0f}, {0.5f, 0.0f, 0.0f}, 0.1f, 0.5f);
+        for (int i = 1; i <= 60; ++i) {
+            plait_roots roots = plait_roots_defaults();
+            roots.head =
+                turned({0.0f, 1.0f, 0.0f}, 0.5f * std::sin(0.15f * static_cast<float>(i)), {});
+            PLAIT_EXPECT(plait_sim_set_roots(strand.sim(), &roots));
+            if (skull)
+                PLAIT_EXPECT(plait_collider_set_pose(strand.sim(), ball, &roots.head));
+            strand.step();
+            stretch[skull] = std::max(stretch[skull], double(strand.stats().max_stretch));
+        }
+    }
+    std::printf("stretch %.2g, with the skull %.2g\n", stretch[0], stretch[1]);
+    EXPECT_LT(stretch[1], stretch[0] + 1e-2);
 }
 
 // ---- what must not pass, and not burst

@@ -56,7 +56,7 @@ void fill(plait_length_params& p, const Shape& shape) {
     p = {shape.vertices, 2};
 }
 void fill(plait_collide_params& p, const Shape& shape) {
-    p = {shape.vertices, colliders, 0, 1};
+    p = {shape.vertices, colliders, 0};
 }
 void fill(plait_clamp_params& p, const Shape& shape) {
     p = {shape.vertices, 0.01f};
@@ -86,8 +86,7 @@ void fill(plait_grid_params& p, const Shape& shape) {
     p.diffuse_floor = 0.5f;
 }
 void fill(plait_lane_params& p, const Shape& shape) {
-    p = {shape.vertices, shape.tile, step, 3, 0,    1,    {0, -9.81f, 0},
-         {0, 0, 0},      0,          0,    1, 3e6f, 1e-6f};
+    p = {shape.vertices, shape.tile, step, 3, 0, 1, {0, -9.81f, 0}, {0, 0, 0}, 0, 0, 3e6f, 1e-6f};
 }
 void fill(plait_lane_state_params& p, const Shape& shape) {
     p = {shape.vertices, shape.tile, 0};
@@ -161,6 +160,7 @@ Words capsules() {
             append(words, x, 0, 0, head_radius / 2);
             append(words, x, -0.1f, 0, head_radius / 4);
         }
+        append(words, 0, 0, 0, 1);
         append(words, 0.3f, 0, 0, 0);
     }
     return words;

@@ -101,7 +101,21 @@ void add_capsule(LaneHair& lanes, Random& random, size_t vertex, double gap, flo
         for (const double side : {-1.0, 1.0})
             append(lanes.capsules,
                    with_radius(sum(at, across, 0.04 * side), radius - 0.005 * side));
+    append(lanes.capsules, small_turn(random, 0.3));
     append(lanes.capsules, std::array<double, 4>{double(friction), 0, 0, 0});
+}
+
+// All strands inside: what a kernel meets that reads the capsules of the substep before.
+std::vector<float> capsules_of_two_substeps(const std::vector<float>& capsules) {
+    std::vector<float> both;
+    for (size_t i = 0; i < capsules.size(); i += size_t{4} * PLAIT_CAPSULE_STRIDE) {
+        for (int sphere = 0; sphere < 4; ++sphere)
+            append(both, with_radius({0, 0, 0}, 9));
+        append(both, Quat{0, 0, 0, 1});
+        append(both, Quat{0, 0, 0, 0});
+    }
+    both.insert(both.end(), capsules.begin(), capsules.end());
+    return both;
 }
 
 } // namespace
@@ -136,10 +150,8 @@ std::vector<uint32_t> other_order(uint32_t strands, uint32_t count) {
 }
 
 plait_lane_params lane_params(const Size& size, uint32_t iterations, uint32_t bdf2) {
-    plait_lane_params params = {size.stride, 1, 1.0f / 30, iterations, bdf2, 4, {20, -40, 30},
-                                {9, 8, -7},  0, 0,         0,          0,    0};
-    params.alpha_from = 0.3f;
-    params.alpha_to = 0.8f;
+    plait_lane_params params = {size.stride,   1,          1.0f / 30, iterations, bdf2, 4,
+                                {20, -40, 30}, {9, 8, -7}, 0,         0,          0,    0};
     params.contact_rate = 3e5f; // what starts inside is pushed out by millimetres
     params.contact_slip = 0.03f;
     return params;
@@ -155,7 +167,8 @@ Setup lane_setup(const Size& size, const LaneHair& lanes, const plait_lane_param
                      lane_floats(lanes.material, PLAIT_LANE_MATERIAL_COMPONENTS)};
     if (bends)
         setup.buffers.push_back(lane_floats(lanes.rest, 4));
-    setup.buffers.push_back(!lanes.capsules.empty() ? float4s(lanes.capsules) : null_array());
+    setup.buffers.push_back(
+        lanes.capsules.empty() ? null_array() : float4s(capsules_of_two_substeps(lanes.capsules)));
     setup.buffers.push_back(lane_floats(lanes.x, 3));
     setup.buffers.push_back(lane_floats(lanes.v, 3));
     if (bends) {
@@ -166,7 +179,8 @@ Setup lane_setup(const Size& size, const LaneHair& lanes, const plait_lane_param
     setup.buffers.push_back(lane_floats(lanes.x_before, 3));
     setup.buffers.push_back(lane_floats(lanes.v_before, 3));
     plait_lane_params with_capsules = params;
-    with_capsules.collider_count = static_cast<uint32_t>(lanes.capsules.size() / 20);
+    with_capsules.collider_count = with_capsules.collider_first =
+        static_cast<uint32_t>(lanes.capsules.size() / (4 * PLAIT_CAPSULE_STRIDE));
     if (with_capsules.collider_count > 0)
         setup.name += ", " + std::to_string(with_capsules.collider_count) + " capsules";
     return setup.with(with_capsules);

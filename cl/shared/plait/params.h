@@ -27,7 +27,10 @@ typedef uint32_t plait_u32;
 /* float4 elements per item in packed buffers. */
 #define PLAIT_POSE_STRIDE 2    /* pose: quaternion (x,y,z,w); translation (x,y,z,0) */
 #define PLAIT_MOTION_STRIDE 2  /* strand_motion: quaternion; (translation, blend c) */
-#define PLAIT_CAPSULE_STRIDE 5 /* (a,ra)(b,rb) at step begin, then at its end; (friction,0,0,0) */
+#define PLAIT_CAPSULE_STRIDE 6 /* capsule, below */
+
+/* capsule, for each substep of a step all colliders: (a,ra)(b,rb) at the substep's begin,
+ * (a,ra)(b,rb) at its end, the quaternion that turns the one into the other, (friction,0,0,0). */
 
 /* grid_sum: per voxel, five 64-bit sums as (low, high) words: density, momentum xyz, tent*|v|^2. */
 #define PLAIT_SUM_COUNT 5
@@ -120,8 +123,7 @@ typedef struct plait_length_params {
 typedef struct plait_collide_params {
     plait_u32 vertex_stride;
     plait_u32 collider_count;
-    float alpha_from; /* fraction of the step at the substep's begin, [0, 1] */
-    float alpha_to;   /* fraction of the step at the substep's end, [0, 1] */
+    plait_u32 collider_first; /* where in `capsule` those of the substep begin */
 } plait_collide_params;
 
 /* clamp: limit the displacement of a vertex per substep. */
@@ -180,8 +182,7 @@ typedef struct plait_lane_params {
     float gravity[3];     /* m/s^2 */
     float air[3];         /* velocity of the air, m/s */
     plait_u32 collider_count;
-    float alpha_from;   /* fraction of the step at the substep's begin, [0, 1] */
-    float alpha_to;     /* fraction of the step at the substep's end, [0, 1] */
+    plait_u32 collider_first; /* where in `capsule` those of the substep begin */
     float contact_rate; /* 1/s^2: stiffness of contact over mass; a load of m a sinks a/rate in */
     float contact_slip; /* m: the displacement per substep at which friction is all of mu N */
 } plait_lane_params;

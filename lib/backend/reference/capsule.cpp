@@ -34,15 +34,13 @@ Vec3 normal_on_axis(const Capsule& capsule) {
 
 } // namespace
 
-Capsule capsule_at(const View<const Vec4>& buffer, size_t collider, double alpha) {
+CapsulePath capsule_path(const View<const Vec4>& buffer, size_t collider) {
     const size_t first = collider * PLAIT_CAPSULE_STRIDE;
-    const Vec4 a = (1 - alpha) * buffer[first] + alpha * buffer[first + 2];
-    const Vec4 b = (1 - alpha) * buffer[first + 1] + alpha * buffer[first + 3];
-    return {xyz(a), xyz(b), a.w(), b.w()};
-}
-
-double capsule_friction(const View<const Vec4>& buffer, size_t collider) {
-    return buffer[collider * PLAIT_CAPSULE_STRIDE + 4].x();
+    const auto at = [&](size_t row) {
+        const Vec4 a = buffer[first + row], b = buffer[first + row + 1];
+        return Capsule{xyz(a), xyz(b), a.w(), b.w()};
+    };
+    return {at(0), at(2), quat(buffer[first + 4]), buffer[first + 5].x()};
 }
 
 Surface surface(const Capsule& capsule, const Vec3& x) {

@@ -22,9 +22,23 @@ struct Surface {
     Vec3 normal;
 };
 
-// Capsule `collider` of a buffer at the fraction `alpha` of the step.
-Capsule capsule_at(const View<const Vec4>& buffer, size_t collider, double alpha);
-double capsule_friction(const View<const Vec4>& buffer, size_t collider);
+// A rigid capsule over a substep.
+struct CapsulePath {
+    Capsule begin, end;
+    Quat turn; // from begin to end
+    double friction;
+
+    // Where the surface whose foot is k carries a point of the begin, and whence it carried one.
+    Vec3 carried(double k, const Vec3& x) const {
+        return end.centre(k) + turn * (x - begin.centre(k));
+    }
+    Vec3 carried_from(double k, const Vec3& x) const {
+        return begin.centre(k) + turn.conjugate() * (x - end.centre(k));
+    }
+};
+
+// Capsule `collider` of a buffer.
+CapsulePath capsule_path(const View<const Vec4>& buffer, size_t collider);
 Surface surface(const Capsule& capsule, const Vec3& x);
 
 } // namespace plait::reference

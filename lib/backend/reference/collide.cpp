@@ -27,16 +27,13 @@ void collide(uint32_t item_count, const plait_collide_params& params, const coll
         if (i >= vertices_of(args.vertex_count, strand, params.vertex_stride) || pinned(position))
             continue;
         for (size_t collider = 0; collider < params.collider_count; ++collider) {
-            const Capsule before = capsule_at(args.capsule, collider, params.alpha_from);
-            const Capsule now = capsule_at(args.capsule, collider, params.alpha_to);
-            const Surface at = surface(now, xyz(position));
+            const CapsulePath path = capsule_path(args.capsule, params.collider_first + collider);
+            const Surface at = surface(path.end, xyz(position));
             if (!(at.distance < 0))
                 continue;
             const Vec3 pushed = xyz(position) - at.distance * at.normal;
-            const Vec3 surface_motion = now.centre(at.k) - before.centre(at.k);
-            const Vec3 relative = pushed - xyz(args.position_prev[item]) - surface_motion;
-            const double friction = capsule_friction(args.capsule, collider);
-            set_xyz(position, rub(pushed, relative, at, friction));
+            const Vec3 relative = path.carried_from(at.k, pushed) - xyz(args.position_prev[item]);
+            set_xyz(position, rub(pushed, relative, at, path.friction));
         }
     }
 }

@@ -47,15 +47,13 @@ Contacts::Contacts(const plait_lane_params& params, const View<const Vec4>& caps
       mass_(std::move(mass)), at_(params.vertex_stride) {}
 
 Contacts::Touch Contacts::touch(size_t collider, size_t vertex, const Vec3& x) const {
-    const Capsule then = capsule_at(capsules_, collider, params_.alpha_from);
-    const Capsule now = capsule_at(capsules_, collider, params_.alpha_to);
+    const CapsulePath path = capsule_path(capsules_, params_.collider_first + collider);
+    const Capsule& now = path.end;
     const Vec3 start = motion_.root + motion_.start[vertex], end = motion_.root + x;
     // The start, carried along by the surface that is nearest to it.
-    const double k = surface(then, start).k;
-    const Vec3 anchor = start + now.centre(k) - then.centre(k);
+    const Vec3 anchor = path.carried(surface(path.begin, start).k, start);
     const Surface at_anchor = surface(now, anchor), at_end = surface(now, end);
-    const double friction = capsule_friction(capsules_, collider);
-    const Touch nearest{at_end.distance, at_anchor.distance, friction, at_end.normal,
+    const Touch nearest{at_end.distance, at_anchor.distance, path.friction, at_end.normal,
                         anchor - motion_.root};
     Touch swept = nearest;
     bool crosses = true;

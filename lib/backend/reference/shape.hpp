@@ -20,7 +20,7 @@ class Shape {
         if constexpr (requires { params.per_root; })
             per_root_ = params.per_root != 0;
         if constexpr (requires { params.collider_count; })
-            colliders_ = params.collider_count;
+            colliders_ = size_t{params.collider_first} + params.collider_count;
         if constexpr (requires { params.edge_count; })
             set_grid(params);
         if constexpr (requires { params.bdf2; })

@@ -170,8 +170,7 @@ void LanePart::substep(Schedule& schedule, const Substep& at, const Contact& con
         params.air[i] = p.wind[i];
     }
     params.collider_count = at.collider_count;
-    params.alpha_from = at.alpha_from;
-    params.alpha_to = at.alpha_to;
+    params.collider_first = at.collider_first;
     params.contact_rate = contact.rate;
     params.contact_slip = contact.slip;
     const Buffer& pose = gathered(schedule, at.state.pose, own_pose_);

@@ -116,10 +116,9 @@ void length(Schedule& schedule, const Substep& at) {
 void collide(Schedule& schedule, const Substep& at) {
     const State& s = at.state;
     if (at.collider_count > 0)
-        schedule.add(
-            PLAIT_STAGE_collide, at.layout.guide_vertices(),
-            plait_collide_params{at.layout.row, at.collider_count, at.alpha_from, at.alpha_to},
-            {&s.vertex_count, &at.capsules, &s.position_prev, &s.position});
+        schedule.add(PLAIT_STAGE_collide, at.layout.guide_vertices(),
+                     plait_collide_params{at.layout.row, at.collider_count, at.collider_first},
+                     {&s.vertex_count, &at.capsules, &s.position_prev, &s.position});
 }
 
 void clamp(Schedule& schedule, const Substep& at) {

@@ -70,7 +70,7 @@ void length_is_red_then_black(Bench& bench) {
 // A free vertex between two that are far away, and a capsule.
 std::vector<float> touch(Bench& bench, const std::vector<float>& capsule, const Point& x,
                          const Point& before) {
-    const auto out = bench.run(PLAIT_STAGE_collide, 2, 1, plait_collide_params{2, 1, 0, 1},
+    const auto out = bench.run(PLAIT_STAGE_collide, 2, 1, plait_collide_params{2, 1, 0},
                                {uints({2}), float4s(capsule),
                                 float4s({9, 9, 9, 0, before[0], before[1], before[2], 1}),
                                 float4s({0, 0, 0, 0, x[0], x[1], x[2], 1})});
@@ -78,9 +78,15 @@ std::vector<float> touch(Bench& bench, const std::vector<float>& capsule, const 
     return {out[3].floats.begin() + 4, out[3].floats.end()};
 }
 
-std::vector<float> capsule(float ra, float rb, float friction, float motion = 0) {
-    return {0,      0, 0, ra, 1,          0, 0, rb, // at the step's begin
-            motion, 0, 0, ra, 1 + motion, 0, 0, rb, friction, 0, 0, 0};
+// Along x; over the substep it moves along x and spins about it by the half angle `spin`.
+std::vector<float> capsule(float ra, float rb, float friction, float motion = 0, float spin = 0) {
+    const std::vector<float> begin = {0, 0, 0, ra, 1, 0, 0, rb};
+    const std::vector<float> end = {motion, 0, 0, ra, 1 + motion, 0, 0, rb};
+    const std::vector<float> turn = {std::sin(spin), 0, 0, std::cos(spin)};
+    std::vector<float> packed;
+    for (const auto& part : {begin, end, turn, {friction, 0, 0, 0}})
+        packed.insert(packed.end(), part.begin(), part.end());
+    return packed;
 }
 
 void collide_pushes_to_the_surface(Bench& bench) {
@@ -109,6 +115,9 @@ void collide_rubs(Bench& bench) {
     expect_near(rub(.2f, 0), {.24f, .5f, 0, 1});
     expect_near(rub(1, 0), {.2f, .5f, 0, 1});   // stopped, not reversed
     expect_near(rub(1, .1f), {.3f, .5f, 0, 1}); // moves with the surface
+    // held on a capsule that spins by a twentieth: carried around it, pushed .3 m out
+    const auto out = touch(bench, capsule(.5f, .5f, 9, 0, .025f), {.3f, .2f, 0}, {.3f, .5f, 0});
+    expect_near(floats(out), {.3f, .5f, .5f * std::sin(.05f), 1});
 }
 
 void local_shape_straightens(Bench& bench) {
