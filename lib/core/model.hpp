@@ -48,7 +48,7 @@ class Model {
     virtual void swap() noexcept {}
     virtual void discard() {}
 
-    // Appends the stages of one substep; `state.pose` is already that of alpha_to.
+    // Appends the stages of one substep; `state.pose` is already that of its end.
     virtual void substep(Schedule& schedule, const Substep& at) = 0;
     // Appends what puts the model's own state into position and its history, at the end of a step.
     virtual void publish(Schedule&, const Substep&) const {}
