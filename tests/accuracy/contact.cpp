@@ -242,6 +242,23 @@ TEST_P(Contact, turning_head_does_not_stretch_its_hair) {
     EXPECT_LT(stretch[1], stretch[0] + 1e-2);
 }
 
+// A neck that rolls over the roots at the nape, 30 mm deep: no hair of 48 mm can come out of it
+// there, and none is torn out.
+TEST_P(Contact, surface_over_the_root_does_not_stretch_hair) {
+    OneStrand strand({9, 0.048f, {0.6f, 0.8f, 0.0f}}, desc());
+    const Vec3 centre = {0.0f, -0.1f, 0.0f};
+    const auto ball = add_capsule(strand, centre, centre, 0.05f, 0.3f);
+    double stretch = 0;
+    for (int i = 1; i <= 90; ++i) {
+        move(strand, ball, {0.0f, 0.002f * static_cast<float>(std::min(i, 40)), 0.0f});
+        strand.step();
+        stretch = std::max(stretch, double(strand.stats().max_stretch));
+    }
+    std::printf("stretch %.2g\n", stretch);
+    EXPECT_LT(stretch, 0.01);
+    EXPECT_EQ(strand.stats().nonfinite, 0u);
+}
+
 // ---- what must not pass, and not burst
 // ------------------------------------------------------------
 

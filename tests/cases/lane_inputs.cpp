@@ -136,6 +136,8 @@ LaneHair make_lane_hair_in_contact(const Size& size, uint32_t seed, float fricti
     for (size_t s = 0; s < size.strands; ++s) {
         const size_t vertex = s * size.stride + lanes.hair.vertex_count[s] / 2;
         add_capsule(lanes, random, vertex, s % 3 == 2 ? -0.015 : 0.004, s % 2 ? 0.3f : friction);
+        if (s % 4 == 1) // deep around the root, too
+            add_capsule(lanes, random, s * size.stride + 1, -0.025, friction);
     }
     return lanes;
 }

@@ -145,8 +145,8 @@ class Clamped {
         strand.joint(segments)[PLAIT_LANE_TWIST] *= 2;
         return strand;
     }
-    // A closed round rod turns as a whole about the direction it is clamped in, and rolls back about
-    // its own: that costs nothing and is no buckling. Nothing moves where it is straight.
+    // A closed round rod turns as a whole about the direction it is clamped in, and rolls back
+    // about its own: that costs nothing and is no buckling. Nothing moves where it is straight.
     Eigen::VectorXd rolling() const {
         Eigen::VectorXd z(unknowns());
         for (uint32_t i = 0; i < n_; ++i) {
@@ -211,8 +211,8 @@ void expect_buckling_at(double theta, double bend, double twist, const char* nam
     for (int side = 0; side < 2; ++side) {
         const double by = theta * (side == 0 ? 0.98 : 1.02);
         Clamped rod(48, bend, twist);
-        eigenvalue[side] =
-            rod.least_eigenvalue([&](double s) { return Quat(frame(s) * about(Vec3::UnitX(), by * s)); });
+        eigenvalue[side] = rod.least_eigenvalue(
+            [&](double s) { return Quat(frame(s) * about(Vec3::UnitX(), by * s)); });
     }
     EXPECT_GT(eigenvalue[0], 0) << name << " buckles too early";
     EXPECT_LT(eigenvalue[1], 0) << name << " buckles too late";

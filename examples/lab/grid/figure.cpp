@@ -19,7 +19,8 @@ constexpr double own_speed = 0.3;      // m/s, standard deviation of a strand's 
 // How hair of a head that turns at 5 rad/s moves, and swings: about 1 m/s, waves of 40 cm.
 Vec3 field(const Vec3& x) {
     const Vec3 from_axis = x - Vec3::Constant(0.5 * edge);
-    const Vec3 swing(0.5 * std::sin(2 * pi * x.y() / edge), 0, 0.3 * std::cos(2 * pi * x.y() / edge));
+    const Vec3 swing(0.5 * std::sin(2 * pi * x.y() / edge), 0,
+                     0.3 * std::cos(2 * pi * x.y() / edge));
     return Vec3(0, 5, 0).cross(from_axis) + swing;
 }
 
@@ -110,8 +111,8 @@ Figure grid_figure(const plait_device_info& which, Device& device, const CostOpt
         slots.dots.back().label = "C = " + std::to_string(capacity);
         slots.dots.back().name = "slots, C = " + std::to_string(capacity);
     }
-    Series voxel{"exact, voxel", "#009E73", false, {}}, linear{"exact, trilinear", "#8E3B8F",
-                                                               false, {}};
+    Series voxel{"exact, voxel", "#009E73", false, {}},
+        linear{"exact, trilinear", "#8E3B8F", false, {}};
     for (const uint32_t n : {4u, 8u, 16u, 32u})
         for (Series* series : {&voxel, &linear}) {
             const uint32_t tent = series == &voxel ? PLAIT_TENT_VOXEL : PLAIT_TENT_TRILINEAR;

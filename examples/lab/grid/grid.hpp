@@ -19,8 +19,8 @@ struct GridRow {
     bool passes() const;
 };
 
-std::vector<GridRow> exact_rows(Device& device);    // 23, 25
-std::vector<GridRow> slot_rows(Device& device);     // 24
+std::vector<GridRow> exact_rows(Device& device); // 23, 25
+std::vector<GridRow> slot_rows(Device& device);  // 24
 Figure grid_figure(const plait_device_info& which, Device& device, const CostOptions& options);
 
 struct GridRun {

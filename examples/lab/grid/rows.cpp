@@ -16,8 +16,8 @@ namespace {
 std::vector<Vertex> table_vertices() {
     std::vector<Vertex> vertices;
     for (const auto& row : load_table("grid_particles.csv").rows)
-        vertices.push_back({Vec3(row[0], row[1], row[2]) + Vec3::Constant(0.5),
-                            Vec3(row[3], row[4], row[5])});
+        vertices.push_back(
+            {Vec3(row[0], row[1], row[2]) + Vec3::Constant(0.5), Vec3(row[3], row[4], row[5])});
     return vertices;
 }
 
@@ -56,10 +56,10 @@ Vec3 total(const std::vector<Vec3>& v) {
 // ---- slots: n vertices in one voxel of C
 
 struct Sampled {
-    double occupied = 0;                          // share of slots, mean over frames
-    double density = 0, density_error = 0;        // of the exact one, and the mean's standard error
-    double spread = 0, expected_spread = 0;       // of V, in standard deviations of v
-    double order_bias = 0;                        // of V where v = index/n
+    double occupied = 0;                    // share of slots, mean over frames
+    double density = 0, density_error = 0;  // of the exact one, and the mean's standard error
+    double spread = 0, expected_spread = 0; // of V, in standard deviations of v
+    double order_bias = 0;                  // of V where v = index/n
 };
 
 constexpr uint32_t frames = 400;
@@ -195,9 +195,10 @@ std::vector<GridRow> slot_rows(Device& device) {
         for (const auto& row : load_table("slot_statistics.csv").rows)
             if (row[0] == capacity && row[1] == n)
                 order = row.back();
-        rows.push_back({"24", head + "occupied share", "standard errors", 3.0,
-                        (seen.occupied - filled) / (share_deviation(n, capacity) / std::sqrt(frames)),
-                        number_of("%.4f, expected %.4f", seen.occupied, filled)});
+        rows.push_back(
+            {"24", head + "occupied share", "standard errors", 3.0,
+             (seen.occupied - filled) / (share_deviation(n, capacity) / std::sqrt(frames)),
+             number_of("%.4f, expected %.4f", seen.occupied, filled)});
         rows.push_back({"24", head + "density over the exact one", "standard errors", 3.0,
                         (seen.density - survival) / seen.density_error,
                         number_of("%.4f, expected %.4f", seen.density, survival)});
@@ -230,7 +231,10 @@ std::string rows_markdown(const std::vector<GridRow>& rows) {
     std::string text = "| row | | unit | mark | value | |\n|---|---|---|---:|---:|---|\n";
     for (const GridRow& row : rows) {
         char value[64], mark[32] = "";
-        std::snprintf(value, sizeof value, !row.mark ? "%.3g" : row.passes() ? "**%.3g**" : "%.3g !",
+        std::snprintf(value, sizeof value,
+                      !row.mark      ? "%.3g"
+                      : row.passes() ? "**%.3g**"
+                                     : "%.3g !",
                       row.value);
         if (row.mark)
             std::snprintf(mark, sizeof mark, "%g", *row.mark);

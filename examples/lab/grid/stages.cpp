@@ -152,13 +152,8 @@ plait_dispatch Stages::dispatch(plait_stage stage, size_t items, uint32_t width,
     auto& handles = handles_.emplace_back();
     for (const Name name : buffers)
         handles.push_back(buffers_[name]);
-    return {stage,
-            static_cast<uint32_t>(items),
-            width,
-            &params,
-            sizeof params,
-            static_cast<uint32_t>(handles.size()),
-            handles.data()};
+    return {stage,         static_cast<uint32_t>(items),          width,         &params,
+            sizeof params, static_cast<uint32_t>(handles.size()), handles.data()};
 }
 
 void Stages::clear(Name name, uint32_t value) {
@@ -174,11 +169,11 @@ void Stages::slots() {
     const uint32_t width = std::bit_floor(std::min(params.capacity, 64u));
     clear(slot, PLAIT_SLOT_EMPTY);
     clear(outside, 0);
-    device_.submit({dispatch(PLAIT_STAGE_grid_slots, vertices_, 1, {count, position, slot, outside}),
-                    dispatch(PLAIT_STAGE_grid_density, voxels(), width,
-                             {slot, position, node_density}),
-                    dispatch(PLAIT_STAGE_grid_velocity, voxels(), width,
-                             {slot, position, prev, node_density, node_velocity})});
+    device_.submit(
+        {dispatch(PLAIT_STAGE_grid_slots, vertices_, 1, {count, position, slot, outside}),
+         dispatch(PLAIT_STAGE_grid_density, voxels(), width, {slot, position, node_density}),
+         dispatch(PLAIT_STAGE_grid_velocity, voxels(), width,
+                  {slot, position, prev, node_density, node_velocity})});
 }
 
 void Stages::exact() {
@@ -234,9 +229,7 @@ std::vector<Vec3> Stages::velocities() const {
 Vec3 Stages::seen(const std::vector<Vec3>& velocity, const Vec3& x) const {
     const auto n = static_cast<int>(params.edge_count);
     const Vec3 at = x / static_cast<double>(params.voxel_edge); // in voxels
-    const auto node = [&](int i, int j, int k) {
-        return static_cast<size_t>((j * n + k) * n + i);
-    };
+    const auto node = [&](int i, int j, int k) { return static_cast<size_t>((j * n + k) * n + i); };
     if (params.tent == PLAIT_TENT_VOXEL)
         return velocity[node(static_cast<int>(at.x()), static_cast<int>(at.y()),
                              static_cast<int>(at.z()))];

@@ -56,7 +56,7 @@ class Stages {
     size_t occupied() const; // slots
     std::vector<uint32_t> sums() const;
     std::vector<double> density() const;
-    std::vector<Vec3> velocity() const; // by voxel: of the nodes
+    std::vector<Vec3> velocity() const;   // by voxel: of the nodes
     std::vector<Vec3> velocities() const; // of the vertices
     // What a vertex at x sees, as grid_diffuse reads it.
     Vec3 seen(const std::vector<Vec3>& velocity, const Vec3& x) const;
@@ -75,7 +75,7 @@ class Stages {
     size_t vertices_;
     uint32_t per_strand_;
     plait_buffer* buffers_[names] = {};
-    size_t sizes_[names] = {}; // elements
+    size_t sizes_[names] = {};                        // elements
     std::vector<std::vector<plait_buffer*>> handles_; // of the dispatches
 };
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace plait::reference {
 namespace {
@@ -14,6 +15,7 @@ constexpr double deepest = 0.02;         // after a solve, in segments
 constexpr double soft = 10;              // stiffness for what started inside, in m/h^2
 constexpr int newton_steps = 4;          // towards the first crossing
 constexpr double same_side = 0.5;        // cosine of 60 degrees
+constexpr double reach = 0.5;            // of the length from a root that is inside
 
 // A tangent plane of the capsule's distance: `height` of the end of the way above it.
 struct Plane {
@@ -44,10 +46,26 @@ std::optional<Plane> first_crossing(const Capsule& capsule, const Vec3& from, co
 Contacts::Contacts(const plait_lane_params& params, const View<const Vec4>& capsules,
                    const Motion& motion, std::vector<double> length, std::vector<double> mass)
     : params_(params), capsules_(capsules), motion_(motion), length_(std::move(length)),
-      mass_(std::move(mass)), at_(params.vertex_stride) {}
+      mass_(std::move(mass)), arc_(length_.size()), at_(params.vertex_stride) {
+    std::partial_sum(length_.begin(), length_.end(), arc_.begin());
+}
 
+// Under a surface that holds the root deeper, a vertex need come no farther out of it than half the
+// length from the root.
 Contacts::Touch Contacts::touch(size_t collider, size_t vertex, const Vec3& x) const {
     const CapsulePath path = capsule_path(capsules_, params_.collider_first + collider);
+    Touch found = touch_surface(path, vertex, x);
+    const double root_depth = -surface(path.end, motion_.root).distance;
+    if (found.gap < 0) {
+        const double sunk = std::max(root_depth - reach * arc_[vertex], 0.0);
+        found.gap += sunk;
+        found.start += sunk;
+    }
+    return found;
+}
+
+Contacts::Touch Contacts::touch_surface(const CapsulePath& path, size_t vertex,
+                                        const Vec3& x) const {
     const Capsule& now = path.end;
     const Vec3 start = motion_.root + motion_.start[vertex], end = motion_.root + x;
     // The start, carried along by the surface that is nearest to it.

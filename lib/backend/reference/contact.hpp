@@ -50,6 +50,7 @@ class Contacts {
         Vec3 normal, anchor;
     };
     Touch touch(size_t collider, size_t vertex, const Vec3& x) const;
+    Touch touch_surface(const CapsulePath& path, size_t vertex, const Vec3& x) const;
     std::optional<Touch> nearest(size_t vertex, const Vec3& x) const;
     Contact renewed(size_t vertex, const Vec3& x) const;
     bool slides(const Contact& before, const Contact& now, const Vec3& u, double mobility) const;
@@ -59,7 +60,7 @@ class Contacts {
     const plait_lane_params& params_;
     const View<const Vec4>& capsules_;
     const Motion& motion_;
-    std::vector<double> length_, mass_;
+    std::vector<double> length_, mass_, arc_; // arc_[i]: from the root to vertex i
     std::vector<Contact> at_;
     bool solved_ = false, touched_ = false;
 };
