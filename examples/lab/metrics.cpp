@@ -2,6 +2,7 @@
 
 #include "metrics_input.hpp"
 #include "modes.hpp"
+#include "table.hpp"
 
 #include <Eigen/SVD>
 
@@ -186,6 +187,28 @@ Value tip_speed(const MetricInput& in) {
     return {tip_travel(in).value / (end - in.measure.from), ""};
 }
 
+// How far the root had come, in lengths over what the table has, less 1, when the tip first slid
+// across its way faster than it comes, for a tenth of a second.
+Value slip_strain(const MetricInput& in) {
+    if (!in.reference() || in.reference()->table.empty())
+        return none("needs a reference table");
+    const auto rows = select(*in.reference());
+    const auto& frames = in.recording.frames;
+    const auto window = static_cast<size_t>(std::lround(0.1 * in.scene.rate));
+    for (size_t k = window; k < frames.size() && rows.size() == 1; ++k) {
+        if (!in.counts(frames[k]))
+            continue;
+        const Vec3 root = in.x(frames[k])[0] - in.x(frames[k - window])[0];
+        const Vec3 tip = in.x(frames[k]).back() - in.x(frames[k - window]).back();
+        const Vec3 way = root.normalized();
+        if ((tip - way * way.dot(tip)).norm() < root.norm())
+            continue;
+        const double come = (in.x(frames[k - window])[0] - in.x(frames[0])[0]).norm();
+        return {come / in.length() / rows[0].back() - 1, ""};
+    }
+    return none(rows.size() == 1 ? "never slips" : "no row of the table fits `where`");
+}
+
 // Inside the hull of two spheres: depth below its surface, m.
 double depth(const plait_collider_desc& shape, const Pose& pose, const Vec3& x) {
     const auto end = [&](const float* p) {
@@ -270,6 +293,7 @@ constexpr Metric metrics[] = {
     {"teleport_change", "L", teleport_change},
     {"tip_travel", "L", tip_travel},
     {"tip_speed", "L/s", tip_speed},
+    {"slip_strain", "", slip_strain},
     {"penetration", "L", penetration},
     {"untouched", "of strands", untouched},
     {"drop", "L", drop},
