@@ -10,20 +10,24 @@ namespace lab {
 
 namespace {
 
-// How long a step the explicit ones bear at w, rad/s. Verlet and Runge-Kutta 4 by their own limits;
-// explicit Euler and midpoint gain (h w)^2/2 and (h w)^4/8 a step, which the springs' lag
-// (baselines/mass_spring.clh) takes out as h lag w^2/2.
-double euler_step(double) {
-    return 1e-4; // its lag, s
+// How long a step the explicit ones bear at w, rad/s, with the springs' lag t in s
+// (baselines/mass_spring.clh): x'' = -w^2 (x + t x'). Explicit Euler and Verlet by the roots of
+// their recurrences; midpoint gains (h w)^4/8 a step, which the lag takes out as h t w^2/2;
+// Runge-Kutta 4 by its own limit.
+constexpr double lag = 2e-5, euler_lag = 1e-4;
+
+double euler_step(double w) {
+    const double rest = euler_lag * euler_lag - 4 / (w * w);
+    return euler_lag - (rest > 0 ? std::sqrt(rest) : 0);
 }
 double midpoint_step(double w) {
-    return std::cbrt(4 * 2e-5 / (w * w));
+    return std::cbrt(4 * lag / (w * w));
 }
 double runge_kutta_step(double w) {
     return 2 * std::numbers::sqrt2 / w;
 }
-double verlet_step(double w) {
-    return 2 / w;
+double verlet_step(double w) { // (h w)^2 + 2 h t w^2 < 4
+    return std::sqrt(lag * lag + 4 / (w * w)) - lag;
 }
 
 Model explicit_one(const char* name, bool bends, double (*longest_step)(double)) {
