@@ -57,6 +57,17 @@ class JsonReader {
     const Json* value(const char* key);
     JsonReader object(const Json& value, const char* key) const;
     JsonReader element(const Json& list, size_t index, const char* key) const;
+    // visit(reader) for every object of a list; returns whether the key is present. `what`: of what
+    // it is a list, for the message where it is none.
+    template <typename Visit>
+    bool each(const char* key, const Visit& visit, const char* what = "") {
+        const Json* list = value(key);
+        if (list && !list->is_array())
+            fail(key, "is " + list->dump() + ", not a list" + what);
+        for (size_t i = 0; list && i < list->size(); ++i)
+            visit(element(*list, i, key));
+        return list != nullptr;
+    }
 
     void finish() const;
     [[noreturn]] void fail(const std::string& key, const std::string& problem) const;

@@ -1,5 +1,6 @@
 #include "scene.hpp"
 
+#include "common/capsule_reader.hpp"
 #include "hash.hpp"
 #include "metrics.hpp"
 #include "models.hpp"
@@ -185,32 +186,11 @@ void read_time(JsonReader& top, Scene& scene) {
 }
 
 SceneCollider read_collider(JsonReader in, double unit_time) {
-    SceneCollider collider{plait_collider_desc_defaults(), {}};
-    plait_collider_desc& shape = collider.shape;
-    if (!in.numbers("a", shape.a, -1e6, 1e6))
-        in.fail("a", "is missing: the capsule's first end, m");
-    if (!in.numbers("b", shape.b, -1e6, 1e6)) // a sphere
-        std::copy(std::begin(shape.a), std::end(shape.a), std::begin(shape.b));
-    if (!in.number("radius_a", shape.radius_a, 1e-9, 1e3))
-        in.fail("radius_a", "is missing: the radius at a, m, in (0, 1000]");
-    shape.radius_b = shape.radius_a;
-    in.number("radius_b", shape.radius_b, 1e-9, 1e3);
-    in.number("friction", shape.friction, 0, 10);
+    SceneCollider collider{read_capsule(in), {}};
     if (const Json* motion = in.value("motion"))
         collider.motion = read_motion(in, *motion, "motion", unit_time);
     in.finish();
     return collider;
-}
-
-void read_colliders(JsonReader& top, Scene& scene) {
-    const Json* list = top.value("colliders");
-    if (!list)
-        return;
-    if (!list->is_array())
-        top.fail("colliders", "is " + list->dump() + ", not a list");
-    for (size_t i = 0; i < list->size(); ++i)
-        scene.colliders.push_back(
-            read_collider(top.element(*list, i, "colliders"), scene.unit_time));
 }
 
 // A number, or a property of the scene.
@@ -303,13 +283,9 @@ Measure read_measure(JsonReader in, const Scene& scene) {
 void read_measures(JsonReader& top, Scene& scene) {
     if (const Json* reference = top.value("reference"))
         scene.reference = read_reference(top.object(*reference, "reference"), scene);
-    const Json* list = top.value("measure");
-    if (!list)
-        return;
-    if (!list->is_array())
-        top.fail("measure", "is " + list->dump() + ", not a list of { metric, pass, ... }");
-    for (size_t i = 0; i < list->size(); ++i)
-        scene.measures.push_back(read_measure(top.element(*list, i, "measure"), scene));
+    top.each(
+        "measure", [&](const JsonReader& in) { scene.measures.push_back(read_measure(in, scene)); },
+        " of { metric, pass, ... }");
 }
 
 void read_method(JsonReader& top, Scene& scene) {
@@ -378,7 +354,9 @@ Scene read_scene(const Json& document, const Origin& origin) {
         read_params(top.object(*params, "params"), scene.params);
     if (const Json* motion = top.value("motion"))
         scene.motion = read_motion(top, *motion, "motion", scene.unit_time);
-    read_colliders(top, scene);
+    top.each("colliders", [&](const JsonReader& in) {
+        scene.colliders.push_back(read_collider(in, scene.unit_time));
+    });
     read_measures(top, scene);
     top.finish();
     return scene;

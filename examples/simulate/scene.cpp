@@ -1,5 +1,7 @@
 #include "scene.hpp"
 
+#include "common/capsule_reader.hpp"
+
 #include <cmath>
 #include <filesystem>
 
@@ -91,32 +93,16 @@ void read_head(JsonReader& top, const Origin& origin, HeadChoice& head) {
         top.fail("neck", "is not a lower height and a higher one");
 }
 
-Collider read_collider(JsonReader in) {
-    Collider collider{plait_collider_desc_defaults(), true};
-    plait_collider_desc& shape = collider.shape;
-    if (!in.numbers("a", shape.a, -1e6, 1e6))
-        in.fail("a", "is missing: the capsule's first end, m");
-    if (!in.numbers("b", shape.b, -1e6, 1e6)) // a sphere
-        std::copy(std::begin(shape.a), std::end(shape.a), std::begin(shape.b));
-    if (!in.number("radius_a", shape.radius_a, 1e-9, 1e3))
-        in.fail("radius_a", "is missing: the radius at a, m, in (0, 1000]");
-    shape.radius_b = shape.radius_a;
-    in.number("radius_b", shape.radius_b, 1e-9, 1e3);
-    in.number("friction", shape.friction, 0, 10);
-    in.flag("moves_with_head", collider.moves_with_head);
-    in.finish();
-    return collider;
-}
-
 void read_colliders(JsonReader& top, std::optional<std::vector<Collider>>& colliders) {
-    const Json* list = top.value("colliders");
-    if (!list)
-        return;
-    if (!list->is_array())
-        top.fail("colliders", "is " + list->dump() + ", not a list");
-    colliders.emplace();
-    for (size_t i = 0; i < list->size(); ++i)
-        colliders->push_back(read_collider(top.element(*list, i, "colliders")));
+    std::vector<Collider> list;
+    const bool given = top.each("colliders", [&](JsonReader in) {
+        Collider collider{read_capsule(in), true};
+        in.flag("moves_with_head", collider.moves_with_head);
+        in.finish();
+        list.push_back(collider);
+    });
+    if (given)
+        colliders = std::move(list);
 }
 
 void read_camera(const JsonReader& top, const Json& value, CameraChoice& camera) {

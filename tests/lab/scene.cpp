@@ -22,12 +22,7 @@ class LabScene : public TemporaryFolder {
         return lab::read_scene(write("scene.json", text), overrides);
     }
     std::string refusal(const std::string& text, const Json& overrides = Json::object()) const {
-        try {
-            read(text, overrides);
-        } catch (const lab::Failure& failure) {
-            return failure.what();
-        }
-        return "no refusal";
+        return refusal_of([&] { read(text, overrides); });
     }
 };
 

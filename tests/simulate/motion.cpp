@@ -16,12 +16,7 @@ namespace {
 class MotionFile : public TemporaryFolder {
   protected:
     std::string refusal(const std::string& name, const std::string& text) const {
-        try {
-            make_motion(write(name, text));
-        } catch (const simulate::Failure& failure) {
-            return failure.what();
-        }
-        return "no refusal";
+        return refusal_of([&] { make_motion(write(name, text)); });
     }
 };
 

@@ -18,12 +18,7 @@ class SceneFile : public TemporaryFolder {
     }
 
     std::string refusal(const std::string& text, const Json& command_line = Json::object()) const {
-        try {
-            read(text, command_line);
-        } catch (const simulate::Failure& failure) {
-            return failure.what();
-        }
-        return "no refusal";
+        return refusal_of([&] { read(text, command_line); });
     }
 };
 

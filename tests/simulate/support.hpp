@@ -1,10 +1,11 @@
-// A folder of its own for each test, gone when the test is.
+// A folder of its own for each test, gone when the test is; and what a refusal says.
 #pragma once
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
+#include <stdexcept>
 #include <string>
 
 class TemporaryFolder : public testing::Test {
@@ -26,3 +27,12 @@ class TemporaryFolder : public testing::Test {
   private:
     std::string folder_;
 };
+
+template <typename Attempt> std::string refusal_of(const Attempt& attempt) {
+    try {
+        attempt();
+    } catch (const std::runtime_error& failure) {
+        return failure.what();
+    }
+    return "no refusal";
+}
