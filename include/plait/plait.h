@@ -373,11 +373,38 @@ typedef struct plait_sim_params {
     float diffuse_factor;            /* [0, 1], default 0.9 */
     float diffuse_floor;             /* [0, 1], default 0.5 */
     uint32_t grid_in_world;          /* 0: moves and turns with the head; 1: fixed in the world */
-    float grid_origin[3]; /* corner, m, when grid_edge > 0; in the frame of grid_in_world */
-    float grid_edge;      /* whole edge, m; 0: a cube around the groom's bounds x 1.5 */
+    float grid_origin[3]; /* corner, m, each [-1e6, 1e6], when grid_edge > 0; in the frame of
+                             grid_in_world */
+    float grid_edge;      /* whole edge, m, [0, 1e6]; 0: a cube around the groom's bounds x 1.5 */
 } plait_sim_params;
 
 PLAIT_API void plait_sim_params_init(plait_sim_params* params, size_t size);
+
+typedef enum plait_param_kind {
+    PLAIT_PARAM_FLOAT = 0,
+    PLAIT_PARAM_UINT = 1,
+    PLAIT_PARAM_CHOICE = 2 /* an enum */
+} plait_param_kind;
+
+/* A field of plait_sim_params, for what reads, shows or binds all of them. Texts are static. Its
+ * default: that of plait_sim_params_init. `iterations` may also be PLAIT_ITERATIONS_OF_MODEL. */
+typedef struct plait_param_info {
+    uint32_t struct_size;
+    plait_param_kind kind;
+    const char* name;           /* "gravity" */
+    const char* unit;           /* "m/s^2"; "" without one */
+    const char* const* choices; /* CHOICE: names of the values 0 to `most`; else NULL */
+    uint32_t offset;            /* in plait_sim_params, bytes */
+    uint32_t count;             /* of components, 4 bytes each */
+    double least, most;         /* of each */
+    uint32_t least_excluded;    /* 1: greater than `least` */
+    uint32_t reserved;
+} plait_param_info;
+
+PLAIT_API void plait_param_info_init(plait_param_info* info, size_t size);
+
+/* All of them, in the order of the struct. dst == NULL: writes the needed count. */
+PLAIT_API plait_result plait_params_list(plait_param_info* dst, size_t* count);
 
 /* What a hair is made of. */
 typedef struct plait_fibre {
@@ -562,6 +589,7 @@ PLAIT_DEFAULTS(plait_context_desc)
 PLAIT_DEFAULTS(plait_import_options)
 PLAIT_DEFAULTS(plait_groom_desc)
 PLAIT_DEFAULTS(plait_groom_info)
+PLAIT_DEFAULTS(plait_param_info)
 PLAIT_DEFAULTS(plait_fibre)
 PLAIT_DEFAULTS(plait_sim_params)
 PLAIT_DEFAULTS(plait_sim_desc)

@@ -66,6 +66,15 @@ inline std::vector<plait_device_info> devices() {
     return list;
 }
 
+inline std::vector<plait_param_info> params_list() {
+    std::size_t count = 0;
+    check(plait_params_list(nullptr, &count));
+    std::vector<plait_param_info> list(count, plait_param_info_defaults());
+    check(plait_params_list(list.data(), &count));
+    list.resize(count);
+    return list;
+}
+
 class Context : public detail::Owner<plait_context, plait_context_destroy> {
   public:
     explicit Context(const plait_context_desc& desc = plait_context_desc_defaults())

@@ -4,6 +4,7 @@
 #include "api/objects.hpp"
 #include "api/structs.hpp"
 #include "api/view.hpp"
+#include "core/param_table.hpp"
 #include "core/params.hpp"
 
 #include <algorithm>
@@ -95,6 +96,24 @@ extern "C" {
 
 void plait_sim_params_init(plait_sim_params* params, size_t size) {
     api::init_struct(params, size, default_params());
+}
+
+void plait_param_info_init(plait_param_info* info, size_t size) {
+    api::init_struct(info, size, plait_param_info{});
+}
+
+plait_result plait_params_list(plait_param_info* dst, size_t* count) {
+    return api::guard(__func__, [&]() -> Status {
+        PLAIT_TRY(api::need(count, "count"));
+        const auto table = param_table();
+        const size_t number = dst ? std::min(*count, table.size()) : table.size();
+        for (size_t i = 0; dst && i < number; ++i)
+            PLAIT_TRY(api::check_output(dst + i, "dst"));
+        for (size_t i = 0; dst && i < number; ++i)
+            api::write_struct(dst + i, table[i]);
+        *count = number;
+        return {};
+    });
 }
 
 void plait_fibre_init(plait_fibre* fibre, size_t size) {

@@ -1,8 +1,10 @@
 #include "core/params.hpp"
 
 #include "base/format.hpp"
+#include "core/param_table.hpp"
 #include "core/pose.hpp"
 
+#include <cstddef>
 #include <cstring>
 #include <limits>
 #include <numbers>
@@ -35,39 +37,30 @@ template <typename Enum> double raw(const Enum& value) {
     PLAIT_RANGE(field[1], low, high);                                                              \
     PLAIT_RANGE(field[2], low, high)
 
-constexpr double half_pi = 1.5707964; // as float32 rounds it, upwards
+// A bound is what float32 makes of it: 1e-9 itself is inside [1e-9, 1e3].
+double bound(const plait_param_info& param, double value) {
+    return param.kind == PLAIT_PARAM_FLOAT ? double(static_cast<float>(value)) : value;
+}
 
-Status check_model(const plait_sim_params& s) {
-    PLAIT_RANGE_3(gravity, -1e4, 1e4);
-    PLAIT_RANGE(damping, 0, 100);
-    PLAIT_RANGE(local_stiffness, 0, 1);
-    PLAIT_RANGE(local_iterations, 0, 64);
-    PLAIT_RANGE(global_stiffness, 0, 1);
-    PLAIT_RANGE(global_range, 0, 1);
-    PLAIT_RANGE(length_iterations, 0, 256);
-    PLAIT_RANGE(vsp_coeff, 0, 1);
-    PLAIT_RANGE(vsp_accel_threshold, 0, 1e6);
-    PLAIT_RANGE_OPEN(max_displacement, 0, 1e6);
-    PLAIT_RANGE(tip_separation, 0, 100);
-    PLAIT_RANGE_ENUM(wind_form, PLAIT_WIND_FORM_DRAG);
-    PLAIT_RANGE_ENUM(follow_form, PLAIT_FOLLOW_FORM_ROTATING);
-    PLAIT_RANGE_ENUM(shock_form, PLAIT_SHOCK_FORM_CONTINUOUS);
-    PLAIT_RANGE_ENUM(order, PLAIT_ORDER_SHOCK_BEFORE_GLOBAL);
-    if (s.iterations != PLAIT_ITERATIONS_OF_MODEL)
-        PLAIT_RANGE(iterations, 0, 64);
-    PLAIT_RANGE(bdf2, 0, 1);
-    PLAIT_RANGE(line_density, 1e-9, 1e3);
-    PLAIT_RANGE(bend_stiffness, 0, 1e3);
-    PLAIT_RANGE(stretch_stiffness, 0, 1e9);
-    PLAIT_RANGE(twist_stiffness, 0, 1e3);
-    PLAIT_RANGE(section_ratio, 1e-3f, 1e3);
-    PLAIT_RANGE(tip_stiffness, 0, 100);
-    PLAIT_RANGE(drag, 0, 1e4);
-    PLAIT_RANGE(shape_constraints, 0, 1);
-    PLAIT_RANGE(attachment, 0, 100);
-    PLAIT_RANGE_3(wind, -1e3, 1e3);
-    PLAIT_RANGE(air_drag, 0, 1e6);
-    PLAIT_RANGE(wind_cone, 0, half_pi);
+double component(const plait_param_info& param, const unsigned char* at) {
+    if (param.kind == PLAIT_PARAM_FLOAT) {
+        float number;
+        std::memcpy(&number, at, sizeof number);
+        return double(number);
+    }
+    // C callers can put any number into an enum: a negative one is outside, too
+    uint32_t number;
+    std::memcpy(&number, at, sizeof number);
+    return param.kind == PLAIT_PARAM_UINT ? double(number) : double(static_cast<int32_t>(number));
+}
+
+Status check_param(const plait_param_info& param, const plait_sim_params& params) {
+    const auto* at = reinterpret_cast<const unsigned char*>(&params) + param.offset;
+    for (uint32_t i = 0; i < param.count; ++i) {
+        const std::string name = param.count > 1 ? format("%s[%u]", param.name, i) : param.name;
+        PLAIT_TRY(check_range(name.c_str(), component(param, at + 4 * i), bound(param, param.least),
+                              bound(param, param.most), param.least_excluded != 0));
+    }
     return {};
 }
 
@@ -78,22 +71,6 @@ Status check_slot_total(const plait_sim_params& s) {
         return {};
     return check_range("grid_edge_count^3 * slot_capacity", n * n * n * s.slot_capacity, 1,
                        std::numeric_limits<uint32_t>::max());
-}
-
-Status check_grid(const plait_sim_params& s) {
-    PLAIT_RANGE_ENUM(interhair, PLAIT_INTERHAIR_EXACT);
-    PLAIT_RANGE(grid_edge_count, 1, 64);
-    PLAIT_RANGE(slot_capacity, 1, 65536);
-    PLAIT_RANGE_ENUM(slot_hash, PLAIT_HASH_PCG);
-    PLAIT_RANGE_ENUM(tent, PLAIT_TENT_FORM_TRILINEAR);
-    PLAIT_RANGE_ENUM(diffuse_rule, PLAIT_DIFFUSE_RULE_FLOORED);
-    PLAIT_RANGE(diffuse_ratio, 0, 1e6);
-    PLAIT_RANGE(diffuse_factor, 0, 1);
-    PLAIT_RANGE(diffuse_floor, 0, 1);
-    PLAIT_RANGE(grid_in_world, 0, 1);
-    PLAIT_RANGE_3(grid_origin, -1e6, 1e6);
-    PLAIT_RANGE(grid_edge, 0, 1e6);
-    return check_slot_total(s);
 }
 
 } // namespace
@@ -140,8 +117,11 @@ plait_sim_desc default_sim_desc() {
 }
 
 Status check_params(const plait_sim_params& params) {
-    PLAIT_TRY(check_model(params));
-    return check_grid(params);
+    for (const plait_param_info& param : param_table())
+        if (param.offset != offsetof(plait_sim_params, iterations) ||
+            params.iterations != PLAIT_ITERATIONS_OF_MODEL)
+            PLAIT_TRY(check_param(param, params));
+    return check_slot_total(params);
 }
 
 Status check_sim_desc(const plait_sim_desc& s) {

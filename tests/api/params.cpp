@@ -1,0 +1,131 @@
+// The table of parameters: nothing is missing, ranges are those that are checked and those that
+// plait.h names.
+#include "support.hpp"
+
+#include <cstring>
+#include <fstream>
+#include <regex>
+#include <sstream>
+
+namespace {
+
+using Params = plait_sim_params;
+
+void put(Params& params, const plait_param_info& info, uint32_t component, double value) {
+    unsigned char bytes[4];
+    const auto number = static_cast<float>(value);
+    const auto whole = static_cast<int32_t>(value);
+    if (info.kind == PLAIT_PARAM_FLOAT)
+        std::memcpy(bytes, &number, sizeof bytes);
+    else
+        std::memcpy(bytes, &whole, sizeof bytes);
+    std::memcpy(reinterpret_cast<unsigned char*>(&params) + info.offset + 4 * component, bytes,
+                sizeof bytes);
+}
+
+class ParamTable : public testing::Test {
+  protected:
+    // Refused by name, or taken.
+    void expect(const Params& params, const plait_param_info& info, bool fine) {
+        const plait_result result = plait_sim_set_params(sim, &params);
+        EXPECT_EQ(result, fine ? PLAIT_OK : PLAIT_INVALID_ARGUMENT) << info.name;
+        if (!fine) {
+            EXPECT_EQ(std::string(plait_last_error())
+                          .find(std::string("plait_sim_set_params: ") + info.name),
+                      0u)
+                << plait_last_error();
+        }
+    }
+
+    plait::Context context = make_context("reference");
+    plait::Sim sim{context, make_groom(tuft(1, 3))};
+    std::vector<plait_param_info> list = plait::params_list();
+};
+
+TEST_F(ParamTable, CoversTheStructWithoutAGap) {
+    size_t end = sizeof Params::struct_size;
+    for (const plait_param_info& info : list) {
+        EXPECT_EQ(info.offset, end) << info.name;
+        end = info.offset + 4 * size_t{info.count};
+        EXPECT_LT(info.least, info.most) << info.name;
+        EXPECT_EQ(info.choices != nullptr, info.kind == PLAIT_PARAM_CHOICE) << info.name;
+        for (int i = 0; info.choices && i <= static_cast<int>(info.most); ++i)
+            EXPECT_STRNE(info.choices[i], "");
+    }
+    EXPECT_EQ(end, sizeof(Params));
+}
+
+TEST_F(ParamTable, ItsRangesAreTheOnesThatAreChecked) {
+    for (const plait_param_info& info : list)
+        for (uint32_t i = 0; i < info.count; ++i)
+            for (const bool low : {true, false}) {
+                const double edge = low ? info.least : info.most;
+                Params params = plait_sim_params_defaults();
+                // alone, all the slots there may be
+                const bool slots = std::strcmp(info.name, "slot_capacity") == 0 && !low;
+                put(params, info, i, edge);
+                if (!slots && std::strcmp(info.name, "grid_edge_count") != 0)
+                    expect(params, info, !(low && info.least_excluded));
+                const double step = std::max(std::abs(edge) * 1e-3, 1e-3);
+                const double beyond = info.kind == PLAIT_PARAM_FLOAT ? step : 1;
+                put(params, info, i, low ? edge - beyond : edge + beyond);
+                expect(params, info,
+                       params.iterations == PLAIT_ITERATIONS_OF_MODEL &&
+                           std::strcmp(info.name, "iterations") == 0);
+                if (info.kind != PLAIT_PARAM_FLOAT)
+                    continue;
+                put(params, info, i, NAN);
+                expect(params, info, false);
+            }
+}
+
+TEST_F(ParamTable, IsCutOrRefusedLikeEveryList) {
+    size_t count = 2;
+    std::vector<plait_param_info> two(2, plait_param_info_defaults());
+    ASSERT_EQ(plait_params_list(two.data(), &count), PLAIT_OK);
+    EXPECT_EQ(count, 2u);
+    EXPECT_STREQ(two[1].name, "damping");
+    two[1].struct_size = 0;
+    EXPECT_EQ(plait_params_list(two.data(), &count), PLAIT_INVALID_ARGUMENT);
+    EXPECT_EQ(plait_params_list(nullptr, nullptr), PLAIT_INVALID_ARGUMENT);
+}
+
+// ---- what plait.h says of a field ---------------------------------------------------------------
+
+std::string params_struct() {
+    std::ifstream header(PLAIT_SOURCE_DIR "/include/plait/plait.h");
+    std::stringstream text;
+    text << header.rdbuf();
+    const std::string all = text.str();
+    const size_t begin = all.find("typedef struct plait_sim_params {");
+    return all.substr(begin, all.find("} plait_sim_params;") - begin);
+}
+
+double number(const std::string& word) {
+    return word == "pi/2" ? std::acos(0.0) : std::stod(word);
+}
+
+// "" where it says nothing.
+std::string comment_of(const plait_param_info& info, const std::string& text) {
+    std::smatch found;
+    const std::regex declared("\\b" + std::string(info.name) + "(\\[3\\])?;\\s*/\\*([^*]*)\\*/");
+    return std::regex_search(text, found, declared) ? found[2].str() : "";
+}
+
+TEST_F(ParamTable, ItsRangesAreTheOnesThatTheHeaderNames) {
+    const std::string text = params_struct();
+    const std::regex range("([\\[(])([-0-9.e]+),\\s*([-0-9.e]+|pi/2)\\]");
+    for (const plait_param_info& info : list) {
+        if (info.kind == PLAIT_PARAM_CHOICE || (info.kind == PLAIT_PARAM_UINT && info.most == 1))
+            continue; // these are named
+        const std::string comment = comment_of(info, text);
+        std::smatch found;
+        ASSERT_TRUE(std::regex_search(comment, found, range)) << info.name << ": " << comment;
+        EXPECT_EQ(info.least_excluded, found[1] == "(" ? 1u : 0u) << info.name;
+        EXPECT_EQ(info.least, number(found[2])) << info.name;
+        EXPECT_EQ(info.most, number(found[3])) << info.name;
+        EXPECT_NE(comment.find(info.unit), std::string::npos) << info.name << ": " << comment;
+    }
+}
+
+} // namespace
