@@ -143,14 +143,17 @@ __kernel void plait_chain(const uint item_count, const plait_lane_params params,
     else
         chain_follow_leader(&step, 0, x);
 
-    store3(lane_x, step.place, 0, step.pose.root);
     for (int i = 1; i <= step.segments; ++i) {
         /* the sweep moved vertex i+1 as if pulled by i: i recoils */
         if (i < step.segments)
             w[i] = axpy3((real)(-CHAIN_CORRECTION / step.h), sub3(x[i + 1], solved[i + 1]), w[i]);
-        if (contacts && contacts->touching)
-            contact_finish(contacts, state, i, x[i], y[i], w[i]);
-        else
-            lane_finish(&step, state, i, x[i], y[i], w[i]);
     }
+    lane_velocities(&step, x, y, w);
+    energy_limit(&step, &params, state, contacts, (real)(0.0f), x, w);
+    store3(lane_x, step.place, 0, step.pose.root);
+    for (int i = 1; i <= step.segments; ++i)
+        if (contacts && contacts->touching)
+            contact_store(contacts, state, i, x[i], w[i]);
+        else
+            lane_store(&step, state, i, x[i], w[i]);
 }

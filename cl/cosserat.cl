@@ -28,9 +28,9 @@ __kernel void plait_cosserat(const uint item_count, const plait_lane_params para
     contact_begin(&contacts, &step, &params, capsule, lane_x);
     const rod_problem rod =
         rod_problem_of(&step, lane_rest, params.collider_count > 0 ? &contacts : 0);
-    rod_load(&rod, &s, lane_q, lane_q_before);
+    rod_load(&rod, &params, &s, lane_q, lane_q_before);
 
     cosserat_iterate(&rod, &s, params.iterations, 1);
 
-    rod_store(&rod, state, &s, w, lane_q);
+    rod_store(&rod, &params, state, &s, w, lane_q, lane_q_before);
 }

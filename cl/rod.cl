@@ -340,10 +340,10 @@ __kernel void plait_rod(const uint item_count, const plait_lane_params params,
     contact_begin(&contacts, &step, &params, capsule, lane_x);
     const rod_problem rod =
         rod_problem_of(&step, lane_rest, params.collider_count > 0 ? &contacts : 0);
-    rod_load(&rod, &s, lane_q, lane_q_before);
+    rod_load(&rod, &params, &s, lane_q, lane_q_before);
 
     cosserat_iterate(&rod, &s, 1, 1);
     rod_solve(&rod, &s, params.iterations);
 
-    rod_store(&rod, state, &s, w, lane_q);
+    rod_store(&rod, &params, state, &s, w, lane_q, lane_q_before);
 }

@@ -151,6 +151,22 @@ std::vector<uint32_t> other_order(uint32_t strands, uint32_t count) {
     return list;
 }
 
+LaneHair make_lane_hair_spun(const Size& size, uint32_t seed) {
+    LaneHair lanes = make_lane_hair(size, seed);
+    Random random(seed + 2);
+    double most = 0;
+    for (size_t k = 0; k < lanes.q.size(); k += 4) {
+        if (k % (size_t{4} * size.stride) == 0)
+            most = random.uniform(0.1, 0.3);
+        const Quat q = {lanes.q[k], lanes.q[k + 1], lanes.q[k + 2], lanes.q[k + 3]};
+        const Quat before = product(q, small_turn(random, most));
+        std::copy(before.begin(), before.end(), lanes.q_before.begin() + static_cast<long>(k));
+    }
+    for (float& v : lanes.v)
+        v *= 5;
+    return lanes;
+}
+
 plait_lane_params lane_params(const Size& size, uint32_t iterations, uint32_t bdf2) {
     plait_lane_params params = {size.stride,   1,          1.0f / 30, iterations, bdf2, 4,
                                 {20, -40, 30}, {9, 8, -7}, 0,         0,          0,    0};

@@ -41,15 +41,7 @@ class Stability : public testing::TestWithParam<Case> {
     Subject subject_;
 };
 
-// The bar is 0.05 of m g L and what there was. Solves that are cut short miss it in long steps, by
-// what was measured, and by no more; docs/stability.md says where.
-double energy_bar(const Subject& subject, const Place& place) {
-    if (subject.model == PLAIT_MODEL_COSSERAT && place.gamma >= 1 && place.rate <= 60)
-        return place.rate < 60 ? 0.6 : 0.25;
-    if (subject.model == PLAIT_MODEL_ROD && place.gamma >= 1e5 && place.rate < 60)
-        return 0.1;
-    return 0.05;
-}
+constexpr double energy_bar = 0.05; // of m g L and what there was
 
 void Stability::try_places(const std::vector<double>& rates, const std::vector<uint32_t>& segments,
                            const std::vector<double>& gammas) {
@@ -66,7 +58,7 @@ void Stability::try_places(const std::vector<double>& rates, const std::vector<u
                                               shakes()[i].label;
                     EXPECT_NE(outcomes[i].grade, Grade::nonfinite) << where;
                     EXPECT_LE(outcomes[i].speed, 1.0) << where;
-                    EXPECT_LE(outcomes[i].energy, energy_bar(subject_, place)) << where;
+                    EXPECT_LE(outcomes[i].energy, energy_bar) << where;
                 }
             }
 }
@@ -84,20 +76,17 @@ TEST_P(Stability, nothing_explodes_anywhere_Full) {
                {1e-3, 1e-2, 0.1, 1, 10, 100, 1e3, 1e4, 1e5});
 }
 
-// A strand that a sphere drags along by more friction than hair has snaps back when it comes free:
-// 1 to 6 times the bound measured, by how the compiler rounds; see docs/stability.md.
-double speed_bar(const AxisPoint& point) {
-    return point.axis == "friction" && std::stod(point.value) >= 1 ? 8.0 : 1.0;
-}
-
-// One parameter at a time, far beyond hair: finite.
+// One parameter at a time, far beyond hair.
 TEST_P(Stability, nothing_is_lost_on_any_axis) {
     for (const AxisPoint& point : axis_points()) {
         if (point.axis == "substeps" && std::stoi(point.value) > 30)
             continue;
         for (const Outcome& outcome : run(subject_.context, point.trial(subject_))) {
             EXPECT_NE(outcome.grade, Grade::nonfinite) << point.axis << " " << point.value;
-            EXPECT_LE(outcome.speed, speed_bar(point)) << point.axis << " " << point.value;
+            EXPECT_LE(outcome.speed, 1.0) << point.axis << " " << point.value;
+            if (subject_.bends()) { // a chain that trembles may slip late off what it began inside
+                EXPECT_LE(outcome.energy, energy_bar) << point.axis << " " << point.value;
+            }
         }
     }
 }

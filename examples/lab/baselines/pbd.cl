@@ -41,7 +41,8 @@ __kernel void plait_chain(const uint item_count, const plait_lane_params params,
     for (uint k = 0; k < params.iterations; ++k)
         pbd_sweep(&step, x);
 
+    lane_velocities(&step, x, y, w);
     store3(lane_x, step.place, 0, step.pose.root);
     for (int i = 1; i <= step.segments; ++i)
-        lane_finish(&step, state, i, x[i], y[i], w[i]);
+        lane_store(&step, state, i, x[i], w[i]);
 }

@@ -3,7 +3,7 @@
 // root whose displacement d of the next vertex is taken from a vertex's velocity, v_i -=
 // d_{i+1}/(2h). Source: Han & Harada 2013 (tridiagonal lengths), Mueller et al. 2012 (sweep and
 // correction). Contacts: ours, see contact.hpp.
-#include "backend/reference/contact.hpp"
+#include "backend/reference/energy.hpp"
 
 #include <Eigen/Dense>
 
@@ -107,7 +107,7 @@ void chain(uint32_t item_count, const plait_lane_params& params, const chain_arg
         Motion motion(lane, params, state, root);
         Links links;
         links.reach = motion.h * motion.h / (1 + params.drag * motion.h);
-        std::vector<double> before(1, 0.0); // length of the segment before a vertex
+        std::vector<double> before(1, 0.0), stretch(1, 0.0); // of the segment before a vertex
         for (uint32_t i = 0; i < params.vertex_stride; ++i) {
             const auto material = [&](size_t component) {
                 return args.lane_material[lane.index(i, component, PLAIT_LANE_MATERIAL_COMPONENTS)];
@@ -117,10 +117,11 @@ void chain(uint32_t item_count, const plait_lane_params& params, const chain_arg
                 break;
             links.length.push_back(material(PLAIT_LANE_LENGTH));
             before.push_back(links.length.back());
+            stretch.push_back(material(PLAIT_LANE_STRETCH));
         }
         std::optional<Contacts> contacts;
         if (params.collider_count > 0)
-            contacts.emplace(params, args.capsule, motion, before, links.mass);
+            contacts.emplace(params, args.capsule, motion, before, stretch, links.mass);
         Contacts* held = contacts ? &*contacts : nullptr;
         std::vector<Vec3> x = motion.y;
         solve(links, motion, params.iterations, held, x);
@@ -128,10 +129,12 @@ void chain(uint32_t item_count, const plait_lane_params& params, const chain_arg
         follow(links, held, x);
         for (size_t i = 1; i + 1 < x.size(); ++i)
             motion.w[i] -= (x[i + 1] - solved[i + 1]) / (2 * motion.h);
+        std::vector<Vec3> v = motion.velocities(x);
+        limit_energy({params, motion, links.mass, before, held}, 0, x, v);
         if (held)
-            held->store(lane, state, x);
+            held->store(lane, state, x, v);
         else
-            motion.store(lane, state, x);
+            motion.store(lane, state, x, v);
     }
 }
 

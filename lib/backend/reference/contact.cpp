@@ -13,6 +13,7 @@ namespace {
 constexpr double started_inside = 0.005; // deeper at the substep's begin, in segments
 constexpr double deepest = 0.02;         // after a solve, in segments
 constexpr double soft = 10;              // stiffness for what started inside, in m/h^2
+constexpr double most_held = 0.1;        // friction on a vertex, in EA
 constexpr int newton_steps = 4;          // towards the first crossing
 constexpr double same_side = 0.5;        // cosine of 60 degrees
 constexpr double reach = 0.5;            // of the length from a root that is inside
@@ -44,9 +45,11 @@ std::optional<Plane> first_crossing(const Capsule& capsule, const Vec3& from, co
 } // namespace
 
 Contacts::Contacts(const plait_lane_params& params, const View<const Vec4>& capsules,
-                   const Motion& motion, std::vector<double> length, std::vector<double> mass)
+                   const Motion& motion, std::vector<double> length, std::vector<double> stretch,
+                   std::vector<double> mass)
     : params_(params), capsules_(capsules), motion_(motion), length_(std::move(length)),
-      mass_(std::move(mass)), arc_(length_.size()), at_(params.vertex_stride) {
+      stretch_(std::move(stretch)), mass_(std::move(mass)), arc_(length_.size()),
+      at_(params.vertex_stride) {
     std::partial_sum(length_.begin(), length_.end(), arc_.begin());
 }
 
@@ -117,7 +120,7 @@ bool Contacts::slides(const Contact& before, const Contact& now, const Vec3& u,
         return u.norm() > slip + now.friction * now.push * mobility;
     if (!before.sticks())
         return before.slide.dot(u) > 0;
-    return before.push * u.norm() / slip > now.push;
+    return before.friction * before.push * u.norm() / slip > now.friction * now.push;
 }
 
 Contacts::Contact Contacts::renewed(size_t vertex, const Vec3& x) const {
@@ -146,12 +149,13 @@ Contacts::Contact Contacts::renewed(size_t vertex, const Vec3& x) const {
     }
     now.normal = found->normal;
     now.anchor = found->anchor;
-    now.friction = found->friction;
     now.offset = now.normal.dot(x) + depth - level;
     if (!(depth > 0 || (pressed && -depth < tolerance)))
         return now;
     now.stiffness = stiffness;
     now.push = was ? std::max(left, 0.0) : std::min(stiff * std::max(D, 0.0), most);
+    now.friction = std::min(found->friction, most_held * stretch_[vertex] * length_[vertex] /
+                                                 std::max(now.push, 1e-30));
     const Vec3 u = slip_of(now, x);
     if (slides(solved_ ? before : Contact{}, now, u, motion_.h * motion_.h / mass_[vertex]))
         now.slide = u.normalized();
@@ -228,8 +232,19 @@ Vec3 Contacts::keep_off(size_t i, const Vec3& leader, double length, const Vec3&
            std::sqrt(length * length - above * above) * direction(across);
 }
 
-void Contacts::store(const Lane& lane, const LaneState& state, const std::vector<Vec3>& x) const {
-    motion_.store(lane, state, x);
+double Contacts::work(size_t vertex, const Vec3& start, const Vec3& x) const {
+    const Contact& at = at_[vertex];
+    if (at.stiffness == 0)
+        return 0;
+    const Vec3 way = at.anchor - start;
+    const double push = at.stiffness * std::max(at.offset - at.normal.dot(x), 0.0);
+    const double rise = at.normal.dot(way);
+    return push * rise + at.friction * at.push * (way - rise * at.normal).norm();
+}
+
+void Contacts::store(const Lane& lane, const LaneState& state, const std::vector<Vec3>& x,
+                     const std::vector<Vec3>& solved) const {
+    motion_.store(lane, state, x, solved);
     const Vec3 root_start = motion_.root + motion_.start[0];
     for (size_t i = 1; i < x.size(); ++i) {
         const Contact& at = at_[i];

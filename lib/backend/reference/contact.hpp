@@ -14,9 +14,11 @@ using Mat3 = Eigen::Matrix3d;
 
 class Contacts {
   public:
-    // `length[i]` of the segment before vertex i, 0 past the tip; `mass[i]` of vertex i.
+    // `length[i]` and `stretch[i]`, EA/l, of the segment before vertex i, 0 past the tip; `mass[i]`
+    // of vertex i.
     Contacts(const plait_lane_params& params, const View<const Vec4>& capsules,
-             const Motion& motion, std::vector<double> length, std::vector<double> mass);
+             const Motion& motion, std::vector<double> length, std::vector<double> stretch,
+             std::vector<double> mass);
 
     // Look for the contacts of vertices at x again.
     void renew(const std::vector<Vec3>& x);
@@ -28,6 +30,9 @@ class Contacts {
                const Vec3& x) const; // minus the gradient, slip in its last direction
     double energy(size_t vertex, const Vec3& x) const;
 
+    // At most, of push and friction on a vertex at x along the way of the surface from `start`.
+    double work(size_t vertex, const Vec3& start, const Vec3& x) const;
+
     // Where a chain's sweep keeps vertex `i`, `length` from its leader.
     Vec3 keep_off(size_t i, const Vec3& leader, double length, const Vec3& solved,
                   const Vec3& exact) const;
@@ -35,7 +40,8 @@ class Contacts {
     double excess(size_t vertex, const Vec3& x) const;
     void clip(std::vector<Vec3>& x);
     // Positions and velocities; what is pressed to a surface moves with it.
-    void store(const Lane& lane, const LaneState& state, const std::vector<Vec3>& x) const;
+    void store(const Lane& lane, const LaneState& state, const std::vector<Vec3>& x,
+               const std::vector<Vec3>& solved) const;
 
   private:
     struct Contact {
@@ -60,7 +66,7 @@ class Contacts {
     const plait_lane_params& params_;
     const View<const Vec4>& capsules_;
     const Motion& motion_;
-    std::vector<double> length_, mass_, arc_; // arc_[i]: from the root to vertex i
+    std::vector<double> length_, stretch_, mass_, arc_; // arc_[i]: from the root to vertex i
     std::vector<Contact> at_;
     bool solved_ = false, touched_ = false;
 };

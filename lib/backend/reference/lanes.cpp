@@ -17,7 +17,8 @@ Vec3 root_of(const View<const Vec4>& rest, const Pose& pose, size_t strand, uint
 Motion::Motion(const Lane& lane, const plait_lane_params& params, const LaneState& state,
                const Vec3& new_root)
     : h(params.bdf2 ? params.h * 2.0 / 3.0 : params.h), root(new_root), start(params.vertex_stride),
-      y(params.vertex_stride), w(params.vertex_stride, Vec3::Zero()) {
+      v(params.vertex_stride, Vec3::Zero()), y(params.vertex_stride),
+      w(params.vertex_stride, Vec3::Zero()) {
     const Vec3 push = vec3(params.gravity) + params.drag * vec3(params.air);
     const Vec3 root_now = lane.vector(state.x, 0);
     const Vec3 root_before = params.bdf2 ? lane.vector(state.x_before, 0) : root_now;
@@ -25,28 +26,36 @@ Motion::Motion(const Lane& lane, const plait_lane_params& params, const LaneStat
     y[0] = Vec3::Zero();
     for (uint32_t i = 1; i < params.vertex_stride; ++i) {
         Vec3 x = root_now + lane.vector(state.x, i);
-        Vec3 v = lane.vector(state.v, i);
+        Vec3 velocity = v[i] = lane.vector(state.v, i);
         start[i] = x - root;
         if (params.bdf2) {
             const Vec3 x_before = root_before + lane.vector(state.x_before, i);
             const Vec3 v_before = lane.vector(state.v_before, i);
             lane.store(state.x_before, i, Vec3(x - root_now));
-            lane.store(state.v_before, i, v);
+            lane.store(state.v_before, i, v[i]);
             x = continued(x, x_before);
-            v = continued(v, v_before);
+            velocity = continued(velocity, v_before);
         }
-        w[i] = (v + h * push) / (1 + params.drag * h);
+        w[i] = (velocity + h * push) / (1 + params.drag * h);
         y[i] = x + h * w[i] - root;
     }
     if (params.bdf2)
         lane.store(state.x_before, 0, root_now);
 }
 
-void Motion::store(const Lane& lane, const LaneState& state, const std::vector<Vec3>& x) const {
+std::vector<Vec3> Motion::velocities(const std::vector<Vec3>& x) const {
+    std::vector<Vec3> solved = w;
+    for (size_t i = 1; i < x.size(); ++i)
+        solved[i] += (x[i] - y[i]) / h;
+    return solved;
+}
+
+void Motion::store(const Lane& lane, const LaneState& state, const std::vector<Vec3>& x,
+                   const std::vector<Vec3>& solved) const {
     lane.store(state.x, 0, root);
     for (size_t i = 1; i < x.size(); ++i) {
         lane.store(state.x, i, x[i]);
-        lane.store(state.v, i, Vec3(w[i] + (x[i] - y[i]) / h));
+        lane.store(state.v, i, solved[i]);
     }
 }
 

@@ -58,12 +58,15 @@ struct LaneState {
 struct Motion {
     Motion(const Lane& lane, const plait_lane_params& params, const LaneState& state,
            const Vec3& root);
-    // Positions x relative to the root; v = w + (x - y)/h.
-    void store(const Lane& lane, const LaneState& state, const std::vector<Vec3>& x) const;
+    // v = w + (x - y)/h of solved positions, relative to the root.
+    std::vector<Vec3> velocities(const std::vector<Vec3>& x) const;
+    void store(const Lane& lane, const LaneState& state, const std::vector<Vec3>& x,
+               const std::vector<Vec3>& solved) const;
 
     double h;
     Vec3 root;
     std::vector<Vec3> start; // positions at the substep's begin, [0] that of the root
+    std::vector<Vec3> v;     // velocities at the substep's begin
     std::vector<Vec3> y, w;
 };
 

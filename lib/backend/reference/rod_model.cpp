@@ -3,7 +3,10 @@
 namespace plait::reference {
 namespace {
 
-constexpr double repeat = 0.97; // share of the last turn: at rest a wrong one must die out
+// Share of the last turn: a wrong one must die out, the sooner where no budget takes it.
+double repeated(const plait_lane_params& params) {
+    return params.bdf2 ? 0.97 : 0.99;
+}
 
 double dot(const Quat& a, const Quat& b) {
     return a.coeffs().dot(b.coeffs());
@@ -12,12 +15,13 @@ double dot(const Quat& a, const Quat& b) {
 } // namespace
 
 RodModel::RodModel(const RodBuffers& buffers, const plait_lane_params& params, size_t strand)
-    : lane_(strand, params.vertex_stride, params.tile),
+    : params_(&params), lane_(strand, params.vertex_stride, params.tile),
       motion_(lane_, params, buffers.state,
               root_of(buffers.rest, pose_of(buffers.pose, strand), strand, params.vertex_stride)),
       inertia_((1 + params.drag * motion_.h) / (motion_.h * motion_.h)),
       root_frame_(pose_of(buffers.pose, strand).q) {
     x = motion_.y;
+    const double repeat = repeated(params);
     for (uint32_t i = 0; i < params.vertex_stride; ++i) {
         const auto material = [&](size_t component) {
             return buffers.material[lane_.index(i, component, PLAIT_LANE_MATERIAL_COMPONENTS)];
@@ -35,12 +39,16 @@ RodModel::RodModel(const RodBuffers& buffers, const plait_lane_params& params, s
         q.push_back(
             Quat(Vec4(now.coeffs() + repeat * (now.coeffs() - before.coeffs()))).normalized());
         lane_.store(buffers.q_before, i, now);
+        q_start_.push_back(now.normalized()); // float32 rounds it
     }
+    length_before_.assign(1, 0.0);
+    length_before_.insert(length_before_.end(), length_.begin(), length_.end());
     if (params.collider_count == 0)
         return;
-    std::vector<double> before(1, 0.0); // length of the segment before a vertex
-    before.insert(before.end(), length_.begin(), length_.end());
-    contacts_ = std::make_shared<Contacts>(params, buffers.capsules, motion_, before, mass_);
+    std::vector<double> stretch_before(1, 0.0);
+    stretch_before.insert(stretch_before.end(), stretch_.begin(), stretch_.end());
+    contacts_ = std::make_shared<Contacts>(params, buffers.capsules, motion_, length_before_,
+                                           stretch_before, mass_);
 }
 
 void RodModel::renew_contacts() {
@@ -49,14 +57,21 @@ void RodModel::renew_contacts() {
 }
 
 void RodModel::store(const RodBuffers& buffers) {
-    if (contacts_) {
+    if (contacts_)
         contacts_->clip(x);
-        contacts_->store(lane_, buffers.state, x);
-    } else {
-        motion_.store(lane_, buffers.state, x);
-    }
-    for (size_t i = 0; i < segments(); ++i)
+    std::vector<Vec3> v = motion_.velocities(x);
+    const double share =
+        limit_energy({*params_, motion_, mass_, length_before_, contacts_.get()}, released(), x, v);
+    if (contacts_)
+        contacts_->store(lane_, buffers.state, x, v);
+    else
+        motion_.store(lane_, buffers.state, x, v);
+    for (size_t i = 0; i < segments(); ++i) {
         lane_.store(buffers.q, i, q[i]);
+        // The turn that the next substep repeats loses what the velocities lost.
+        const Vec4 turn = q[i].coeffs() - q_start_[i].coeffs();
+        lane_.store(buffers.q_before, i, Quat(Vec4(q[i].coeffs() - share * turn)));
+    }
 }
 
 Quat RodModel::expected(size_t segment) const {
@@ -67,13 +82,31 @@ Vec3 RodModel::strain(size_t segment) const {
     return x[segment + 1] - x[segment] - length_[segment] * director(segment);
 }
 
-double RodModel::energy() const {
+double RodModel::elastic(const std::vector<Vec3>& at, const std::vector<Quat>& turned) const {
     double sum = 0;
+    for (size_t i = 0; i < segments(); ++i) {
+        const Quat from = (i == 0 ? root_frame_ : turned[i - 1]) * rest_[i];
+        const Vec3 bent = (from.conjugate() * turned[i]).vec();
+        const Vec3 strain = at[i + 1] - at[i] - length_[i] * (turned[i] * Vec3::UnitX());
+        sum += stretch_[i] / 2 * strain.squaredNorm() +
+               bend_[i] * (1 - std::abs(dot(turned[i], from))) +
+               bent.dot(section_[i].cwiseProduct(bent)) / 2;
+    }
+    return sum;
+}
+
+// Before and after relative to the root of their time, both clamped as after.
+double RodModel::released() const {
+    std::vector<Vec3> start = motion_.start;
+    for (Vec3& at : start)
+        at -= motion_.start[0];
+    return elastic(start, q_start_) - elastic(x, q);
+}
+
+double RodModel::energy() const {
+    double sum = elastic(x, q);
     for (size_t i = 0; i < segments(); ++i)
         sum += mass_[i + 1] * inertia_ / 2 * (x[i + 1] - motion_.y[i + 1]).squaredNorm() +
-               stretch_[i] / 2 * strain(i).squaredNorm() +
-               bend_[i] * (1 - std::abs(dot(q[i], expected(i)))) +
-               bent(i).vec().dot(section_[i].cwiseProduct(bent(i).vec())) / 2 +
                (contacts_ ? contacts_->energy(i + 1, x[i + 1]) : 0);
     return sum;
 }

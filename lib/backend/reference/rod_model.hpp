@@ -9,7 +9,7 @@
 // Source: Kugelstadt & Schoemer 2016, Hsu et al. 2025.
 #pragma once
 
-#include "backend/reference/contact.hpp"
+#include "backend/reference/energy.hpp"
 
 #include <Eigen/Dense>
 #include <memory>
@@ -37,6 +37,8 @@ class RodModel {
 
     size_t segments() const { return q.size(); }
     double energy() const;
+    // Its elastic part, also of other positions and orientations.
+    double elastic(const std::vector<Vec3>& at, const std::vector<Quat>& turned) const;
     // Minimise over all positions for the present orientations.
     void solve_positions();
     // Minimise over one orientation after another, root to tip.
@@ -55,16 +57,20 @@ class RodModel {
   private:
     Quat expected(size_t segment) const; // q_{i-1} r_i
     Vec3 strain(size_t segment) const;   // x_{i+1} - x_i - l_i t_i
+    double released() const;             // elastic energy, J, since the substep's begin
     Quat bent(size_t segment) const { return expected(segment).conjugate() * q[segment]; }
     Vec3 director(size_t segment) const { return q[segment] * Vec3::UnitX(); }
     Eigen::VectorXd direction() const;
 
+    const plait_lane_params* params_;
     Lane lane_;
     Motion motion_;
     double inertia_; // (1 + c h)/h^2
     Quat root_frame_;
     std::vector<double> length_, stretch_, bend_, mass_;
-    std::vector<Vec3> section_; // (kt, 0, kc)
+    std::vector<double> length_before_; // of the segment before a vertex
+    std::vector<Quat> q_start_;         // at the substep's begin
+    std::vector<Vec3> section_;         // (kt, 0, kc)
     std::vector<Quat> rest_;
     std::shared_ptr<Contacts> contacts_; // null: no colliders
 };

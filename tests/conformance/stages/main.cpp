@@ -189,7 +189,7 @@ void add_all(Subject& subject) {
         add<Agrees>(subject, stage, stage_case);
         add<Notices>(subject, stage + "_notices", stage_case);
     }
-    for (const auto* forms : {&strand_closed_forms(), &grid_closed_forms()})
+    for (const auto* forms : {&strand_closed_forms(), &grid_closed_forms(), &energy_closed_forms()})
         for (const ClosedForm& form : *forms)
             add<Solves>(subject, form.name, form);
 }

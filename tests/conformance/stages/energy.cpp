@@ -1,0 +1,240 @@
+// No solve raises its potential, and no substep gives energy: in float64, from what went into a
+// stage over lanes and what came out, for strands that move hard. V and its names are
+// common/rod.clh's.
+#include "closed_forms.hpp"
+#include "lane_inputs.hpp"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace plait::conformance {
+
+using namespace cases;
+
+namespace {
+
+using Vec3 = Eigen::Vector3d;
+using Quat = Eigen::Quaterniond;
+
+struct State {
+    std::vector<Vec3> x, v; // x relative to the root
+    std::vector<Quat> q;
+};
+
+struct Strand {
+    std::vector<double> length, stretch, bend, mass;
+    std::vector<Vec3> section; // (kt, 0, kc)
+    std::vector<Quat> rest;
+    Quat root;
+    Vec3 root_at;
+};
+
+// Index of each buffer in the setups of lane_setup().
+struct Places {
+    size_t rest = 0, pose = 1, material = 2, turns = 3, x, v, q = 0, q_before = 0;
+    explicit Places(bool bends) : x(bends ? 5 : 4), v(x + 1) {
+        if (bends)
+            q = v + 1, q_before = v + 2;
+    }
+};
+
+Vec3 vec3_at(const Array& array, size_t row, size_t components = 3) {
+    const float* p = &array.floats[components * row];
+    return {p[0], p[1], p[2]};
+}
+
+Quat quat_at(const Array& array, size_t row) {
+    const float* p = &array.floats[4 * row];
+    return {p[3], p[0], p[1], p[2]};
+}
+
+State state_of(const Setup& setup, size_t strand, bool bends) {
+    const Places at(bends);
+    State state;
+    for (size_t i = 0; i < setup.width; ++i) {
+        const size_t row = strand * setup.width + i;
+        state.x.push_back(i == 0 ? Vec3::Zero() : vec3_at(setup.buffers[at.x], row));
+        state.v.push_back(vec3_at(setup.buffers[at.v], row));
+        if (bends)
+            state.q.push_back(quat_at(setup.buffers[at.q], row).normalized());
+    }
+    return state;
+}
+
+// Up to the tip.
+Strand strand_of(const Setup& setup, size_t strand, bool bends, bool sections) {
+    const Places at(bends);
+    Strand s;
+    for (size_t i = 0; i < setup.width; ++i) {
+        const size_t row = strand * setup.width + i;
+        const float* m = &setup.buffers[at.material].floats[PLAIT_LANE_MATERIAL_COMPONENTS * row];
+        s.length.push_back(double(m[PLAIT_LANE_LENGTH]));
+        s.stretch.push_back(double(m[PLAIT_LANE_STRETCH]));
+        s.bend.push_back(double(m[PLAIT_LANE_BEND]));
+        s.mass.push_back(double(m[PLAIT_LANE_MASS]));
+        s.section.emplace_back(sections ? double(m[PLAIT_LANE_TWIST]) : 0, 0,
+                               sections ? double(m[PLAIT_LANE_CROSS]) : 0);
+        if (bends)
+            s.rest.push_back(quat_at(setup.buffers[at.turns], row));
+        if (m[PLAIT_LANE_LENGTH] == 0)
+            break;
+    }
+    s.root = quat_at(setup.buffers[at.pose], 2 * strand);
+    s.root_at = s.root * vec3_at(setup.buffers[at.rest], strand * setup.width, 4) +
+                vec3_at(setup.buffers[at.pose], 2 * strand + 1, 4);
+    return s;
+}
+
+double elastic(const Strand& s, const State& at) {
+    double sum = 0;
+    for (size_t i = 0; i + 1 < s.mass.size() && !at.q.empty(); ++i) {
+        const Quat turn = ((i == 0 ? s.root : at.q[i - 1]) * s.rest[i]).conjugate() * at.q[i];
+        const Vec3 strain = at.x[i + 1] - at.x[i] - s.length[i] * (at.q[i] * Vec3::UnitX());
+        sum += s.stretch[i] / 2 * strain.squaredNorm() +
+               s.bend[i] * turn.vec().squaredNorm() / (1 + std::abs(turn.w())) +
+               turn.vec().dot(s.section[i].cwiseProduct(turn.vec())) / 2;
+    }
+    return sum;
+}
+
+struct Forces {
+    double h, drag;
+    Vec3 push;
+    explicit Forces(const plait_lane_params& p)
+        : h(double(p.h)), drag(double(p.drag)),
+          push(Vec3(p.gravity[0], p.gravity[1], p.gravity[2]) +
+               drag * Vec3(p.air[0], p.air[1], p.air[2])) {}
+};
+
+// What a substep of backward Euler minimises.
+double potential(const Strand& s, const Forces& f, const Vec3& shift, const State& from,
+                 const State& to) {
+    double sum = elastic(s, to);
+    for (size_t i = 1; i < s.mass.size(); ++i) {
+        const Vec3 w = (from.v[i] + f.h * f.push) / (1 + f.drag * f.h);
+        const Vec3 lag = to.x[i] - (from.x[i] + shift + f.h * w);
+        sum += s.mass[i] * (1 + f.drag * f.h) / (2 * f.h * f.h) * lag.squaredNorm();
+    }
+    return sum;
+}
+
+struct Balance {
+    double before = 0, after = 0; // J, kinetic energy relative to the root, and what may become it
+};
+
+Balance balance(const Strand& s, const Forces& f, const Vec3& shift, const State& from,
+                const State& to) {
+    Balance b{elastic(s, from) - elastic(s, to), 0};
+    const double gain = 1 + f.drag * f.h;
+    const double still = 1e-10 / (f.h * f.h); // 1e-5 of its distance from the root is rounding
+    for (size_t i = 1; i < s.mass.size(); ++i) {
+        const Vec3 inertial = from.v[i] / gain + shift / f.h, moves = to.v[i] + shift / f.h;
+        b.before +=
+            s.mass[i] * (gain / 2 * (inertial.squaredNorm() + still * to.x[i].squaredNorm()) +
+                         f.push.dot(to.x[i] - from.x[i]));
+        b.after += s.mass[i] * gain / 2 * moves.squaredNorm();
+    }
+    return b;
+}
+
+// What a stage leaves is what the next substep starts from.
+Setup after(Bench& bench, plait_stage stage, const Setup& setup) {
+    Setup next = setup;
+    next.buffers = bench.run(stage, setup.items, setup.width, setup.params_as<plait_lane_params>(),
+                             setup.buffers);
+    return next;
+}
+
+// Strands limited and all substeps of them.
+struct Count {
+    size_t limited = 0, all = 0;
+};
+
+void check_substep(const Setup& before, const Setup& now, bool bends, bool sections, Count& count) {
+    const Places at(bends);
+    const Forces forces(before.params_as<plait_lane_params>());
+    for (size_t k = 0; k < before.items; ++k) {
+        const Strand s = strand_of(before, k, bends, sections);
+        const Vec3 shift = vec3_at(before.buffers[at.x], k * before.width) - s.root_at;
+        const Balance b =
+            balance(s, forces, shift, state_of(before, k, bends), state_of(now, k, bends));
+        // x, q and v are float32
+        const double rounding =
+            1e-4 * std::abs(b.before) + 1e-6 * elastic(s, state_of(before, k, bends)) + 1e-13;
+        EXPECT_LE(b.after, std::max(b.before, 0.0) + rounding) << before.name << ", strand " << k;
+        count.limited += b.after > 0.999 * b.before - rounding;
+        ++count.all;
+    }
+}
+
+void no_substep_gives_energy(Bench& bench, plait_stage stage, uint32_t iterations, bool bends,
+                             bool sections) {
+    constexpr int substeps = 12;
+    Count count;
+    for (const Size& size : {Size{67, 16}, Size{7, 31}})
+        for (const float drag : {0.0f, 4.0f}) {
+            plait_lane_params params = lane_params(size, iterations, 0);
+            params.drag = drag;
+            Setup setup = lane_setup(size, make_lane_hair_spun(size, 7), params, bends);
+            for (int i = 0; i < substeps; ++i) {
+                const Setup next = after(bench, stage, setup);
+                check_substep(setup, next, bends, sections, count);
+                setup = next;
+            }
+        }
+    EXPECT_GT(count.limited, count.all / 100); // else nothing was tried
+    EXPECT_LT(count.limited, count.all);
+}
+
+void chain_gives_no_energy(Bench& bench) {
+    no_substep_gives_energy(bench, PLAIT_STAGE_chain, 1, false, false);
+}
+void cosserat_gives_no_energy(Bench& bench) {
+    no_substep_gives_energy(bench, PLAIT_STAGE_cosserat, 1, true, false);
+}
+void rod_gives_no_energy(Bench& bench) {
+    no_substep_gives_energy(bench, PLAIT_STAGE_rod, 0, true, true);
+}
+
+// One iteration more, from the same state.
+void no_iteration_raises_the_potential(Bench& bench, plait_stage stage, bool sections) {
+    const Size size{67, 16};
+    std::vector<double> before(size.strands, HUGE_VAL);
+    for (uint32_t iterations = stage == PLAIT_STAGE_rod ? 1 : 0; iterations < 6; ++iterations) {
+        const plait_lane_params params = lane_params(size, iterations, 0);
+        const Setup setup = lane_setup(size, make_lane_hair_spun(size, 9), params, true);
+        const Setup solved = after(bench, stage, setup);
+        for (size_t k = 0; k < size.strands; ++k) {
+            const Strand s = strand_of(setup, k, true, sections);
+            const Vec3 shift = vec3_at(setup.buffers[Places(true).x], k * setup.width) - s.root_at;
+            const double now = potential(s, Forces(params), shift, state_of(setup, k, true),
+                                         state_of(solved, k, true));
+            EXPECT_LE(now, before[k] * (1 + 1e-5)) << iterations << " iterations, strand " << k;
+            before[k] = now;
+        }
+    }
+}
+
+void cosserat_never_raises_its_potential(Bench& bench) {
+    no_iteration_raises_the_potential(bench, PLAIT_STAGE_cosserat, false);
+}
+void rod_never_raises_its_potential(Bench& bench) {
+    no_iteration_raises_the_potential(bench, PLAIT_STAGE_rod, true);
+}
+
+} // namespace
+
+const std::vector<ClosedForm>& energy_closed_forms() {
+    static const std::vector<ClosedForm> list = {
+        PLAIT_CLOSED_FORM(chain_gives_no_energy),
+        PLAIT_CLOSED_FORM(cosserat_gives_no_energy),
+        PLAIT_CLOSED_FORM(rod_gives_no_energy),
+        PLAIT_CLOSED_FORM(cosserat_never_raises_its_potential),
+        PLAIT_CLOSED_FORM(rod_never_raises_its_potential),
+    };
+    return list;
+}
+
+} // namespace plait::conformance
