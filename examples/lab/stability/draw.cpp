@@ -81,7 +81,7 @@ void write_script(const Picture& picture, const std::string& model,
     for (size_t i = 0; i < picture.gammas.size(); ++i)
         script << (i ? ", " : "") << "'" << text_of(picture.gammas[i]) << "' "
                << static_cast<double>(i * (shakes().size() + 1)) + 3;
-    script << ")\nset xlabel 'gamma = rho A g L^3 / EI'\nset ytics (";
+    script << ")\nset xlabel 'gamma = rho A g L^3 / EI'\nset ytics noenhanced (";
     for (size_t i = 0; i < lines; ++i) {
         const auto& [method, rate, segments] = picture.lines[i];
         script << (i ? ", " : "") << "'" << picture.methods[method] << ", " << rate << " Hz, N "
