@@ -118,6 +118,7 @@ double share_deviation(double n, double capacity) {
     return std::sqrt((capacity - 1) * two_empty / capacity + empty / capacity - empty * empty);
 }
 
+// A pattern may leave the second out.
 std::string number_of(const char* pattern, double a, double b) {
     char text[96];
     std::snprintf(text, sizeof text, pattern, a, b);
@@ -187,7 +188,7 @@ std::vector<GridRow> slot_rows(Device& device) {
     constexpr uint32_t capacity = 256;
     std::vector<GridRow> rows;
     for (const uint32_t n : {capacity / 4, capacity, 4 * capacity}) {
-        const std::string head = "slots, n = " + number_of("%g C%.0s: ", 1.0 * n / capacity, 0);
+        const std::string head = "slots, n = " + number_of("%g C: ", 1.0 * n / capacity, 0);
         const Sampled seen = sample(device, capacity, n);
         const double filled = share(n, capacity), survival = filled * capacity / n;
         const double spread_error = 1 / std::sqrt(2.0 * 3 * frames);
@@ -207,7 +208,7 @@ std::vector<GridRow> slot_rows(Device& device) {
                         number_of("%.4f, expected %.4f", seen.spread, seen.expected_spread)});
         rows.push_back({"24", head + "bias of V where v = index/n", "", std::nullopt,
                         seen.order_bias,
-                        number_of("%+.3f if later writers always win%.0s", order, 0)});
+                        number_of("%+.3f if later writers always win", order, 0)});
     }
     return rows;
 }
