@@ -11,11 +11,10 @@
  * its way: see docs/stages/collide.md. */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/capsule.clh"
-#include "common/quat.clh"
 #include "common/strand.clh"
 
 static float3 collide_with(__global const float4* capsules, uint index, float3 x, float3 prev) {
-    const capsule_t now = capsule_at(capsules, index, 1u);
+    const capsule_t now = capsule_at(capsules, index);
     if (!capsule_may_hold(now, x))
         return x;
     const contact_t contact = capsule_contact(now, x);
@@ -23,13 +22,8 @@ static float3 collide_with(__global const float4* capsules, uint index, float3 x
         return x;
     const float depth = -contact.distance;
     const float3 pushed = x + depth * contact.normal;
-    /* where the surface at `pushed` was when the substep began */
-    const capsule_t then = capsule_at(capsules, index, 0u);
-    const float3 arm = pushed - capsule_axis_point(now, contact.foot);
-    const float3 carrier = capsule_axis_point(then, contact.foot) +
-                           quat_rotate(quat_conjugate(capsule_turn(capsules, index)), arm);
-    return pushed +
-           coulomb(carrier - prev, contact.normal, depth, capsule_friction(capsules, index));
+    const float3 slip = capsule_carry_back(capsules, index, pushed) - prev;
+    return pushed + coulomb(slip, contact.normal, depth, capsule_friction(capsules, index));
 }
 
 __kernel void plait_collide(const uint item_count, const plait_collide_params params,

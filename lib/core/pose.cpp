@@ -27,6 +27,11 @@ Result<plait_pose> checked_pose(const plait_pose& pose, const char* name) {
 plait_pose interpolate(const plait_pose& from, const plait_pose& to, double share) {
     if (share <= 0 || share >= 1)
         return share <= 0 ? from : to;
+    plait_pose pose = from;
+    for (size_t i = 0; i < 3; ++i)
+        pose.t[i] = static_cast<float>((1 - share) * from.t[i] + share * to.t[i]);
+    if (std::equal(from.q, from.q + 4, to.q))
+        return pose; // normalised again it would turn by a rounding
     double dot = 0;
     for (size_t i = 0; i < 4; ++i)
         dot += double(from.q[i]) * to.q[i];
@@ -37,12 +42,9 @@ plait_pose interpolate(const plait_pose& from, const plait_pose& to, double shar
         q[i] = (1 - share) * from.q[i] + share * sign * to.q[i];
         square += q[i] * q[i];
     }
-    plait_pose pose = from;
     const double norm = std::sqrt(square); // >= sqrt(1/2): the arc is the shorter one
     for (size_t i = 0; i < 4; ++i)
         pose.q[i] = static_cast<float>(q[i] / norm);
-    for (size_t i = 0; i < 3; ++i)
-        pose.t[i] = static_cast<float>((1 - share) * from.t[i] + share * to.t[i]);
     return pose;
 }
 

@@ -27,10 +27,14 @@ typedef uint32_t plait_u32;
 /* float4 elements per item in packed buffers. */
 #define PLAIT_POSE_STRIDE 2    /* pose: quaternion (x,y,z,w); translation (x,y,z,0) */
 #define PLAIT_MOTION_STRIDE 2  /* strand_motion: quaternion; (translation, blend c) */
-#define PLAIT_CAPSULE_STRIDE 6 /* capsule, below */
+#define PLAIT_CAPSULE_STRIDE 6
 
-/* capsule, for each substep of a step all colliders: (a,ra)(b,rb) at the substep's begin,
- * (a,ra)(b,rb) at its end, the quaternion that turns the one into the other, (friction,0,0,0). */
+/* Elements of a capsule; the buffer holds all colliders of a step's first substep, then all of its
+ * second, and so on. */
+#define PLAIT_CAPSULE_BEGIN 0    /* (a,ra)(b,rb) at the substep's begin */
+#define PLAIT_CAPSULE_END 2      /* (a,ra)(b,rb) at its end */
+#define PLAIT_CAPSULE_TURN 4     /* the quaternion that turns the one into the other */
+#define PLAIT_CAPSULE_FRICTION 5 /* (friction,0,0,0) */
 
 /* grid_sum: per voxel, five 64-bit sums as (low, high) words: density, momentum xyz, tent*|v|^2. */
 #define PLAIT_SUM_COUNT 5

@@ -35,19 +35,22 @@ Vec3 normal_on_axis(const Capsule& capsule) {
 } // namespace
 
 CapsulePath capsule_path(const View<const Vec4>& buffer, size_t collider) {
-    const size_t first = collider * PLAIT_CAPSULE_STRIDE;
-    const auto at = [&](size_t row) {
-        const Vec4 a = buffer[first + row], b = buffer[first + row + 1];
+    const auto at = [&](size_t row) -> Vec4 {
+        return buffer[collider * PLAIT_CAPSULE_STRIDE + row];
+    };
+    const auto ends = [&](size_t row) {
+        const Vec4 a = at(row), b = at(row + 1);
         return Capsule{xyz(a), xyz(b), a.w(), b.w()};
     };
-    return {at(0), at(2), quat(buffer[first + 4]), buffer[first + 5].x()};
+    return {ends(PLAIT_CAPSULE_BEGIN), ends(PLAIT_CAPSULE_END), quat(at(PLAIT_CAPSULE_TURN)),
+            at(PLAIT_CAPSULE_FRICTION).x()};
 }
 
 Surface surface(const Capsule& capsule, const Vec3& x) {
     const double k = foot(capsule, x);
     const Vec3 out = x - capsule.centre(k);
     const Vec3 normal = out.isZero(0) ? normal_on_axis(capsule) : direction(out);
-    return {k, out.norm() - capsule.radius(k), normal};
+    return {out.norm() - capsule.radius(k), normal};
 }
 
 } // namespace plait::reference

@@ -17,7 +17,6 @@ struct Capsule {
 
 // What a point sees of a capsule.
 struct Surface {
-    double k;        // foot on the axis
     double distance; // to the surface, negative inside
     Vec3 normal;
 };
@@ -28,13 +27,9 @@ struct CapsulePath {
     Quat turn; // from begin to end
     double friction;
 
-    // Where the surface whose foot is k carries a point of the begin, and whence it carried one.
-    Vec3 carried(double k, const Vec3& x) const {
-        return end.centre(k) + turn * (x - begin.centre(k));
-    }
-    Vec3 carried_from(double k, const Vec3& x) const {
-        return begin.centre(k) + turn.conjugate() * (x - end.centre(k));
-    }
+    // Where the capsule carries a point of the begin, and whence it carried one.
+    Vec3 carried(const Vec3& x) const { return end.a + turn * (x - begin.a); }
+    Vec3 carried_from(const Vec3& x) const { return begin.a + turn.conjugate() * (x - end.a); }
 };
 
 // Capsule `collider` of a buffer.

@@ -32,7 +32,7 @@ void collide(uint32_t item_count, const plait_collide_params& params, const coll
             if (!(at.distance < 0))
                 continue;
             const Vec3 pushed = xyz(position) - at.distance * at.normal;
-            const Vec3 relative = path.carried_from(at.k, pushed) - xyz(args.position_prev[item]);
+            const Vec3 relative = path.carried_from(pushed) - xyz(args.position_prev[item]);
             set_xyz(position, rub(pushed, relative, at, path.friction));
         }
     }

@@ -71,8 +71,7 @@ Contacts::Touch Contacts::touch_surface(const CapsulePath& path, size_t vertex,
                                         const Vec3& x) const {
     const Capsule& now = path.end;
     const Vec3 start = motion_.root + motion_.start[vertex], end = motion_.root + x;
-    // The start, carried along by the surface that is nearest to it.
-    const Vec3 anchor = path.carried(surface(path.begin, start).k, start);
+    const Vec3 anchor = path.carried(start);
     const Surface at_anchor = surface(now, anchor), at_end = surface(now, end);
     const Touch nearest{at_end.distance, at_anchor.distance, path.friction, at_end.normal,
                         anchor - motion_.root};
@@ -97,9 +96,23 @@ Contacts::Touch Contacts::touch_surface(const CapsulePath& path, size_t vertex,
     return inside || beyond || other_side ? swept : nearest;
 }
 
+// No farther from the capsule, the greater radius all along, than from where it would have carried
+// the vertex.
+bool Contacts::meets(size_t collider, size_t vertex, const Vec3& x) const {
+    const CapsulePath path = capsule_path(capsules_, params_.collider_first + collider);
+    const Vec3 end = motion_.root + x, anchor = path.carried(motion_.root + motion_.start[vertex]);
+    Capsule wide = path.end;
+    if ((wide.b - wide.a).norm() <= std::abs(wide.ra - wide.rb)) // one sphere holds the other
+        wide.a = wide.b = wide.ra < wide.rb ? wide.b : wide.a;
+    wide.ra = wide.rb = std::max(wide.ra, wide.rb);
+    return surface(wide, end).distance <= (end - anchor).norm() + started_inside * length_[vertex];
+}
+
 std::optional<Contacts::Touch> Contacts::nearest(size_t vertex, const Vec3& x) const {
     std::optional<Touch> best;
     for (size_t collider = 0; collider < params_.collider_count; ++collider) {
+        if (!meets(collider, vertex, x))
+            continue;
         const Touch candidate = touch(collider, vertex, x);
         if (!best || candidate.gap < best->gap)
             best = candidate;

@@ -57,6 +57,7 @@ class Contacts {
     };
     Touch touch(size_t collider, size_t vertex, const Vec3& x) const;
     Touch touch_surface(const CapsulePath& path, size_t vertex, const Vec3& x) const;
+    bool meets(size_t collider, size_t vertex, const Vec3& x) const;
     std::optional<Touch> nearest(size_t vertex, const Vec3& x) const;
     Contact renewed(size_t vertex, const Vec3& x) const;
     bool slides(const Contact& before, const Contact& now, const Vec3& u, double mobility) const;
