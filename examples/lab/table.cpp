@@ -75,12 +75,12 @@ void set_table_folder(const std::string& name) {
     folder() = name;
 }
 
-const Table& load_table(const std::string& name) {
+const Table& load_table(std::string_view name) {
     static std::map<std::string, Table> tables;
-    const std::string key = folder() + "/" + name;
+    const std::string key = (folder() + "/").append(name);
     const auto found = tables.find(key);
     return found != tables.end() ? found->second
-                                 : tables.emplace(key, read_table(name)).first->second;
+                                 : tables.emplace(key, read_table(std::string(name))).first->second;
 }
 
 std::vector<std::vector<double>> select(const Reference& reference) {

@@ -20,7 +20,7 @@ struct Table {
 void set_table_folder(const std::string& folder);
 
 // Read once a process. Throws Failure.
-const Table& load_table(const std::string& name);
+const Table& load_table(std::string_view name);
 
 // The rows of a reference whose `where` holds.
 std::vector<std::vector<double>> select(const Reference& reference);
