@@ -25,8 +25,8 @@ typedef uint32_t plait_u32;
 #define PLAIT_SLOT_EMPTY 0xffffffffu
 
 /* float4 elements per item in packed buffers. */
-#define PLAIT_POSE_STRIDE 2    /* pose: quaternion (x,y,z,w); translation (x,y,z,0) */
-#define PLAIT_MOTION_STRIDE 2  /* strand_motion: quaternion; (translation, blend c) */
+#define PLAIT_POSE_STRIDE 2   /* pose: quaternion (x,y,z,w); translation (x,y,z,0) */
+#define PLAIT_MOTION_STRIDE 2 /* strand_motion: quaternion; (translation, blend c) */
 #define PLAIT_CAPSULE_STRIDE 6
 
 /* Elements of a capsule; the buffer holds all colliders of a step's first substep, then all of its

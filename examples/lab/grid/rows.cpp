@@ -207,8 +207,7 @@ std::vector<GridRow> slot_rows(Device& device) {
                         (seen.spread / seen.expected_spread - 1) / spread_error,
                         number_of("%.4f, expected %.4f", seen.spread, seen.expected_spread)});
         rows.push_back({"24", head + "bias of V where v = index/n", "", std::nullopt,
-                        seen.order_bias,
-                        number_of("%+.3f if later writers always win", order, 0)});
+                        seen.order_bias, number_of("%+.3f if later writers always win", order, 0)});
     }
     return rows;
 }
