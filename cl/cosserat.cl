@@ -1,7 +1,7 @@
 /* cosserat: one substep of a stable Cosserat rod.
  *
  * Items   strands, over lanes.
- * Reads   rest, pose, lane_material, lane_rest, capsule.
+ * Reads   lane_strand, rest, pose, lane_material, lane_rest, capsule.
  * Moves   lane_x, lane_v, lane_q, and the steps before.
  * Source  Hsu et al. 2025; Kugelstadt & Schoemer 2016. Changed: see common/cosserat.clh and
  *         common/rod.clh; orientations start from the rotation of the substep before, repeated
@@ -11,14 +11,14 @@
 #include "common/cosserat.clh"
 
 __kernel void plait_cosserat(const uint item_count, const plait_lane_params params,
-                             __global const float4* rest, __global const float4* pose,
-                             __global const real* lane_material, __global const real* lane_rest,
-                             __global const float4* capsule, __global real* lane_x,
-                             __global real* lane_v, __global real* lane_q,
+                             __global const uint* lane_strand, __global const float4* rest,
+                             __global const float4* pose, __global const real* lane_material,
+                             __global const real* lane_rest, __global const float4* capsule,
+                             __global real* lane_x, __global real* lane_v, __global real* lane_q,
                              __global real* lane_q_before, __global real* lane_x_before,
                              __global real* lane_v_before) {
     lane_step step;
-    if (!lane_begin(&step, item_count, &params, rest, pose, lane_material))
+    if (!lane_begin(&step, item_count, &params, lane_strand, rest, pose, lane_material))
         return;
     const lane_buffers state = {lane_x, lane_v, lane_x_before, lane_v_before};
     rod_state s;

@@ -2,7 +2,7 @@
  * step before, from its velocities.
  *
  * Items   strands.
- * Reads   lane_slot, pose, lane_rest, lane_x, lane_v.
+ * Reads   lane_slot, lane_strand, pose, lane_rest, lane_x, lane_v.
  * Writes  lane_q, lane_q_before, of these strands.
  * Source  Bergou et al. 2008: parallel transport carries a frame along a curve without twist. Here
  *         the rest rotation of each joint comes first, and what is left is the shortest turn onto
@@ -31,15 +31,15 @@ inline float4 laid_along(float4 expected, float3 edge) {
 }
 
 __kernel void plait_lane_orient(const uint item_count, const plait_lane_layout_params params,
-                                __global const uint* lane_slot, __global const float4* pose,
-                                __global const float* lane_rest, __global const float* lane_x,
-                                __global const float* lane_v, __global float* lane_q,
-                                __global float* lane_q_before) {
+                                __global const uint* lane_slot, __global const uint* lane_strand,
+                                __global const float4* pose, __global const float* lane_rest,
+                                __global const float* lane_x, __global const float* lane_v,
+                                __global float* lane_q, __global float* lane_q_before) {
     const uint item = get_global_id(0), stride = params.vertex_stride, tile = params.tile;
     if (item >= item_count)
         return;
     const uint lane = lane_slot[2 * item + 1];
-    float4 q = pose[(size_t)lane * PLAIT_POSE_STRIDE], before = q;
+    float4 q = pose[(size_t)lane_strand_of(lane_strand, lane) * PLAIT_POSE_STRIDE], before = q;
     float3 x = (float3)(0.0f), v = x;
     for (uint i = 0; i < stride; ++i) {
         const size_t row = lane_row(lane, i, 4, stride, tile);

@@ -2,7 +2,7 @@
  * root kept.
  *
  * Items   strands, over lanes.
- * Reads   rest, pose_from, pose_to.
+ * Reads   lane_strand, rest, pose_from, pose_to.
  * Moves   lane_x, lane_v, lane_q, lane_q_before, and the step before where BDF2 keeps it.
  */
 #pragma OPENCL FP_CONTRACT OFF
@@ -13,16 +13,17 @@ inline void carry(__global real* x, lane_place place, int row, vec3 root, quat t
 }
 
 __kernel void plait_lane_teleport(const uint item_count, const plait_lane_state_params params,
-                                  __global const float4* rest, __global const float4* pose_from,
-                                  __global const float4* pose_to, __global real* lane_x,
-                                  __global real* lane_v, __global real* lane_q,
-                                  __global real* lane_q_before, __global real* lane_x_before,
-                                  __global real* lane_v_before) {
+                                  __global const uint* lane_strand, __global const float4* rest,
+                                  __global const float4* pose_from, __global const float4* pose_to,
+                                  __global real* lane_x, __global real* lane_v,
+                                  __global real* lane_q, __global real* lane_q_before,
+                                  __global real* lane_x_before, __global real* lane_v_before) {
     const lane_place place = lane_place_of(get_global_id(0));
     if (!lane_place_used(place, item_count))
         return;
-    const lane_pose from = lane_load_pose(rest, pose_from, place, item_count);
-    const lane_pose to = lane_load_pose(rest, pose_to, place, item_count);
+    const lane_strands strands = lane_strands_of(lane_strand, place, item_count);
+    const lane_pose from = lane_load_pose(rest, pose_from, &strands);
+    const lane_pose to = lane_load_pose(rest, pose_to, &strands);
     const quat turn = mulq(to.q, conjq(from.q));
     for (int i = 0; i < (int)params.vertex_stride; ++i) {
         carry(lane_x, place, i, to.root, turn);

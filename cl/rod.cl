@@ -1,7 +1,7 @@
 /* rod: one substep of the Cosserat rod by damped Gauss-Newton with a direct solve.
  *
  * Items   strands, over lanes.
- * Reads   rest, pose, lane_material, lane_rest, capsule.
+ * Reads   lane_strand, rest, pose, lane_material, lane_rest, capsule.
  * Moves   lane_x, lane_v, lane_q, and the steps before.
  * Source  the potential of common/rod.clh; unknowns per segment k are the displacement of vertex
  * k+1 and the rotation vector of q_k, so the Hessian is block tridiagonal, 6x6. Gauss-Newton plus
@@ -324,13 +324,14 @@ inline void rod_solve(const rod_problem* rod, rod_state* s, uint iterations) {
 }
 
 __kernel void plait_rod(const uint item_count, const plait_lane_params params,
-                        __global const float4* rest, __global const float4* pose,
-                        __global const real* lane_material, __global const real* lane_rest,
-                        __global const float4* capsule, __global real* lane_x,
-                        __global real* lane_v, __global real* lane_q, __global real* lane_q_before,
-                        __global real* lane_x_before, __global real* lane_v_before) {
+                        __global const uint* lane_strand, __global const float4* rest,
+                        __global const float4* pose, __global const real* lane_material,
+                        __global const real* lane_rest, __global const float4* capsule,
+                        __global real* lane_x, __global real* lane_v, __global real* lane_q,
+                        __global real* lane_q_before, __global real* lane_x_before,
+                        __global real* lane_v_before) {
     lane_step step;
-    if (!lane_begin(&step, item_count, &params, rest, pose, lane_material))
+    if (!lane_begin(&step, item_count, &params, lane_strand, rest, pose, lane_material))
         return;
     const lane_buffers state = {lane_x, lane_v, lane_x_before, lane_v_before};
     rod_state s;

@@ -202,8 +202,8 @@ TEST_P(Models, ASimOfOneModelTakesTheStagesOfThatModel) {
     EXPECT_EQ(stages_of(sim), of_cosserat);
     const uint64_t bytes = sim.stats().device_bytes;
     sim.set_models({cosserat, rod, chain, rod, chain, chain});
-    const Stages of_all = {{"roots", 3},       {"chain", 3},  {"cosserat", 3}, {"rod", 3},
-                           {"lane_unpack", 9}, {"gather", 9}, {"tangents", 3}};
+    const Stages of_all = {{"roots", 3}, {"chain", 3},       {"cosserat", 3},
+                           {"rod", 3},   {"lane_unpack", 9}, {"tangents", 3}};
     EXPECT_EQ(stages_of(sim), of_all);
     sim.set_models(std::vector<plait_model>(6, rod));
     const Stages of_rod = {{"roots", 3}, {"rod", 3}, {"lane_unpack", 3}, {"tangents", 3}};

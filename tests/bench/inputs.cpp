@@ -304,8 +304,6 @@ const std::map<std::string, Maker>& makers() {
          }},
         {"lane_from", lane_positions},
         {"lane_to", lane_positions},
-        {"rows", still},
-        {"gathered", zeros},
         {"lane_q", downwards},
         {"lane_q_before", downwards},
         {"words", [](const Shape&) { return Words(size_t{voxels} * slot_capacity); }},

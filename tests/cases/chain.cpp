@@ -16,6 +16,9 @@ Case chain_case() {
             result.setups.push_back(
                 lane_setup(size, make_lane_hair(size, 31), lane_params(size, 1, bdf2), false));
     for (const Size& size : contact_sizes())
+        result.setups.push_back(
+            reordered(lane_setup(size, make_lane_hair(size, 31), lane_params(size, 1, 0), false)));
+    for (const Size& size : contact_sizes())
         for (const uint32_t bdf2 : {0u, 1u}) {
             plait_lane_params params = lane_params(size, 1, bdf2);
             params.contact_rate = 3e4f;

@@ -151,6 +151,21 @@ std::vector<uint32_t> other_order(uint32_t strands, uint32_t count) {
     return list;
 }
 
+Setup reordered(Setup setup) {
+    const std::vector<uint32_t> list = other_order(setup.items, setup.items);
+    const auto reorder = [&](Array& rows) {
+        const size_t width = rows.floats.size() / setup.items;
+        const std::vector<float> plain = rows.floats;
+        for (size_t lane = 0; lane < setup.items; ++lane)
+            std::copy_n(&plain[lane * width], width, &rows.floats[list[lane] * width]);
+    };
+    setup.name += ", reordered";
+    setup.buffers[0] = uints(list);
+    reorder(setup.buffers[1]);
+    reorder(setup.buffers[2]);
+    return setup;
+}
+
 LaneHair make_lane_hair_spun(const Size& size, uint32_t seed) {
     LaneHair lanes = make_lane_hair(size, seed);
     Random random(seed + 2);
@@ -181,7 +196,7 @@ Setup lane_setup(const Size& size, const LaneHair& lanes, const plait_lane_param
     setup.name = name_of(size) + (params.bdf2 ? ", BDF2" : "");
     setup.items = size.strands;
     setup.width = size.stride;
-    setup.buffers = {float4s(lanes.hair.rest), float4s(lanes.hair.pose),
+    setup.buffers = {null_array(), float4s(lanes.hair.rest), float4s(lanes.hair.pose),
                      lane_floats(lanes.material, PLAIT_LANE_MATERIAL_COMPONENTS)};
     if (bends)
         setup.buffers.push_back(lane_floats(lanes.rest, 4));

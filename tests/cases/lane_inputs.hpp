@@ -25,6 +25,10 @@ LaneHair make_lane_hair_spun(const Size& size, uint32_t seed);
 // `count` different numbers below `strands`, not in order where there is a choice.
 std::vector<uint32_t> other_order(uint32_t strands, uint32_t count);
 
+// The same strands in the same lanes, whose rows of `rest` and `pose`, buffers 1 and 2, lie in
+// another order.
+Setup reordered(Setup setup);
+
 // A long substep under strong forces, so that 1 % of any of them shows.
 plait_lane_params lane_params(const Size& size, uint32_t iterations, uint32_t bdf2);
 

@@ -15,12 +15,16 @@ Case lane_orient_case() {
         for (const uint32_t lane : other_order(size.strands, setup.items))
             slots.insert(slots.end(), {0, lane});
         setup.buffers = {uints(slots),
+                         null_array(),
                          float4s(lanes.hair.pose),
                          lane_floats(lanes.rest, 4),
                          lane_floats(lanes.x, 3),
                          lane_floats(lanes.v, 3),
                          lane_floats(lanes.q, 4),
                          lane_floats(lanes.q_before, 4)};
+        result.setups.push_back(setup.with(plait_lane_layout_params{size.stride, 1, 1.0f / 60}));
+        setup.name += ", reordered";
+        setup.buffers[1] = uints(other_order(size.strands, size.strands));
         result.setups.push_back(setup.with(plait_lane_layout_params{size.stride, 1, 1.0f / 60}));
     }
     return result;

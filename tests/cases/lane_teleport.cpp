@@ -18,12 +18,18 @@ Case lane_teleport_case() {
         setup.name = name_of(size);
         setup.items = size.strands;
         setup.width = size.stride;
-        setup.buffers = {float4s(lanes.hair.rest),       float4s(lanes.hair.pose),
-                         float4s(lanes.hair.pose_other), lane_floats(lanes.x, 3),
-                         lane_floats(lanes.v, 3),        lane_floats(lanes.q, 4),
-                         lane_floats(lanes.q_before, 4), lane_floats(lanes.x_before, 3),
+        setup.buffers = {null_array(),
+                         float4s(lanes.hair.rest),
+                         float4s(lanes.hair.pose),
+                         float4s(lanes.hair.pose_other),
+                         lane_floats(lanes.x, 3),
+                         lane_floats(lanes.v, 3),
+                         lane_floats(lanes.q, 4),
+                         lane_floats(lanes.q_before, 4),
+                         lane_floats(lanes.x_before, 3),
                          lane_floats(lanes.v_before, 3)};
         result.setups.push_back(setup.with(plait_lane_state_params{size.stride, 1, 1}));
+        result.setups.push_back(reordered(setup).with(plait_lane_state_params{size.stride, 1, 1}));
     }
     return result;
 }

@@ -20,6 +20,9 @@ Case rod_case() {
         result.setups.push_back(
             lane_setup(size, make_lane_hair_spun(size, 32), lane_params(size, 0, 0), true));
     for (const Size& size : contact_sizes())
+        result.setups.push_back(
+            reordered(lane_setup(size, make_lane_hair(size, 32), lane_params(size, 1, 0), true)));
+    for (const Size& size : contact_sizes())
         for (const uint32_t bdf2 : {0u, 1u})
             result.setups.push_back(lane_setup(size, make_lane_hair_in_contact(size, 32, 100.0f),
                                                lane_params(size, 1, bdf2), true));

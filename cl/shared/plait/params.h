@@ -70,9 +70,9 @@ typedef struct plait_roots_params {
     plait_u32 per_root; /* 0: root_from/root_to are null and not read */
 } plait_roots_params;
 
-/* reset, teleport, tangents, snapshot, stats, gather: stages that need only the layout. */
+/* reset, teleport, tangents, snapshot, stats: stages that need only the layout. */
 typedef struct plait_layout_params {
-    plait_u32 vertex_stride; /* V: vertices (gather: float4) per strand row, 2..256 */
+    plait_u32 vertex_stride; /* V: vertices per strand row, 2..256 */
 } plait_layout_params;
 
 /* integrate: Verlet step and, if global_stiffness > 0, the global shape constraint. */

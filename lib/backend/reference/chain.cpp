@@ -100,8 +100,9 @@ void follow(const Links& links, Contacts* contacts, std::vector<Vec3>& x) {
 
 void chain(uint32_t item_count, const plait_lane_params& params, const chain_args& args) {
     const LaneState state{args.lane_x, args.lane_v, args.lane_x_before, args.lane_v_before};
-    for (size_t strand = 0; strand < item_count; ++strand) {
-        const Lane lane(strand, params.vertex_stride, params.tile);
+    for (size_t slot = 0; slot < item_count; ++slot) {
+        const Lane lane(slot, params.vertex_stride, params.tile);
+        const size_t strand = strand_of(args.lane_strand, slot);
         const Vec3 root =
             root_of(args.rest, pose_of(args.pose, strand), strand, params.vertex_stride);
         Motion motion(lane, params, state, root);

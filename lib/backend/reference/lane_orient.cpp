@@ -30,7 +30,7 @@ void lane_orient(uint32_t item_count, const plait_lane_layout_params& params,
     for (size_t item = 0; item < item_count; ++item) {
         const size_t slot = args.lane_slot[2 * item + 1];
         const Lane lane(slot, params.vertex_stride, params.tile);
-        const Quat root = pose_of(args.pose, slot).q;
+        const Quat root = pose_of(args.pose, strand_of(args.lane_strand, slot)).q;
         std::vector<Vec3> along = edges(lane, args.lane_x, params.vertex_stride);
         orient(lane, along, root, args.lane_rest, args.lane_q);
         const std::vector<Vec3> relative = edges(lane, args.lane_v, params.vertex_stride);

@@ -6,8 +6,9 @@ namespace plait::reference {
 
 void lane_reset(uint32_t item_count, const plait_lane_state_params& params,
                 const lane_reset_args& args) {
-    for (size_t strand = 0; strand < item_count; ++strand) {
-        const Lane lane(strand, params.vertex_stride, params.tile);
+    for (size_t slot = 0; slot < item_count; ++slot) {
+        const Lane lane(slot, params.vertex_stride, params.tile);
+        const size_t strand = strand_of(args.lane_strand, slot);
         const Pose pose = pose_of(args.pose, strand);
         const Vec3 origin = xyz(args.rest[strand * params.vertex_stride]);
         Quat q = pose.q;

@@ -6,8 +6,9 @@ namespace plait::reference {
 
 void lane_teleport(uint32_t item_count, const plait_lane_state_params& params,
                    const lane_teleport_args& args) {
-    for (size_t strand = 0; strand < item_count; ++strand) {
-        const Lane lane(strand, params.vertex_stride, params.tile);
+    for (size_t slot = 0; slot < item_count; ++slot) {
+        const Lane lane(slot, params.vertex_stride, params.tile);
+        const size_t strand = strand_of(args.lane_strand, slot);
         const Pose to = pose_of(args.pose_to, strand);
         const Vec3 root = root_of(args.rest, to, strand, params.vertex_stride);
         const Quat turn = to.q * pose_of(args.pose_from, strand).q.conjugate();

@@ -11,8 +11,8 @@ namespace plait::reference {
 // One strand's rows in the lane layout.
 class Lane {
   public:
-    Lane(size_t strand, uint32_t vertices, uint32_t tile)
-        : base_(strand / tile * vertices), tile_(tile), lane_(strand % tile) {}
+    Lane(size_t lane, uint32_t vertices, uint32_t tile)
+        : base_(lane / tile * vertices), tile_(tile), lane_(lane % tile) {}
 
     size_t index(size_t row, size_t component, size_t components) const {
         return ((base_ + row) * components + component) * tile_ + lane_;

@@ -18,6 +18,7 @@ namespace plait::reference {
 
 // The buffers `cosserat` and `rod` have in common.
 struct RodBuffers {
+    const View<const uint32_t>& lane_strand;
     const View<const Vec4>& rest;
     const View<const Vec4>& pose;
     const View<const double>& material;
@@ -30,7 +31,7 @@ struct RodBuffers {
 
 class RodModel {
   public:
-    RodModel(const RodBuffers& buffers, const plait_lane_params& params, size_t strand);
+    RodModel(const RodBuffers& buffers, const plait_lane_params& params, size_t slot);
     RodModel(const RodModel&) = default; // shares the contacts
     RodModel& operator=(const RodModel&) = default;
     void store(const RodBuffers& buffers);
@@ -64,6 +65,7 @@ class RodModel {
 
     const plait_lane_params* params_;
     Lane lane_;
+    size_t strand_;
     Motion motion_;
     double inertia_; // (1 + c h)/h^2
     Quat root_frame_;
@@ -79,13 +81,17 @@ class RodModel {
 template <typename Args, typename Solve>
 void step_rods(uint32_t item_count, const plait_lane_params& params, const Args& args,
                const Solve& solve) {
-    const RodBuffers buffers{
-        args.rest,          args.pose,
-        args.lane_material, args.lane_rest,
-        args.capsule,       args.lane_q,
-        args.lane_q_before, {args.lane_x, args.lane_v, args.lane_x_before, args.lane_v_before}};
-    for (size_t strand = 0; strand < item_count; ++strand) {
-        RodModel rod(buffers, params, strand);
+    const RodBuffers buffers{args.lane_strand,
+                             args.rest,
+                             args.pose,
+                             args.lane_material,
+                             args.lane_rest,
+                             args.capsule,
+                             args.lane_q,
+                             args.lane_q_before,
+                             {args.lane_x, args.lane_v, args.lane_x_before, args.lane_v_before}};
+    for (size_t slot = 0; slot < item_count; ++slot) {
+        RodModel rod(buffers, params, slot);
         solve(rod);
         rod.store(buffers);
     }

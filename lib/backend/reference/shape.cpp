@@ -102,9 +102,7 @@ size_t Shape::elements(const char* argument) const {
         return tiled_vertices_ * PLAIT_LANE_MATERIAL_COMPONENTS;
     if (is("lane_slot"))
         return 2 * items_;
-    if (is("gathered"))
-        return vertices_;
-    if (is("lane_strand", "rows", "lane_from", "lane_to"))
+    if (is("lane_strand", "lane_from", "lane_to"))
         return 0;
     if (is("words"))
         return items_;

@@ -43,30 +43,16 @@ Status LanePart::make(Device& device, Buffer& to, size_t components, const char*
     return {};
 }
 
-// Of a part that is not the whole sim.
-Status LanePart::make_lists(Device& device) {
-    const size_t count = members_.size();
-    const auto create = [&](Buffer& to, plait_element element, size_t elements,
-                            const char* name) -> Status {
-        auto buffer = device.create(element, elements, name);
-        if (!buffer)
-            return buffer.error();
-        to = std::move(*buffer);
-        return {};
-    };
-    PLAIT_TRY(create(lane_strand_, PLAIT_ELEMENT_UINT, count, "lane_strand"));
-    PLAIT_TRY(device.write(lane_strand_, members_.data()));
-    PLAIT_TRY(create(own_rest_, PLAIT_ELEMENT_FLOAT4, count * lanes_.row, "part_rest"));
-    PLAIT_TRY(create(own_pose_, PLAIT_ELEMENT_FLOAT4, 2 * count, "part_pose"));
-    return create(own_pose_to_, PLAIT_ELEMENT_FLOAT4, 2 * count, "part_pose_to");
-}
-
 Status LanePart::open(Device& device) {
     PLAIT_TRY(make(device, v_, 3, "lane_v"));
     PLAIT_TRY(make(device, q_, 4, "lane_q"));
     PLAIT_TRY(make(device, q_before_, 4, "lane_q_before"));
     PLAIT_TRY(make(device, x_, 3, "lane_x"));
-    return whole() ? Status{} : make_lists(device);
+    auto list = device.create(PLAIT_ELEMENT_UINT, members_.size(), "lane_strand");
+    if (!list)
+        return list.error();
+    lane_strand_ = std::move(*list);
+    return device.write(lane_strand_, members_.data());
 }
 
 Material LanePart::material_of(const plait_sim_params& params) const {
@@ -146,14 +132,6 @@ void LanePart::discard() {
     has_next_fill_ = has_next_history_ = false;
 }
 
-const Buffer& LanePart::gathered(Schedule& schedule, const Buffer& pose, const Buffer& own) const {
-    if (whole())
-        return pose;
-    schedule.add(PLAIT_STAGE_gather, lanes_.strands, plait_layout_params{PLAIT_POSE_STRIDE},
-                 {&lane_strand_, &pose, &own});
-    return own;
-}
-
 void LanePart::substep(Schedule& schedule, const Substep& at, const Contact& contact) {
     const plait_sim_params& p = at.params;
     const Solver solver = solver_of(model_);
@@ -173,16 +151,15 @@ void LanePart::substep(Schedule& schedule, const Substep& at, const Contact& con
     params.collider_first = at.collider_first;
     params.contact_rate = contact.rate;
     params.contact_slip = contact.slip;
-    const Buffer& pose = gathered(schedule, at.state.pose, own_pose_);
     if (model_ == PLAIT_MODEL_CHAIN)
-        schedule.add(
-            solver.stage, lanes_.strands, params,
-            {&rest(at), &pose, &fill_.material, &at.capsules, &x_, &v_, &history_.x, &history_.v},
-            lanes_.row);
+        schedule.add(solver.stage, lanes_.strands, params,
+                     {&lane_strand_, &at.state.rest, &at.state.pose, &fill_.material, &at.capsules,
+                      &x_, &v_, &history_.x, &history_.v},
+                     lanes_.row);
     else
         schedule.add(solver.stage, lanes_.strands, params,
-                     {&rest(at), &pose, &fill_.material, &fill_.rest, &at.capsules, &x_, &v_, &q_,
-                      &q_before_, &history_.x, &history_.v},
+                     {&lane_strand_, &at.state.rest, &at.state.pose, &fill_.material, &fill_.rest,
+                      &at.capsules, &x_, &v_, &q_, &q_before_, &history_.x, &history_.v},
                      lanes_.row);
 }
 
@@ -199,18 +176,17 @@ void LanePart::adopt(Schedule& schedule, const Substep& at) const {
 }
 
 void LanePart::reset(Schedule& schedule, const Substep& at) {
-    const Buffer& pose = gathered(schedule, at.state.pose, own_pose_);
     schedule.add(PLAIT_STAGE_lane_reset, lanes_.strands, state_params(),
-                 {&rest(at), &pose, fill_.start ? &fill_.start : &fill_.rest, &x_, &v_, &q_,
-                  &q_before_, &history_.x, &history_.v},
+                 {&lane_strand_, &at.state.rest, &at.state.pose,
+                  fill_.start ? &fill_.start : &fill_.rest, &x_, &v_, &q_, &q_before_, &history_.x,
+                  &history_.v},
                  lanes_.row);
 }
 
 void LanePart::teleport(Schedule& schedule, const Substep& at, const Buffer& pose) {
-    const Buffer& from = gathered(schedule, at.state.pose, own_pose_);
-    const Buffer& to = gathered(schedule, pose, own_pose_to_);
     schedule.add(PLAIT_STAGE_lane_teleport, lanes_.strands, state_params(),
-                 {&rest(at), &from, &to, &x_, &v_, &q_, &q_before_, &history_.x, &history_.v},
+                 {&lane_strand_, &at.state.rest, &at.state.pose, &pose, &x_, &v_, &q_, &q_before_,
+                  &history_.x, &history_.v},
                  lanes_.row);
 }
 
@@ -225,9 +201,8 @@ void LanePart::add_dynamic(std::pmr::vector<LaneBuffer>& to) const {
 
 uint64_t LanePart::device_bytes() const {
     uint64_t bytes = 0;
-    for (const Buffer* buffer :
-         {&fill_.material, &fill_.rest, &fill_.start, &x_, &v_, &q_, &q_before_, &history_.x,
-          &history_.v, &lane_strand_, &own_rest_, &own_pose_, &own_pose_to_})
+    for (const Buffer* buffer : {&fill_.material, &fill_.rest, &fill_.start, &x_, &v_, &q_,
+                                 &q_before_, &history_.x, &history_.v, &lane_strand_})
         bytes += buffer->bytes();
     return bytes;
 }

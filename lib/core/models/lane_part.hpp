@@ -1,6 +1,7 @@
 // Strands of one lane model: the buffers they are in and the stages they take. A sim whose strands
 // are all of one model has one part; after plait_sim_set_models it has one per model in use, each
-// with its strands side by side, so that no lane is spent on a strand of another model.
+// with its strands side by side, so that no lane is spent on a strand of another model. Which
+// strand is in which lane is the part's own; a list tells the stages.
 #pragma once
 
 #include "core/model.hpp"
@@ -39,7 +40,7 @@ class LanePart {
   public:
     using Members = std::pmr::vector<uint32_t>;
 
-    // `members`: strands in ascending order.
+    // `members`: the strand of each lane.
     LanePart(const LaneSource& source, plait_model model, Members members);
 
     plait_model model() const { return model_; }
@@ -85,9 +86,7 @@ class LanePart {
         uint32_t count;
     };
 
-    bool whole() const { return members_.size() == source_.layout.guides; }
     Status make(Device& device, Buffer& to, size_t components, const char* name) const;
-    Status make_lists(Device& device);
     Material material_of(const plait_sim_params& params) const;
     RestLoad load_of(const plait_sim_params& params) const;
     Status make_fill(Device& device, Fill& fill, const Members& members, const Material& material,
@@ -100,9 +99,6 @@ class LanePart {
     Status fill_arrivals(Device& device, Schedule& schedule, std::span<const LanePlace> from);
     Status move_from(Device& device, Schedule& schedule, const Substep& at, const LanePart& other,
                      std::span<const LanePlace> from);
-    // `pose` of this part's strands: itself, or gathered into `own`.
-    const Buffer& gathered(Schedule& schedule, const Buffer& pose, const Buffer& own) const;
-    const Buffer& rest(const Substep& at) const { return whole() ? at.state.rest : own_rest_; }
     // The strand of a lane; those that fill up the last tile repeat the last strand.
     uint32_t member(size_t lane) const { return members_[std::min(lane, members_.size() - 1)]; }
     plait_lane_layout_params layout_params(const Substep& at) const {
@@ -120,10 +116,7 @@ class LanePart {
     bool has_next_fill_ = false, has_next_history_ = false;
     Buffer x_, v_, q_, q_before_;
     History history_, next_history_;
-    // Of a part that is not the whole sim: its strands, and their rows of what lies in order.
-    Buffer lane_strand_;            // uint [members]
-    Buffer own_rest_;               // float4 [members*V]
-    Buffer own_pose_, own_pose_to_; // float4 [2*members]
+    Buffer lane_strand_; // uint [members]
 };
 
 } // namespace plait

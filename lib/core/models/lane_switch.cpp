@@ -45,10 +45,11 @@ Status LanePart::fill_arrivals(Device& device, Schedule& schedule,
         return {};
     Fill fill;
     PLAIT_TRY(make_fill(device, fill, arrivals, fill_.of, fill_.load));
+    uint32_t next = 0; // arrivals keep the order of the lanes
     const auto moves = list_moves(device, [&](uint32_t strand, uint32_t& lane) {
-        const auto found = std::lower_bound(arrivals.begin(), arrivals.end(), strand);
-        lane = static_cast<uint32_t>(found - arrivals.begin());
-        return found != arrivals.end() && *found == strand;
+        next += next + 1 < arrivals.size() && arrivals[next + 1] == strand;
+        lane = next;
+        return arrivals[next] == strand;
     });
     if (!moves)
         return moves.error();
@@ -85,9 +86,9 @@ Status LanePart::move_from(Device& device, Schedule& schedule, const Substep& at
         move(schedule, *moves, 3, other.history_.v, history_.v);
     }
     if (other.model_ == PLAIT_MODEL_CHAIN && model_ != PLAIT_MODEL_CHAIN) {
-        const Buffer& pose = gathered(schedule, at.state.pose, own_pose_);
-        schedule.add(PLAIT_STAGE_lane_orient, moves->count, layout_params(at),
-                     {&moves->list, &pose, &fill_.rest, &x_, &v_, &q_, &q_before_});
+        schedule.add(
+            PLAIT_STAGE_lane_orient, moves->count, layout_params(at),
+            {&moves->list, &lane_strand_, &at.state.pose, &fill_.rest, &x_, &v_, &q_, &q_before_});
     }
     return schedule.submit(device);
 }
@@ -105,10 +106,6 @@ Status LanePart::take_over(Device& device, Schedule& schedule, const Substep& at
         PLAIT_TRY(make(device, history_.x, 3, "lane_x_before"));
         PLAIT_TRY(make(device, history_.v, 3, "lane_v_before"));
     }
-    if (!whole())
-        schedule.add(PLAIT_STAGE_gather, lanes_.strands, plait_layout_params{lanes_.row},
-                     {&lane_strand_, &at.state.rest, &own_rest_});
-    PLAIT_TRY(schedule.submit(device));
     PLAIT_TRY(fill_arrivals(device, schedule, from));
     std::pmr::vector<const LanePart*> others(source_.memory);
     for (const uint32_t strand : members_)

@@ -4,9 +4,9 @@
 #include "core/groom.hpp"
 #include "core/models/constraints.hpp"
 #include "core/models/lane_part.hpp"
+#include "core/models/strand_order.hpp"
 
 #include <cmath>
-#include <numeric>
 
 namespace plait {
 namespace {
@@ -23,6 +23,12 @@ constexpr float rounding = 1e-6f;
 bool constrains(const plait_sim_params& p) {
     return has_attachment(p) ||
            (p.shape_constraints && (has_global_shape(p) || has_local_shape(p)));
+}
+
+LanePart::Members order_of(const ModelInput& input) {
+    const StrandSet& strands = input.groom.strands;
+    return order_by_root(strands.positions,
+                         std::span(strands.vertex_counts).first(input.layout.guides), input.memory);
 }
 
 class LaneModel final : public Model {
@@ -55,17 +61,17 @@ class LaneModel final : public Model {
     float contact_slip(float h) const;
 
     LaneSource source_;
-    float length_; // m, of the mean strand
+    LanePart::Members order_; // of all strands
+    float length_;            // m, of the mean strand
     bool opened_ = false, switches_ = false;
     std::pmr::vector<PartPtr> parts_, next_parts_; // by model; none is empty
 };
 
 LaneModel::LaneModel(plait_model model, const ModelInput& input)
-    : source_(input), length_(std::max(static_cast<float>(input.groom.shape.mean_length), 1e-6f)),
+    : source_(input), order_(order_of(input)),
+      length_(std::max(static_cast<float>(input.groom.shape.mean_length), 1e-6f)),
       parts_(input.memory), next_parts_(input.memory) {
-    LanePart::Members all(input.layout.guides, 0, input.memory);
-    std::iota(all.begin(), all.end(), 0u);
-    parts_.push_back(make_part(model, std::move(all)));
+    parts_.push_back(make_part(model, order_));
 }
 
 LaneModel::PartPtr LaneModel::make_part(plait_model model, LanePart::Members members) const {
@@ -103,7 +109,7 @@ Status LaneModel::prepare_models(Device& device, Schedule& schedule, const Subst
     const auto from = places();
     for (const plait_model model : {PLAIT_MODEL_CHAIN, PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD}) {
         LanePart::Members members(source_.memory);
-        for (uint32_t strand = 0; strand < models.size(); ++strand)
+        for (const uint32_t strand : order_)
             if (models[strand] == model)
                 members.push_back(strand);
         if (members.empty())

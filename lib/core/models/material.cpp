@@ -3,6 +3,7 @@
 #include <plait/params.h>
 
 #include <algorithm>
+#include <numeric>
 
 namespace plait {
 namespace {
@@ -77,19 +78,19 @@ LaneRows lane_rows(const RestStrands& strands, std::span<const uint32_t> members
     const Vec3 gravity = Eigen::Vector3f(load.gravity.data()).cast<double>();
     LaneRows rows = empty_rows(layout, loaded, memory);
     Writer writer(rows, layout);
-    std::span<const float> positions = strands.positions;
-    for (size_t strand = 0, lane = 0; lane < members.size(); ++strand) {
-        const size_t floats = size_t{3} * strands.counts[strand];
-        if (members[lane] == strand) {
-            Material own = material;
-            if (!strands.stiffness.empty())
-                own.scale(strands.stiffness[strand]);
-            RestStrand s(positions.first(floats), own, memory);
-            if (loaded)
-                rows.sag.add(remove_sag(s, gravity, load.mode));
-            writer.strand(lane++, s);
-        }
-        positions = positions.subspan(floats);
+    std::pmr::vector<size_t> first(strands.counts.size(), memory); // vertex of each strand
+    std::exclusive_scan(strands.counts.begin(), strands.counts.end(), first.begin(), size_t{0});
+    const std::span<const float> positions = strands.positions;
+    for (size_t lane = 0; lane < members.size(); ++lane) {
+        const uint32_t strand = members[lane];
+        Material own = material;
+        if (!strands.stiffness.empty())
+            own.scale(strands.stiffness[strand]);
+        RestStrand s(positions.subspan(3 * first[strand], size_t{3} * strands.counts[strand]), own,
+                     memory);
+        if (loaded)
+            rows.sag.add(remove_sag(s, gravity, load.mode));
+        writer.strand(lane, s);
     }
     return rows;
 }

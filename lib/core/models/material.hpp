@@ -36,7 +36,7 @@ struct LaneRows {
     SagReport sag;
 };
 
-// `members`: the strands that lie in the layout, in ascending order.
+// `members`: the strand of each lane of the layout.
 LaneRows lane_rows(const RestStrands& strands, std::span<const uint32_t> members,
                    const LaneLayout& layout, const Material& material, const RestLoad& load,
                    std::pmr::memory_resource* memory);

@@ -33,8 +33,8 @@ struct Strand {
 
 // Index of each buffer in the setups of lane_setup().
 struct Places {
-    size_t rest = 0, pose = 1, material = 2, turns = 3, x, v, q = 0, q_before = 0;
-    explicit Places(bool bends) : x(bends ? 5 : 4), v(x + 1) {
+    size_t rest = 1, pose = 2, material = 3, turns = 4, x, v, q = 0, q_before = 0;
+    explicit Places(bool bends) : x(bends ? 6 : 5), v(x + 1) {
         if (bends)
             q = v + 1, q_before = v + 2;
     }
