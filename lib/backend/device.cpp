@@ -46,11 +46,12 @@ Result<plait_device_info> Device::describe() {
     return info;
 }
 
-Result<Buffer> Device::create(plait_element element, size_t count, const char* name) {
+Status Device::create(Buffer& to, plait_element element, size_t count, const char* name) {
     const plait_buffer_desc desc{element, count, name};
     plait_buffer* handle = nullptr;
     PLAIT_TRY(perform(name, [&] { return api_->buffer_create(handle_, &desc, &handle); }));
-    return Buffer(api_, handle_, handle, desc);
+    to = Buffer(api_, handle_, handle, desc);
+    return {};
 }
 
 Status Device::write(const Buffer& buffer, size_t first, size_t count, const void* src) {

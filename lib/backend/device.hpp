@@ -61,8 +61,8 @@ class Device {
     Result<plait_device_info> describe();
     bool supports(plait_stage stage) const { return api_->supports(handle_, stage) != 0; }
 
-    // `name` must outlive the buffer.
-    Result<Buffer> create(plait_element element, size_t count, const char* name);
+    // A buffer into `to`, which stays as it is on failure. `name` must outlive the buffer.
+    Status create(Buffer& to, plait_element element, size_t count, const char* name);
     Status write(const Buffer& buffer, size_t first, size_t count, const void* src);
     Status write(const Buffer& buffer, const void* src) {
         return write(buffer, 0, buffer.count(), src);

@@ -54,10 +54,7 @@ Status Colliders::reserve(Device& device, size_t count) {
         return {};
     const size_t room = std::max(capsules(count), buffer_.count() / PLAIT_CAPSULE_STRIDE * 2);
     packed_.reserve(room * capsule_floats);
-    auto buffer = device.create(PLAIT_ELEMENT_FLOAT4, room * PLAIT_CAPSULE_STRIDE, "capsule");
-    if (!buffer)
-        return buffer.error();
-    buffer_ = std::move(*buffer);
+    PLAIT_TRY(device.create(buffer_, PLAIT_ELEMENT_FLOAT4, room * PLAIT_CAPSULE_STRIDE, "capsule"));
     uploaded_ = false;
     return {};
 }

@@ -12,14 +12,6 @@ namespace {
 
 using Float4 = std::array<float, 4>;
 
-Status make(Device& device, Buffer& to, plait_element element, size_t count, const char* name) {
-    auto buffer = device.create(element, count, name);
-    if (!buffer)
-        return buffer.error();
-    to = std::move(*buffer);
-    return {};
-}
-
 // U(-r, r) t0 + U(-r, r) t1, t0 and t1 normal to the guide's first segment (TressFX 3.1, there
 // from the C library's generator). Depends on seed and follow only, not on the guides before.
 Float4 follow_offset(const float* guide, const FollowRules& rules, uint64_t follow) {
@@ -39,12 +31,12 @@ Result<Display> Display::create(Device& device, const Groom& groom, const Layout
                                 std::pmr::memory_resource* memory) {
     Display display;
     constexpr auto f4 = PLAIT_ELEMENT_FLOAT4;
-    PLAIT_TRY(make(device, display.tangent_, f4, layout.vertices(), "tangent"));
+    PLAIT_TRY(device.create(display.tangent_, f4, layout.vertices(), "tangent"));
     if (interpolate) {
         const size_t guides = layout.guide_vertices();
-        PLAIT_TRY(make(device, display.position_local_, f4, guides, "position_local"));
-        PLAIT_TRY(make(device, display.position_out_, f4, layout.vertices(), "position_out"));
-        PLAIT_TRY(make(device, display.pose_now_, f4, size_t{2} * layout.guides, "pose_now"));
+        PLAIT_TRY(device.create(display.position_local_, f4, guides, "position_local"));
+        PLAIT_TRY(device.create(display.position_out_, f4, layout.vertices(), "position_out"));
+        PLAIT_TRY(device.create(display.pose_now_, f4, size_t{2} * layout.guides, "pose_now"));
     }
     if (layout.follows == 0)
         return display;
@@ -61,8 +53,8 @@ Result<Display> Display::create(Device& device, const Groom& groom, const Layout
         strand += 3 * groom.strands.vertex_counts[guide];
     }
     PLAIT_TRY(
-        make(device, display.follow_guide_, PLAIT_ELEMENT_UINT, layout.follows, "follow_guide"));
-    PLAIT_TRY(make(device, display.follow_offset_, f4, layout.follows, "follow_offset"));
+        device.create(display.follow_guide_, PLAIT_ELEMENT_UINT, layout.follows, "follow_guide"));
+    PLAIT_TRY(device.create(display.follow_offset_, f4, layout.follows, "follow_offset"));
     PLAIT_TRY(device.write(display.follow_guide_, guides.data()));
     PLAIT_TRY(device.write(display.follow_offset_, offsets.data()));
     return display;

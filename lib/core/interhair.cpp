@@ -13,14 +13,6 @@ uint32_t voxels(uint32_t edge_count) {
     return edge_count * edge_count * edge_count;
 }
 
-Status make(Device& device, Buffer& to, plait_element element, size_t count, const char* name) {
-    auto buffer = device.create(element, count, name);
-    if (!buffer)
-        return buffer.error();
-    to = std::move(*buffer);
-    return {};
-}
-
 void clear(Schedule& schedule, const Buffer& buffer, plait_u32 value) {
     schedule.add(PLAIT_STAGE_grid_clear, static_cast<uint32_t>(buffer.count()),
                  plait_grid_clear_params{value}, {&buffer});
@@ -50,12 +42,12 @@ Result<InterHair> InterHair::create(Device& device, const plait_sim_params& para
     const uint32_t n = voxels(params.grid_edge_count);
     constexpr auto u32 = PLAIT_ELEMENT_UINT;
     if (params.interhair == PLAIT_INTERHAIR_SLOTS)
-        PLAIT_TRY(make(device, grid.slots_, u32, size_t{n} * params.slot_capacity, "grid_slot"));
+        PLAIT_TRY(device.create(grid.slots_, u32, size_t{n} * params.slot_capacity, "grid_slot"));
     else
-        PLAIT_TRY(make(device, grid.sums_, u32, size_t{n} * PLAIT_SUM_STRIDE, "grid_sum"));
-    PLAIT_TRY(make(device, grid.density_, PLAIT_ELEMENT_FLOAT, n, "grid_density"));
-    PLAIT_TRY(make(device, grid.velocity_, PLAIT_ELEMENT_FLOAT4, n, "grid_velocity"));
-    PLAIT_TRY(make(device, grid.outside_, u32, 1, "grid_outside"));
+        PLAIT_TRY(device.create(grid.sums_, u32, size_t{n} * PLAIT_SUM_STRIDE, "grid_sum"));
+    PLAIT_TRY(device.create(grid.density_, PLAIT_ELEMENT_FLOAT, n, "grid_density"));
+    PLAIT_TRY(device.create(grid.velocity_, PLAIT_ELEMENT_FLOAT4, n, "grid_velocity"));
+    PLAIT_TRY(device.create(grid.outside_, u32, 1, "grid_outside"));
     Schedule zero;
     clear(zero, grid.outside_, 0); // nothing has been outside before the first step
     PLAIT_TRY(zero.submit(device));

@@ -36,10 +36,8 @@ Status Roots::make_buffers(Device& device) {
     const std::pmr::vector<PackedPose> identities(layout_.guides, pack(identity_pose), memory_);
     std::array<Buffer, 4> made;
     for (Buffer& buffer : made) {
-        auto poses = device.create(PLAIT_ELEMENT_FLOAT4, size_t{2} * layout_.guides, "root_poses");
-        if (!poses)
-            return poses.error();
-        buffer = std::move(*poses);
+        PLAIT_TRY(
+            device.create(buffer, PLAIT_ELEMENT_FLOAT4, size_t{2} * layout_.guides, "root_poses"));
         PLAIT_TRY(device.write(buffer, identities.data()));
     }
     for (size_t i = 0; i < made.size(); ++i)

@@ -260,11 +260,8 @@ Status Sim::set_roots(const RootsInput& input) {
 Status Sim::prepare_teleport() {
     if (pose_spare_)
         return {};
-    auto spare = device().create(PLAIT_ELEMENT_FLOAT4, size_t{2} * layout_.guides, "pose_spare");
-    if (!spare)
-        return spare.error();
-    pose_spare_ = std::move(*spare);
-    return {};
+    return device().create(pose_spare_, PLAIT_ELEMENT_FLOAT4, size_t{2} * layout_.guides,
+                           "pose_spare");
 }
 
 Status Sim::teleport(const RootsInput& input) {

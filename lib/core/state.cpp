@@ -64,10 +64,7 @@ Result<State> create_state(Device& device, const Groom& groom, const Layout& lay
     State state;
     const auto make = [&](Buffer& to, plait_element element, size_t count, const char* name,
                           const void* content, size_t content_count) -> Status {
-        auto buffer = device.create(element, count, name);
-        if (!buffer)
-            return buffer.error();
-        to = std::move(*buffer);
+        PLAIT_TRY(device.create(to, element, count, name));
         return device.write(to, 0, content_count, content);
     };
     const auto rest = pad_rows(groom, layout, pinned, memory);

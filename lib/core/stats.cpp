@@ -27,12 +27,9 @@ void reduce(std::span<const Float4> strands, plait_sim_stats& out) {
 
 Status Sim::stats(plait_sim_stats& out) {
     out = {};
-    if (!strand_stats_) {
-        auto buffer = device().create(PLAIT_ELEMENT_FLOAT4, layout_.guides, "strand_stats");
-        if (!buffer)
-            return buffer.error();
-        strand_stats_ = std::move(*buffer);
-    }
+    if (!strand_stats_)
+        PLAIT_TRY(
+            device().create(strand_stats_, PLAIT_ELEMENT_FLOAT4, layout_.guides, "strand_stats"));
     schedule_.clear();
     schedule_.add(PLAIT_STAGE_stats, layout_.guides, plait_layout_params{layout_.row},
                   {&state_.rest_length, &state_.vertex_count, &state_.position,

@@ -36,11 +36,7 @@ LanePart::LanePart(const LaneSource& source, plait_model model, Members members)
                                            source.layout.row, source.tile} {}
 
 Status LanePart::make(Device& device, Buffer& to, size_t components, const char* name) const {
-    auto buffer = device.create(PLAIT_ELEMENT_FLOAT, lanes_.rows() * components, name);
-    if (!buffer)
-        return buffer.error();
-    to = std::move(*buffer);
-    return {};
+    return device.create(to, PLAIT_ELEMENT_FLOAT, lanes_.rows() * components, name);
 }
 
 Status LanePart::open(Device& device) {
@@ -48,11 +44,11 @@ Status LanePart::open(Device& device) {
     PLAIT_TRY(make(device, q_, 4, "lane_q"));
     PLAIT_TRY(make(device, q_before_, 4, "lane_q_before"));
     PLAIT_TRY(make(device, x_, 3, "lane_x"));
-    auto list = device.create(PLAIT_ELEMENT_UINT, members_.size(), "lane_strand");
-    if (!list)
-        return list.error();
-    lane_strand_ = std::move(*list);
-    return device.write(lane_strand_, members_.data());
+    std::pmr::vector<uint32_t> strands(source_.memory);
+    for (size_t lane = 0; lane < lanes_.padded_strands(); ++lane)
+        strands.push_back(member(lane));
+    PLAIT_TRY(device.create(lane_strand_, PLAIT_ELEMENT_UINT, strands.size(), "lane_strand"));
+    return device.write(lane_strand_, strands.data());
 }
 
 Material LanePart::material_of(const plait_sim_params& params) const {
@@ -78,10 +74,7 @@ Status LanePart::make_fill(Device& device, Fill& fill, const Members& members,
         lane_rows(source_.strands, members, lanes, material, load, source_.memory);
     const auto put = [&](Buffer& to, const std::pmr::vector<float>& values,
                          const char* name) -> Status {
-        auto buffer = device.create(PLAIT_ELEMENT_FLOAT, values.size(), name);
-        if (!buffer)
-            return buffer.error();
-        to = std::move(*buffer);
+        PLAIT_TRY(device.create(to, PLAIT_ELEMENT_FLOAT, values.size(), name));
         return device.write(to, values.data());
     };
     PLAIT_TRY(put(fill.material, rows.material, "lane_material"));

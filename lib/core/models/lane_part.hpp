@@ -116,7 +116,7 @@ class LanePart {
     bool has_next_fill_ = false, has_next_history_ = false;
     Buffer x_, v_, q_, q_before_;
     History history_, next_history_;
-    Buffer lane_strand_; // uint [members]
+    Buffer lane_strand_; // uint [lanes of whole tiles]
 };
 
 } // namespace plait

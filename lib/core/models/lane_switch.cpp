@@ -20,11 +20,10 @@ Result<LanePart::Moves> LanePart::list_moves(Device& device, const Place& place)
             list.insert(list.end(), {from, lane});
     if (list.empty())
         return Moves{};
-    auto buffer = device.create(PLAIT_ELEMENT_UINT, list.size(), "lane_slot");
-    if (!buffer)
-        return buffer.error();
-    PLAIT_TRY(device.write(*buffer, list.data()));
-    return Moves{std::move(*buffer), static_cast<uint32_t>(list.size() / 2)};
+    Moves moves{{}, static_cast<uint32_t>(list.size() / 2)};
+    PLAIT_TRY(device.create(moves.list, PLAIT_ELEMENT_UINT, list.size(), "lane_slot"));
+    PLAIT_TRY(device.write(moves.list, list.data()));
+    return moves;
 }
 
 void LanePart::move(Schedule& schedule, const Moves& moves, uint32_t components, const Buffer& from,

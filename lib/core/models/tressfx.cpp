@@ -46,13 +46,9 @@ class TressFx final : public Model {
 
 Status TressFx::prepare(Device& device, const plait_sim_params& params) {
     const bool needed = has_shock(params);
-    if (needed && !strand_motion_) {
-        auto buffer = device.create(PLAIT_ELEMENT_FLOAT4,
-                                    size_t{PLAIT_MOTION_STRIDE} * layout_.guides, "strand_motion");
-        if (!buffer)
-            return buffer.error();
-        next_strand_motion_ = std::move(*buffer);
-    }
+    if (needed && !strand_motion_)
+        PLAIT_TRY(device.create(next_strand_motion_, PLAIT_ELEMENT_FLOAT4,
+                                size_t{PLAIT_MOTION_STRIDE} * layout_.guides, "strand_motion"));
     changes_ = needed != bool(strand_motion_);
     return {};
 }
