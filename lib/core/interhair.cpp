@@ -18,6 +18,12 @@ void clear(Schedule& schedule, const Buffer& buffer, plait_u32 value) {
                  plait_grid_clear_params{value}, {&buffer});
 }
 
+// Work-items that share a voxel's slots. On a CPU, whose work-items have lanes, those of a group
+// take turns: one alone is faster than a sum in parts.
+uint32_t group_width(const plait_device_info& device, uint32_t capacity) {
+    return device.lanes > 1 ? 1 : std::bit_floor(std::min({device.max_group_size, capacity, 64u}));
+}
+
 } // namespace
 
 // Half as large again as the hair, so that it can swing.
@@ -90,7 +96,7 @@ void InterHair::append_slots(Schedule& schedule, const Step& step,
                              const plait_grid_params& params) const {
     const State& s = step.state;
     const uint32_t n = voxels(edge_count_);
-    const uint32_t width = std::bit_floor(std::min({step.group_size, capacity_, 64u}));
+    const uint32_t width = group_width(step.device, capacity_);
     clear(schedule, slots_, PLAIT_SLOT_EMPTY);
     schedule.add(PLAIT_STAGE_grid_slots, step.layout.guide_vertices(), params,
                  {&s.vertex_count, &s.position, &slots_, &outside_});

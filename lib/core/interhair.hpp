@@ -21,17 +21,16 @@ class InterHair {
     static Result<InterHair> create(Device& device, const plait_sim_params& params);
     bool fits(const plait_sim_params& params) const;
 
-    // `head`: at the end of the step; `group_size`: work-items the device allows in a group.
     struct Step {
         const Layout& layout;
         const State& state;
         const plait_sim_params& params;
         const GridCube& cube;
-        const plait_pose& head;
-        float h; // s, of a substep: the histories span one
+        const plait_pose& head; // at the end of the step
+        float h;                // s, of a substep: the histories span one
         uint64_t frame;
         uint64_t seed;
-        uint32_t group_size;
+        const plait_device_info& device;
     };
     void append(Schedule& schedule, const Step& step) const;
 

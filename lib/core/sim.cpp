@@ -166,9 +166,8 @@ void Sim::add_substep(uint32_t index) {
 }
 
 void Sim::add_interhair() {
-    grid_.append(schedule_,
-                 {layout_, state_, desc_.params, cube_, roots_.step_head(), substep_length(),
-                  clock_.steps, desc_.seed, context_.info.max_group_size});
+    grid_.append(schedule_, {layout_, state_, desc_.params, cube_, roots_.step_head(),
+                             substep_length(), clock_.steps, desc_.seed, context_.info});
     if (desc_.params.interhair != PLAIT_INTERHAIR_OFF)
         model_->adopt(schedule_, present());
 }
