@@ -187,6 +187,19 @@ Value tip_speed(const MetricInput& in) {
     return {tip_travel(in).value / (end - in.measure.from), ""};
 }
 
+// Of the tip along its way, over what was expected, less 1.
+Value acceleration(const MetricInput& in) {
+    std::vector<Vec3> tip;
+    in.each([&](const Frame& frame) { tip.push_back(in.x(frame).back()); });
+    if (tip.size() < 3 || !in.measure.expect || *in.measure.expect == 0)
+        return none("needs three frames and what to expect");
+    const size_t last = tip.size() - 1;
+    const Vec3 gained = (tip[last] - tip[last - 1]) - (tip[1] - tip[0]); // m per frame
+    const double rate = in.scene.rate, frames = static_cast<double>(last - 1);
+    const double measured = gained.dot((tip[last] - tip[0]).normalized()) * rate * rate / frames;
+    return {measured / *in.measure.expect - 1, ""};
+}
+
 // How far the root had come, in lengths over what the table has, less 1, when the tip first slid
 // across its way faster than it comes, for a tenth of a second.
 Value slip_strain(const MetricInput& in) {
@@ -293,6 +306,7 @@ constexpr Metric metrics[] = {
     {"teleport_change", "L", teleport_change},
     {"tip_travel", "L", tip_travel},
     {"tip_speed", "L/s", tip_speed},
+    {"acceleration", "", acceleration},
     {"slip_strain", "", slip_strain},
     {"penetration", "L", penetration},
     {"untouched", "of strands", untouched},

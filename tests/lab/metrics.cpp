@@ -158,6 +158,13 @@ TEST_F(LabRecording, travel_and_speed_of_the_tip) {
     EXPECT_NEAR(metric("speed_max"), 1, 1e-9);
 }
 
+TEST_F(LabRecording, acceleration_is_of_the_tip_over_what_was_expected) {
+    fill(2, [](double t, size_t i) { return Vec3(1.5 * t * t * static_cast<double>(i), 0, 1); });
+    EXPECT_NEAR(metric("acceleration", 0.5, 1.5, 5), 0.2, 1e-9); // 6 m/s^2
+    EXPECT_TRUE(std::isnan(metric("acceleration", 0.5, 1.5, 0)));
+    EXPECT_TRUE(std::isnan(metric("acceleration", 0.5, 0.6, 5)));
+}
+
 TEST_F(LabRecording, jitter_is_rms_per_frame) {
     fill(1, [](double t, size_t i) { return Vec3(i ? 0.01 * std::round(10 * t) : 0, 0, 0); });
     EXPECT_NEAR(metric("jitter"), 0.01 / 2, 1e-12);
