@@ -28,7 +28,6 @@ stability::SweepOptions stability_options(const Options& o) {
         sweep.models.push_back(model->label);
     sweep.out = o.out;
     sweep.fresh = o.fresh;
-    sweep.axes = false;
     sweep.few_baselines = true;
     return sweep;
 }
@@ -55,6 +54,7 @@ Page measure_all(const Options& o) {
         Contexts contexts(o.device.backend, o.device.device);
         page.stability = sweep(options, contexts);
         page.places = grid_of(options);
+        page.bad_input = try_bad_inputs(options, contexts);
         print_count(page.stability.rows);
     }
     return page;

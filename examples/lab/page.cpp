@@ -73,7 +73,14 @@ std::string stability_of(const Page& page, const std::string& prefix) {
            "; seven motions of the root. What the letters mean: [stability](../stability.md). The "
            "envelope is 60 Hz and above, N ≤ 64, Γ ≥ 1, ≤ 10 g.\n\n" +
            stability::counts_markdown(page.stability.rows) + "\n![Where each method fails](" +
-           prefix + "stability.png)\n\nEvery trial: [CSV](" + prefix + "stability.csv).\n";
+           prefix + "stability.png)\n\nEvery trial: [CSV](" + prefix +
+           "stability.csv). They include one parameter at a time, far beyond hair, at 60 Hz; a "
+           "letter "
+           "for each value, the worse of two strands:\n\n" +
+           stability::axes_markdown(page.stability.rows) +
+           "\nInput that nobody means to give: borne is no crash, every other strand bitwise as "
+           "without it, and the offender finite, culled or reported.\n\n" +
+           stability::verdicts_markdown(page.bad_input);
 }
 
 // What people wrote into the page that is there: all between the two marks.

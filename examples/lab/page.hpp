@@ -14,6 +14,7 @@ struct Page {
     ChartRun charts;
     FeatureRun features;
     stability::Sweep stability;
+    stability::Verdicts bad_input;
     std::string places; // of the stability map
     grid::GridRun grid;
 };

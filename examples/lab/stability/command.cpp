@@ -17,14 +17,14 @@ struct Options {
     bool json = false, csv = false;
 };
 
-void print_verdicts(const std::vector<std::pair<std::string, Verdict>>& verdicts) {
+void print_verdicts(const Verdicts& verdicts) {
     std::puts("\nbad input");
     for (const auto& [model, verdict] : verdicts)
         std::printf("  %-4s %-10s %-32s %s\n", verdict.passed ? "ok" : "FAIL", model.c_str(),
                     verdict.input.c_str(), verdict.what.c_str());
 }
 
-Json to_json(const std::vector<std::pair<std::string, Verdict>>& verdicts) {
+Json to_json(const Verdicts& verdicts) {
     Json all = Json::array();
     for (const auto& [model, verdict] : verdicts)
         all.push_back({{"model", model},

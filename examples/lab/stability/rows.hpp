@@ -58,6 +58,7 @@ struct Count {
 std::vector<Count> count_letters(const std::vector<Row>& rows);
 void print_count(const std::vector<Row>& rows);
 std::string counts_markdown(const std::vector<Row>& rows);
+std::string axes_markdown(const std::vector<Row>& rows); // a letter for each value
 
 // DIR/MODEL.svg and .png for each model, and DIR/stability.svg of all. False where there is no
 // gnuplot.

@@ -4,6 +4,7 @@
 
 #include "common/progress.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -91,7 +92,7 @@ std::vector<Work> plan(const SweepOptions& options, Contexts& contexts) {
                 break;
             add_map(work, *model, setting, contexts, options);
         }
-        if (options.axes)
+        if (options.axes && !(model->baseline() && options.few_baselines))
             add_axes(work, subject_of(*model, model->settings[0], Place{}, contexts), *model,
                      options.full);
     }
@@ -149,17 +150,38 @@ std::string grid_of(const SweepOptions& options) {
            list(gammas(options.full));
 }
 
-std::vector<std::pair<std::string, Verdict>> try_bad_inputs(const SweepOptions& options,
-                                                            Contexts& contexts) {
-    std::vector<std::pair<std::string, Verdict>> verdicts;
+Verdicts try_bad_inputs(const SweepOptions& options, Contexts& contexts) {
+    Verdicts verdicts;
     for (const std::string& label : options.models) {
         const Model& model = *find_model(label);
+        if (model.baseline() && options.few_baselines)
+            continue;
         const Subject subject = subject_of(model, model.settings[0], Place{}, contexts);
         for (const std::string& input : bad_inputs())
             if (!interrupted())
                 verdicts.emplace_back(label, try_bad_input(subject, input));
     }
     return verdicts;
+}
+
+std::string verdicts_markdown(const Verdicts& verdicts) {
+    std::vector<std::string> models;
+    for (const auto& [model, verdict] : verdicts)
+        if (std::ranges::find(models, model) == models.end())
+            models.push_back(model);
+    std::string text = "| input |", rule = "\n|---|";
+    for (const std::string& model : models) {
+        text += " " + model + " |";
+        rule += "---|";
+    }
+    text += rule;
+    for (const std::string& input : bad_inputs()) {
+        text += "\n| " + input + " |";
+        for (const auto& [model, verdict] : verdicts)
+            if (verdict.input == input)
+                text += verdict.passed ? " borne |" : " **" + verdict.what + "** |";
+    }
+    return text + "\n";
 }
 
 Sweep sweep(const SweepOptions& options, Contexts& contexts) {

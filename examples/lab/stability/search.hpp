@@ -11,7 +11,7 @@ struct SweepOptions {
     std::vector<std::string> models{"tressfx", "chain", "cosserat", "rod"};
     std::string out = "out/stability";
     bool full = false, fresh = false, pictures = true, axes = true;
-    bool few_baselines = false; // at 60 Hz alone: some take a thousand substeps
+    bool few_baselines = false; // at 60 Hz and on the map alone: some take a thousand substeps
 };
 
 struct Sweep {
@@ -22,8 +22,10 @@ struct Sweep {
 
 // Throws Failure on a model's name that is none.
 Sweep sweep(const SweepOptions& options, Contexts& contexts);
-std::vector<std::pair<std::string, Verdict>> try_bad_inputs(const SweepOptions& options,
-                                                            Contexts& contexts);
+// By model; of the library's own where there are `few_baselines`.
+using Verdicts = std::vector<std::pair<std::string, Verdict>>;
+Verdicts try_bad_inputs(const SweepOptions& options, Contexts& contexts);
+std::string verdicts_markdown(const Verdicts& verdicts);
 std::string grid_of(const SweepOptions& options); // "30, 60, 240 Hz; N 2, ...; Γ ..."
 
 } // namespace lab::stability

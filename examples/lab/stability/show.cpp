@@ -151,4 +151,33 @@ std::string counts_markdown(const std::vector<Row>& rows) {
     return text;
 }
 
+std::string axes_markdown(const std::vector<Row>& rows) {
+    const auto subjects = subjects_of(rows, false);
+    std::vector<std::string> axes;
+    std::map<std::string, std::string> values;                          // by axis
+    std::map<std::pair<std::string, std::string>, std::string> letters; // by axis and subject
+    for (const Row& row : rows) {
+        if (is_map(row))
+            continue;
+        const std::string subject = row.job.model + " " + row.job.setting;
+        if (std::ranges::find(axes, row.job.kind) == axes.end())
+            axes.push_back(row.job.kind);
+        if (subject == subjects[0])
+            values[row.job.kind] += (values[row.job.kind].empty() ? "" : ", ") + row.column;
+        letters[{row.job.kind, subject}] += letter_of(row.outcome.grade);
+    }
+    std::string text = "| parameter | values |", rule = "\n|---|---|";
+    for (const std::string& subject : subjects) {
+        text += " " + subject + " |";
+        rule += "---|";
+    }
+    text += rule;
+    for (const std::string& axis : axes) {
+        text += "\n| " + axis + " | " + values[axis] + " |";
+        for (const std::string& subject : subjects)
+            text += " `" + letters[{axis, subject}] + "` |";
+    }
+    return text + "\n";
+}
+
 } // namespace lab::stability
