@@ -91,16 +91,21 @@ inline void chain_follow_leader_in_contact(const lane_step* step, lane_contacts*
         x[i] = pick3(crossed, x[i], first[i]);
 }
 
-/* x, which contacts hold, on its lengths: some rounds, so that pushes and slip agree with them.
- * Strands that touch nothing leave after the first. */
+/* x on its lengths, in some rounds where contacts hold it, so that pushes and slip agree with the
+ * lengths. Strands that touch nothing, also not where the first round puts them, leave after it. */
 inline void chain_solve_contacts(const lane_step* step, lane_contacts* contacts, uint iterations,
                                  const vec3* y, vec3* x) {
     vec3 before[PLAIT_VERTICES];
     chain_mobility hold[PLAIT_VERTICES];
     for (int round = 0; round < CHAIN_CONTACT_ROUNDS; ++round) {
         contact_renew(contacts, x);
-        if (!any_lane(contacts->lanes))
-            break;
+        if (!any_lane(contacts->lanes)) {
+            if (round > 0)
+                break;
+            for (uint k = 0; k < iterations; ++k)
+                chain_solve_lengths(step, 0, 0, x);
+            continue;
+        }
         for (int i = 1; i <= step->segments; ++i)
             before[i] = x[i];
         chain_mobilities(contacts, x, hold);
@@ -133,8 +138,7 @@ __kernel void plait_chain(const uint item_count, const plait_lane_params params,
     if (contacts) {
         contact_begin(contacts, &step, &params, capsule, lane_x);
         chain_solve_contacts(&step, contacts, params.iterations, y, x);
-    }
-    if (!contacts || !any_lane(contacts->lanes))
+    } else
         for (uint k = 0; k < params.iterations; ++k)
             chain_solve_lengths(&step, 0, 0, x);
     for (int i = 0; i <= step.segments; ++i)

@@ -18,13 +18,16 @@ Case chain_case() {
     for (const Size& size : contact_sizes())
         result.setups.push_back(
             reordered(lane_setup(size, make_lane_hair(size, 31), lane_params(size, 1, 0), false)));
-    for (const Size& size : contact_sizes())
-        for (const uint32_t bdf2 : {0u, 1u}) {
-            plait_lane_params params = lane_params(size, 1, bdf2);
-            params.contact_rate = 3e4f;
-            result.setups.push_back(
-                lane_setup(size, make_lane_hair_in_contact(size, 32, 0.05f), params, false));
-        }
+    // In those after the first a strand comes to touch in the second round only, or does not touch
+    // and has a neighbour in its work-item that does.
+    for (const uint32_t seed : {32u, 39u, 52u, 74u})
+        for (const Size& size : contact_sizes())
+            for (const uint32_t bdf2 : {0u, 1u}) {
+                plait_lane_params params = lane_params(size, 1, bdf2);
+                params.contact_rate = 3e4f;
+                result.setups.push_back(
+                    lane_setup(size, make_lane_hair_in_contact(size, seed, 0.05f), params, false));
+            }
     return result;
 }
 

@@ -2,9 +2,11 @@
 //
 // Environment: PLAIT_TEST_DEVICE=part        only devices whose backend, platform or name has it
 //              PLAIT_TEST_ALLOW_NO_OPENCL=1  if there is no such device, say so and exit with 77
+//              PLAIT_TEST_LANES=n            strands per work-item, as in plait_open_info
 //              PLAIT_TEST_MAX_VERTICES=V     leave out longer strands in the stages over lanes
 #include "case.hpp"
 #include "closed_forms.hpp"
+#include "inputs.hpp"
 #include "subjects.hpp"
 
 #include <gtest/gtest.h>
@@ -89,6 +91,53 @@ class Agrees : public StageTest {
             EXPECT_EQ(difference(stage_case_, i, stage_case_.setups[i], subject_), "");
         }
         EXPECT_GT(compared, 0u);
+    }
+};
+
+// Whether a vertex sticks, and to which capsule, is a decision: where rounding makes it, every
+// device may be right. The inputs keep clear: changed by what float32 makes of positions in a step,
+// some 1e-6 of them, they move what the formulae say by no more than a device may be off.
+class KeepsClear : public StageTest {
+  public:
+    using StageTest::StageTest;
+    void TestBody() override {
+        if (!open())
+            return;
+        size_t compared = 0;
+        for (size_t i = 0; i < stage_case_.setups.size(); ++i)
+            for (uint32_t seed = 0; seed < 8 && has_contact(stage_case_.setups[i]); ++seed) {
+                ++compared;
+                EXPECT_EQ(moved(i, seed), "") << "rounded at random, seed " << seed;
+            }
+        EXPECT_GT(compared, 0u);
+    }
+
+  private:
+    static bool has_contact(const cases::Setup& setup) {
+        return setup.params_as<plait_lane_params>().collider_count > 0;
+    }
+
+    std::string moved(size_t index, uint32_t seed) {
+        const cases::Setup& setup = stage_case_.setups[index];
+        const Outputs& expected = expected_of(stage_case_, index);
+        std::string error;
+        Outputs got = cases::run(subject_.api(), subject_.device(), stage_case_.stage,
+                                 rounded(setup, seed), error);
+        if (!error.empty() || expected.empty())
+            return error.empty() ? "no expected outputs" : error;
+        const plait_stage_info& info = *plait_stage_describe(stage_case_.stage);
+        for (size_t i = 0; i < got.size(); ++i)
+            if (info.args[i].access == PLAIT_ACCESS_READ) // what was changed here
+                got[i] = expected[i];
+        return cases::compare(stage_case_, setup, expected, got);
+    }
+
+    static cases::Setup rounded(cases::Setup setup, uint32_t seed) {
+        cases::Random random(seed);
+        for (cases::Array& array : setup.buffers)
+            for (float& value : array.floats)
+                value *= 1 + (static_cast<float>(random.below(3)) - 1) * 0x1p-20f;
+        return setup;
     }
 };
 
@@ -188,6 +237,9 @@ void add_all(Subject& subject) {
         const std::string stage = plait_stage_describe(stage_case.stage)->name;
         add<Agrees>(subject, stage, stage_case);
         add<Notices>(subject, stage + "_notices", stage_case);
+        const std::string params = plait_stage_describe(stage_case.stage)->params_type;
+        if (subject.name() == "reference" && params == "plait_lane_params")
+            add<KeepsClear>(subject, stage + "_keeps_clear", stage_case);
     }
     for (const auto* forms : {&strand_closed_forms(), &grid_closed_forms(), &energy_closed_forms()})
         for (const ClosedForm& form : *forms)

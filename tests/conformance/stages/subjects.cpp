@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdlib>
 #include <cstring>
 
 namespace plait::conformance {
@@ -50,6 +51,8 @@ plait_device* Subject::device() {
         plait_open_info open = {};
         open.struct_size = sizeof open;
         open.device_index = index_;
+        if (const char* lanes = std::getenv("PLAIT_TEST_LANES"); lanes && !is_reference(info_))
+            open.lanes = static_cast<uint32_t>(std::stoul(lanes));
         char error[2000] = "";
         plait_device* handle = nullptr;
         if (api_.open(&open, &handle, error, sizeof error) == PLAIT_OK)
