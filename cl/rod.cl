@@ -69,7 +69,7 @@ inline void rod_diagonal(real a[ROD_UNKNOWNS][ROD_UNKNOWNS], const rod_segment* 
     const vec3 t = e->director;
     const real turn = e->pull * e->length + e->geometric;
     const real linear = inertia + e->stretch + next_stretch;
-    const real angular = turn + 0.25f * (e->bend + next_bend);
+    const real angular = 0.25f * (e->bend + next_bend);
     for (int r = 0; r < ROD_UNKNOWNS; ++r)
         for (int c = 0; c <= r; ++c)
             a[r][c] = (real)(0.0f);
@@ -81,12 +81,13 @@ inline void rod_diagonal(real a[ROD_UNKNOWNS][ROD_UNKNOWNS], const rod_segment* 
     a[4][2] = e->pull * t.x;
     a[5][0] = e->pull * t.y;
     a[5][1] = -e->pull * t.x;
-    a[3][3] = angular - turn * t.x * t.x;
+    /* I - t t^T without a difference: along t limp hair's twist is a millionth of `turn` */
+    a[3][3] = angular + turn * (t.y * t.y + t.z * t.z);
     a[4][3] = -turn * t.y * t.x;
-    a[4][4] = angular - turn * t.y * t.y;
+    a[4][4] = angular + turn * (t.x * t.x + t.z * t.z);
     a[5][3] = -turn * t.z * t.x;
     a[5][4] = -turn * t.z * t.y;
-    a[5][5] = angular - turn * t.z * t.z;
+    a[5][5] = angular + turn * (t.x * t.x + t.y * t.y);
 }
 
 /* Adds the contact of vertex i. */
@@ -119,13 +120,14 @@ inline void rod_coupling(real b[ROD_UNKNOWNS][ROD_UNKNOWNS], const rod_segment* 
     b[2][4] = -t.x;
 }
 
-/* a = L L^T in place, the inverse pivots on the diagonal. */
+/* a = L L^T in place, the inverse pivots on the diagonal; 0 where rounding took one, as the twist
+ * of long limp strands': that unknown stays. */
 inline void rod_factor(real a[ROD_UNKNOWNS][ROD_UNKNOWNS]) {
     for (int c = 0; c < ROD_UNKNOWNS; ++c) {
         real pivot = a[c][c];
         for (int k = 0; k < c; ++k)
             pivot -= a[c][k] * a[c][k];
-        a[c][c] = rsqrt(fmax(pivot, (real)(1e-30f)));
+        a[c][c] = pick(pivot > (real)(1e-30f), rsqrt(fmax(pivot, (real)(1e-30f))), (real)(0.0f));
         for (int r = c + 1; r < ROD_UNKNOWNS; ++r) {
             real sum = a[r][c];
             for (int k = 0; k < c; ++k)
