@@ -154,7 +154,10 @@ __kernel void plait_chain(const uint item_count, const plait_lane_params params,
             w[i] = axpy3((real)(-CHAIN_CORRECTION / step.h), sub3(x[i + 1], solved[i + 1]), w[i]);
     }
     lane_velocities(&step, x, y, w);
-    energy_limit(&step, &params, state, contacts, (real)(0.0f), x, w);
+    if (!params.bdf2) {
+        const real given = contacts ? energy_of_contacts(contacts, state, x) : (real)(0.0f);
+        energy_limit(&step, &params, state, given, x, w);
+    }
     store3(lane_x, step.place, 0, step.pose.root);
     for (int i = 1; i <= step.segments; ++i)
         if (contacts && contacts->touching)

@@ -3,6 +3,7 @@
 // root whose displacement d of the next vertex is taken from a vertex's velocity, v_i -=
 // d_{i+1}/(2h). Source: Han & Harada 2013 (tridiagonal lengths), Mueller et al. 2012 (sweep and
 // correction). Contacts: ours, see contact.hpp.
+#include "backend/reference/contact.hpp"
 #include "backend/reference/energy.hpp"
 
 #include <Eigen/Dense>
@@ -131,7 +132,7 @@ void chain(uint32_t item_count, const plait_lane_params& params, const chain_arg
         for (size_t i = 1; i + 1 < x.size(); ++i)
             motion.w[i] -= (x[i + 1] - solved[i + 1]) / (2 * motion.h);
         std::vector<Vec3> v = motion.velocities(x);
-        limit_energy({params, motion, links.mass, before, held}, 0, x, v);
+        limit_energy({params, motion, links.mass, before}, held ? held->work(x) : 0, x, v);
         if (held)
             held->store(lane, state, x, v);
         else

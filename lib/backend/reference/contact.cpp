@@ -163,6 +163,8 @@ Contacts::Contact Contacts::renewed(size_t vertex, const Vec3& x) const {
     now.normal = found->normal;
     now.anchor = found->anchor;
     now.offset = now.normal.dot(x) + depth - level;
+    now.level = level;
+    now.begin = D;
     if (!(depth > 0 || (pressed && -depth < tolerance)))
         return now;
     now.stiffness = stiffness;
@@ -245,14 +247,37 @@ Vec3 Contacts::keep_off(size_t i, const Vec3& leader, double length, const Vec3&
            std::sqrt(length * length - above * above) * direction(across);
 }
 
-double Contacts::work(size_t vertex, const Vec3& start, const Vec3& x) const {
+// From the depth `begin` on, of the spring that is stiff all along, but holds no more than at the
+// depth from which on a vertex counts as started inside.
+double Contacts::released(size_t vertex, const Vec3& x, double begin) const {
     const Contact& at = at_[vertex];
-    if (at.stiffness == 0)
-        return 0;
-    const Vec3 way = at.anchor - start;
-    const double push = at.stiffness * std::max(at.offset - at.normal.dot(x), 0.0);
-    const double rise = at.normal.dot(way);
-    return push * rise + at.friction * at.push * (way - rise * at.normal).norm();
+    const double most = started_inside * length_[vertex];
+    const double before = std::clamp(begin, 0.0, most);
+    const double after = std::clamp(at.level + at.offset - at.normal.dot(x), 0.0, most);
+    return mass_[vertex] * params_.contact_rate / 2 * (before * before - after * after);
+}
+
+double Contacts::work(const std::vector<Vec3>& x) const {
+    double sum = 0;
+    for (size_t i = 1; i < x.size(); ++i) {
+        const Contact& at = at_[i];
+        if (at.stiffness == 0)
+            continue;
+        const Vec3 way = at.anchor - (motion_.start[i] - motion_.start[0]); // relative to the root
+        const double push = at.stiffness * std::max(at.offset - at.normal.dot(x[i]), 0.0);
+        const double rise = at.normal.dot(way);
+        sum += push * rise + at.friction * at.push * (way - rise * at.normal).norm() +
+               released(i, x[i], at.begin);
+    }
+    return sum;
+}
+
+double Contacts::work_of_new(const std::vector<Vec3>& x) const {
+    double sum = 0;
+    for (size_t i = 1; i < x.size(); ++i)
+        if (at_[i].stiffness > 0 && at_[i].push == 0)
+            sum += released(i, x[i], 0);
+    return sum;
 }
 
 void Contacts::store(const Lane& lane, const LaneState& state, const std::vector<Vec3>& x,

@@ -30,8 +30,11 @@ class Contacts {
                const Vec3& x) const; // minus the gradient, slip in its last direction
     double energy(size_t vertex, const Vec3& x) const;
 
-    // At most, of push and friction on a vertex at x along the way of the surface from `start`.
-    double work(size_t vertex, const Vec3& start, const Vec3& x) const;
+    // At most, J, that contact gave vertices on their way to x: push and friction along the way of
+    // the surface, and what the springs let go. Of the last solve, before `clip`.
+    double work(const std::vector<Vec3>& x) const;
+    // Less what the springs hold that no solve has pushed yet, after `clip`.
+    double work_of_new(const std::vector<Vec3>& x) const;
 
     // Where a chain's sweep keeps vertex `i`, `length` from its leader.
     Vec3 keep_off(size_t i, const Vec3& leader, double length, const Vec3& solved,
@@ -47,7 +50,8 @@ class Contacts {
     struct Contact {
         Vec3 normal = Vec3::Zero(), anchor = Vec3::Zero(), slide = Vec3::Zero();
         double offset = 0, stiffness = 0, push = 0, friction = 0;
-        bool stiff = false; // from outside: it may not be left deep
+        double level = 0, begin = 0; // of the surface above the offset; how deep the vertex began
+        bool stiff = false;          // from outside: it may not be left deep
         bool sticks() const { return slide.isZero(0); }
     };
     // A vertex and the capsule it is nearest to.
@@ -63,6 +67,7 @@ class Contacts {
     bool slides(const Contact& before, const Contact& now, const Vec3& u, double mobility) const;
     Vec3 slip_of(const Contact& at, const Vec3& x) const;
     double depth_allowed(size_t vertex) const;
+    double released(size_t vertex, const Vec3& x, double begin) const;
 
     const plait_lane_params& params_;
     const View<const Vec4>& capsules_;

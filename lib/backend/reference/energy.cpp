@@ -7,7 +7,7 @@ namespace plait::reference {
 
 double limit_energy(const Substep& step, double released, const std::vector<Vec3>& x,
                     std::vector<Vec3>& v) {
-    const auto& [params, motion, mass, length, contacts] = step;
+    const auto& [params, motion, mass, length] = step;
     if (params.bdf2)
         return 1;
     constexpr double still = 1e-10; // 1e-5 of its distance from the root a vertex may always move
@@ -23,8 +23,6 @@ double limit_energy(const Substep& step, double released, const std::vector<Vec3
         const Vec3 inertial = h / (1 + drag * h) * motion.v[i] - root_moved;
         before += k / 2 * (inertial.squaredNorm() + still * x[i].squaredNorm()) +
                   mass[i] * push.dot(x[i] - start);
-        if (contacts)
-            before += contacts->work(i, start, x[i]);
         after += k / 2 * (h * v[i] - root_moved).squaredNorm();
     }
     constexpr double none = 1e-30; // J: nothing moves

@@ -3,7 +3,7 @@
 // it. docs/models/cosserat.md derives it.
 #pragma once
 
-#include "backend/reference/contact.hpp"
+#include "backend/reference/lanes.hpp"
 
 namespace plait::reference {
 
@@ -12,12 +12,11 @@ struct Substep {
     const Motion& motion;
     const std::vector<double>& mass;   // kg, [V]
     const std::vector<double>& length; // m, of the segment before a vertex; 0: it is none
-    const Contacts* contacts;          // null: no colliders
 };
 
 // Takes from the velocities v at the solved positions x what is above the budget, and returns the
 // share that they keep, 1 where they were within it. `released`: the potential before less that
-// after, J.
+// after, and what contact gave, J.
 double limit_energy(const Substep& step, double released, const std::vector<Vec3>& x,
                     std::vector<Vec3>& v);
 

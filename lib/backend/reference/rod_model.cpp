@@ -58,11 +58,15 @@ void RodModel::renew_contacts() {
 }
 
 void RodModel::store(const RodBuffers& buffers) {
-    if (contacts_)
+    double given = 0;
+    if (contacts_) {
+        given = contacts_->work(x);
         contacts_->clip(x);
+        given += contacts_->work_of_new(x);
+    }
     std::vector<Vec3> v = motion_.velocities(x);
     const double share =
-        limit_energy({*params_, motion_, mass_, length_before_, contacts_.get()}, released(), x, v);
+        limit_energy({*params_, motion_, mass_, length_before_}, given + released(), x, v);
     if (contacts_)
         contacts_->store(lane_, buffers.state, x, v);
     else

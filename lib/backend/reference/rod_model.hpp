@@ -9,6 +9,7 @@
 // Source: Kugelstadt & Schoemer 2016, Hsu et al. 2025.
 #pragma once
 
+#include "backend/reference/contact.hpp"
 #include "backend/reference/energy.hpp"
 
 #include <Eigen/Dense>
