@@ -34,7 +34,8 @@ struct Strand {
 // Index of each buffer in the setups of lane_setup().
 struct Places {
     size_t rest = 1, pose = 2, material = 3, turns = 4, x, v, q = 0, q_before = 0;
-    explicit Places(bool bends) : x(bends ? 6 : 5), v(x + 1) {
+    size_t capsules;
+    explicit Places(bool bends) : x(bends ? 6 : 5), v(x + 1), capsules(x - 1) {
         if (bends)
             q = v + 1, q_before = v + 2;
     }
@@ -139,6 +140,44 @@ Balance balance(const Strand& s, const Forces& f, const Vec3& shift, const State
     return b;
 }
 
+using Vec4 = Eigen::Vector4d;
+
+// How deep a point is in the hull of two spheres (centre, radius): the distance is convex along the
+// axis.
+double depth_in(const Vec4& a, const Vec4& b, const Vec3& x) {
+    const auto above = [&](double k) {
+        const Vec4 at = (1 - k) * a + k * b;
+        return (x - at.head<3>()).norm() - at.w();
+    };
+    double low = 0, high = 1;
+    for (int i = 0; i < 80; ++i) {
+        const double third = (high - low) / 3;
+        if (above(low + third) < above(high - third))
+            high -= third;
+        else
+            low += third;
+    }
+    return -above(low);
+}
+
+// What the contacts' springs hold: as at l/200 in all that is deeper.
+double held(const Strand& s, const Setup& setup, const State& at, bool bends) {
+    const auto& p = setup.params_as<plait_lane_params>();
+    const Array& capsules = setup.buffers[Places(bends).capsules];
+    double sum = 0;
+    for (size_t i = 1; i < s.mass.size(); ++i) {
+        double depth = 0;
+        for (size_t c = p.collider_first; c < p.collider_first + p.collider_count; ++c) {
+            const size_t row = PLAIT_CAPSULE_STRIDE * c + PLAIT_CAPSULE_END;
+            const Quat a = quat_at(capsules, row), b = quat_at(capsules, row + 1);
+            depth = std::max(depth, depth_in(a.coeffs(), b.coeffs(), s.root_at + at.x[i]));
+        }
+        depth = std::min(depth, s.length[i - 1] / 200);
+        sum += s.mass[i] * double(p.contact_rate) / 2 * depth * depth;
+    }
+    return sum;
+}
+
 // What a stage leaves is what the next substep starts from.
 Setup after(Bench& bench, plait_stage stage, const Setup& setup) {
     Setup next = setup;
@@ -158,8 +197,9 @@ void check_substep(const Setup& before, const Setup& now, bool bends, bool secti
     for (size_t k = 0; k < before.items; ++k) {
         const Strand s = strand_of(before, k, bends, sections);
         const Vec3 shift = vec3_at(before.buffers[at.x], k * before.width) - s.root_at;
-        const Balance b =
-            balance(s, forces, shift, state_of(before, k, bends), state_of(now, k, bends));
+        Balance b = balance(s, forces, shift, state_of(before, k, bends), state_of(now, k, bends));
+        b.before += held(s, before, state_of(before, k, bends), bends) -
+                    held(s, before, state_of(now, k, bends), bends);
         // x, q and v are float32
         const double rounding =
             1e-4 * std::abs(b.before) + 1e-6 * elastic(s, state_of(before, k, bends)) + 1e-13;
@@ -167,6 +207,44 @@ void check_substep(const Setup& before, const Setup& now, bool bends, bool secti
         count.limited += b.after > 0.999 * b.before - rounding;
         ++count.all;
     }
+}
+
+// Roots and colliders stand still: else they give energy.
+void stop(Setup& setup, bool bends) {
+    const Places at(bends);
+    for (size_t k = 0; k < setup.items; ++k) {
+        const Vec3 root = strand_of(setup, k, bends, false).root_at;
+        for (int c = 0; c < 3; ++c)
+            setup.buffers[at.x].floats[3 * k * setup.width + c] = static_cast<float>(root[c]);
+    }
+    std::vector<float>& capsules = setup.buffers[at.capsules].floats;
+    for (size_t c = 0; c < capsules.size(); c += size_t{4} * PLAIT_CAPSULE_STRIDE) {
+        float* capsule = &capsules[c];
+        std::copy_n(capsule + 4 * PLAIT_CAPSULE_END, 8, capsule + 4 * PLAIT_CAPSULE_BEGIN);
+        const float none[] = {0, 0, 0, 1};
+        std::copy_n(none, 4, capsule + 4 * PLAIT_CAPSULE_TURN);
+    }
+}
+
+// What is pressed to a collider, slides along it or starts inside keeps what it has, and what its
+// contact's spring gives back.
+void no_contact_gives_energy(Bench& bench, plait_stage stage, uint32_t iterations, bool bends,
+                             bool sections) {
+    Count count;
+    for (const Size& size : contact_sizes())
+        for (const uint32_t seed : {32u, 39u}) {
+            const plait_lane_params params = lane_params(size, iterations, 0);
+            Setup setup =
+                lane_setup(size, make_lane_hair_in_contact(size, seed, 0.3f), params, bends);
+            stop(setup, bends);
+            for (int i = 0; i < 12; ++i) {
+                const Setup next = after(bench, stage, setup);
+                check_substep(setup, next, bends, sections, count);
+                setup = next;
+            }
+        }
+    EXPECT_GT(count.limited, count.all / 100); // else nothing was tried
+    EXPECT_LT(count.limited, count.all);
 }
 
 void no_substep_gives_energy(Bench& bench, plait_stage stage, uint32_t iterations, bool bends,
@@ -190,12 +268,15 @@ void no_substep_gives_energy(Bench& bench, plait_stage stage, uint32_t iteration
 
 void chain_gives_no_energy(Bench& bench) {
     no_substep_gives_energy(bench, PLAIT_STAGE_chain, 1, false, false);
+    no_contact_gives_energy(bench, PLAIT_STAGE_chain, 1, false, false);
 }
 void cosserat_gives_no_energy(Bench& bench) {
     no_substep_gives_energy(bench, PLAIT_STAGE_cosserat, 1, true, false);
+    no_contact_gives_energy(bench, PLAIT_STAGE_cosserat, 1, true, false);
 }
 void rod_gives_no_energy(Bench& bench) {
     no_substep_gives_energy(bench, PLAIT_STAGE_rod, 0, true, true);
+    no_contact_gives_energy(bench, PLAIT_STAGE_rod, 0, true, true);
 }
 
 // One iteration more, from the same state.
