@@ -10,7 +10,7 @@
 namespace plait {
 namespace {
 
-constexpr size_t capsule_floats = 4 * PLAIT_CAPSULE_STRIDE;
+constexpr size_t capsule_floats = size_t{4} * PLAIT_CAPSULE_STRIDE;
 
 // Id: generation above, slot index + 1 below, so that zero is no collider.
 plait_collider_id make_id(size_t index, uint32_t generation) {

@@ -50,7 +50,7 @@ Result<Display> Display::create(Device& device, const Groom& groom, const Layout
             offsets.push_back(follow_offset(strand, follows, offsets.size()));
             guides.push_back(guide);
         }
-        strand += 3 * groom.strands.vertex_counts[guide];
+        strand += size_t{3} * groom.strands.vertex_counts[guide];
     }
     PLAIT_TRY(
         device.create(display.follow_guide_, PLAIT_ELEMENT_UINT, layout.follows, "follow_guide"));

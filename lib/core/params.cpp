@@ -58,8 +58,9 @@ Status check_param(const plait_param_info& param, const plait_sim_params& params
     const auto* at = reinterpret_cast<const unsigned char*>(&params) + param.offset;
     for (uint32_t i = 0; i < param.count; ++i) {
         const std::string name = param.count > 1 ? format("%s[%u]", param.name, i) : param.name;
-        PLAIT_TRY(check_range(name.c_str(), component(param, at + 4 * i), bound(param, param.least),
-                              bound(param, param.most), param.least_excluded != 0));
+        PLAIT_TRY(check_range(name.c_str(), component(param, at + size_t{4} * i),
+                              bound(param, param.least), bound(param, param.most),
+                              param.least_excluded != 0));
     }
     return {};
 }

@@ -154,12 +154,12 @@ Status StrandMender::note_root(size_t index, const Point& root) {
 
 Result<bool> StrandMender::mend(size_t index, Points& strand) {
     for (const auto keep : {&StrandMender::has_finite_vertices, &StrandMender::has_length}) {
-        const auto kept = (this->*keep)(index, strand);
+        auto kept = (this->*keep)(index, strand);
         if (!kept || !*kept)
             return kept;
     }
     PLAIT_TRY(fit_vertex_count(index, strand));
-    const auto kept = space_vertices(index, strand);
+    auto kept = space_vertices(index, strand);
     if (!kept || !*kept)
         return kept;
     PLAIT_TRY(note_root(index, strand.front()));

@@ -98,7 +98,7 @@ Status Sim::check_stages() {
     add_substep(0);
     model_->publish(schedule_, present());
     add_interhair();
-    const Status status = check_supported(device(), schedule_.list());
+    Status status = check_supported(device(), schedule_.list());
     schedule_.clear();
     return status;
 }
@@ -192,7 +192,7 @@ Status Sim::set_params(const plait_sim_params& params) {
             std::swap(grid_, grid);
     };
     exchange();
-    const Status status = check_stages();
+    Status status = check_stages();
     if (!status)
         exchange();
     return status;
@@ -225,7 +225,7 @@ Status Sim::set_models(std::span<const plait_model> models) {
     schedule_.clear();
     PLAIT_TRY(model_->prepare_models(device(), schedule_, present(), models));
     model_->swap();
-    const Status status = check_stages();
+    Status status = check_stages();
     if (!status)
         model_->swap();
     return status;

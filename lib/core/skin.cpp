@@ -50,7 +50,7 @@ Skin::Skin(const Groom& groom, std::pmr::memory_resource* memory) : Skin(memory)
     const float* vertex = groom.strands.positions.data();
     for (const uint32_t count : groom.strands.vertex_counts) {
         roots.insert(roots.end(), vertex, vertex + 3);
-        vertex += 3 * count;
+        vertex += size_t{3} * count;
     }
 }
 

@@ -19,10 +19,10 @@ std::pmr::vector<Float4> pad_rows(const Groom& groom, const Layout& layout, uint
     const float* strand = groom.strands.positions.data();
     for (const uint32_t count : groom.strands.vertex_counts) {
         for (uint32_t i = 0; i < layout.row; ++i) {
-            const float* p = strand + 3 * std::min(i, count - 1);
+            const float* p = strand + size_t{3} * std::min(i, count - 1);
             rows.push_back({p[0], p[1], p[2], i < pinned ? 0.0f : 1.0f});
         }
-        strand += 3 * count;
+        strand += size_t{3} * count;
     }
     return rows;
 }

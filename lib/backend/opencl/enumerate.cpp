@@ -112,7 +112,7 @@ void examine_platform(cl_platform_id platform, Candidates& found) {
             format("platform %s: no devices: %s", name.c_str(), error_name(code).c_str()));
         return;
     }
-    for (const cl_device_id device : devices) {
+    for (cl_device_id device : devices) {
         Result<Candidate> candidate = examine_device(device);
         if (candidate.ok())
             found.usable.push_back(*candidate);
@@ -143,7 +143,7 @@ Candidates find_devices() {
     if (code != CL_SUCCESS)
         found.rejected.push_back(format("no OpenCL platforms: %s", error_name(code).c_str()));
     else
-        for (const cl_platform_id platform : platforms)
+        for (cl_platform_id platform : platforms)
             examine_platform(platform, found);
     std::ranges::stable_sort(found.usable, std::greater(), &Candidate::rank);
     return found;

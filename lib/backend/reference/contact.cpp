@@ -73,8 +73,8 @@ Contacts::Touch Contacts::touch_surface(const CapsulePath& path, size_t vertex,
     const Vec3 start = motion_.root + motion_.start[vertex], end = motion_.root + x;
     const Vec3 anchor = path.carried(start);
     const Surface at_anchor = surface(now, anchor), at_end = surface(now, end);
-    const Touch nearest{at_end.distance, at_anchor.distance, path.friction, at_end.normal,
-                        anchor - motion_.root};
+    Touch nearest{at_end.distance, at_anchor.distance, path.friction, at_end.normal,
+                  anchor - motion_.root};
     Touch swept = nearest;
     bool crosses = true;
     if (at_anchor.distance > 0) {
@@ -192,10 +192,10 @@ bool Contacts::touching() const {
 Mat3 Contacts::hessian(size_t vertex, const Vec3& x) const {
     const Contact& at = at_[vertex];
     const Mat3 n = at.normal * at.normal.transpose(), d = at.slide * at.slide.transpose();
-    const double reach = at.sticks()
-                             ? params_.contact_slip
-                             : std::max(slip_of(at, x).norm(), double(params_.contact_slip));
-    return at.stiffness * n + at.friction * at.push / reach * (Mat3::Identity() - n - d);
+    const double length = at.sticks()
+                              ? params_.contact_slip
+                              : std::max(slip_of(at, x).norm(), double(params_.contact_slip));
+    return at.stiffness * n + at.friction * at.push / length * (Mat3::Identity() - n - d);
 }
 
 Vec3 Contacts::force(size_t vertex, const Vec3& x) const {
