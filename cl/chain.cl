@@ -1,12 +1,13 @@
 /* chain: one step of an inextensible chain without bending.
  *
  * Items: strands, over lanes. Reads pose, rest, material, capsule; reads and writes the lane state
- * x, v. Predict, K tridiagonal length solves (Han & Harada 2013), one exact follow-the-leader sweep
- * with the velocity correction of Mueller et al. 2012 applied to that sweep's displacement alone
- * (ours). K = 0 is Mueller's dynamic follow-the-leader.
+ * x, v. Predict, K tridiagonal length solves (Han & Harada 2013), the first of them with its
+ * tension implicit where the step is coarse (ours), one exact follow-the-leader sweep with the
+ * velocity correction of Mueller et al. 2012 applied to that sweep's displacement alone (ours).
+ * K = 0 is Mueller's dynamic follow-the-leader.
  */
 #pragma OPENCL FP_CONTRACT OFF
-#include "common/chain_contact.clh"
+#include "common/chain_tension.clh"
 
 #define CHAIN_CORRECTION 0.5f /* s_damping of Mueller et al. 2012 */
 
@@ -61,6 +62,23 @@ inline void chain_solve_lengths(const lane_step* step, const lane_contacts* cont
     }
 }
 
+/* K solves; those of strands in `pulled` had their first with an implicit tension. */
+inline void chain_iterate_lengths(const lane_step* step, const lane_contacts* contacts,
+                                  const chain_mobility* hold, uint iterations, mask pulled,
+                                  vec3* x) {
+    vec3 kept[PLAIT_VERTICES];
+    for (uint k = 0; k < iterations; ++k) {
+        const int some = k == 0 && any_lane(pulled);
+        if (some && !any_lane(!pulled))
+            continue;
+        for (int i = 1; i <= step->segments && some; ++i)
+            kept[i] = x[i];
+        chain_solve_lengths(step, contacts, hold, x);
+        for (int i = 1; i <= step->segments && some; ++i)
+            x[i] = pick3(pulled, kept[i], x[i]);
+    }
+}
+
 /* Exact lengths, root to tip. */
 inline void chain_follow_leader(const lane_step* step, const lane_contacts* contacts, vec3* x) {
     const vec3 down = vec3_of((real)(0.0f), (real)(-1.0f), (real)(0.0f));
@@ -94,7 +112,7 @@ inline void chain_follow_leader_in_contact(const lane_step* step, lane_contacts*
 /* x on its lengths, in some rounds where contacts hold it, so that pushes and slip agree with the
  * lengths. Strands that touch nothing, also not where the first round puts them, leave after it. */
 inline void chain_solve_contacts(const lane_step* step, lane_contacts* contacts, uint iterations,
-                                 const vec3* y, vec3* x) {
+                                 mask pulled, const vec3* target, vec3* x) {
     vec3 before[PLAIT_VERTICES];
     chain_mobility hold[PLAIT_VERTICES];
     for (int round = 0; round < CHAIN_CONTACT_ROUNDS; ++round) {
@@ -102,16 +120,14 @@ inline void chain_solve_contacts(const lane_step* step, lane_contacts* contacts,
         if (!any_lane(contacts->lanes)) {
             if (round > 0)
                 break;
-            for (uint k = 0; k < iterations; ++k)
-                chain_solve_lengths(step, 0, 0, x);
+            chain_iterate_lengths(step, 0, 0, iterations, pulled, x);
             continue;
         }
         for (int i = 1; i <= step->segments; ++i)
             before[i] = x[i];
         chain_mobilities(contacts, x, hold);
-        chain_yield(contacts, hold, y, x);
-        for (uint k = 0; k < iterations; ++k)
-            chain_solve_lengths(step, contacts, hold, x);
+        chain_yield(contacts, hold, target, x);
+        chain_iterate_lengths(step, contacts, hold, iterations, pulled & !contacts->lanes, x);
         const mask takes = round == 0 ? (real)(0.0f) == (real)(0.0f) : contacts->lanes;
         for (int i = 1; i <= step->segments; ++i)
             x[i] = pick3(takes, x[i], before[i]);
@@ -129,18 +145,25 @@ __kernel void plait_chain(const uint item_count, const plait_lane_params params,
         return;
     const lane_buffers state = {lane_x, lane_v, lane_x_before, lane_v_before};
     vec3 x[PLAIT_VERTICES], y[PLAIT_VERTICES], w[PLAIT_VERTICES], solved[PLAIT_VERTICES];
+    vec3 target[PLAIT_VERTICES]; /* y, or where tension pulls it */
     lane_predict(&step, &params, state, y, w);
     for (int i = 0; i <= step.segments; ++i)
-        x[i] = y[i];
+        target[i] = y[i];
+    mask pulled = (real)(0.0f) > (real)(0.0f);
+    if (params.iterations > 0)
+        pulled = chain_is_coarse(&step, &params);
+    if (any_lane(pulled))
+        chain_pull(&step, lane_x, pulled, target);
+    for (int i = 0; i <= step.segments; ++i)
+        x[i] = target[i];
 
     lane_contacts of_step;
     lane_contacts* contacts = params.collider_count > 0 ? &of_step : 0;
     if (contacts) {
         contact_begin(contacts, &step, &params, capsule, lane_x);
-        chain_solve_contacts(&step, contacts, params.iterations, y, x);
+        chain_solve_contacts(&step, contacts, params.iterations, pulled, target, x);
     } else
-        for (uint k = 0; k < params.iterations; ++k)
-            chain_solve_lengths(&step, 0, 0, x);
+        chain_iterate_lengths(&step, 0, 0, params.iterations, pulled, x);
     for (int i = 0; i <= step.segments; ++i)
         solved[i] = x[i];
     if (contacts)

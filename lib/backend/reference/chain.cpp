@@ -1,5 +1,7 @@
 // chain: inextensible, without bending. From the inertial targets, K projections on the linearised
-// lengths, J M^-1 J^T lambda = C with C capped at one rest length, then one exact sweep from the
+// lengths, J M^-1 J^T lambda = C with C capped at one rest length; where the step is coarse the
+// first of them is the minimum of sum m/2 |x - y|^2 + max(lambda, 0)/(2 l) |edge|^2, lambda for the
+// directions at the step's begin. Then one exact sweep from the
 // root whose displacement d of the next vertex is taken from a vertex's velocity, v_i -=
 // d_{i+1}/(2h). Source: Han & Harada 2013 (tridiagonal lengths), Mueller et al. 2012 (sweep and
 // correction). Contacts: ours, see contact.hpp.
@@ -7,6 +9,9 @@
 #include "backend/reference/energy.hpp"
 
 #include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
 
 namespace plait::reference {
 namespace {
@@ -54,6 +59,61 @@ void project_lengths(const Links& links, const std::vector<Mat3>& W, std::vector
     }
 }
 
+// A vertex swings sideways faster than the step, pulled by what hangs on it: h^2 T/(m l).
+bool coarse(const Links& links, double gravity) {
+    constexpr double limit = 0.2;
+    double below = 0;
+    for (size_t i = links.length.size(); i > 0; --i) {
+        const double l = links.length[i - 1], m = links.mass[i];
+        if (l == 0)
+            continue; // past the tip
+        below += m;
+        if (links.reach * gravity * below > limit * m * l)
+            return true;
+    }
+    return false;
+}
+
+// Where the tension that the step needs takes the targets y.
+std::vector<Vec3> pulled(const Links& links, const Motion& motion) {
+    const auto n = static_cast<Eigen::Index>(links.length.size());
+    std::vector<Vec3> u;
+    for (Eigen::Index i = 0; i < n; ++i)
+        u.push_back(direction_or_down(motion.start[i + 1] - motion.start[i]));
+    Eigen::MatrixXd system = Eigen::MatrixXd::Zero(n, n);
+    Eigen::VectorXd residual(n);
+    const auto w = [&](Eigen::Index i) { return i == 0 ? 0 : 1 / links.mass[i]; };
+    for (Eigen::Index i = 0; i < n; ++i) {
+        const double l = links.length[i];
+        residual[i] = l > 0 ? std::clamp((motion.y[i + 1] - motion.y[i]).dot(u[i]) - l, -l, l) : 0;
+        system(i, i) = w(i) + w(i + 1);
+        if (i + 1 < n)
+            system(i, i + 1) = system(i + 1, i) = -u[i].dot(u[i + 1]) * w(i + 1);
+    }
+    const Eigen::VectorXd lambda = system.partialPivLu().solve(residual);
+
+    Eigen::MatrixXd hessian = Eigen::MatrixXd::Zero(n, n); // of the vertices 1..n
+    Eigen::MatrixX3d right(n, 3);
+    for (Eigen::Index i = 0; i < n; ++i) {
+        hessian(i, i) += links.mass[i + 1];
+        right.row(i) = links.mass[i + 1] * motion.y[i + 1].transpose();
+    }
+    for (Eigen::Index i = 0; i < n; ++i) {
+        const double k = links.length[i] > 0 ? std::max(lambda[i], 0.0) / links.length[i] : 0;
+        hessian(i, i) += k;
+        if (i == 0)
+            continue; // the root is at 0
+        hessian(i - 1, i - 1) += k;
+        hessian(i - 1, i) -= k;
+        hessian(i, i - 1) -= k;
+    }
+    const Eigen::MatrixX3d solved = hessian.partialPivLu().solve(right);
+    std::vector<Vec3> x = motion.y;
+    for (Eigen::Index i = 0; i < n; ++i)
+        x[i + 1] = solved.row(i).transpose();
+    return x;
+}
+
 void sweep(const Links& links, const Contacts* contacts, std::vector<Vec3>& x) {
     for (size_t i = 0; i + 1 < x.size(); ++i) {
         const double l = links.length[i];
@@ -64,22 +124,28 @@ void sweep(const Links& links, const Contacts* contacts, std::vector<Vec3>& x) {
     }
 }
 
-// Four rounds of contact: where inertia and contact alone put a vertex, then the lengths.
-void solve(const Links& links, const Motion& motion, uint32_t iterations, Contacts* contacts,
-           std::vector<Vec3>& x) {
+// Four rounds of contact: where inertia, tension in coarse steps, and contact alone put a vertex,
+// then the lengths.
+std::vector<Vec3> solve(const Links& links, const Motion& motion, const plait_lane_params& params,
+                        Contacts* contacts) {
     constexpr int rounds = 4;
+    const double gravity = std::hypot(params.gravity[0], params.gravity[1], params.gravity[2]);
+    const bool pulls = params.iterations > 0 && coarse(links, gravity);
+    const std::vector<Vec3> target = pulls ? pulled(links, motion) : motion.y;
+    std::vector<Vec3> x = target;
     for (int round = 0; round < (contacts ? rounds : 1); ++round) {
         if (contacts)
             contacts->renew(x);
         const bool touched = contacts && contacts->touched();
         if (round > 0 && !touched)
-            return;
+            return x;
         const auto W = mobilities(links, contacts, x);
         for (size_t i = 1; i < x.size() && touched; ++i)
-            x[i] = motion.y[i] + links.reach * W[i] * contacts->force(i, motion.y[i]);
-        for (uint32_t k = 0; k < iterations; ++k)
+            x[i] = target[i] + links.reach * W[i] * contacts->force(i, target[i]);
+        for (uint32_t k = pulls && !touched ? 1 : 0; k < params.iterations; ++k)
             project_lengths(links, W, x);
     }
+    return x;
 }
 
 // Lengths, exact; again where that pulled a vertex through a surface.
@@ -125,9 +191,8 @@ void chain(uint32_t item_count, const plait_lane_params& params, const chain_arg
         if (params.collider_count > 0)
             contacts.emplace(params, args.capsule, motion, before, stretch, links.mass);
         Contacts* held = contacts ? &*contacts : nullptr;
-        std::vector<Vec3> x = motion.y;
-        solve(links, motion, params.iterations, held, x);
-        const std::vector<Vec3> solved = x;
+        const std::vector<Vec3> solved = solve(links, motion, params, held);
+        std::vector<Vec3> x = solved;
         follow(links, held, x);
         for (size_t i = 1; i + 1 < x.size(); ++i)
             motion.w[i] -= (x[i + 1] - solved[i + 1]) / (2 * motion.h);
