@@ -109,27 +109,33 @@ inline void chain_follow_leader_in_contact(const lane_step* step, lane_contacts*
         x[i] = pick3(crossed, x[i], first[i]);
 }
 
-/* x on its lengths, in some rounds where contacts hold it, so that pushes and slip agree with the
- * lengths. Strands that touch nothing, also not where the first round puts them, leave after it. */
-inline void chain_solve_contacts(const lane_step* step, lane_contacts* contacts, uint iterations,
-                                 mask pulled, const vec3* target, vec3* x) {
+/* x, from `target` on, on its lengths; in some rounds where contacts hold it, so that pushes and
+ * slip agree with the lengths. Strands that touch nothing, also not where the first round puts
+ * them, leave after it. */
+inline void chain_solve(const lane_step* step, lane_contacts* contacts, uint iterations,
+                        mask pulled, const vec3* target, vec3* x) {
     vec3 before[PLAIT_VERTICES];
     chain_mobility hold[PLAIT_VERTICES];
-    for (int round = 0; round < CHAIN_CONTACT_ROUNDS; ++round) {
-        contact_renew(contacts, x);
-        if (!any_lane(contacts->lanes)) {
-            if (round > 0)
-                break;
-            chain_iterate_lengths(step, 0, 0, iterations, pulled, x);
-            continue;
+    const mask all = (real)(0.0f) == (real)(0.0f);
+    const int rounds = contacts ? CHAIN_CONTACT_ROUNDS : 1;
+    for (int round = 0; round < rounds; ++round) {
+        mask touched = !all;
+        if (contacts) {
+            contact_renew(contacts, x);
+            touched = contacts->lanes;
         }
-        for (int i = 1; i <= step->segments; ++i)
+        const int touches = any_lane(touched);
+        if (round > 0 && !touches)
+            break;
+        for (int i = 1; i <= step->segments && touches; ++i)
             before[i] = x[i];
-        chain_mobilities(contacts, x, hold);
-        chain_yield(contacts, hold, target, x);
-        chain_iterate_lengths(step, contacts, hold, iterations, pulled & !contacts->lanes, x);
-        const mask takes = round == 0 ? (real)(0.0f) == (real)(0.0f) : contacts->lanes;
-        for (int i = 1; i <= step->segments; ++i)
+        if (touches) {
+            chain_mobilities(contacts, x, hold);
+            chain_yield(contacts, hold, target, x);
+        }
+        chain_iterate_lengths(step, contacts, touches ? hold : 0, iterations, pulled & !touched, x);
+        const mask takes = round == 0 ? all : touched;
+        for (int i = 1; i <= step->segments && touches; ++i)
             x[i] = pick3(takes, x[i], before[i]);
     }
 }
@@ -159,11 +165,9 @@ __kernel void plait_chain(const uint item_count, const plait_lane_params params,
 
     lane_contacts of_step;
     lane_contacts* contacts = params.collider_count > 0 ? &of_step : 0;
-    if (contacts) {
+    if (contacts)
         contact_begin(contacts, &step, &params, capsule, lane_x);
-        chain_solve_contacts(&step, contacts, params.iterations, pulled, target, x);
-    } else
-        chain_iterate_lengths(&step, 0, 0, params.iterations, pulled, x);
+    chain_solve(&step, contacts, params.iterations, pulled, target, x);
     for (int i = 0; i <= step.segments; ++i)
         solved[i] = x[i];
     if (contacts)
