@@ -156,7 +156,7 @@ __kernel void plait_chain(const uint item_count, const plait_lane_params params,
     for (int i = 0; i <= step.segments; ++i)
         target[i] = y[i];
     mask pulled = (real)(0.0f) > (real)(0.0f);
-    if (params.iterations > 0)
+    if (params.iterations > 0 && !params.bdf2)
         pulled = chain_is_coarse(&step, &params);
     if (any_lane(pulled))
         chain_pull(&step, lane_x, pulled, target);

@@ -130,7 +130,7 @@ std::vector<Vec3> solve(const Links& links, const Motion& motion, const plait_la
                         Contacts* contacts) {
     constexpr int rounds = 4;
     const double gravity = std::hypot(params.gravity[0], params.gravity[1], params.gravity[2]);
-    const bool pulls = params.iterations > 0 && coarse(links, gravity);
+    const bool pulls = params.iterations > 0 && !params.bdf2 && coarse(links, gravity);
     const std::vector<Vec3> target = pulls ? pulled(links, motion) : motion.y;
     std::vector<Vec3> x = target;
     for (int round = 0; round < (contacts ? rounds : 1); ++round) {
