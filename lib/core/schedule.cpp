@@ -8,7 +8,7 @@ namespace plait {
 
 void Schedule::add(plait_stage stage, uint32_t items, uint32_t width, const void* params,
                    size_t size, std::initializer_list<const Buffer*> buffers) {
-    assert(size_ < capacity && buffers.size() <= max_buffers);
+    assert(size_ < capacity && buffers.size() <= most_arguments);
     assert(buffers.size() == plait_stage_describe(stage)->buffer_count);
     Entry& entry = entries_[size_];
     std::memcpy(entry.params.data(), params, size);

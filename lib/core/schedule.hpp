@@ -3,12 +3,21 @@
 
 #include "backend/device.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cstring>
 #include <initializer_list>
 
 namespace plait {
+
+// Arguments of the stage that has most: the sum of a 1 for each, stage by stage.
+#define PLAIT_STAGE(stage, space, params, brief) size_t(0
+#define PLAIT_ARG(stage, name, element, access) +1
+#define PLAIT_STAGE_END(stage) ),
+inline constexpr size_t most_arguments = std::max({
+#include <plait/stages.def>
+    size_t(0)});
 
 // Holds parameters and buffer lists in place, so that stepping never allocates.
 class Schedule {
@@ -27,10 +36,9 @@ class Schedule {
 
   private:
     static constexpr size_t capacity = 64; // dispatches per submit; a substep takes about ten
-    static constexpr size_t max_buffers = 11;
     struct Entry {
         alignas(16) std::array<unsigned char, 192> params;
-        std::array<plait_buffer*, max_buffers> buffers;
+        std::array<plait_buffer*, most_arguments> buffers;
     };
 
     void add(plait_stage stage, uint32_t items, uint32_t width, const void* params, size_t size,
