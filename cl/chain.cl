@@ -1,7 +1,7 @@
 /* chain: one step of an inextensible chain without bending.
  *
- * Items: strands, over lanes. Reads pose, rest, material, capsule; reads and writes the lane state
- * x, v. Predict, K tridiagonal length solves (Han & Harada 2013), the first of them with its
+ * Items: strands, over lanes. Reads lane_strand, rest, pose, lane_material, capsule; moves the
+ * state x, v. Predict, K tridiagonal length solves (Han & Harada 2013), the first of them with its
  * tension implicit where the step is coarse (ours), one exact follow-the-leader sweep with the
  * velocity correction of Mueller et al. 2012 applied to that sweep's displacement alone (ours).
  * K = 0 is Mueller's dynamic follow-the-leader.

@@ -15,12 +15,15 @@ double dot(const Quat& a, const Quat& b) {
 } // namespace
 
 RodModel::RodModel(const RodBuffers& buffers, const plait_lane_params& params, size_t slot)
+    : RodModel(buffers, params, slot, strand_of(buffers.lane_strand, slot)) {}
+
+RodModel::RodModel(const RodBuffers& buffers, const plait_lane_params& params, size_t slot,
+                   size_t strand)
     : params_(&params), lane_(slot, params.vertex_stride, params.tile),
-      strand_(strand_of(buffers.lane_strand, slot)),
       motion_(lane_, params, buffers.state,
-              root_of(buffers.rest, pose_of(buffers.pose, strand_), strand_, params.vertex_stride)),
+              root_of(buffers.rest, pose_of(buffers.pose, strand), strand, params.vertex_stride)),
       inertia_((1 + params.drag * motion_.h) / (motion_.h * motion_.h)),
-      root_frame_(pose_of(buffers.pose, strand_).q) {
+      root_frame_(pose_of(buffers.pose, strand).q) {
     x = motion_.y;
     const double repeat = repeated(params);
     for (uint32_t i = 0; i < params.vertex_stride; ++i) {

@@ -57,6 +57,8 @@ class RodModel {
     std::vector<Quat> q;
 
   private:
+    RodModel(const RodBuffers& buffers, const plait_lane_params& params, size_t slot,
+             size_t strand);
     Quat expected(size_t segment) const; // q_{i-1} r_i
     Vec3 strain(size_t segment) const;   // x_{i+1} - x_i - l_i t_i
     double released() const;             // elastic energy, J, since the substep's begin
@@ -66,7 +68,6 @@ class RodModel {
 
     const plait_lane_params* params_;
     Lane lane_;
-    size_t strand_;
     Motion motion_;
     double inertia_; // (1 + c h)/h^2
     Quat root_frame_;
