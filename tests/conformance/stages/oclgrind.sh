@@ -1,14 +1,15 @@
 #!/bin/sh
-# Every stage's case under oclgrind's data-race and bounds checks. One race is allowed, by name: in
-# plait_grid_slots vertices race for slots by plain stores and any of them may win.
+# Every stage's case under oclgrind's checks of bounds, data races and uninitialised reads. One race is
+# allowed, by name: in plait_grid_slots vertices race for slots by plain stores and any of them may win.
 # Usage: oclgrind.sh <plait-conformance>
 log=$(mktemp) || exit 1
 trap 'rm -f "$log" "$log.part"' EXIT
+failed=0
 
 # watch FILTER: the tests of FILTER pass; what Oclgrind says of them is added to the log.
 watch() {
-    PLAIT_TEST_DEVICE=oclgrind oclgrind --data-races --max-errors 1000000 --log "$log.part" \
-        "$program" --gtest_filter="$1" || exit 1
+    PLAIT_TEST_DEVICE=oclgrind oclgrind --data-races --uninitialized --max-errors 1000000 --log "$log.part" \
+        "$program" --gtest_filter="$1" || failed=1
     cat "$log.part" >>"$log"
 }
 
@@ -30,4 +31,5 @@ END {
     printf "%d write-write races for slots in plait_grid_slots, %d other complaints\n", allowed, others
     if (!allowed) print "no race for slots was seen: oclgrind is not looking"
     exit others > 0 || !allowed
-}' "$log"
+}' "$log" || failed=1
+exit $failed
