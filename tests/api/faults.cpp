@@ -4,6 +4,7 @@
 #include "support.hpp"
 
 #include <cstdlib>
+#include <memory_resource>
 
 namespace {
 
@@ -96,6 +97,33 @@ TEST(Faults, EveryHostAllocationOfASimMayFail) {
         EXPECT_GT(allocations, 5);
     }
     EXPECT_EQ(pool.live, 0);
+}
+
+// Containers that were not told of the caller's allocator take the default resource, which here has
+// nothing to give.
+TEST(Faults, ContainersOfASimAreInTheCallersMemory) {
+    const auto context = make_context("reference");
+    const auto groom = make_groom(tuft(3, 5));
+    std::pmr::memory_resource* const usual =
+        std::pmr::set_default_resource(std::pmr::null_memory_resource());
+    for (const plait_model model :
+         {PLAIT_MODEL_TRESSFX, PLAIT_MODEL_CHAIN, PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD}) {
+        SCOPED_TRACE(model);
+        auto desc = plait_sim_desc_defaults();
+        desc.model = model;
+        desc.follows_per_guide = 2;
+        desc.interpolate_output = 1;
+        EXPECT_NO_THROW({
+            plait::Sim sim(context, groom, desc);
+            sim.create_collider(plait_collider_desc_defaults());
+            run(sim, 2);
+            if (model != PLAIT_MODEL_TRESSFX)
+                sim.set_models({PLAIT_MODEL_CHAIN, PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD});
+            run(sim, 2);
+            sim.restore(sim.save());
+        });
+    }
+    std::pmr::set_default_resource(usual);
 }
 
 TEST(Faults, EveryDeviceBufferOfASimMayFail) {

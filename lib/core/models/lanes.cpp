@@ -53,7 +53,7 @@ class LaneModel final : public Model {
 
   private:
     using PartPtr = std::shared_ptr<LanePart>; // a switch keeps parts whose strands stay
-    PartPtr make_part(plait_model model, LanePart::Members members) const;
+    PartPtr make_part(plait_model model, LanePart::Members&& members) const;
     PartPtr find_part(plait_model model, const LanePart::Members& members) const;
     std::pmr::vector<LanePlace> places() const;
     void constrain(Schedule& schedule, const Substep& at) const;
@@ -71,10 +71,10 @@ LaneModel::LaneModel(plait_model model, const ModelInput& input)
     : source_(input), order_(order_of(input)),
       length_(std::max(static_cast<float>(input.groom.shape.mean_length), 1e-6f)),
       parts_(input.memory), next_parts_(input.memory) {
-    parts_.push_back(make_part(model, order_));
+    parts_.push_back(make_part(model, LanePart::Members(order_, input.memory)));
 }
 
-LaneModel::PartPtr LaneModel::make_part(plait_model model, LanePart::Members members) const {
+LaneModel::PartPtr LaneModel::make_part(plait_model model, LanePart::Members&& members) const {
     return std::allocate_shared<LanePart>(std::pmr::polymorphic_allocator<LanePart>(source_.memory),
                                           source_, model, std::move(members));
 }

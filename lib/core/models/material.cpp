@@ -55,8 +55,8 @@ void Writer::strand(size_t strand, const RestStrand& s) {
 
 // As rows past a tip are.
 LaneRows empty_rows(const LaneLayout& layout, bool loaded, std::pmr::memory_resource* memory) {
-    const std::pmr::vector<float> none(memory);
-    LaneRows rows{none, none, none, {}};
+    using Floats = std::pmr::vector<float>;
+    LaneRows rows{Floats(memory), Floats(memory), Floats(memory), {}};
     rows.material.resize(layout.rows() * components);
     rows.rest.resize(layout.rows() * 4);
     for (size_t strand = 0; strand < layout.padded_strands(); ++strand)
