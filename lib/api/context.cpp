@@ -54,7 +54,7 @@ Result<plait_context*> make_context(const ContextRules& rules) {
     if (!info)
         return info.error();
     Memory memory(rules.allocator);
-    return make_in<plait_context>(&memory, Context(rules, std::move(*device), *info)).release();
+    return make_in<plait_context>(&memory, rules, std::move(*device), *info).release();
 }
 
 } // namespace plait::api

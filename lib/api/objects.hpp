@@ -7,6 +7,9 @@
 struct plait_context {
     plait::Context context;
 
+    plait_context(const plait::ContextRules& rules, plait::Device opened,
+                  const plait_device_info& described)
+        : context(rules, std::move(opened), described) {}
     plait::Memory& memory() { return context.memory; }
 };
 

@@ -5,7 +5,6 @@
 #include <plait/params.h>
 
 #include <algorithm>
-#include <cstring>
 
 namespace plait {
 namespace {
@@ -18,7 +17,7 @@ plait_collider_id make_id(size_t index, uint32_t generation) {
 }
 
 bool same(const plait_pose& a, const plait_pose& b) {
-    return std::memcmp(&a, &b, sizeof a) == 0;
+    return std::ranges::equal(a.q, b.q) && std::ranges::equal(a.t, b.t);
 }
 
 // The path from `begin` to `end`; returns where the next capsule goes.

@@ -38,26 +38,29 @@ Result<Display> Display::create(Device& device, const Groom& groom, const Layout
         PLAIT_TRY(device.create(display.position_out_, f4, layout.vertices(), "position_out"));
         PLAIT_TRY(device.create(display.pose_now_, f4, size_t{2} * layout.guides, "pose_now"));
     }
-    if (layout.follows == 0)
-        return display;
+    if (layout.follows > 0)
+        PLAIT_TRY(display.make_follows(device, groom, layout, follows, memory));
+    return display;
+}
+
+Status Display::make_follows(Device& device, const Groom& groom, const Layout& layout,
+                             const FollowRules& rules, std::pmr::memory_resource* memory) {
     std::pmr::vector<uint32_t> guides(memory);
     std::pmr::vector<Float4> offsets(memory);
     guides.reserve(layout.follows);
     offsets.reserve(layout.follows);
     const float* strand = groom.strands.positions.data();
     for (uint32_t guide = 0; guide < layout.guides; ++guide) {
-        for (uint32_t i = 0; i < follows.per_guide; ++i) {
-            offsets.push_back(follow_offset(strand, follows, offsets.size()));
+        for (uint32_t i = 0; i < rules.per_guide; ++i) {
+            offsets.push_back(follow_offset(strand, rules, offsets.size()));
             guides.push_back(guide);
         }
         strand += size_t{3} * groom.strands.vertex_counts[guide];
     }
-    PLAIT_TRY(
-        device.create(display.follow_guide_, PLAIT_ELEMENT_UINT, layout.follows, "follow_guide"));
-    PLAIT_TRY(device.create(display.follow_offset_, f4, layout.follows, "follow_offset"));
-    PLAIT_TRY(device.write(display.follow_guide_, guides.data()));
-    PLAIT_TRY(device.write(display.follow_offset_, offsets.data()));
-    return display;
+    PLAIT_TRY(device.create(follow_guide_, PLAIT_ELEMENT_UINT, guides.size(), "follow_guide"));
+    PLAIT_TRY(device.create(follow_offset_, PLAIT_ELEMENT_FLOAT4, offsets.size(), "follow_offset"));
+    PLAIT_TRY(device.write(follow_guide_, guides.data()));
+    return device.write(follow_offset_, offsets.data());
 }
 
 void Display::keep(Schedule& schedule, const Layout& layout, const State& state) const {

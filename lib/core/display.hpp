@@ -36,6 +36,9 @@ class Display {
     uint64_t device_bytes() const;
 
   private:
+    Status make_follows(Device& device, const Groom& groom, const Layout& layout,
+                        const FollowRules& rules, std::pmr::memory_resource* memory);
+
     Buffer tangent_;       // float4 [strands*V]
     Buffer follow_guide_;  // uint [follows]
     Buffer follow_offset_; // float4 [follows]

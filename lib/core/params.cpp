@@ -28,14 +28,18 @@ template <typename Enum> double raw(const Enum& value) {
     return number;
 }
 
+// The message names the component.
+Status check_vector(const char* field, const float (&vector)[3], double low, double high) {
+    for (size_t i = 0; i < 3; ++i)
+        PLAIT_TRY(check_range(format("%s[%zu]", field, i).c_str(), double(vector[i]), low, high));
+    return {};
+}
+
 #define PLAIT_RANGE(field, low, high) PLAIT_TRY(check_range(#field, double(s.field), low, high))
 #define PLAIT_RANGE_OPEN(field, low, high)                                                         \
     PLAIT_TRY(check_range(#field, double(s.field), low, high, true))
 #define PLAIT_RANGE_ENUM(field, high) PLAIT_TRY(check_range(#field, raw(s.field), 0, high))
-#define PLAIT_RANGE_3(field, low, high)                                                            \
-    PLAIT_RANGE(field[0], low, high);                                                              \
-    PLAIT_RANGE(field[1], low, high);                                                              \
-    PLAIT_RANGE(field[2], low, high)
+#define PLAIT_RANGE_3(field, low, high) PLAIT_TRY(check_vector(#field, s.field, low, high))
 
 // A bound is what float32 makes of it: 1e-9 itself is inside [1e-9, 1e3].
 double bound(const plait_param_info& param, double value) {

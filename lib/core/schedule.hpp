@@ -8,16 +8,17 @@
 #include <cassert>
 #include <cstring>
 #include <initializer_list>
+#include <string_view>
 
 namespace plait {
 
-// Arguments of the stage that has most: the sum of a 1 for each, stage by stage.
-#define PLAIT_STAGE(stage, space, params, brief) size_t(0
-#define PLAIT_ARG(stage, name, element, access) +1
-#define PLAIT_STAGE_END(stage) ),
+// Arguments of the stage that has most: a dot for each, counted stage by stage.
+#define PLAIT_STAGE(stage, space, params, brief) std::string_view(""
+#define PLAIT_ARG(stage, name, element, access) "."
+#define PLAIT_STAGE_END(stage) ).size(),
 inline constexpr size_t most_arguments = std::max({
 #include <plait/stages.def>
-    size_t(0)});
+    size_t{0}});
 
 // Holds parameters and buffer lists in place, so that stepping never allocates.
 class Schedule {

@@ -31,7 +31,8 @@ struct SnapshotHeader {
     uint32_t reserved;
 };
 static_assert(sizeof(SnapshotHeader) == 56 + 112 + 32);
-static_assert(sizeof(Colliders::Slot) == 4 * (2 + 9 + 28), "no padding: slots are saved as bytes");
+static_assert(sizeof(Colliders::Slot) == sizeof(float) * (2 + 9 + 28),
+              "no padding: slots are saved as bytes");
 
 namespace {
 
@@ -83,6 +84,17 @@ Status check_slot(const Colliders::Slot& slot, size_t index) {
     for (const plait_pose* pose : {&slot.at, &slot.target, &slot.from, &slot.to})
         PLAIT_TRY(check_pose(*pose, "collider"));
     return {};
+}
+
+// Colliders, as a snapshot holds them from `from` on.
+Result<std::pmr::vector<Colliders::Slot>>
+saved_slots(const SnapshotHeader& h, const unsigned char* from, std::pmr::memory_resource* memory) {
+    std::pmr::vector<Colliders::Slot> slots(h.colliders, memory);
+    if (!slots.empty())
+        std::memcpy(slots.data(), from, slots.size() * sizeof slots[0]);
+    for (size_t i = 0; i < slots.size(); ++i)
+        PLAIT_TRY(check_slot(slots[i], i));
+    return slots;
 }
 
 Status check_finite(const unsigned char* bytes, size_t floats) {
@@ -280,13 +292,11 @@ Status Sim::restore(std::span<const unsigned char> src) {
     PLAIT_TRY(check_fits(h));
     if (src.size() != snapshot_bytes(h))
         return malformed(format("%zu bytes, its header says %zu", src.size(), snapshot_bytes(h)));
-    std::pmr::vector<Colliders::Slot> slots(h.colliders, &context_.memory);
     const unsigned char* from = src.data() + sizeof h;
-    if (!slots.empty())
-        std::memcpy(slots.data(), from, slots.size() * sizeof slots[0]);
-    from += slots.size() * sizeof(Colliders::Slot);
-    for (size_t i = 0; i < slots.size(); ++i)
-        PLAIT_TRY(check_slot(slots[i], i));
+    const auto slots = saved_slots(h, from, &context_.memory);
+    if (!slots)
+        return slots.error();
+    from += slots->size() * sizeof(Colliders::Slot);
     const auto strand_models = saved_models(h, from);
     if (!strand_models)
         return strand_models.error();
@@ -296,7 +306,7 @@ Status Sim::restore(std::span<const unsigned char> src) {
         PLAIT_TRY(set_models(*strand_models));
     const auto list = blocks(h.kept != 0, owned(h));
     schedule_.clear();
-    PLAIT_TRY(colliders_.assign(device(), slots));
+    PLAIT_TRY(colliders_.assign(device(), *slots));
     PLAIT_TRY(restore_roots(h));
     PLAIT_TRY(restore_blocks(list, from));
     clock_.waiting = h.waiting;

@@ -27,6 +27,12 @@ template <typename T> T query(cl_device_id device, cl_device_info what) {
     return value;
 }
 
+cl_platform_id platform_of(cl_device_id device) {
+    cl_platform_id platform = nullptr;
+    clGetDeviceInfo(device, CL_DEVICE_PLATFORM, sizeof(cl_platform_id), &platform, nullptr);
+    return platform;
+}
+
 template <typename Object, typename Get>
 std::string query_text(Get get, Object object, cl_uint what) {
     size_t size = 0;
@@ -124,7 +130,7 @@ void examine_platform(cl_platform_id platform, Candidates& found) {
 } // namespace
 
 Result<Candidate> examine_device(cl_device_id device) {
-    Candidate candidate{query<cl_platform_id>(device, CL_DEVICE_PLATFORM), device, {}, 0};
+    Candidate candidate{platform_of(device), device, {}, 0};
     candidate.info = describe(candidate.platform, device);
     candidate.rank = rank(device, candidate.info);
     if (const char* missing = missing_ability(device))

@@ -38,11 +38,12 @@ Result<cl_command_queue_properties> check_handles(const plait_opencl_handles& ha
     cl_context context = nullptr;
     cl_device_id device = nullptr;
     cl_command_queue_properties properties = 0;
-    for (const cl_int code :
-         {clGetCommandQueueInfo(handles.queue, CL_QUEUE_CONTEXT, sizeof context, &context, nullptr),
-          clGetCommandQueueInfo(handles.queue, CL_QUEUE_DEVICE, sizeof device, &device, nullptr),
-          clGetCommandQueueInfo(handles.queue, CL_QUEUE_PROPERTIES, sizeof properties, &properties,
-                                nullptr)})
+    const auto get = [&](cl_command_queue_info what, size_t size, void* value) {
+        return clGetCommandQueueInfo(handles.queue, what, size, value, nullptr);
+    };
+    for (const cl_int code : {get(CL_QUEUE_CONTEXT, sizeof(cl_context), &context),
+                              get(CL_QUEUE_DEVICE, sizeof(cl_device_id), &device),
+                              get(CL_QUEUE_PROPERTIES, sizeof properties, &properties)})
         if (code != CL_SUCCESS)
             return Error{PLAIT_INVALID_ARGUMENT,
                          "plait_opencl_handles: the queue: " + error_name(code)};

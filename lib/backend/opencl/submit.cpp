@@ -35,7 +35,7 @@ class ArgumentList {
         if (code_ == CL_SUCCESS)
             code_ = code;
     }
-    void memory(cl_mem memory) { value(memory ? &memory : nullptr, sizeof memory); }
+    void memory(cl_mem memory) { value(memory ? &memory : nullptr, sizeof(cl_mem)); }
     void local(size_t size) { value(nullptr, size); }
     cl_int code() const { return code_; }
 

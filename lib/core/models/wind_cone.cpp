@@ -13,7 +13,7 @@ void wind_cone(const float wind[3], float angle, float corner[16]) {
         Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitX(), direction).matrix();
     const Eigen::Vector3d axes[4] = {Eigen::Vector3d::UnitY(), -Eigen::Vector3d::UnitY(),
                                      Eigen::Vector3d::UnitZ(), -Eigen::Vector3d::UnitZ()};
-    for (int i = 0; i < 4; ++i) {
+    for (size_t i = 0; i < 4; ++i) {
         const Eigen::Matrix3d lean = Eigen::AngleAxisd(angle, axes[i]).matrix();
         const Eigen::Vector3d turned = towards * lean.col(0) * direction.norm();
         Eigen::Map<Eigen::Vector3f>(corner + 4 * i) = turned.cast<float>();
