@@ -24,6 +24,7 @@ enum Stream : uint64_t { place_radius = 30, place_angle, tuft_length, layer };
 
 double third_largest_side(const std::vector<Vec3>& roots) {
     std::vector<double> sides;
+    sides.reserve(roots.size());
     for (const Vec3 root : roots)
         sides.push_back(std::abs(root.x));
     const auto third = sides.begin() + static_cast<std::ptrdiff_t>(sides.size() / 3);

@@ -81,9 +81,7 @@ void add_head(CLI::App& app, std::string& out, std::string& problem) {
     });
 }
 
-} // namespace
-
-int main(int argc, char** argv) {
+int run(int argc, char** argv) {
     CLI::App app(
         "Hairstyles and a head by formula, the same bytes on every machine. Metres, y up.");
     app.require_subcommand(1);
@@ -97,4 +95,15 @@ int main(int argc, char** argv) {
     if (!problem.empty())
         std::fprintf(stderr, "plait-groom: %s\n", problem.c_str());
     return problem.empty() ? 0 : 1;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    try {
+        return run(argc, argv);
+    } catch (const std::exception& failure) {
+        std::fprintf(stderr, "plait-groom: %s\n", failure.what());
+        return 1;
+    }
 }

@@ -399,11 +399,9 @@ namespace {
 // Slope of the least-squares line through (0, y_0), (1, y_1), ...
 double slope(const std::vector<double>& y) {
     const double n = static_cast<double>(y.size());
-    double sum = 0, moment = 0;
-    for (size_t i = 0; i < y.size(); ++i) {
-        sum += y[i];
+    double moment = 0;
+    for (size_t i = 0; i < y.size(); ++i)
         moment += (static_cast<double>(i) - 0.5 * (n - 1)) * y[i];
-    }
     return 12 * moment / (n * (n * n - 1));
 }
 

@@ -177,7 +177,7 @@ TEST_P(Devices, work_on_an_adopted_queue_and_lend_their_memory) {
 
     // The caller's own command, on the caller's queue, reads plait's memory after plait's work.
     uint32_t read[64] = {};
-    const cl_mem borrowed = words.buffer().memory.get();
+    cl_mem borrowed = words.buffer().memory.get();
     ASSERT_EQ(clEnqueueReadBuffer(own.queue.get(), borrowed, CL_TRUE, 0, sizeof read, read, 0,
                                   nullptr, nullptr),
               CL_SUCCESS);
@@ -301,7 +301,7 @@ cl_int CL_API_CALL fails_later(cl_command_queue queue, cl_kernel, cl_uint, const
                                const size_t*, const size_t*, cl_uint, const cl_event*,
                                cl_event* event) {
     cl_context context = nullptr;
-    clGetCommandQueueInfo(queue, CL_QUEUE_CONTEXT, sizeof context, &context, nullptr);
+    clGetCommandQueueInfo(queue, CL_QUEUE_CONTEXT, sizeof(cl_context), &context, nullptr);
     cl_int code = CL_SUCCESS;
     *event = clCreateUserEvent(context, &code);
     return code == CL_SUCCESS ? clSetUserEventStatus(*event, CL_OUT_OF_RESOURCES) : code;

@@ -69,7 +69,7 @@ class Reference : public testing::Test {
     }
 
     // The submit is refused and the sentence contains every one of `parts`.
-    void refused(plait_result result, std::vector<std::string> parts) {
+    void refused(plait_result result, const std::vector<std::string>& parts) {
         EXPECT_EQ(result, PLAIT_INVALID_ARGUMENT);
         const std::string said = api.last_error(device);
         for (const std::string& part : parts)
