@@ -148,7 +148,7 @@ void Stages::place(const std::vector<Vertex>& vertices) {
 }
 
 plait_dispatch Stages::dispatch(plait_stage stage, size_t items, uint32_t width,
-                                std::vector<Name> buffers) {
+                                const std::vector<Name>& buffers) {
     auto& handles = handles_.emplace_back();
     for (const Name name : buffers)
         handles.push_back(buffers_[name]);
@@ -229,7 +229,9 @@ std::vector<Vec3> Stages::velocities() const {
 Vec3 Stages::seen(const std::vector<Vec3>& velocity, const Vec3& x) const {
     const auto n = static_cast<int>(params.edge_count);
     const Vec3 at = x / static_cast<double>(params.voxel_edge); // in voxels
-    const auto node = [&](int i, int j, int k) { return static_cast<size_t>((j * n + k) * n + i); };
+    const auto node = [n](std::ptrdiff_t i, std::ptrdiff_t j, std::ptrdiff_t k) {
+        return static_cast<size_t>((j * n + k) * n + i);
+    };
     if (params.tent == PLAIT_TENT_VOXEL)
         return velocity[node(static_cast<int>(at.x()), static_cast<int>(at.y()),
                              static_cast<int>(at.z()))];

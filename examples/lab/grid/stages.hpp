@@ -67,7 +67,7 @@ class Stages {
     enum Name { count, position, prev, slot, outside, node_density, node_velocity, sum, names };
     size_t voxels() const;
     plait_dispatch dispatch(plait_stage stage, size_t items, uint32_t width,
-                            std::vector<Name> buffers);
+                            const std::vector<Name>& buffers);
     void clear(Name name, uint32_t value);
     template <typename T> std::vector<T> read(Name name) const;
 

@@ -296,7 +296,7 @@ void Scene::drag(double value) {
 }
 
 std::vector<std::vector<Point>> Scene::read() const {
-    std::vector<float> data(4 * row_ * trial_.strands.size());
+    std::vector<float> data(size_t{4} * row_ * trial_.strands.size());
     size_t size = data.size() * sizeof(float);
     check(plait_sim_read(sim_.get(), PLAIT_FIELD_POSITION, data.data(), &size));
     std::vector<std::vector<Point>> strands;
