@@ -49,7 +49,8 @@ Geometry::~Geometry() {
 void Geometry::add_strand(const float* row, uint32_t vertices, uint32_t strand, float radius) {
     const auto point = [&](uint32_t v) {
         const float along = static_cast<float>(v) / static_cast<float>(vertices - 1);
-        return Eigen::Vector4f(row[4 * v], row[4 * v + 1], row[4 * v + 2],
+        const float* const at = row + size_t{4} * v;
+        return Eigen::Vector4f(at[0], at[1], at[2],
                                radius * (1.0f + (tip_taper - 1.0f) * along * along));
     };
     const auto mirrored = [](const Eigen::Vector4f& end, const Eigen::Vector4f& next) {
@@ -74,8 +75,8 @@ void Geometry::add_hair(RTCDevice device, const Hair& hair) {
     const float width = hair.width > 0.0f ? hair.width : default_width(hair.vertex_count.size());
     for (uint32_t strand = 0; strand < hair.vertex_count.size(); ++strand)
         if (hair.vertex_count[strand] >= 2)
-            add_strand(&hair.positions[4u * hair.row * static_cast<size_t>(strand)],
-                       hair.vertex_count[strand], strand, 0.5f * width);
+            add_strand(&hair.positions[size_t{4} * hair.row * strand], hair.vertex_count[strand],
+                       strand, 0.5f * width);
     if (curve_first_.empty())
         return;
     hair_ = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_FLAT_CATMULL_ROM_CURVE);

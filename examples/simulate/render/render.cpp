@@ -87,12 +87,11 @@ Vector3f sample_pixel(const Job& job, int x, int y, int sample) {
     const uint32_t pixel = static_cast<uint32_t>(y) * job.frame.width + x;
     const auto draw = [&](uint32_t stream) { return spread(pixel, sample, stream); };
     const float cell = 1.0f / static_cast<float>(job.grid);
-    const float px =
-        static_cast<float>(x) +
-        (static_cast<float>(sample % job.grid) + uniform(pixel, 2u * sample + 101u)) * cell;
-    const float py =
-        static_cast<float>(y) +
-        (static_cast<float>(sample / job.grid) + uniform(pixel, 2u * sample + 102u)) * cell;
+    const auto column = sample % job.grid, line = sample / job.grid;
+    const float px = static_cast<float>(x) +
+                     (static_cast<float>(column) + uniform(pixel, 2u * sample + 101u)) * cell;
+    const float py = static_cast<float>(y) +
+                     (static_cast<float>(line) + uniform(pixel, 2u * sample + 102u)) * cell;
     const Vector3f direction = job.lens.direction(px, py);
     const Surfel surfel = job.geometry.trace(job.lens.eye, direction);
     if (surfel.material == Material::nothing)
