@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <limits>
+#include <sstream>
 
 namespace lab {
 
@@ -20,6 +21,34 @@ const double nan = std::numeric_limits<double>::quiet_NaN();
 
 bool wanted(const std::vector<std::string>& list, const std::string& name) {
     return list.empty() || std::find(list.begin(), list.end(), name) != list.end();
+}
+
+// "rod 4x2 BDF2", or "verlet auto": with as many substeps as it needs.
+Method read_method(JsonReader& in, const Json& text) {
+    const std::string method = text.is_string() ? text.get<std::string>() : text.dump();
+    std::istringstream words(method);
+    std::string model, setting, scheme;
+    words >> model >> setting >> scheme;
+    const Model* known = find_model(model);
+    Setting s{0, 1, scheme == "BDF2"};
+    const bool fine = (setting == "auto" && known && known->longest_step) ||
+                      std::sscanf(setting.c_str(), "%ux%u", &s.substeps, &s.iterations) == 2;
+    if (!known || !fine || (!scheme.empty() && !s.bdf2))
+        in.fail("methods", "has \"" + method + "\", which is none like \"rod 4x2 BDF2\"");
+    return {known, s};
+}
+
+// The family's scene once, or with each number of segments.
+std::vector<Scene> scenes_of(const Family& family) {
+    if (!family.free())
+        return {read_scene(family.scene, family.overrides)};
+    std::vector<Scene> scenes;
+    for (const uint32_t segments : family.segments) {
+        Json overrides = family.overrides;
+        set_path(overrides, "strand.segments", segments);
+        scenes.push_back(read_scene(family.scene, overrides));
+    }
+    return scenes;
 }
 
 Family read_family(JsonReader in, const std::filesystem::path& folder) {
@@ -34,6 +63,11 @@ Family read_family(JsonReader in, const std::filesystem::path& folder) {
         family.overrides = *set;
     if (const Json* needs = in.value("needs"))
         family.needs = needs->get<std::vector<std::string>>();
+    if (const Json* segments = in.value("segments"))
+        family.segments = segments->get<std::vector<uint32_t>>();
+    if (const Json* methods = in.value("methods"))
+        for (const Json& text : *methods)
+            family.methods.push_back(read_method(in, text));
     in.finish();
     return family;
 }
@@ -71,29 +105,38 @@ class Runner {
     void all(const std::vector<Family>& families, const std::vector<const Model*>& models) {
         uint32_t all = 0, done = 0;
         for (const Family& family : families)
-            all += static_cast<uint32_t>(methods_on(family, models).size());
+            for (const Scene& scene : scenes_of(family))
+                all += static_cast<uint32_t>(methods_on(family, scene, models).size());
         Progress progress("chart", all);
         for (const Family& family : families) {
-            Chart chart{family, 0, nan, {}, {}};
-            const Scene scene = read_scene(family.scene, family.overrides);
-            chart.segments = scene.strands[0].segments;
-            for (const Method& method : methods_on(family, models)) {
-                if (interrupted()) {
-                    run_.interrupted = true;
-                    return;
+            Chart chart{family, nan, {}, {}};
+            for (const Scene& scene : scenes_of(family))
+                for (const Method& method : methods_on(family, scene, models)) {
+                    if (interrupted()) {
+                        run_.interrupted = true;
+                        return;
+                    }
+                    one(chart, scene, method);
+                    progress.update(++done);
                 }
-                one(chart, scene, method);
-                progress.update(++done);
-            }
+            std::stable_sort(chart.points.begin(), chart.points.end(), by_model);
             run_.charts.push_back(std::move(chart));
         }
     }
 
   private:
-    static std::vector<Method> methods_on(const Family& family,
+    static bool by_model(const ChartPoint& a, const ChartPoint& b) {
+        return a.method.model < b.method.model; // of models(), one list
+    }
+
+    static std::vector<Method> methods_on(const Family& family, const Scene& scene,
                                           const std::vector<const Model*>& models) {
-        const Scene scene = read_scene(family.scene, family.overrides);
         std::vector<Method> methods;
+        for (const Method& method : family.methods)
+            if (std::find(models.begin(), models.end(), method.model) != models.end())
+                methods.push_back({method.model, resolved(*method.model, method.setting, scene)});
+        if (!family.methods.empty())
+            return methods;
         for (const Model* model : models)
             for (const Setting& setting : settings_of(*model, scene))
                 methods.push_back({model, setting});
@@ -108,7 +151,7 @@ class Runner {
                 chart.left_out.push_back(line);
             return;
         }
-        ChartPoint point{method, nan, '\0', {}};
+        ChartPoint point{method, scene.strands[0].segments, nan, '\0', {}};
         measured_cost(chart, scene, point);
         if (point.cost.runs == 0) {
             char line[96];
@@ -137,9 +180,17 @@ class Runner {
         return result;
     }
 
+    // What is measured; the scene's fingerprint is without its reference.
+    static std::string error_of(const Scene& scene) {
+        const bool limit = scene.reference && scene.reference->segments > 0;
+        return limit ? "error from " + scene.reference->converged + " " +
+                           std::to_string(scene.reference->segments)
+                     : "error";
+    }
+
     // The letter is kept where a verdict would be, the floor where a mark would be.
     void measured_error(Chart& chart, const Scene& scene, ChartPoint& point) {
-        Result result = blank(chart, scene, point.method, "error");
+        Result result = blank(chart, scene, point.method, error_of(scene).c_str());
         if (const Result* known = results_.find(result.key())) {
             result = *known;
         } else {
@@ -152,8 +203,10 @@ class Runner {
             result.note = error.note;
             result.verdict = letter ? std::string(1, letter) : "";
             result.unit = "L";
-            result.mark =
-                evaluate(scene, point.method, recording, measure_of("static_floor")).value;
+            const char* floor = chart.family.free() ? "reference_error" : "static_floor";
+            result.mark = evaluate(scene, point.method, recording, measure_of(floor)).value;
+            if (interrupted()) // while it made the reference
+                return;
             results_.add(result);
         }
         point.error = result.value;
@@ -248,25 +301,43 @@ const char* colour_of(const std::string& model, size_t index) {
     return others[index % std::size(others)];
 }
 
-// "4×2", and "4×2 b" with BDF2.
-Dot dot_of(const ChartPoint& point) {
+// "4×2", "4×2 b" with BDF2, and "32: 4×2" where the number of segments is free.
+Dot dot_of(const ChartPoint& point, bool free) {
     const Setting& s = point.method.setting;
-    return {point.cost.ms_per_frame(),
+    const std::string segments = std::to_string(point.segments);
+    return {free ? point.ms_per_100k_strands() : point.cost.ms_per_frame(),
             point.error,
-            point.method.label(),
-            std::to_string(s.substeps) + "×" + std::to_string(s.iterations) + (s.bdf2 ? " b" : ""),
+            point.method.label() + (free ? ", N " + segments : ""),
+            (free ? segments + ": " : "") + std::to_string(s.substeps) + "×" +
+                std::to_string(s.iterations) + (s.bdf2 ? " b" : ""),
             point.letter,
             point.method.model->baseline()};
 }
 
+void of_free_segments(Figure& figure) {
+    figure.error_axis = "E_{total}, rms / L";
+    figure.cost_axis = "ms per 1/60 s of simulated time and 100,000 strands";
+    figure.strands = 1e3 / 60 * 1e5;
+    figure.floor_label = "error of the reference";
+    figure.band_label = "indistinguishable";
+    figure.own_fronts = true;
+}
+
 } // namespace
+
+double ChartPoint::ms_per_100k_strands() const {
+    return 0.1 * cost.ms_per_frame() * (segments + 1);
+}
 
 Figure figure_of(const Chart& chart, const plait_device_info& device) {
     Figure figure;
     figure.name = chart.family.name;
     figure.title = chart.family.title;
     figure.subtitle = std::string(device.name) + ", " + device.backend;
-    figure.per_strand = chart.segments + 1;
+    if (chart.family.free())
+        of_free_segments(figure);
+    else if (!chart.points.empty())
+        figure.strands = 1e3 / 60 * 1e6 / (chart.points[0].segments + 1);
     figure.floor = chart.floor;
     figure.left_out = chart.left_out;
     size_t baselines = 0;
@@ -278,7 +349,7 @@ Figure figure_of(const Chart& chart, const plait_device_info& device) {
                 {name, colour_of(model.label, baselines), model.baseline(), {}});
             baselines += model.baseline();
         }
-        figure.series.back().dots.push_back(dot_of(point));
+        figure.series.back().dots.push_back(dot_of(point, chart.family.free()));
     }
     return figure;
 }
@@ -286,19 +357,19 @@ Figure figure_of(const Chart& chart, const plait_device_info& device) {
 std::string chart_csv(const Chart& chart, const plait_device_info& device) {
     std::string text =
         "# " + chart.family.title + "; " + device.name + "; driver " + device.driver + "\n";
-    text +=
-        "model,baseline,substeps,iterations,bdf2,error_rms_over_L,class,ms_per_frame_per_million,"
-        "kernel_ns_per_vertex,strands_at_60_hz,floor_over_L,vertices,steps\n";
+    text += "model,baseline,segments,substeps,iterations,bdf2,error_rms_over_L,class,"
+            "ms_per_frame_per_million,ms_per_frame_per_100k_strands,kernel_ns_per_vertex,"
+            "strands_at_60_hz,floor_over_L,vertices,steps\n";
     for (const ChartPoint& p : chart.points) {
         char line[320];
         const Setting& s = p.method.setting;
-        std::snprintf(line, sizeof line, "%s,%d,%u,%u,%d,%.6g,%c,%.6g,%.6g,%.6g,%.6g,%llu,%u\n",
-                      p.method.model->label.c_str(), p.method.model->baseline(), s.substeps,
-                      s.iterations, s.bdf2, p.error, p.letter ? p.letter : '.',
-                      p.cost.ms_per_frame(),
-                      1e9 * p.cost.kernel / static_cast<double>(p.cost.vertices),
-                      p.cost.strands_at_60_hz(chart.segments + 1), chart.floor,
-                      static_cast<unsigned long long>(p.cost.vertices), p.cost.runs);
+        std::snprintf(
+            line, sizeof line, "%s,%d,%u,%u,%u,%d,%.6g,%c,%.6g,%.6g,%.6g,%.6g,%.6g,%llu,%u\n",
+            p.method.model->label.c_str(), p.method.model->baseline(), p.segments, s.substeps,
+            s.iterations, s.bdf2, p.error, p.letter ? p.letter : '.', p.cost.ms_per_frame(),
+            p.ms_per_100k_strands(), 1e9 * p.cost.kernel / static_cast<double>(p.cost.vertices),
+            p.cost.strands_at_60_hz(p.segments + 1), chart.floor,
+            static_cast<unsigned long long>(p.cost.vertices), p.cost.runs);
         text += line;
     }
     return text;

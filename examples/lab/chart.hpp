@@ -13,19 +13,24 @@ struct Family {
     std::string scene;
     Json overrides = Json::object();
     std::vector<std::string> needs;
+    std::vector<uint32_t> segments; // where their number is free: these, scored as E_total
+    std::vector<Method> methods;    // empty: every model in each of its settings
+    bool free() const { return !segments.empty(); }
 };
 
 struct ChartPoint {
     Method method;
+    uint32_t segments = 16;
     double error = 0; // E_rms / L; NaN: none
     char letter = 0;  // class of failure: N, E, o (off the scale); s, r: strained; 0: none
     Cost cost;
+
+    double ms_per_100k_strands() const; // and 1/60 s
 };
 
 struct Chart {
     Family family;
-    uint32_t segments = 16;
-    double floor = 0; // of discretisation, at rest; NaN: not known
+    double floor = 0; // of discretisation, at rest, or of the limit; NaN: not known
     std::vector<ChartPoint> points;
     std::vector<std::string> left_out; // "chain: does not bend"
 };

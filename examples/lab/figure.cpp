@@ -32,11 +32,11 @@ struct Range {
 };
 
 // 1, 3, 10, 30, ... thousands of strands along the upper edge.
-std::string strand_tics(const Range& x, double per_strand) {
+std::string strand_tics(const Range& x, double at_1) {
     std::string tics;
     for (double decade = 1; decade < 1e10; decade *= 10)
         for (const double strands : {decade, 3 * decade}) {
-            const double at = per_strand / strands;
+            const double at = at_1 / strands;
             if (at < x.least || at > x.most)
                 continue;
             const std::string label = strands >= 1e6   ? text("%gM", strands / 1e6)
@@ -89,14 +89,15 @@ const Dot* best_at(const std::vector<Dot>& front, double cost) {
     return best;
 }
 
-std::string bands(const Range& y) {
+std::string bands(const Range& y, const std::string& label) {
     std::string script =
         text("set object 1 rect from graph 0, first %.6g to graph 1, first 0.02 behind fc rgb "
              "'#E4F2E7' fs solid noborder\n",
              y.least) +
         "set object 2 rect from graph 0, first 0.02 to graph 1, first 0.1 behind fc rgb "
         "'#FBF6DF' fs solid noborder\n";
-    script += "set label 1 'indistinguishable at N = 16' at graph 0.012, first 0.0175 tc rgb "
+    script += "set label 1 '" + label +
+              "' at graph 0.012, first 0.0175 tc rgb "
               "'#4E7A57' font ',11'\n"
               "set label 2 'plausible' at graph 0.012, first 0.087 tc rgb '#8A7A2E' font ',11'\n";
     return script;
@@ -129,12 +130,11 @@ std::string settings_of(const Figure& figure, const Axes& axes) {
                    x.least, x.most, x.least, x.most, y.least, y.most);
     script += text("set title \"{/:Bold %s}\\n{/*0.8 %s}\" offset 0, 0.6\n", figure.title.c_str(),
                    figure.subtitle.c_str());
-    script += "set xlabel 'ms per 1/60 s of simulated time and million vertices (wall, launches "
-              "included)'\nset ylabel '" +
+    script += "set xlabel '" + figure.cost_axis + " (wall, launches included)'\nset ylabel '" +
               figure.error_axis + "'\nset format y '%g'\nset format x '%g'\n";
-    if (figure.per_strand > 0)
+    if (figure.strands > 0)
         script += "set x2label 'strands in real time at 60 Hz' offset 0, -0.3\nset x2tics (" +
-                  strand_tics(x, 1e3 / 60 * 1e6 / figure.per_strand) + ")\n";
+                  strand_tics(x, figure.strands) + ")\n";
     script += "set xtics nomirror (" + cost_tics(x) +
               ")\n"
               "set grid xtics ytics lc rgb '#D8D8D8' lw 0.7\n"
@@ -142,12 +142,11 @@ std::string settings_of(const Figure& figure, const Axes& axes) {
               "font ',12'\n"
               "set border lc rgb '#606060'\nset tics tc rgb '#303030'\n";
     if (figure.bands)
-        script += bands(y);
+        script += bands(y, figure.band_label);
     if (figure.floor > 0)
-        script +=
-            text("set label 3 'discretisation at rest' at graph 0.988, first %.6g right tc rgb "
-                 "'#505050' font ',11'\n",
-                 figure.floor * 1.13);
+        script += text("set label 3 '%s' at graph 0.988, first %.6g right tc rgb "
+                       "'#505050' font ',11'\n",
+                       figure.floor_label.c_str(), figure.floor * 1.13);
     return script;
 }
 
@@ -156,17 +155,24 @@ struct Drawing {
     std::string blocks, plots;
 
     void add(const std::string& plot) { plots += (plots.empty() ? "" : ", \\\n  ") + plot; }
-    void add_series(const Series& series, size_t index);
+    void add_series(const Series& series, size_t index, bool own_front);
 };
 
-void Drawing::add_series(const Series& series, size_t index) {
-    std::string rows, failures;
+void Drawing::add_series(const Series& series, size_t index, bool own_front) {
+    std::string rows, failures, others;
+    const auto front = front_of(series.dots);
+    const auto on_front = [&](const Dot& dot) {
+        return std::any_of(front.begin(), front.end(), [&](const Dot& best) {
+            return best.cost == dot.cost && best.error == dot.error;
+        });
+    };
     for (const Dot& dot : by_cost(series.dots))
         if (dot.off_scale())
-            failures += text("%.6g %.6g \"%s %c\"\n", dot.cost, 0.75 * top, dot.label.c_str(),
-                             dot.letter ? dot.letter : 'o');
+            failures +=
+                text("%.6g %.6g \"%s%c\"\n", dot.cost, 0.75 * top,
+                     own_front ? "" : (dot.label + " ").c_str(), dot.letter ? dot.letter : 'o');
         else
-            rows += row_of(dot, dot.error);
+            (own_front && !on_front(dot) ? others : rows) += row_of(dot, dot.error);
     const std::string name = text("m%zu", index);
     const int point = 5 + 2 * static_cast<int>(index % 5);
     const char* colour = series.colour.c_str();
@@ -176,6 +182,11 @@ void Drawing::add_series(const Series& series, size_t index) {
                  name.c_str(), series.dashed ? 4 : 1, point, colour, series.name.c_str()));
         add(text("$%s using 1:2:3 with labels left offset 0.7, 0.6 font ',10' tc rgb '%s' notitle",
                  name.c_str(), colour));
+    }
+    if (!others.empty()) {
+        blocks += block((name + "o").c_str(), others);
+        add(text("$%so using 1:2 with points pt %d ps 0.7 lc rgb '%s' notitle", name.c_str(), point,
+                 colour));
     }
     if (!failures.empty()) {
         blocks += block((name + "f").c_str(), failures);
@@ -218,7 +229,7 @@ std::string gnuplot_script(const Figure& figure, const std::string& path) {
     if (figure.floor > 0)
         drawing.add(text("%.6g with lines dt 2 lw 1.3 lc rgb '#707070' notitle", figure.floor));
     for (size_t i = 0; i < figure.series.size(); ++i)
-        drawing.add_series(figure.series[i], i);
+        drawing.add_series(figure.series[i], i, figure.own_fronts);
     const std::string plot = "plot " + drawing.plots + "\n";
     return settings_of(figure, axes_of(figure)) + drawing.blocks +
            "set terminal svg size 1100,720 font 'DejaVu Sans,14' background rgb 'white'\n" +

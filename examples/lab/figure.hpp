@@ -10,7 +10,7 @@
 namespace lab {
 
 struct Dot {
-    double cost, error;      // ms per 1/60 s and million vertices; no number: it failed
+    double cost, error;      // along the axes; no number: it failed
     std::string name, label; // "rod 4x1 BDF2", and "4×1 b" beside the marker
     char letter = 0;         // of its failure: N, E, o; s and r still have a place
     bool baseline = false;
@@ -27,8 +27,12 @@ struct Series {
 struct Figure {
     std::string name, title, subtitle; // the first names files
     std::string error_axis = "error, rms / L";
+    std::string cost_axis = "ms per 1/60 s of simulated time and million vertices";
+    std::string floor_label = "discretisation at rest";
+    std::string band_label = "indistinguishable at N = 16";
     std::vector<Series> series;
-    uint32_t per_strand = 0; // vertices; 0: no axis of strands in real time
+    double strands = 0;      // in real time at 60 Hz where the cost is 1; 0: no axis of them
+    bool own_fronts = false; // a series' line joins what nothing of its own beats; the rest, dots
     double floor = std::numeric_limits<double>::quiet_NaN(); // of discretisation; NaN: none
     bool bands = true;                 // what the eye takes for the same, and for plausible
     std::vector<std::string> left_out; // "chain: does not bend"

@@ -289,6 +289,7 @@ struct Metric {
 constexpr Metric metrics[] = {
     {"rms_error", "L", rms_error},
     {"max_error", "L", max_error},
+    {"reference_error", "L", reference_error},
     {"tip_error", "L", tip_error},
     {"static_error", "L", static_error},
     {"static_tip_error", "L", static_tip_error},

@@ -45,6 +45,7 @@ double stretch_stiffness(const Scene& scene, double length);
 // metrics_reference.cpp: against a trajectory
 Value rms_error(const MetricInput& in);
 Value max_error(const MetricInput& in);
+Value reference_error(const MetricInput& in);
 // metrics_rest.cpp: of shapes at rest
 Value tip_error(const MetricInput& in);
 Value static_error(const MetricInput& in);

@@ -1,3 +1,4 @@
+#include "continuum.hpp"
 #include "metrics_input.hpp"
 #include "table.hpp"
 
@@ -31,8 +32,23 @@ const std::vector<Snapshot>& converged_run(const Scene& scene, const std::string
     return snapshots;
 }
 
+// The limit's, at the vertices that are at its places.
+std::vector<Snapshot> snapshots_of_limit(const MetricInput& in) {
+    const Continuum& limit = continuum_of(in.scene, *in.reference(), in.measure.strand);
+    const uint32_t segments = in.strand().segments;
+    std::vector<Snapshot> snapshots;
+    for (size_t k = 0; k < limit.times.size(); ++k) {
+        snapshots.push_back({limit.times[k], {}});
+        for (uint32_t i = 1; i <= places; ++i)
+            snapshots.back().vertices.emplace_back(i * segments / places, limit.points[k][i - 1]);
+    }
+    return snapshots;
+}
+
 std::vector<Snapshot> snapshots_of(const MetricInput& in) {
     const Reference& reference = *in.reference();
+    if (reference.segments > 0)
+        return snapshots_of_limit(in);
     return reference.converged.empty()
                ? trajectory(reference)
                : converged_run(in.scene, reference.converged, in.measure.strand);
@@ -41,6 +57,8 @@ std::vector<Snapshot> snapshots_of(const MetricInput& in) {
 Value trajectory_errors(const MetricInput& in, Errors& errors) {
     if (!in.reference())
         return none("needs a reference");
+    if (in.reference()->segments > 0 && in.strand().segments % places != 0)
+        return none("no vertices at eighths of its length");
     const double end = in.recording.frames.back().time;
     for (const Snapshot& snapshot : snapshots_of(in)) {
         const bool counts = snapshot.time >= in.measure.from - 1e-9 &&
@@ -76,6 +94,12 @@ Value max_error(const MetricInput& in) {
     Errors errors;
     const Value value = trajectory_errors(in, errors);
     return std::isnan(value.value) ? value : Value{errors.largest, ""};
+}
+
+Value reference_error(const MetricInput& in) {
+    if (!in.reference() || in.reference()->segments == 0)
+        return none("needs a reference in the limit of many segments");
+    return {continuum_of(in.scene, *in.reference(), in.measure.strand).error, ""};
 }
 
 } // namespace lab

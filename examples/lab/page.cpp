@@ -31,13 +31,11 @@ std::string head(const plait_device_info& device) {
            " |\n\nWritten by `./dev lab all`. What the numbers are: [the laboratory](../lab.md).\n";
 }
 
-std::string figures_of(const ChartRun& run, const std::string& prefix) {
-    std::string text =
-        "\n## Cost against accuracy\n\nMarkers say substeps×iterations, `b` BDF2. "
-        "Crosses on the upper edge failed: N not finite, E energy out of nothing, o off "
-        "the scale. Below each figure: who is best from which cost on; beside it lies its table as "
-        "CSV.\n";
+std::string drawn(const ChartRun& run, const std::string& prefix, bool free) {
+    std::string text;
     for (const Chart& chart : run.charts) {
+        if (chart.family.free() != free)
+            continue;
         const Figure figure = figure_of(chart, run.device);
         text += "\n![" + figure.title + "](" + prefix + figure.name + ".svg)\n\n" +
                 winners_markdown(figure);
@@ -45,6 +43,23 @@ std::string figures_of(const ChartRun& run, const std::string& prefix) {
             text += "\nLeft out: " + line + ".\n";
     }
     return text;
+}
+
+std::string figures_of(const ChartRun& run, const std::string& prefix) {
+    std::string text =
+        "\n## Cost against accuracy\n\nMarkers say substeps×iterations, `b` BDF2. "
+        "Crosses on the upper edge failed: N not finite, E energy out of nothing, o off "
+        "the scale. Below each figure: who is best from which cost on; beside it lies its table as "
+        "CSV.\n";
+    text += drawn(run, prefix, false);
+    return text +
+           "\n## With the number of segments free\n\nThe error is E_total, from the limit of many "
+           "segments at eighths of the length, and the cost is in ms per 1/60 s and 100,000 "
+           "strands, "
+           "since more segments cost more. Markers say N: substeps×iterations; a model's line "
+           "joins "
+           "what nothing of its own beats, the rest are dots.\n" +
+           drawn(run, prefix, true);
 }
 
 std::string features_of(const FeatureRun& run) {

@@ -1,6 +1,7 @@
 #include "scene.hpp"
 
 #include "common/capsule_reader.hpp"
+#include "continuum.hpp"
 #include "hash.hpp"
 #include "metrics.hpp"
 #include "models.hpp"
@@ -204,6 +205,22 @@ double property(JsonReader& in, const std::string& key, const Json& value, const
     in.fail(key, "is " + value.dump() + ", neither a number nor \"gamma\" nor \"segments\"");
 }
 
+// How many segments a converged reference goes to the limit from: half of them meet at the places
+// that are compared.
+void read_limit(JsonReader& in, const Scene& scene, Reference& reference) {
+    constexpr uint32_t multiple = 2 * places;
+    if (!in.integer("segments", reference.segments, multiple, 255))
+        return;
+    if (reference.converged.empty())
+        in.fail("segments", "is given without converged, the model that has them");
+    if (reference.segments % multiple != 0)
+        in.fail("segments", "is " + std::to_string(reference.segments) + ", no multiple of " +
+                                std::to_string(multiple));
+    for (const Strand& strand : scene.strands)
+        if (!strand.points.empty())
+            in.fail("segments", "is given for a strand of points, which has its own");
+}
+
 Reference read_reference(JsonReader in, const Scene& scene) {
     static constexpr std::array units{"si", "natural"};
     Reference reference;
@@ -215,6 +232,7 @@ Reference read_reference(JsonReader in, const Scene& scene) {
     if (has_table == !reference.converged.empty())
         in.fail("table", has_table ? "is given beside converged: one of the two"
                                    : "is missing: a file of tests/data");
+    read_limit(in, scene, reference);
     int unit = 0;
     in.choice("units", unit, units);
     if (unit == 1) {
@@ -311,6 +329,12 @@ std::string physics_of(Json document) {
     return hash_of(document);
 }
 
+Json without_segments(Json document) {
+    if (document.is_object() && document.contains("strand") && document["strand"].is_object())
+        document["strand"].erase("segments");
+    return document;
+}
+
 } // namespace
 
 double Scene::length() const {
@@ -336,6 +360,7 @@ Scene read_scene(const Json& document, const Origin& origin) {
     Scene scene;
     scene.file = origin.file;
     scene.physics = physics_of(document);
+    scene.physics_but_segments = physics_of(without_segments(document));
     scene.params = plait_sim_params_defaults();
     JsonReader top(document, origin);
     top.text("title", scene.title);

@@ -25,10 +25,12 @@ struct SceneCollider {
     Motion motion;
 };
 
-// What a number is compared with: a table of tests/data, or the scene's own converged run.
+// What a number is compared with: a table of tests/data, the scene's own converged run, or the
+// limit of many segments (continuum.hpp).
 struct Reference {
     std::string table;                   // "" when `converged`
     std::string converged;               // a model: run in float64 with 64 BDF2 substeps
+    uint32_t segments = 0;               // it goes to the limit from; 0: it has the scene's own
     std::map<std::string, double> where; // only rows with these values in these columns
     std::vector<std::string> columns{"x", "y", "z"};
     double length_unit = 1, time_unit = 1; // m and s in the table's units
@@ -47,7 +49,8 @@ struct Measure {
 
 struct Scene {
     std::string title, file;
-    std::string physics; // a name for all that is not method, measure or title
+    std::string physics;              // a name for all that is not method, measure or title
+    std::string physics_but_segments; // the same, however many the strand has
     std::vector<Strand> strands;
     uint32_t follows_per_guide = 0;
     Material material;

@@ -20,7 +20,7 @@ namespace {
 
 // `ms` per 1/60 s and million vertices.
 ChartPoint point(const char* model, double error, double ms, char letter = '\0') {
-    ChartPoint p{{lab::find_model(model), {2, 3, true}}, error, letter, {}};
+    ChartPoint p{{lab::find_model(model), {2, 3, true}}, 16, error, letter, {}};
     p.cost = {1000000, 21, ms / 1e3, 0, 1.0 / 60};
     return p;
 }
@@ -67,8 +67,8 @@ TEST(LabChart, failures_are_drawn_on_the_edge) {
                               HasSubstr("a/b.png"), HasSubstr("0.0023 with lines"),
                               HasSubstr("title 'rod'"), HasSubstr("title 'tressfx'")));
     EXPECT_THAT(script, Not(HasSubstr("nan")));
-    EXPECT_THAT(lab::chart_csv(chart, device), HasSubstr("rod,0,2,3,1,0.01,.,30,"));
-    EXPECT_THAT(lab::chart_csv(chart, device), HasSubstr("tressfx,0,2,3,1,nan,N,10,"));
+    EXPECT_THAT(lab::chart_csv(chart, device), HasSubstr("rod,0,16,2,3,1,0.01,.,30,51,"));
+    EXPECT_THAT(lab::chart_csv(chart, device), HasSubstr("tressfx,0,16,2,3,1,nan,N,10,"));
 }
 
 TEST(LabChart, families_and_features_of_the_repository_are_valid) {
