@@ -1,5 +1,6 @@
 #include "chart.hpp"
 
+#include "continuum.hpp"
 #include "hash.hpp"
 #include "metrics.hpp"
 
@@ -38,6 +39,16 @@ Method read_method(JsonReader& in, const Json& text) {
     return {known, s};
 }
 
+std::vector<uint32_t> read_segments(JsonReader& in, const Json& list) {
+    const auto has_places = [](const Json& n) {
+        return n.is_number_unsigned() && n > 0 && n < 256 && n.get<uint32_t>() % places == 0;
+    };
+    if (!list.is_array() || !std::all_of(list.begin(), list.end(), has_places))
+        in.fail("segments", "is " + list.dump() + ", not a list of multiples of " +
+                                std::to_string(places) + " below 256");
+    return list.get<std::vector<uint32_t>>();
+}
+
 // The family's scene once, or with each number of segments.
 std::vector<Scene> scenes_of(const Family& family) {
     if (!family.free())
@@ -64,7 +75,7 @@ Family read_family(JsonReader in, const std::filesystem::path& folder) {
     if (const Json* needs = in.value("needs"))
         family.needs = needs->get<std::vector<std::string>>();
     if (const Json* segments = in.value("segments"))
-        family.segments = segments->get<std::vector<uint32_t>>();
+        family.segments = read_segments(in, *segments);
     if (const Json* methods = in.value("methods"))
         for (const Json& text : *methods)
             family.methods.push_back(read_method(in, text));

@@ -52,14 +52,16 @@ std::string figures_of(const ChartRun& run, const std::string& prefix) {
         "the scale. Below each figure: who is best from which cost on; beside it lies its table as "
         "CSV.\n";
     text += drawn(run, prefix, false);
+    const std::string free = drawn(run, prefix, true);
+    if (free.empty())
+        return text;
     return text +
            "\n## With the number of segments free\n\nThe error is E_total, from the limit of many "
            "segments at eighths of the length, and the cost is in ms per 1/60 s and 100,000 "
-           "strands, "
-           "since more segments cost more. Markers say N: substeps×iterations; a model's line "
-           "joins "
-           "what nothing of its own beats, the rest are dots.\n" +
-           drawn(run, prefix, true);
+           "strands, since more segments cost more. Markers say N: substeps×iterations; a model's "
+           "line "
+           "joins what nothing of its own beats, the rest are dots.\n" +
+           free;
 }
 
 std::string features_of(const FeatureRun& run) {

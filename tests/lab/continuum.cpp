@@ -113,6 +113,8 @@ TEST_F(LabFreeFamily, is_measured_and_names_who_cannot) {
     EXPECT_EQ(lab::run_charts(options).charts[0].points[1].cost.wall, chart.points[1].cost.wall);
     write("c.json", R"({"charts": [{"name": "f", "scene": "s.json", "methods": ["rod fast"]}]})");
     EXPECT_THROW(lab::run_charts(options), lab::Failure);
+    write("c.json", R"({"charts": [{"name": "f", "scene": "s.json", "segments": [8, 12]}]})");
+    EXPECT_THROW(lab::run_charts(options), lab::Failure); // no vertices at eighths
 }
 
 } // namespace
