@@ -102,7 +102,7 @@ plait_grid_params params_of(uint32_t edge_count, double edge, uint32_t capacity)
 }
 
 Stages::Stages(Device& device, const plait_grid_params& grid, size_t vertices, uint32_t per_strand)
-    : params(grid), device_(device), vertices_(vertices), per_strand_(per_strand) {
+    : params(grid), device_(device), vertices_(vertices) {
     params.vertex_stride = per_strand;
     struct Spec {
         plait_element element;

@@ -73,7 +73,6 @@ class Stages {
 
     Device& device_;
     size_t vertices_;
-    uint32_t per_strand_;
     plait_buffer* buffers_[names] = {};
     size_t sizes_[names] = {};                        // elements
     std::vector<std::vector<plait_buffer*>> handles_; // of the dispatches
