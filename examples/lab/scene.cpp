@@ -377,6 +377,8 @@ Scene read_scene(const Json& document, const Origin& origin) {
     scene.air_moves_with_head = air == 1;
     if (const Json* params = top.value("params"))
         read_params(top.object(*params, "params"), scene.params);
+    if (scene.params.tip_density != 1)
+        top.fail("params", "has a tip_density other than 1: the references are of even strands");
     if (const Json* motion = top.value("motion"))
         scene.motion = read_motion(top, *motion, "motion", scene.unit_time);
     top.each("colliders", [&](const JsonReader& in) {

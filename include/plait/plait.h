@@ -349,6 +349,8 @@ typedef struct plait_sim_params {
                               curls about the axis of bend_stiffness. Model rod */
     float tip_stiffness;   /* bend and twist stiffness at the tip / at the root, linear between, [0,
                               100],   default 1 */
+    float tip_density;     /* line_density at the tip / at the root, linear between, [1e-3, 1e3],
+                              default 1 */
     float drag;            /* 1/s, relative to the wind, [0, 1e4], default 1 */
 
     /* what artists may add to any model, once per substep */

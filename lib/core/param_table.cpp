@@ -82,6 +82,7 @@ constexpr plait_param_info table[] = {
     real(AT(twist_stiffness), "N m^2", 0, 1e3),
     real(AT(section_ratio), "", 1e-3, 1e3),
     real(AT(tip_stiffness), "", 0, 100),
+    real(AT(tip_density), "", 1e-3, 1e3),
     real(AT(drag), "1/s", 0, 1e4),
 
     whole(AT(shape_constraints), 0, 1),

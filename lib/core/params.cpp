@@ -96,6 +96,7 @@ plait_sim_params default_params() {
     p.bend_stiffness = 4.7e-9f;
     p.section_ratio = 1;
     p.tip_stiffness = 1;
+    p.tip_density = 1;
     p.drag = 1;
     p.wind_form = PLAIT_WIND_FORM_DRAG;
     p.follow_form = PLAIT_FOLLOW_FORM_ROTATING;

@@ -154,6 +154,16 @@ void add_ratios(Points& points) {
                       }});
 }
 
+// Tip to root, linear between. `tressfx` has no masses.
+void add_densities(Points& points) {
+    for (const double ratio : {1e-3, 1e-2, 0.1, 1.0, 10.0, 100.0, 1e3})
+        points.push_back({"density ratio", text(ratio), [ratio](const Subject& subject) {
+                              Trial trial = base_trial(subject);
+                              trial.desc.params.tip_density = static_cast<float>(ratio);
+                              return trial;
+                          }});
+}
+
 // The root turns about its own direction for 2 s.
 void add_twists(Points& points) {
     for (const double turns : {0.0, 1.0, 5.0, 10.0, 20.0, 40.0})
@@ -277,6 +287,7 @@ std::vector<AxisPoint> axis_points() {
     add_offsets(points);
     add_drags(points);
     add_ratios(points);
+    add_densities(points);
     add_twists(points);
     add_frames(points);
     add_colliders(points);

@@ -53,12 +53,13 @@ class Elastic {
 
   private:
     std::vector<double> lengths_, masses_;
-    std::vector<Turn> joints_; // at rest; the first from the axes of rest space
-    double length_, density_, EI_, EA_;
+    std::vector<Turn> joints_;          // at rest; the first from the axes of rest space
+    double length_, density_, EI_, EA_; // the mean density
 };
 
 Elastic::Elastic(const std::vector<Point>& rest, const plait_sim_desc& desc)
-    : length_(length_of(rest)), density_(desc.params.line_density),
+    : length_(length_of(rest)),
+      density_(desc.params.line_density * 0.5 * (1 + desc.params.tip_density)),
       EI_(desc.model == PLAIT_MODEL_CHAIN ? 0 : desc.params.bend_stiffness),
       EA_(desc.params.stretch_stiffness) {
     if (EA_ == 0)
@@ -71,10 +72,17 @@ Elastic::Elastic(const std::vector<Point>& rest, const plait_sim_desc& desc)
         joints_.push_back(frame.conjugate() * next);
         frame = next.normalized();
     }
-    for (size_t i = 0; i < lengths_.size(); ++i) {
-        const double after = i + 1 < lengths_.size() ? lengths_[i + 1] : 0;
-        const bool limp_masses = desc.model == PLAIT_MODEL_CHAIN;
-        masses_.push_back(density_ * (limp_masses ? lengths_[i] : 0.5 * (lengths_[i] + after)));
+    double above = 0;        // arc length
+    std::vector<double> own; // masses of the segments
+    for (const double l : lengths_) {
+        const double share = (above + 0.5 * l) / length_;
+        own.push_back(desc.params.line_density * l * (1 + (desc.params.tip_density - 1) * share));
+        above += l;
+    }
+    const bool limp_masses = desc.model == PLAIT_MODEL_CHAIN;
+    for (size_t i = 0; i < own.size(); ++i) {
+        const double after = i + 1 < own.size() ? own[i + 1] : 0;
+        masses_.push_back(limp_masses ? own[i] : 0.5 * (own[i] + after));
     }
 }
 

@@ -52,9 +52,9 @@ Status LanePart::open(Device& device) {
 }
 
 Material LanePart::material_of(const plait_sim_params& params) const {
-    Material material{params.line_density,        params.bend_stiffness,  params.stretch_stiffness,
-                      params.tip_stiffness,       params.twist_stiffness, params.section_ratio,
-                      model_ == PLAIT_MODEL_CHAIN};
+    Material material{params.line_density,  params.bend_stiffness,      params.stretch_stiffness,
+                      params.tip_stiffness, params.tip_density,         params.twist_stiffness,
+                      params.section_ratio, model_ == PLAIT_MODEL_CHAIN};
     if (model_ != PLAIT_MODEL_ROD)
         material.twist_stiffness = 0, material.section_ratio = 1;
     return material;

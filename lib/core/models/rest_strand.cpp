@@ -6,11 +6,17 @@ namespace {
 constexpr double allowed_stretch = 0.01;    // where EA is not given,
 constexpr double allowed_at = 10 * 9.80665; // at this acceleration, m/s^2
 
+// What is 1 at the root and `tip` at the tip.
+double at_tip(float tip, double share) {
+    return 1 + (double(tip) - 1) * share;
+}
+
 // EA such that the strand's own weight at 10 g stretches it by 1 % at the root.
 double stretch_stiffness(const Material& material, double length) {
     if (material.stretch_stiffness > 0)
         return double(material.stretch_stiffness);
-    return double(material.line_density) * length * allowed_at / allowed_stretch;
+    const double mean_density = double(material.line_density) * at_tip(material.tip_density, 0.5);
+    return mean_density * length * allowed_at / allowed_stretch;
 }
 
 } // namespace
@@ -27,21 +33,22 @@ RestStrand::RestStrand(std::span<const float> positions, const Material& materia
     }
     const double EA = stretch_stiffness(material, whole);
     const double EI = double(material.bend_stiffness);
-    const double density = double(material.line_density);
     twist = EI > 0 && material.twist_stiffness > 0 ? double(material.twist_stiffness) / EI : 1;
     cross = double(material.section_ratio);
-    double before = 0, along = 0;
+    double before = 0, along = 0, mass_before = 0;
     for (size_t i = 0; i < segments(); ++i) {
-        const double scale = 1 + (double(material.tip_stiffness) - 1) * along / whole;
+        const double own_mass = double(material.line_density) * length[i] *
+                                at_tip(material.tip_density, (along + 0.5 * length[i]) / whole);
         // the clamp is a joint of half the first segment
         const double joint = 0.5 * (before + length[i]);
         stretch.push_back(EA / length[i]);
-        bend.push_back(4 * EI * scale / joint);
-        mass.push_back(density * (material.equal_masses ? before : joint));
+        bend.push_back(4 * EI * at_tip(material.tip_stiffness, along / whole) / joint);
+        mass.push_back(material.equal_masses ? mass_before : 0.5 * (mass_before + own_mass));
         along += length[i];
         before = length[i];
+        mass_before = own_mass;
     }
-    mass.push_back(density * (material.equal_masses ? before : 0.5 * before));
+    mass.push_back(material.equal_masses ? mass_before : 0.5 * mass_before);
     set_frames();
     if (cross != 1) {
         roll = curl_direction();

@@ -18,8 +18,9 @@ struct Material {
     float line_density;      // kg/m
     float bend_stiffness;    // N m^2
     float stretch_stiffness; // N; 0: by the strand's length
-    float tip_stiffness;
-    float twist_stiffness; // N m^2; 0: as bend_stiffness
+    float tip_stiffness;     // at the tip / at the root,
+    float tip_density;       // linear between
+    float twist_stiffness;   // N m^2; 0: as bend_stiffness
     float section_ratio;
     bool equal_masses; // a limp chain's; a rod has half a mass at the tip
 
