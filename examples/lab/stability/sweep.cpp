@@ -243,7 +243,6 @@ void add_colliders(Points& points) {
                                   return pose;
                               };
                               trial.colliders = {sphere};
-                              trial.has_energy &= share == 0; // it lifts what it lets out
                               for (TrialStrand& strand : trial.strands)
                                   strand.root_speed += 0.15 * 60; // out of it in a step
                               return trial;
