@@ -104,16 +104,19 @@ class Runner {
 
     void one(const Row& row, size_t c, const Method& method) {
         Result result = blank(row, c, method);
-        if (const std::string why = why_not(row, *method.model); !why.empty()) {
+        std::vector<RowScene> scenes;
+        for (size_t v = 0; v < row.variants.size(); ++v)
+            if (row.spread || v == c)
+                scenes.push_back(scene_of(row, row.variants[v]));
+        std::string why = why_not(row, *method.model);
+        for (const RowScene& scene : scenes)
+            why = why.empty() ? why_not(scene.scene, *method.model) : why;
+        if (!why.empty()) {
             result.verdict = "cannot";
             result.note = why;
             run_.results.push_back(result);
             return;
         }
-        std::vector<RowScene> scenes;
-        for (size_t v = 0; v < row.variants.size(); ++v)
-            if (row.spread || v == c)
-                scenes.push_back(scene_of(row, row.variants[v]));
         for (const RowScene& scene : scenes)
             result.fingerprint += scene.fingerprint.substr(0, row.spread ? 6 : 16);
         const Measure measure = row.spread ? spread_measure(row) : scenes[0].scene.measures[0];

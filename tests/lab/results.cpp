@@ -98,6 +98,22 @@ TEST_F(LabAccuracy, takes_up_what_is_there) {
     }
 }
 
+TEST_F(LabAccuracy, baselines_cannot_do_rows_with_colliders) {
+    lab::AccuracyOptions options;
+    write("s.json", R"({"strand": {"segments": 3}, "duration": 0.1})");
+    options.table = write("rows.json", R"({"rows": [{"row": "1", "scene": "s.json",
+        "measure": {"metric": "drop"}, "vary": [{"name": "free"}, {"name": "ball", "set":
+        {"colliders": [{"a": [0.1, -0.1, 0], "radius_a": 0.05}]}}]}]})");
+    options.models = {"chain", "pbd"};
+    options.out = path("out");
+    const auto results = run_accuracy(options).results;
+    ASSERT_EQ(results.size(), 6u); // two settings of chain, one of pbd, in two cases
+    EXPECT_GT(results[2].value, 0.0);
+    EXPECT_EQ(results[3].verdict, "");
+    EXPECT_EQ(results[5].verdict, "cannot");
+    EXPECT_EQ(results[5].note, "knows no colliders");
+}
+
 TEST_F(LabAccuracy, a_changed_scene_is_measured_again) {
     run();
     write("s.json", "{}");
