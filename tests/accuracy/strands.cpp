@@ -64,11 +64,11 @@ double chain_error(uint32_t substeps) {
 }
 
 TEST(ChainFall, one_solve_a_step) {
-    EXPECT_LT(chain_error(1), 0.045);
+    EXPECT_LT(chain_error(1), 0.03); // row 4 asks for 0.02
 }
 
 TEST(ChainFall, four_substeps) {
-    EXPECT_LT(chain_error(4), 0.02);
+    EXPECT_LT(chain_error(4), 0.014);
 }
 
 // Gamma = rho A g L^3 / EI; drag in 1/sqrt(L/g).

@@ -58,7 +58,7 @@ TEST_P(StrandModel, sag_does_not_depend_on_the_step) {
     for (const float hz : {30.0f, 120.0f, 240.0f}) {
         OneStrand strand(level, desc(hz));
         strand.run(20.0);
-        EXPECT_LT(distance(strand.tip(), at_60.tip()), 0.02f * 0.3f) << hz << " Hz";
+        EXPECT_LT(distance(strand.tip(), at_60.tip()), 0.005f * 0.3f) << hz << " Hz";
     }
 }
 
@@ -70,20 +70,18 @@ TEST_P(StrandModel, sag_does_not_depend_on_the_iterations) {
         with.params.iterations = iterations;
         OneStrand strand(level, with);
         strand.run(20.0);
-        EXPECT_LT(distance(strand.tip(), usual.tip()), 0.02f * 0.3f) << iterations;
+        EXPECT_LT(distance(strand.tip(), usual.tip()), 0.005f * 0.3f) << iterations;
     }
 }
 
-// 1 g: 0.1 % by default.
+// 1 g: 0.1 % by default under the whole weight; the first segment bears half its own less.
 TEST_P(StrandModel, hangs_without_stretch) {
     for (const uint32_t vertices : {2u, 8u, 16u, 64u, 256u}) {
-        if (GetParam() == PLAIT_MODEL_ROD && vertices > 16)
-            continue; // its kernel takes long to build for each number
         StrandShape shape = hanging;
         shape.vertices = vertices;
         OneStrand strand(shape, desc());
         strand.run(10.0);
-        EXPECT_LT(strand.stats().max_stretch, 0.01f) << vertices << " vertices";
+        EXPECT_LT(strand.stats().max_stretch, 1e-3f) << vertices << " vertices";
     }
 }
 
@@ -123,9 +121,10 @@ TEST_P(StrandModel, wind_blows_with_the_wind) {
 TEST_P(StrandModel, jittering_frames_do_not_reach_the_solver) {
     const float even = peak_speed_when_swayed({level, desc()}, false);
     EXPECT_GT(even, 0.25f);
-    // a chain swings without end: its peaks are chaotic
+    // With 40 other jitters chain and rod are within 0.4 %, cosserat within 5 % in the median and
+    // 12 % at worst: how far its sweeps get hangs on the step.
     EXPECT_NEAR(peak_speed_when_swayed({level, desc()}, true), even,
-                by_model(0.1f, 0.07f, 0.05f) * even);
+                by_model(0.01f, 0.07f, 0.01f) * even);
 }
 
 TEST_P(StrandModel, zero_length_segment_stays_finite) {
@@ -152,7 +151,7 @@ float flicker(const plait_sim_desc& desc, uint32_t vertices) {
 }
 
 TEST_P(StrandModel, settled_strand_does_not_flicker) {
-    EXPECT_LT(flicker(desc(), 17), 1e-5f);
+    EXPECT_LT(flicker(desc(), 17), by_model(1e-6f, 1e-5f, 1e-6f)); // cosserat 2e-6
 }
 
 TEST(CosseratRest, many_short_segments_do_not_flicker) {
@@ -162,7 +161,7 @@ TEST(CosseratRest, many_short_segments_do_not_flicker) {
 // With tensions that act along the edges of the step before, 1.5 % of the length per step.
 TEST(ChainRest, many_short_segments_do_not_flicker) {
     for (const uint32_t vertices : {33u, 65u, 256u})
-        EXPECT_LT(flicker(desc_of(PLAIT_MODEL_CHAIN), vertices), 1e-5f) << vertices << " vertices";
+        EXPECT_LT(flicker(desc_of(PLAIT_MODEL_CHAIN), vertices), 1e-6f) << vertices << " vertices";
 }
 
 // ---- the same result in another place, order or width -------------------------------------------
