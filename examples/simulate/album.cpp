@@ -112,7 +112,7 @@ struct Album::State {
     State(const Scene& s, const Figure& f, std::vector<Variant> variants);
     std::string path(const char* name) const { return scene.out + "/" + name; }
     render::Image draw(const Shot& shot, uint32_t samples);
-    std::string title() const;
+    std::string setting() const; // what all rows share
     void write_sheets(std::vector<std::string>& files) const;
     void write_comparison(std::vector<std::string>& files) const;
     render::SheetRow compared_row(const std::string& label, const Cells& from) const;
@@ -138,12 +138,10 @@ render::Image Album::State::draw(const Shot& shot, uint32_t samples) {
     return renderer.draw(hair, head, camera, look, frame);
 }
 
-std::string Album::State::title() const {
+std::string Album::State::setting() const {
     return std::to_string(figure.info.strands) + " strands x " +
            std::to_string(figure.info.max_vertices) + ", " + scene.motion + ", " +
-           std::to_string(scene.rate) + " Hz, " + std::to_string(scene.substeps) +
-           " substeps, model " + model_names[scene.sim.model] + ", inter-hair " +
-           interhair_names[scene.sim.params.interhair];
+           std::to_string(scene.rate) + " Hz, " + std::to_string(scene.substeps) + " substeps";
 }
 
 void Album::State::write_sheets(std::vector<std::string>& files) const {
@@ -154,7 +152,7 @@ void Album::State::write_sheets(std::vector<std::string>& files) const {
     if (chosen.empty())
         return;
     render::write_sheet({"plait: " + std::filesystem::path(scene.groom.name).filename().string(),
-                         title(), in_rows(chosen)},
+                         setting() + ", " + label_of(scene.sim), in_rows(chosen)},
                         path("sheet.png"));
     files.push_back(path("sheet.png"));
 }
@@ -178,10 +176,10 @@ void Album::State::write_comparison(std::vector<std::string>& files) const {
             add(beside[i].label, beside_cells[i]);
     if (rows.empty())
         return;
-    add(label_of(scene.sim.model, scene.sim.params.interhair), cells);
-    render::write_sheet(
-        {"plait: " + std::filesystem::path(scene.groom.name).filename().string(), title(), rows},
-        path("ab.png"));
+    add(label_of(scene.sim), cells);
+    render::write_sheet({"plait: " + std::filesystem::path(scene.groom.name).filename().string(),
+                         setting() + "; " + tressfx_settings(scene.sim), rows},
+                        path("ab.png"));
     files.push_back(path("ab.png"));
 }
 

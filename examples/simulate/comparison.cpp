@@ -1,35 +1,68 @@
 #include "comparison.hpp"
 
+#include <cstdio>
+
 namespace simulate {
 
+namespace {
+
+bool has_thesis_step(const plait_sim_params& params) {
+    return params.interhair == PLAIT_INTERHAIR_SLOTS && params.slot_hash == PLAIT_HASH_THESIS &&
+           params.diffuse_rule == PLAIT_DIFFUSE_RULE_THESIS;
+}
+
+plait_sim_desc tressfx_alone(plait_sim_desc sim) {
+    sim.model = PLAIT_MODEL_TRESSFX;
+    sim.sag_free = PLAIT_SAG_FREE_OFF; // its shape constraints know no sag
+    sim.params.interhair = PLAIT_INTERHAIR_OFF;
+    return sim;
+}
+
+plait_sim_desc tressfx_and_thesis(const plait_sim_desc& own) {
+    plait_sim_desc sim = tressfx_alone(own);
+    sim.params.interhair = PLAIT_INTERHAIR_SLOTS;
+    sim.params.slot_hash = PLAIT_HASH_THESIS;
+    sim.params.diffuse_rule = PLAIT_DIFFUSE_RULE_THESIS;
+    return sim;
+}
+
+} // namespace
+
 Scene Variant::of(Scene scene) const {
-    scene.sim.model = model;
-    if (model == PLAIT_MODEL_TRESSFX)
-        scene.sim.sag_free = PLAIT_SAG_FREE_OFF; // its shape constraints know no sag
-    scene.sim.params.interhair = interhair;
+    scene.sim = sim;
     return scene;
 }
 
-std::string label_of(plait_model model, plait_interhair interhair) {
-    std::string label = model == PLAIT_MODEL_TRESSFX ? "TressFX" : model_names[model];
-    if (interhair != PLAIT_INTERHAIR_OFF)
-        label += std::string(" + inter-hair step (") +
-                 (interhair == PLAIT_INTERHAIR_SLOTS ? "slots, as in the thesis" : "exact") + ")";
-    return label;
+std::string label_of(const plait_sim_desc& sim) {
+    const std::string label = sim.model == PLAIT_MODEL_TRESSFX ? "TressFX" : model_names[sim.model];
+    if (sim.params.interhair == PLAIT_INTERHAIR_OFF)
+        return label;
+    if (has_thesis_step(sim.params))
+        return label + " + inter-hair step of the thesis";
+    return label + " + inter-hair step (" + interhair_names[sim.params.interhair] + ")";
+}
+
+std::string tressfx_settings(const plait_sim_desc& sim) {
+    const plait_sim_params& p = sim.params;
+    char text[160];
+    std::snprintf(
+        text, sizeof text,
+        "TressFX with %u length iterations, local shape %g in %u iterations, global shape "
+        "%g over %g of a strand",
+        p.length_iterations, double(p.local_stiffness), p.local_iterations,
+        double(p.global_stiffness), double(p.global_range));
+    return text;
 }
 
 std::vector<Variant> variants_beside(const Scene& scene) {
-    const plait_model own = scene.sim.model;
-    const plait_interhair step = scene.sim.params.interhair;
+    const bool own = scene.sim.model == PLAIT_MODEL_TRESSFX;
+    const plait_sim_params& params = scene.sim.params;
     std::vector<Variant> variants;
-    const auto add = [&](plait_interhair interhair) {
-        if (own != PLAIT_MODEL_TRESSFX || step != interhair)
-            variants.push_back(
-                {label_of(PLAIT_MODEL_TRESSFX, interhair), PLAIT_MODEL_TRESSFX, interhair});
-    };
-    add(PLAIT_INTERHAIR_OFF);
-    if (own != PLAIT_MODEL_TRESSFX)
-        add(step == PLAIT_INTERHAIR_OFF ? PLAIT_INTERHAIR_SLOTS : step);
+    const auto add = [&](const plait_sim_desc& sim) { variants.push_back({label_of(sim), sim}); };
+    if (!own || params.interhair != PLAIT_INTERHAIR_OFF)
+        add(tressfx_alone(scene.sim));
+    if (!own || !has_thesis_step(params))
+        add(tressfx_and_thesis(scene.sim));
     return variants;
 }
 

@@ -11,16 +11,19 @@ namespace simulate {
 
 struct Variant {
     std::string label;
-    plait_model model;
-    plait_interhair interhair;
+    plait_sim_desc sim;
 
     Scene of(Scene scene) const; // the scene run this way
 };
 
-// "TressFX", "TressFX + inter-hair step (slots)", "cosserat + ..."
-std::string label_of(plait_model model, plait_interhair interhair);
+// "TressFX", "TressFX + inter-hair step of the thesis", "cosserat + inter-hair step (slots)"
+std::string label_of(const plait_sim_desc& sim);
 
-// TressFX alone, and with the thesis's step: those of the two that are not the run itself.
+// What the model TressFX is set to, in words: its stiffness and stretch are iteration counts.
+std::string tressfx_settings(const plait_sim_desc& sim);
+
+// TressFX alone, and with the inter-hair step as the thesis has it: those of the two that are not
+// the run itself.
 std::vector<Variant> variants_beside(const Scene& scene);
 
 } // namespace simulate

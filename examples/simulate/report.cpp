@@ -68,18 +68,17 @@ void print_compared(const std::string& label, const Measurements& run) {
 }
 
 void print_comparison(const Report& report) {
-    const plait_sim_desc& own = report.scene.sim;
     for (const Compared& other : report.beside)
         print_compared(other.variant.label, other.run);
     if (!report.beside.empty())
-        print_compared(label_of(own.model, own.params.interhair), report.main);
+        print_compared(label_of(report.scene.sim), report.main);
 }
 
 Json compared(const Compared& other) {
     Json json = measured(other.run);
     json["label"] = other.variant.label;
-    json["model"] = model_names[other.variant.model];
-    json["interhair"] = interhair_names[other.variant.interhair];
+    json["model"] = model_names[other.variant.sim.model];
+    json["interhair"] = interhair_names[other.variant.sim.params.interhair];
     return json;
 }
 

@@ -101,11 +101,14 @@ std::string step_cell(const DeviceResults& results, uint32_t strands, Interhair 
 
 std::string step_table(const Options& options, const DeviceResults& results) {
     std::string page = text(
-        "\n## The whole step\n\nSteps per second of the model `tressfx` as published, and with the "
-        "inter-hair step after it, as in table 5.1 of Ugurca 2015 (there 3 %% to 21 %% of the "
-        "frame "
-        "rate was lost, rendering included; here nothing is rendered). Strands of %u vertices.\n\n"
-        "| strands | original, 1/s | + slots, 1/s | lost | + exact, 1/s | lost |\n"
+        "\n## The whole step\n\nSteps per second of the model `tressfx`, with the iterations and "
+        "stiffnesses of TressFX's sample hair and real gravity, and with the inter-hair step after "
+        "it, as in table 5.1 of Ugurca 2015 (there 3 %% to 21 %% of the frame rate was lost, "
+        "rendering included; here "
+        "nothing is rendered). *thesis*: sampled slots by its hash and its rule. *exact*: exact "
+        "sums "
+        "by the rule FLOORED. Strands of %u vertices.\n\n"
+        "| strands | original, 1/s | + thesis, 1/s | lost | + exact, 1/s | lost |\n"
         "|---:|---:|---:|---:|---:|---:|\n",
         options.vertices);
     for (const uint32_t strands : strand_counts(results)) {

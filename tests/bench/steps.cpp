@@ -1,5 +1,6 @@
 // The whole step without and with the inter-hair step, over the number of strands: the two columns
-// of table 5.1 of Ugurca 2015, and a third for the exact accumulation.
+// of table 5.1 of Ugurca 2015, by its own hash and rule, and a third for the exact accumulation, by
+// plait's rule.
 #include "bench.hpp"
 #include "inputs.hpp"
 
@@ -69,6 +70,10 @@ Sim make_sim(plait_context* context, plait_groom* groom, plait_interhair interha
     desc.params.global_range = 0.308f;
     desc.params.length_iterations = 3;
     desc.params.interhair = interhair;
+    if (interhair == PLAIT_INTERHAIR_SLOTS) {
+        desc.params.slot_hash = PLAIT_HASH_THESIS;
+        desc.params.diffuse_rule = PLAIT_DIFFUSE_RULE_THESIS;
+    }
     plait_sim* sim = nullptr;
     check(plait_sim_create(context, groom, &desc, &sim));
     return Sim(sim);

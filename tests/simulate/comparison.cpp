@@ -1,0 +1,68 @@
+// What a run is set beside: TressFX alone and with the thesis's own inter-hair step, by its own hash
+// and its own rule, whatever the run uses.
+#include "comparison.hpp"
+#include "support.hpp"
+
+using simulate::Json;
+using simulate::Scene;
+using simulate::Variant;
+
+namespace {
+
+class Comparison : public TemporaryFolder {
+  protected:
+    Scene read(const std::string& text) const {
+        return simulate::make_scene(write("scene.json", text), Json::object());
+    }
+    std::vector<Variant> beside(const std::string& text) const {
+        return simulate::variants_beside(read(text));
+    }
+};
+
+void expect_thesis(const plait_sim_desc& sim) {
+    EXPECT_EQ(sim.model, PLAIT_MODEL_TRESSFX);
+    EXPECT_EQ(sim.sag_free, PLAIT_SAG_FREE_OFF);
+    EXPECT_EQ(sim.params.interhair, PLAIT_INTERHAIR_SLOTS);
+    EXPECT_EQ(sim.params.slot_hash, PLAIT_HASH_THESIS);
+    EXPECT_EQ(sim.params.diffuse_rule, PLAIT_DIFFUSE_RULE_THESIS);
+}
+
+TEST_F(Comparison, is_with_tressfx_and_with_the_thesis) {
+    for (const char* step : {"off", "slots", "exact"}) {
+        const Scene scene = read(std::string(R"({"interhair": ")") + step + "\"}");
+        const std::vector<Variant> variants = simulate::variants_beside(scene);
+        ASSERT_EQ(variants.size(), 2u) << step;
+        EXPECT_EQ(variants[0].label, "TressFX");
+        EXPECT_EQ(variants[0].of(scene).sim.model, PLAIT_MODEL_TRESSFX);
+        EXPECT_EQ(variants[0].of(scene).sim.params.interhair, PLAIT_INTERHAIR_OFF);
+        EXPECT_EQ(variants[1].label, "TressFX + inter-hair step of the thesis");
+        expect_thesis(variants[1].of(scene).sim);
+    }
+}
+
+// By itself `slots` is plait's: its hash and its rule.
+TEST_F(Comparison, leaves_the_run_as_it_is) {
+    const plait_sim_desc sim = read(R"({"model": "tressfx", "interhair": "slots"})").sim;
+    EXPECT_EQ(sim.params.slot_hash, PLAIT_HASH_PCG);
+    EXPECT_EQ(sim.params.diffuse_rule, PLAIT_DIFFUSE_RULE_FLOORED);
+    EXPECT_EQ(simulate::label_of(sim), "TressFX + inter-hair step (slots)");
+}
+
+TEST_F(Comparison, leaves_out_what_the_run_is) {
+    const auto alone = beside(R"({"model": "tressfx", "interhair": "off"})");
+    ASSERT_EQ(alone.size(), 1u);
+    expect_thesis(alone[0].sim);
+    EXPECT_EQ(beside(R"({"model": "tressfx", "interhair": "slots"})").size(), 2u);
+    const auto thesis = beside(R"({"model": "tressfx", "interhair": "slots",
+        "params": {"slot_hash": "thesis", "diffuse_rule": "thesis"}})");
+    ASSERT_EQ(thesis.size(), 1u);
+    EXPECT_EQ(thesis[0].label, "TressFX");
+}
+
+TEST_F(Comparison, says_what_tressfx_is_set_to) {
+    const std::string text = simulate::tressfx_settings(read("{}").sim);
+    EXPECT_EQ(text, "TressFX with 20 length iterations, local shape 0.9 in 2 iterations, global "
+                    "shape 0.3 over 0.3 of a strand");
+}
+
+} // namespace
