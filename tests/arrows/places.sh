@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # places.sh ROOT: one name, six places. Each stage of stages.def has its kernel, reference, test and
-# page under its own name, and no such file is left over for a stage that is gone.
+# page under its own name, and no such file is left over for a stage that is gone. The table of stages in
+# docs/stages/README.md is what stages.def generates, row by row.
 set -euo pipefail
 cd "$1"
 bad=0
@@ -9,6 +10,11 @@ complain() {
     bad=1
 }
 
+# What stages.def says of the stages, as the table's rows; LANES and the like in words.
+rows=$(sed -nE 's/^PLAIT_STAGE\(([a-z_]+), ([A-Z_]+), [a-z_]+, "(.*)"\)$/| [\1](\1.md) | \2 | \3 |/p' \
+    cl/shared/plait/stages.def |
+    sed -E 's/\| (VERTEX|STRAND|VOXEL|WORD) \|/| \L\1\E |/; s/\| LANES \|/| strand, over lanes |/
+            s/\| STRAND_GROUP \|/| strand, V work-items |/; s/\| VOXEL_GROUP \|/| voxel, one work-group |/')
 stages=$(sed -nE 's/^PLAIT_STAGE\(([a-z_]+),.*/\1/p' cl/shared/plait/stages.def)
 [ -n "$stages" ] || complain "cl/shared/plait/stages.def: no stage found"
 
@@ -31,6 +37,9 @@ for page in docs/stages/*.md; do
     name=$(basename "$page" .md)
     [ "$name" = README ] || grep -qx "$name" <<<"$stages" || complain "$page: not in stages.def"
 done
+
+diff <(grep -E '^\| \[' docs/stages/README.md) - <<<"$rows" ||
+    complain "docs/stages/README.md: its table is not that of stages.def; the rows marked > belong there"
 
 echo "$(wc -w <<<"$stages") stages"
 exit $bad

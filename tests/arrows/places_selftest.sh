@@ -11,7 +11,7 @@ plant() {
     echo 'PLAIT_STAGE(drag, VERTEX, plait_drag_params, "air")' >cl/shared/plait/stages.def
     echo '__kernel void plait_drag(' >cl/drag.cl
     echo x | tee lib/backend/reference/drag.cpp tests/cases/drag.cpp docs/stages/drag.md >/dev/null
-    echo '[drag](drag.md)' >docs/stages/README.md
+    echo '| [drag](drag.md) | vertex | air |' >docs/stages/README.md
 }
 must_name() {
     if "$check" "$root" >output; then echo "let through: $1"; exit 1; fi
@@ -28,6 +28,11 @@ done
 plant
 echo 'void other(' >cl/drag.cl
 must_name cl/drag.cl
+for row in '| [drag](drag.md) | vertex | water |' '| [drag](drag.md) | strand | air |'; do
+    plant
+    echo "$row" >docs/stages/README.md
+    must_name docs/stages/README.md
+done
 plant
 echo x >cl/left_over.cl
 must_name cl/left_over.cl
