@@ -1,4 +1,5 @@
-// The inter-hair step as the thesis has it, hash and rule, in whole steps of the model it was made for.
+// The inter-hair step as the thesis has it, hash and rule, in whole steps of the model it was made
+// for.
 #include "support.hpp"
 
 namespace {

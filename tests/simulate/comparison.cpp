@@ -1,5 +1,5 @@
-// What a run is set beside: TressFX alone and with the thesis's own inter-hair step, by its own hash
-// and its own rule, whatever the run uses.
+// What a run is set beside: TressFX alone and with the thesis's own inter-hair step, by its own
+// hash and its own rule, whatever the run uses.
 #include "comparison.hpp"
 #include "support.hpp"
 
