@@ -1,8 +1,8 @@
 // A case: what one stage is given, and how far a float32 device may be from the float64 reference.
 //
 // Cases know stages only through <plait/plait_backend.h>, so a new backend gets all of them by
-// being registered. Every case is run as it is, and again with each field of its parameters changed
-// a little: a comparison that does not notice is too loose.
+// being registered. Every case is run as it is, and again with each field of its parameters and
+// each component of its buffers changed a little: a comparison that does not notice is too loose.
 #pragma once
 
 #include <plait/plait_backend.h>
@@ -65,10 +65,14 @@ struct Case {
     // By argument: allowed absolute difference. Arguments without one, and all uints, must be
     // equal.
     std::map<std::string, double> tolerance;
-    // Fields of the parameters this stage does not read.
+    // Fields of the parameters that this stage does not read; what it does not read of a buffer of
+    // floats, as argument or argument.component (see disturb.cpp).
     std::vector<std::string> unread = {};
     // By argument: instead of the element-wise comparison.
     std::map<std::string, Compare> compare = {};
+    // Floats of buffers, as in `unread`, of which only counts what part of one another they are, or
+    // whether they are 0.
+    std::vector<std::string> ratios = {}, flags = {"position.w"};
 };
 
 // Defined in <stage>.cpp; the table is generated from stages.def, so a stage without a case does

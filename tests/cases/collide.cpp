@@ -58,7 +58,7 @@ Setup make(const Size& size, std::vector<Capsule> capsules) {
 // A normal is good to 1e-7 m over the distance from the axis; pushes are up to 0.25 m. Vertices
 // nearer to an axis than 1 cm would need more than this.
 Case collide_case() {
-    Case result = {PLAIT_STAGE_collide, {}, {{"position", 1e-5}}};
+    Case result = {PLAIT_STAGE_collide, {}, {{"position", 1e-5}}, unread_of_capsules()};
     for (const Size& size : sizes()) {
         result.setups.push_back(make(size, {tapered, straight, sphere, swallowed}));
         result.setups.push_back(make(size, {tapered}));

@@ -11,7 +11,8 @@ Case cosserat_case() {
                     {"lane_q", 1e-4},
                     {"lane_q_before", 1e-4},
                     {"lane_x_before", 2e-5},
-                    {"lane_v_before", 1e-3}}};
+                    {"lane_v_before", 1e-3}},
+                   unread_of_capsules()};
     for (const Size& size : sizes())
         for (const uint32_t bdf2 : {0u, 1u})
             result.setups.push_back(
@@ -19,6 +20,9 @@ Case cosserat_case() {
     for (const Size& size : sizes())
         result.setups.push_back(
             lane_setup(size, make_lane_hair_spun(size, 32), lane_params(size, 1, 0), true));
+    for (const Size& size : contact_sizes())
+        result.setups.push_back(
+            lane_setup(size, make_lane_hair_wrung(size, 32), lane_params(size, 3, 1), true));
     for (const Size& size : contact_sizes())
         result.setups.push_back(
             reordered(lane_setup(size, make_lane_hair(size, 32), lane_params(size, 3, 0), true)));

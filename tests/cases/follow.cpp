@@ -31,7 +31,8 @@ Setup make(const Size& size, uint32_t form) {
 // An offset of 1 cm to 3 cm turned by a rotation good to 1e-7 / 0.02, added to a position below 2
 // m.
 Case follow_case() {
-    Case result = {PLAIT_STAGE_follow, {}, {{"position", 2e-6}}};
+    Case result = {
+        PLAIT_STAGE_follow, {}, {{"position", 2e-6}}, {"pose.t"}}; // an offset turns only
     for (const Size& size : sizes())
         for (uint32_t form : {PLAIT_FOLLOW_ROTATING, PLAIT_FOLLOW_PUBLISHED})
             result.setups.push_back(make(size, form));

@@ -8,7 +8,7 @@ Case grid_density_case() {
                    {},
                    {{"grid_density", 4e-5}},
                    {"h", "slot_hash", "frame", "seed", "tent", "diffuse_rule", "diffuse_ratio",
-                    "diffuse_factor", "diffuse_floor"}};
+                    "diffuse_factor", "diffuse_floor", "position.w"}};
     for (const GridHair& hair : make_grid_hair())
         for (uint32_t width : {1u, 16u, 64u}) { // work-items that share a voxel's slots
             Setup setup = hair.setup();

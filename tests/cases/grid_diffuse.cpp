@@ -8,6 +8,7 @@ namespace plait::cases {
 Case grid_diffuse_case() {
     Case result = {
         PLAIT_STAGE_grid_diffuse, {}, {{"position_prev", 2e-6}}, {"slot_hash", "frame", "seed"}};
+    result.flags.push_back("grid_density"); // whether there is any hair
     for (GridHair hair : make_grid_hair())
         for (uint32_t tent : {PLAIT_TENT_TRILINEAR, PLAIT_TENT_VOXEL})
             for (uint32_t rule : {PLAIT_DIFFUSE_FLOORED, PLAIT_DIFFUSE_THESIS}) {

@@ -74,12 +74,12 @@ std::string compare_slots(const Setup& setup, const Outputs&, const Outputs& got
 } // namespace
 
 Case grid_slots_case() {
-    Case result = {
-        PLAIT_STAGE_grid_slots,
-        {},
-        {},
-        {"h", "tent", "diffuse_rule", "diffuse_ratio", "diffuse_factor", "diffuse_floor"},
-        {{"grid_slot", compare_slots}}};
+    Case result = {PLAIT_STAGE_grid_slots,
+                   {},
+                   {},
+                   {"h", "tent", "diffuse_rule", "diffuse_ratio", "diffuse_factor", "diffuse_floor",
+                    "position.w"},
+                   {{"grid_slot", compare_slots}}};
     for (GridHair hair : make_grid_hair())
         for (uint32_t hash : {PLAIT_SLOT_HASH_PCG, PLAIT_SLOT_HASH_THESIS}) {
             hair.params.slot_hash = hash;

@@ -41,7 +41,7 @@ Case grid_splat_case() {
                    {},
                    {},
                    {"slot_hash", "frame", "seed", "diffuse_rule", "diffuse_ratio", "diffuse_factor",
-                    "diffuse_floor"},
+                    "diffuse_floor", "position.w"},
                    {{"grid_sum", compare_sums}}};
     for (GridHair hair : make_grid_hair())
         for (uint32_t tent : {PLAIT_TENT_VOXEL, PLAIT_TENT_TRILINEAR}) {

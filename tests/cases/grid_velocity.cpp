@@ -9,7 +9,7 @@ Case grid_velocity_case() {
                    {},
                    {{"grid_velocity", 4e-4}},
                    {"slot_hash", "frame", "seed", "tent", "diffuse_rule", "diffuse_ratio",
-                    "diffuse_factor", "diffuse_floor"}};
+                    "diffuse_factor", "diffuse_floor", "position.w"}};
     for (const GridHair& hair : make_grid_hair())
         for (uint32_t width : {1u, 16u, 64u}) {
             Setup setup = hair.setup();

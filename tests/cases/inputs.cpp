@@ -120,6 +120,11 @@ std::string name_of(const Size& size) {
     return std::to_string(size.strands) + " x " + std::to_string(size.stride);
 }
 
+const std::vector<std::string>& unread_of_capsules() {
+    static const std::vector<std::string> list = {"capsule.begin.a.radius", "capsule.begin.b"};
+    return list;
+}
+
 Hair make_hair(const Size& size, uint32_t seed) {
     Random random(seed * 7919 + size.strands * 257 + size.stride);
     Hair hair;

@@ -182,6 +182,25 @@ LaneHair make_lane_hair_spun(const Size& size, uint32_t seed) {
     return lanes;
 }
 
+LaneHair make_lane_hair_wrung(const Size& size, uint32_t seed) {
+    LaneHair lanes = make_lane_hair(size, seed);
+    Random random(seed + 3);
+    for (size_t k = 0; k < lanes.q.size(); k += 4) {
+        const double half = random.uniform(-0.5, 0.5);
+        for (std::vector<float>* q : {&lanes.q, &lanes.q_before}) {
+            const auto at = q->begin() + static_cast<long>(k);
+            const Quat turned =
+                product({at[0], at[1], at[2], at[3]}, {std::sin(half), 0, 0, std::cos(half)});
+            std::copy(turned.begin(), turned.end(), at);
+        }
+    }
+    for (float& v : lanes.v_before)
+        v *= 4;
+    for (size_t k = 0; k < lanes.material.size(); k += PLAIT_LANE_MATERIAL_COMPONENTS)
+        lanes.material[k + PLAIT_LANE_TWIST] = -0.8f * lanes.material[k + PLAIT_LANE_BEND];
+    return lanes;
+}
+
 plait_lane_params lane_params(const Size& size, uint32_t iterations, uint32_t bdf2) {
     plait_lane_params params = {size.stride,   1,          1.0f / 30, iterations, bdf2, 4,
                                 {20, -40, 30}, {9, 8, -7}, 0,         0,          0,    0};

@@ -21,6 +21,8 @@ LaneHair make_lane_hair_in_contact(const Size& size, uint32_t seed, float fricti
 const std::vector<Size>& contact_sizes();
 // Turned so fast that a solve, cut short, leaves more energy than a strand may keep.
 LaneHair make_lane_hair_spun(const Size& size, uint32_t seed);
+// Wrung in every joint though soft in twist, and fast in the substep before: a share of any shows.
+LaneHair make_lane_hair_wrung(const Size& size, uint32_t seed);
 
 // `count` different numbers below `strands`, not in order where there is a choice.
 std::vector<uint32_t> other_order(uint32_t strands, uint32_t count);

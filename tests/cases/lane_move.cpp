@@ -18,7 +18,7 @@ std::vector<uint32_t> moves(uint32_t strands) {
 } // namespace
 
 Case lane_move_case() {
-    Case result = {PLAIT_STAGE_lane_move, {}, {}};
+    Case result = {PLAIT_STAGE_lane_move, {}, {}, {"lane_to"}}; // written or kept
     for (const Size& size : sizes()) {
         const LaneHair here = make_lane_hair(size, 39), there = make_lane_hair(size, 40);
         const auto add = [&](const char* what, uint32_t components, const std::vector<float>& from,

@@ -5,7 +5,10 @@ namespace plait::cases {
 // An orientation is a product of up to 256 rounded quaternions and as many turns between directions
 // whose rounding is that of a difference of positions of up to 5 m, over a segment of 2 cm.
 Case lane_orient_case() {
-    Case result = {PLAIT_STAGE_lane_orient, {}, {{"lane_q", 1e-4}, {"lane_q_before", 1e-4}}};
+    Case result = {PLAIT_STAGE_lane_orient,
+                   {},
+                   {{"lane_q", 1e-4}, {"lane_q_before", 1e-4}},
+                   {"pose.t", "lane_q", "lane_q_before"}}; // directions only; written or kept
     for (const Size& size : sizes()) {
         const LaneHair lanes = make_lane_hair(size, 41);
         Setup setup;

@@ -6,7 +6,8 @@ namespace plait::cases {
 Case reset_case() {
     Case result = {PLAIT_STAGE_reset,
                    {},
-                   {{"position", 1e-6}, {"position_prev", 1e-6}, {"position_prev2", 1e-6}}};
+                   {{"position", 1e-6}, {"position_prev", 1e-6}, {"position_prev2", 1e-6}},
+                   {"position.x", "position.y", "position.z"}}; // written, only w is kept
     for (const Size& size : sizes()) {
         const Hair hair = make_hair(size, 1);
         Setup setup;

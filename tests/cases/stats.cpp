@@ -6,7 +6,7 @@ namespace plait::cases {
 
 // A stretch is a 2 cm length over another one, of coordinates near 1 m: 1e-7 / 0.02 of its value.
 Case stats_case() {
-    Case result = {PLAIT_STAGE_stats, {}, {{"strand_stats", 1e-5}}};
+    Case result = {PLAIT_STAGE_stats, {}, {{"strand_stats", 1e-5}}, {"position.w"}};
     for (const Size& size : sizes())
         for (bool broken : {false, true}) {
             Hair hair = make_hair(size, 16);

@@ -5,7 +5,7 @@ namespace plait::cases {
 // The direction of a 2 cm segment: exact differences of float32 points, so only the division
 // rounds.
 Case tangents_case() {
-    Case result = {PLAIT_STAGE_tangents, {}, {{"tangent", 1e-6}}};
+    Case result = {PLAIT_STAGE_tangents, {}, {{"tangent", 1e-6}}, {"position.w"}};
     for (const Size& size : sizes()) {
         const Hair hair = make_hair(size, 15);
         std::vector<float> position = hair.position;

@@ -6,7 +6,8 @@ namespace plait::cases {
 Case teleport_case() {
     Case result = {PLAIT_STAGE_teleport,
                    {},
-                   {{"position", 2e-6}, {"position_prev", 2e-6}, {"position_prev2", 2e-6}}};
+                   {{"position", 2e-6}, {"position_prev", 2e-6}, {"position_prev2", 2e-6}},
+                   {"position.w"}}; // what is pinned goes, too
     for (const Size& size : sizes()) {
         const Hair hair = make_hair(size, 2);
         Setup setup;

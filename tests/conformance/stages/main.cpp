@@ -6,12 +6,12 @@
 //              PLAIT_TEST_MAX_VERTICES=V     leave out longer strands in the stages over lanes
 #include "case.hpp"
 #include "closed_forms.hpp"
+#include "disturb.hpp"
 #include "inputs.hpp"
 #include "subjects.hpp"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 
@@ -141,23 +141,8 @@ class KeepsClear : public StageTest {
     }
 };
 
-// Changes word `word` of a field the way its kind asks for.
-void disturb(cases::Setup& setup, const Field& field, size_t word) {
-    std::byte* at = setup.params.data() + field.offset + 4 * word;
-    if (field.kind == FieldKind::real || field.kind == FieldKind::vector) {
-        float value;
-        std::memcpy(&value, at, sizeof value);
-        value *= 1.01f;
-        std::memcpy(at, &value, sizeof value);
-        return;
-    }
-    uint32_t value;
-    std::memcpy(&value, at, sizeof value);
-    value = field.kind == FieldKind::choice ? value ^ 1u : value + 1;
-    std::memcpy(at, &value, sizeof value);
-}
-
-// The comparison notices every parameter that is a little off, in one setup at least.
+// The comparison notices every parameter and every float of a buffer that is a little off, in one
+// setup at least.
 class Notices : public StageTest {
   public:
     using StageTest::StageTest;
@@ -168,35 +153,58 @@ class Notices : public StageTest {
         size_t described = 0;
         for (const Field& field : cases::fields_of(info.params_type)) {
             described += 4 * field.words;
-            if (!is_left_alone(field))
+            if (field.kind != FieldKind::layout)
                 check(field);
         }
         EXPECT_EQ(described, info.params_size) << info.params_type << ": fields.cpp has a gap";
+        for (const Component& component : components_of(stage_case_))
+            check(component.name, component);
     }
 
   private:
-    bool is_left_alone(const Field& field) const {
-        const auto& unread = stage_case_.unread;
-        return field.kind == FieldKind::layout ||
-               std::find(unread.begin(), unread.end(), field.name) != unread.end();
-    }
-
     void check(const Field& field) {
         for (size_t word = 0; word < field.words; ++word)
-            if (field.kind != FieldKind::vector || word % 4 != 3) {
-                EXPECT_TRUE(noticed(field, word))
-                    << field.name << "[" << word << "] may be off without a test failing";
-            }
+            if (field.kind != FieldKind::vector || word % 4 != 3)
+                check(field.name, field, word);
+    }
+
+    template <typename... What> void check(const std::string& name, const What&... what) {
+        if (has(stage_case_.unread, name))
+            EXPECT_FALSE(noticed(what...)) << name << " is called unread and is not";
+        else
+            EXPECT_TRUE(noticed(what...)) << name << " may be off without a test failing";
     }
 
     bool noticed(const Field& field, size_t word) {
         for (size_t i = 0; i < stage_case_.setups.size(); ++i) {
             cases::Setup disturbed = stage_case_.setups[i];
             disturb(disturbed, field, word);
-            if (!difference(stage_case_, i, disturbed, subject_).empty())
+            if (differs(i, disturbed))
                 return true;
         }
         return false;
+    }
+
+    bool noticed(const Component& component) {
+        for (size_t i = 0; i < stage_case_.setups.size(); ++i) {
+            cases::Setup disturbed = stage_case_.setups[i];
+            if (disturb(disturbed, stage_case_, component) && differs(i, disturbed))
+                return true;
+        }
+        return false;
+    }
+
+    bool differs(size_t index, const cases::Setup& disturbed) {
+        const Outputs& expected = expected_of(stage_case_, index);
+        std::string error;
+        Outputs got =
+            cases::run(subject_.api(), subject_.device(), stage_case_.stage, disturbed, error);
+        EXPECT_EQ(error, "");
+        if (!error.empty() || expected.empty())
+            return false;
+        const cases::Setup& original = stage_case_.setups[index];
+        forgive(stage_case_, original, disturbed, expected, got);
+        return !cases::compare(stage_case_, original, expected, got).empty();
     }
 };
 

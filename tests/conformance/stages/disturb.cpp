@@ -1,0 +1,150 @@
+#include "disturb.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <sstream>
+
+namespace plait::conformance {
+namespace {
+
+using cases::Array;
+using cases::Case;
+using cases::Field;
+using cases::FieldKind;
+using cases::Outputs;
+using cases::Setup;
+
+// Components in the order they lie in, "-" for one that no stage may read.
+struct Layout {
+    const char* argument;
+    const char* components;
+};
+constexpr const char* pose = "q.x q.y q.z q.w t.x t.y t.z -";
+constexpr const char* capsule =
+    "begin.a.x begin.a.y begin.a.z begin.a.radius begin.b.x begin.b.y begin.b.z begin.b.radius "
+    "end.a.x end.a.y end.a.z end.a.radius end.b.x end.b.y end.b.z end.b.radius "
+    "turn.x turn.y turn.z turn.w friction - - -";
+constexpr Layout layouts[] = {
+    {"pose", pose},
+    {"pose_from", pose},
+    {"pose_to", pose},
+    {"pose_now", pose},
+    {"root_from", pose},
+    {"root_to", pose},
+    {"strand_motion", "q.x q.y q.z q.w t.x t.y t.z blend"},
+    {"capsule", capsule},
+    {"lane_material", "length stretch bend mass twist cross"},
+    {"lane_rest", "x y z w"},
+    {"lane_q", "x y z w"},
+    {"lane_q_before", "x y z w"},
+    {"lane_x", "x y z"},
+    {"lane_v", "x y z"},
+    {"lane_x_before", "x y z"},
+    {"lane_v_before", "x y z"},
+    {"rest", "x y z -"},
+    {"position", "x y z w"},
+    {"position_local", "x y z -"},
+    {"position_prev", "x y z -"},
+    {"position_prev2", "x y z -"},
+    {"follow_offset", "x y z -"},
+    {"grid_velocity", "x y z rms"},
+    {"rest_length", "all"},
+    {"grid_density", "all"},
+    {"lane_from", "all"}, // of what kind it is differs
+    {"lane_to", "all"},
+};
+
+std::vector<std::string> words_of(const char* argument) {
+    const auto found = std::find_if(std::begin(layouts), std::end(layouts), [&](const Layout& l) {
+        return std::strcmp(l.argument, argument) == 0;
+    });
+    std::istringstream text(found == std::end(layouts) ? "?" : found->components);
+    std::vector<std::string> words;
+    for (std::string word; text >> word;)
+        words.push_back(word);
+    return words;
+}
+
+std::vector<plait_stage_arg> buffers_of(plait_stage stage) {
+    const plait_stage_info& info = *plait_stage_describe(stage);
+    std::vector<plait_stage_arg> buffers(info.args, info.args + info.arg_count);
+    std::erase_if(buffers,
+                  [](const plait_stage_arg& arg) { return arg.access == PLAIT_ACCESS_LOCAL; });
+    return buffers;
+}
+
+// Floats of one strand, if the component is a coordinate of positions in world or rest space, of
+// which the stage reads more than the root.
+size_t row_of(const Setup& setup, const Case& stage_case, const Component& component) {
+    const bool strands = component.name.compare(0, 8, "position") == 0 ||
+                         (component.name.compare(0, 5, "rest.") == 0 &&
+                          plait_stage_describe(stage_case.stage)->space != PLAIT_SPACE_LANES);
+    uint32_t stride; // the first field of every parameter struct but two
+    std::memcpy(&stride, setup.params.data(), sizeof stride);
+    return strands ? size_t{4} * stride : 0;
+}
+
+} // namespace
+
+void disturb(Setup& setup, const Field& field, size_t word) {
+    std::byte* at = setup.params.data() + field.offset + 4 * word;
+    if (field.kind == FieldKind::real || field.kind == FieldKind::vector) {
+        float value;
+        std::memcpy(&value, at, sizeof value);
+        value *= 1.01f;
+        std::memcpy(at, &value, sizeof value);
+        return;
+    }
+    uint32_t value;
+    std::memcpy(&value, at, sizeof value);
+    value = field.kind == FieldKind::choice ? value ^ 1u : value + 1;
+    std::memcpy(at, &value, sizeof value);
+}
+
+std::vector<Component> components_of(const Case& stage_case) {
+    std::vector<Component> components;
+    const auto buffers = buffers_of(stage_case.stage);
+    for (size_t i = 0; i < buffers.size(); ++i) {
+        if (buffers[i].element == PLAIT_ELEMENT_UINT || buffers[i].access == PLAIT_ACCESS_WRITE)
+            continue;
+        const auto words = words_of(buffers[i].name);
+        for (size_t place = 0; place < words.size(); ++place)
+            if (words[place] != "-")
+                components.push_back(
+                    {std::string(buffers[i].name) + "." + words[place], i, place, words.size()});
+    }
+    return components;
+}
+
+bool has(const std::vector<std::string>& names, const std::string& component) {
+    return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+        return component == name || component.rfind(name + ".", 0) == 0;
+    });
+}
+
+bool disturb(Setup& setup, const Case& stage_case, const Component& component) {
+    std::vector<float>& floats = setup.buffers[component.buffer].floats;
+    const std::vector<float> before = floats;
+    const size_t row = row_of(setup, stage_case, component);
+    const bool flag = has(stage_case.flags, component.name);
+    const size_t items = has(stage_case.ratios, component.name) ? 2 : 1;
+    for (size_t i = component.place; i < floats.size(); i += items * component.period) {
+        const float about = row > 0 ? before[i / row * row + component.place] : 0;
+        floats[i] = flag ? (before[i] == 0 ? 1.0f : 0.0f) : about + (before[i] - about) * 1.01f;
+    }
+    return std::memcmp(floats.data(), before.data(), 4 * floats.size()) != 0;
+}
+
+void forgive(const Case& stage_case, const Setup& original, const Setup& disturbed,
+             const Outputs& expected, Outputs& got) {
+    const auto buffers = buffers_of(stage_case.stage);
+    for (size_t i = 0; i < got.size(); ++i)
+        for (size_t k = 0; k < got[i].floats.size(); ++k) {
+            const float given = disturbed.buffers[i].floats[k];
+            if (buffers[i].access == PLAIT_ACCESS_READ ||
+                (given != original.buffers[i].floats[k] && got[i].floats[k] == given))
+                got[i].floats[k] = expected[i].floats[k];
+        }
+}
+
+} // namespace plait::conformance
