@@ -2,7 +2,6 @@
 
 #include "metrics_input.hpp"
 #include "modes.hpp"
-#include "table.hpp"
 
 #include <Eigen/SVD>
 
@@ -173,103 +172,6 @@ Value teleport_change(const MetricInput& in) {
     return {in.recording.teleport_change / in.length(), ""};
 }
 
-// ---- contact
-
-Value tip_travel(const MetricInput& in) {
-    const double end = std::min(in.measure.to, in.recording.frames.back().time);
-    const auto a = positions_at(in.recording, in.measure.strand, in.measure.from);
-    const auto b = positions_at(in.recording, in.measure.strand, end);
-    return {(b.back() - a.back()).norm() / in.length(), ""};
-}
-
-Value tip_speed(const MetricInput& in) {
-    const double end = std::min(in.measure.to, in.recording.frames.back().time);
-    return {tip_travel(in).value / (end - in.measure.from), ""};
-}
-
-// Of the tip along its way, over what was expected, less 1.
-Value acceleration(const MetricInput& in) {
-    std::vector<Vec3> tip;
-    in.each([&](const Frame& frame) { tip.push_back(in.x(frame).back()); });
-    if (tip.size() < 3 || !in.measure.expect || *in.measure.expect == 0)
-        return none("needs three frames and what to expect");
-    const size_t last = tip.size() - 1;
-    const Vec3 gained = (tip[last] - tip[last - 1]) - (tip[1] - tip[0]); // m per frame
-    const double rate = in.scene.rate, frames = static_cast<double>(last - 1);
-    const double measured = gained.dot((tip[last] - tip[0]).normalized()) * rate * rate / frames;
-    return {measured / *in.measure.expect - 1, ""};
-}
-
-// How far the root had come, in lengths over what the table has, less 1, when the tip first slid
-// across its way faster than it comes, for a tenth of a second.
-Value slip_strain(const MetricInput& in) {
-    if (!in.reference() || in.reference()->table.empty())
-        return none("needs a reference table");
-    const auto rows = select(*in.reference());
-    const auto& frames = in.recording.frames;
-    const auto window = static_cast<size_t>(std::lround(0.1 * in.scene.rate));
-    for (size_t k = window; k < frames.size() && rows.size() == 1; ++k) {
-        if (!in.counts(frames[k]))
-            continue;
-        const Vec3 root = in.x(frames[k])[0] - in.x(frames[k - window])[0];
-        const Vec3 tip = in.x(frames[k]).back() - in.x(frames[k - window]).back();
-        const Vec3 way = root.normalized();
-        if ((tip - way * way.dot(tip)).norm() < root.norm())
-            continue;
-        const double come = (in.x(frames[k - window])[0] - in.x(frames[0])[0]).norm();
-        return {come / in.length() / rows[0].back() - 1, ""};
-    }
-    return none(rows.size() == 1 ? "never slips" : "no row of the table fits `where`");
-}
-
-// Inside the hull of two spheres: depth below its surface, m.
-double depth(const plait_collider_desc& shape, const Pose& pose, const Vec3& x) {
-    const auto end = [&](const float* p) {
-        return pose * Vec3(static_cast<double>(p[0]), static_cast<double>(p[1]),
-                           static_cast<double>(p[2]));
-    };
-    const Vec3 a = end(shape.a), b = end(shape.b);
-    const double ra = static_cast<double>(shape.radius_a), rb = static_cast<double>(shape.radius_b);
-    double deepest = -1e9;
-    constexpr int samples = 200; // a cone's foot has a closed form; a fine search needs no cases
-    for (int k = 0; k <= samples; ++k) {
-        const double s = static_cast<double>(k) / samples;
-        deepest = std::max(deepest, ra + s * (rb - ra) - (x - a - s * (b - a)).norm());
-        if ((b - a).isZero())
-            break;
-    }
-    return deepest;
-}
-
-Value penetration(const MetricInput& in) {
-    if (in.scene.colliders.empty())
-        return none("needs colliders");
-    double worst = 0;
-    in.each([&](const Frame& frame) {
-        for (const SceneCollider& collider : in.scene.colliders) {
-            const Pose pose = collider.motion.at(frame.time);
-            for (size_t i = 1; i < in.x(frame).size(); ++i)
-                worst = std::max(worst, depth(collider.shape, pose, in.x(frame)[i]));
-        }
-    });
-    return {worst / in.length(), ""};
-}
-
-// Share of the strands that nothing has moved by a fiftieth of their length.
-Value untouched(const MetricInput& in) {
-    size_t still = 0;
-    const auto& first = in.recording.frames.front();
-    for (size_t s = 0; s < first.x.size(); ++s) {
-        double moved = 0;
-        in.each([&](const Frame& frame) {
-            for (size_t i = 0; i < first.x[s].size(); ++i)
-                moved = std::max(moved, (frame.x[s][i] - first.x[s][i]).norm());
-        });
-        still += moved < 0.02 * in.length();
-    }
-    return {static_cast<double>(still) / static_cast<double>(first.x.size()), ""};
-}
-
 Value nonfinite(const MetricInput& in) {
     return {static_cast<double>(in.recording.nonfinite), ""};
 }
@@ -310,7 +212,7 @@ constexpr Metric metrics[] = {
     {"acceleration", "", acceleration},
     {"slip_strain", "", slip_strain},
     {"penetration", "L", penetration},
-    {"untouched", "of strands", untouched},
+    {"passed_through", "of strands", passed_through},
     {"drop", "L", drop},
     {"nonfinite", "vertices", nonfinite},
 };

@@ -46,6 +46,13 @@ double stretch_stiffness(const Scene& scene, double length);
 Value rms_error(const MetricInput& in);
 Value max_error(const MetricInput& in);
 Value reference_error(const MetricInput& in);
+// metrics_contact.cpp: of strands on colliders
+Value tip_travel(const MetricInput& in);
+Value tip_speed(const MetricInput& in);
+Value acceleration(const MetricInput& in);
+Value slip_strain(const MetricInput& in);
+Value penetration(const MetricInput& in);
+Value passed_through(const MetricInput& in);
 // metrics_rest.cpp: of shapes at rest
 Value tip_error(const MetricInput& in);
 Value static_error(const MetricInput& in);

@@ -185,6 +185,37 @@ TEST_F(LabRecording, energy_is_kept_in_free_fall) {
     EXPECT_GT(metric("energy_rise"), 0.5);
 }
 
+// A ball of 0.5 m comes along x to the middle of a hanging strand: hair must end ahead of it, and
+// around it, not through it.
+TEST_F(LabRecording, what_a_collider_came_through_is_not_ahead_of_it) {
+    fill(1, [](double, size_t i) { return Vec3(0, -static_cast<double>(i), 0); });
+    EXPECT_TRUE(std::isnan(metric("passed_through"))); // there is none
+    lab::SceneCollider ball{plait_collider_desc_defaults(), {}};
+    ball.shape.a[1] = ball.shape.b[1] = -1;
+    ball.shape.radius_a = ball.shape.radius_b = 0.5f;
+    scene_.colliders = {ball};
+    EXPECT_TRUE(std::isnan(metric("passed_through"))); // it goes nowhere
+    scene_.colliders =
+        lab::read_scene(lab::Json{{"colliders",
+                                   {{{"a", {-4, -1, 0}},
+                                     {"radius_a", 0.5},
+                                     {"motion", {{{"type", "move"}, {"velocity", {4, 0, 0}}}}}}}}},
+                        {})
+            .colliders;
+    const auto ends = [&](double middle, double tip) {
+        recording_ = {};
+        fill(1, [=](double t, size_t i) {
+            return Vec3(i == 1 ? middle * t : i == 2 ? tip * t : 0, -static_cast<double>(i), 0);
+        });
+        return metric("passed_through");
+    };
+    EXPECT_EQ(ends(1, 1), 0);     // around it
+    EXPECT_EQ(ends(0.45, 1), 0);  // touches: less than a quarter of the radius
+    EXPECT_EQ(ends(0.3, 1), 1);   // half way through
+    EXPECT_EQ(ends(-1, -0.1), 1); // left behind
+    EXPECT_EQ(ends(-0.4, 2), 1);  // an edge through it
+}
+
 TEST_F(LabRecording, nothing_is_said_of_what_is_not_finite) {
     fill(1, [](double, size_t i) { return Vec3(static_cast<double>(i), 0, 0); });
     recording_.nonfinite = 3;
