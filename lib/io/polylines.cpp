@@ -4,11 +4,15 @@
 #include "io/file.hpp"
 #include "io/formats.hpp"
 
+#include <assimp/BaseImporter.h>
 #include <assimp/Importer.hpp>
+#include <assimp/importerdesc.h>
 #include <assimp/scene.h>
 
 #include <exception>
+#include <memory>
 #include <new>
+#include <string_view>
 
 namespace plait {
 namespace {
@@ -67,11 +71,24 @@ Result<StrandSet> strands_of(const std::string& file, const aiScene& scene,
     return strands;
 }
 
+// assimp shows a file that it does not know by its extension to all of its readers, and some of the
+// old ones run out of bounds on the way: only those of OBJ and glTF 2 stay.
+void keep_our_readers(Assimp::Importer& importer) {
+    for (size_t i = importer.GetImporterCount(); i-- > 0;) {
+        const std::string_view name = importer.GetImporterInfo(i)->mName;
+        if (name == "Wavefront Object Importer" || name == "glTF2 Importer")
+            continue;
+        const std::unique_ptr<Assimp::BaseImporter> other(importer.GetImporter(i));
+        importer.UnregisterLoader(other.get()); // which leaves it to us
+    }
+}
+
 // `load(importer)` returns the scene or NULL. What assimp throws stops here.
 template <typename Load>
 Result<StrandSet> import(const std::string& file, const ReadOptions& options, Load load) {
     try {
         Assimp::Importer importer;
+        keep_our_readers(importer);
         const aiScene* scene = load(importer);
         if (!scene || !scene->mRootNode)
             return Error{PLAIT_BAD_DATA, format("%s: %s", file.c_str(), importer.GetErrorString())};
