@@ -42,7 +42,7 @@ inline Stretch stretch_when_shaken(OneStrand& strand, int unseen = 0) {
 
 // The greatest speed of a head that sways +-5 cm once a second, from the first second to the third.
 // Frames are of 16.7 ms, or with `jitter` of 16.7 ms +-60 %.
-inline float peak_speed_when_swayed(OneStrand strand, bool jitter) {
+template <typename Hair> float peak_speed_over_frames(Hair& strand, bool jitter) {
     std::mt19937 random(4);
     std::uniform_real_distribution<double> factor(0.4, 1.6);
     double time = 0.0;
@@ -56,6 +56,9 @@ inline float peak_speed_when_swayed(OneStrand strand, bool jitter) {
             peak = std::max(peak, strand.stats().max_speed);
     }
     return peak;
+}
+inline float peak_speed_when_swayed(OneStrand strand, bool jitter) {
+    return peak_speed_over_frames(strand, jitter);
 }
 
 // Straight, but vertex 9 is where vertex 8 is.
