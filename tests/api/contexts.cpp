@@ -1,8 +1,11 @@
-// Choosing devices, logs, registering backends, two contexts side by side.
+// Choosing devices, logs, registering backends; contexts side by side, on one thread and on two.
 #include "faulty.hpp"
 #include "support.hpp"
 
+#include <barrier>
 #include <cstring>
+#include <exception>
+#include <thread>
 
 namespace {
 
@@ -57,11 +60,13 @@ TEST(Contexts, TheLogSaysWhichDeviceWasOpenedAndWhyOthersWereNot) {
     EXPECT_GT(log.find("opened", log.find("faulty: ")), passed) << log;
 }
 
-TEST(Contexts, TwoContextsDoNotMeet) {
+class SideBySide : public OnBackend {};
+ON_EVERY_BACKEND(SideBySide);
+
+TEST_P(SideBySide, TwoContextsDoNotMeet) {
     const auto groom = make_groom(tuft(3, 6));
-    const auto one = make_context("reference");
-    const auto two = make_context("reference");
-    plait::Sim a(one, groom), b(two, groom), alone(one, groom);
+    const auto other = make_context(GetParam());
+    plait::Sim a(context, groom), b(other, groom), alone(context, groom);
     run(alone, 10);
     for (int i = 0; i < 10; ++i) {
         a.step(frame);
@@ -70,6 +75,67 @@ TEST(Contexts, TwoContextsDoNotMeet) {
     }
     EXPECT_EQ(a.hash(), alone.hash());
     EXPECT_NE(a.hash(), b.hash());
+}
+
+constexpr int rounds = 12;
+
+// What one thread does, with a context and a sim of its own: it steps, and now and then fails. Two
+// of different `number` differ in model, motion and what they do wrong.
+struct Worker {
+    int number;
+    const std::string& backend;
+    const plait::Groom& groom;
+    uint64_t hash = 0;
+    std::string trouble = ""; // if all was as it should be
+
+    template <typename Meet> void work(const Meet& meet) {
+        const auto context = make_context(backend);
+        auto desc = plait_sim_desc_defaults();
+        desc.model = number == 0 ? PLAIT_MODEL_TRESSFX : PLAIT_MODEL_COSSERAT;
+        desc.params.interhair = PLAIT_INTERHAIR_EXACT;
+        plait::Sim sim(context, groom, desc);
+        for (int i = 0; i < rounds; ++i) {
+            const float y = 0.005f * static_cast<float>(i + number);
+            sim.set_roots(head_at({0, y, 0}));
+            sim.step(frame);
+            const int wrong = 1000 * (number + 1) + i;
+            if (plait_sim_step(sim, -wrong) == PLAIT_OK)
+                trouble = "a step back was taken";
+            meet(); // now the other has failed, too
+            if (std::string(plait_last_error()).find("-" + std::to_string(wrong)) ==
+                std::string::npos)
+                trouble = std::string("the other's error: ") + plait_last_error();
+            meet();
+        }
+        hash = sim.hash();
+    }
+};
+
+TEST_P(SideBySide, TwoThreadsWithAContextEachDoNotMeet) {
+    const std::string backend = GetParam();
+    const auto groom = make_groom(tuft(9, 8)); // of both threads
+    std::vector<Worker> alone = {{0, backend, groom}, {1, backend, groom}}, together = alone;
+    for (Worker& worker : alone)
+        worker.work([] {});
+    std::barrier meeting(2);
+    std::vector<std::thread> threads;
+    for (Worker& worker : together)
+        threads.emplace_back([&] {
+            try {
+                worker.work([&] { meeting.arrive_and_wait(); });
+            } catch (const std::exception& failure) {
+                worker.trouble = failure.what();
+                meeting.arrive_and_drop();
+            }
+        });
+    for (std::thread& thread : threads)
+        thread.join();
+    for (size_t i = 0; i < 2; ++i) {
+        EXPECT_EQ(alone[i].trouble, "");
+        EXPECT_EQ(together[i].trouble, "");
+        EXPECT_EQ(together[i].hash, alone[i].hash) << "thread " << i;
+    }
+    EXPECT_NE(alone[0].hash, alone[1].hash);
 }
 
 TEST(Contexts, BackendsAreCheckedWhenTheyRegister) {
