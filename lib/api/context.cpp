@@ -33,6 +33,10 @@ Result<ContextRules> context_rules(const plait_context_desc* given) {
     PLAIT_TRY(check_allocator(desc.allocator, "desc->allocator"));
     if (desc.profile > 1)
         return invalid(format("desc->profile is %u, range is [0, 1]", desc.profile));
+    if (desc.lanes != 0 && desc.lanes != 1 && desc.lanes != 4 && desc.lanes != 8 &&
+        desc.lanes != 16) // else the best device would be passed over for it
+        return invalid(
+            format("desc->lanes is %u; it is 1, 4, 8, 16 or 0, the device's", desc.lanes));
     PLAIT_TRY(check_sources(desc));
     ContextRules rules;
     rules.backend = desc.backend;

@@ -202,9 +202,12 @@ plait_result plait_sim_get_models(const plait_sim* sim, plait_model* dst, size_t
         PLAIT_TRY(api::need(sim, "sim"));
         PLAIT_TRY(api::need(count, "count"));
         const auto models = sim->sim.models();
+        if (dst && *count < models.size())
+            return api::invalid(
+                format("*count is %zu, the sim has %zu guides", *count, models.size()));
         if (dst)
-            std::copy_n(models.begin(), std::min(*count, models.size()), dst);
-        *count = dst ? std::min(*count, models.size()) : models.size();
+            std::copy(models.begin(), models.end(), dst);
+        *count = models.size();
         return {};
     });
 }

@@ -1,8 +1,16 @@
 // Bad arguments of every function: the code, and a sentence that names the argument.
 #include "support.hpp"
 
+#ifdef PLAIT_TEST_OPENCL
+#include <plait/plait_opencl.h>
+#endif
+
 #include <cstring>
+#include <fstream>
 #include <functional>
+#include <regex>
+#include <set>
+#include <sstream>
 
 namespace {
 
@@ -23,8 +31,10 @@ struct Bad {
     plait_result code = PLAIT_INVALID_ARGUMENT;
 };
 
-void expect_refused(const std::vector<Bad>& table) {
+// The functions that refused, by what they say of themselves.
+std::set<std::string> expect_refused(const std::vector<Bad>& table) {
     Objects o;
+    std::set<std::string> functions;
     for (const Bad& bad : table) {
         const uint64_t hash = o.sim.hash();
         EXPECT_EQ(bad.call(o), bad.code) << bad.sentence << ": " << plait_last_error();
@@ -32,7 +42,24 @@ void expect_refused(const std::vector<Bad>& table) {
             << "\"" << bad.sentence << "\" is not in: " << plait_last_error();
         EXPECT_EQ(o.sim.hash(), hash) << bad.sentence;
         EXPECT_TRUE(!o.no_context && !o.no_groom && !o.no_sim) << "written on failure";
+        const std::string text = plait_last_error();
+        functions.insert(text.substr(0, text.find(':')));
     }
+    return functions;
+}
+
+// Functions of a header that can fail.
+std::set<std::string> declared(const std::string& header) {
+    std::ifstream stream(PLAIT_SOURCE_DIR "/include/plait/" + header);
+    std::stringstream text;
+    text << stream.rdbuf();
+    const std::string all = text.str();
+    const std::regex declaration("PLAIT_API\\s+plait_result\\s+(\\w+)\\(");
+    std::set<std::string> names;
+    for (std::sregex_iterator i(all.begin(), all.end(), declaration), end; i != end; ++i)
+        names.insert((*i)[1]);
+    EXPECT_GT(names.size(), 1u) << header;
+    return names;
 }
 
 // A value that C can put into an enum and C++ cannot.
@@ -95,7 +122,8 @@ TEST(Arguments, NullPointers) {
     const auto roots = plait_roots_defaults();
     const auto collider = plait_collider_desc_defaults();
     const plait_pose pose = collider.pose;
-    expect_refused({
+    const auto fibre = plait_fibre_defaults();
+    const auto refused = expect_refused({
         {"count is NULL", [](O&) { return plait_devices_list(nullptr, nullptr); }},
         {"out is NULL", [&](O&) { return plait_context_create(&context, nullptr); }},
         {"context is NULL", [](O&) { return plait_context_describe(nullptr, nullptr); }},
@@ -152,10 +180,52 @@ TEST(Arguments, NullPointers) {
         {"sim is NULL", [&](O&) { return plait_collider_set_pose(nullptr, {1}, &pose); }},
         {"pose is NULL", [](O& o) { return plait_collider_set_pose(o.sim, {1}, nullptr); }},
         {"sim is NULL", [](O&) { return plait_collider_destroy(nullptr, {1}); }},
+        {"count is NULL", [](O&) { return plait_params_list(nullptr, nullptr); }},
+        {"params is NULL", [&](O&) { return plait_sim_params_set_fibre(nullptr, &fibre); }},
+        {"fibre is NULL",
+         [](O&) {
+             auto into = plait_sim_params_defaults();
+             return plait_sim_params_set_fibre(&into, nullptr);
+         }},
+        {"sim is NULL", [](O&) { return plait_sim_set_models(nullptr, nullptr, 0); }},
+        {"models is NULL", [](O& o) { return plait_sim_set_models(o.sim, nullptr, 2); }},
+        {"sim is NULL", [](O& o) { return plait_sim_get_models(nullptr, nullptr, &o.size); }},
+        {"count is NULL", [](O& o) { return plait_sim_get_models(o.sim, nullptr, nullptr); }},
         {"api is NULL", [](O&) { return plait_backend_register(nullptr); }},
         {"path is NULL", [](O&) { return plait_backend_load(nullptr); }},
     });
+    auto functions = declared("plait.h");
+    functions.merge(declared("plait_backend.h"));
+    EXPECT_EQ(refused, functions) << "a function has no row above";
 }
+
+#ifdef PLAIT_TEST_OPENCL
+TEST(Arguments, NullPointersOfInterop) {
+    using O = Objects;
+    const plait_opencl_handles none{};
+    const auto refused = expect_refused({
+        {"handles is NULL",
+         [](O& o) { return plait_opencl_context_create(nullptr, nullptr, &o.no_context); }},
+        {"out is NULL", [&](O&) { return plait_opencl_context_create(&none, nullptr, nullptr); }},
+        {"must all be set",
+         [&](O& o) { return plait_opencl_context_create(&none, nullptr, &o.no_context); }},
+        {"sim is NULL",
+         [](O&) {
+             cl_mem memory = nullptr;
+             return plait_opencl_sim_field(nullptr, PLAIT_FIELD_POSITION, &memory);
+         }},
+        {"out is NULL",
+         [](O& o) { return plait_opencl_sim_field(o.sim, PLAIT_FIELD_POSITION, nullptr); }},
+        {"context is NULL",
+         [](O&) {
+             cl_command_queue queue = nullptr;
+             return plait_opencl_context_queue(nullptr, &queue);
+         }},
+        {"out is NULL", [](O& o) { return plait_opencl_context_queue(o.context, nullptr); }},
+    });
+    EXPECT_EQ(refused, declared("plait_opencl.h")) << "a function has no row above";
+}
+#endif
 
 TEST(Arguments, DestroyingNothingDoesNothing) {
     plait_context_destroy(nullptr);
@@ -343,6 +413,12 @@ TEST(Arguments, TheRest) {
          [](O& o) {
              auto desc = plait_context_desc_defaults();
              desc.profile = 2;
+             return plait_context_create(&desc, &o.no_context);
+         }},
+        {"desc->lanes is 3; it is 1, 4, 8, 16 or 0",
+         [](O& o) {
+             auto desc = plait_context_desc_defaults(); // of no backend: none is passed over
+             desc.lanes = 3;
              return plait_context_create(&desc, &o.no_context);
          }},
         {"stage_sources is NULL",

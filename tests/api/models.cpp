@@ -86,11 +86,17 @@ TEST_P(Models, AreThatOfTheSimUntilTheyAreSet) {
     sim.set_params(sim.params());
     run(sim, 2);
     EXPECT_EQ(sim.models(), models);
-    plait_model first{};
-    size_t count = 1;
-    ASSERT_EQ(plait_sim_get_models(sim, &first, &count), PLAIT_OK);
-    EXPECT_EQ(count, 1u);
-    EXPECT_EQ(first, rod);
+    std::vector<plait_model> got(5, PLAIT_MODEL_TRESSFX);
+    size_t count = 3;
+    EXPECT_EQ(plait_sim_get_models(sim, got.data(), &count), PLAIT_INVALID_ARGUMENT);
+    EXPECT_NE(std::string(plait_last_error()).find("*count is 3, the sim has 4 guides"),
+              std::string::npos)
+        << plait_last_error();
+    EXPECT_EQ(got, std::vector<plait_model>(5, PLAIT_MODEL_TRESSFX));
+    count = 5;
+    ASSERT_EQ(plait_sim_get_models(sim, got.data(), &count), PLAIT_OK);
+    EXPECT_EQ(count, 4u);
+    EXPECT_EQ(got, (std::vector<plait_model>{rod, chain, cosserat, chain, PLAIT_MODEL_TRESSFX}));
 }
 
 TEST_P(Models, ThatCannotBeAreRefusedByStrandValueAndRange) {
