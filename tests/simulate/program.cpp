@@ -130,6 +130,30 @@ TEST_F(Program, ends_well_on_interrupt) {
     EXPECT_EQ(std::filesystem::file_size(path("a.cache")), header + frames * frame);
 }
 
+// A machine without any OpenCL platform; the reference is always there.
+class WithoutOpenCl : public Program {
+  protected:
+    void SetUp() override {
+        Program::SetUp();
+        setenv("OCL_ICD_VENDORS", "/nonexistent", 1);
+        unsetenv("OCL_ICD_FILENAMES");
+    }
+};
+
+TEST_F(WithoutOpenCl, says_so_where_it_is_asked_for) {
+    EXPECT_EQ(run({"--backend", "opencl", "--strands", "5", "--out", path("out")}), 1);
+    EXPECT_THAT(text(), HasSubstr("no device of backend \"opencl\"; there are: reference: "));
+    EXPECT_FALSE(std::filesystem::exists(path("out/stats.json")));
+}
+
+TEST_F(WithoutOpenCl, lists_and_runs_on_the_reference) {
+    EXPECT_EQ(run({"--list-devices"}), 0);
+    EXPECT_THAT(text(), HasSubstr("reference"));
+    EXPECT_EQ(run({"--strands", "5", "--seconds", "0.1", "--no-pictures", "--out", path("out")}),
+              0);
+    EXPECT_EQ(json("out/stats.json").at("device"), "one CPU thread");
+}
+
 TEST_F(Program, names_what_is_wrong) {
     EXPECT_EQ(run({"--strands", "0", "--out", path("out")}), 1);
     EXPECT_THAT(text(), HasSubstr("command line: strands is 0"));
