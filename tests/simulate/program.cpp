@@ -130,6 +130,60 @@ TEST_F(Program, ends_well_on_interrupt) {
     EXPECT_EQ(std::filesystem::file_size(path("a.cache")), header + frames * frame);
 }
 
+// Width and height if `bytes` are a PNG that is whole: chunk after chunk up to IEND, and no more.
+std::pair<uint32_t, uint32_t> size_of_png(const std::string& bytes) {
+    const auto number = [&](size_t at) {
+        uint32_t value = 0;
+        for (size_t i = at; i < at + 4; ++i)
+            value = value << 8 | static_cast<unsigned char>(bytes.at(i));
+        return value;
+    };
+    if (bytes.size() < 24 || bytes.compare(0, 8, "\x89PNG\r\n\x1a\n") != 0)
+        return {};
+    size_t at = 8, pixels = 0;
+    std::string type;
+    for (; at + 12 <= bytes.size() && type != "IEND"; at += size_t{12} + number(at)) {
+        type = bytes.substr(at + 4, 4);
+        pixels += type == "IDAT" ? number(at) : 0;
+    }
+    if (type != "IEND" || at != bytes.size() || pixels == 0)
+        return {};
+    return {number(16), number(20)};
+}
+
+TEST_F(Program, leaves_the_sheet_of_what_there_is_on_interrupt) {
+    const std::string scene = write("scene.json", R"({"strands": 20, "seconds": 60,
+        "picture": {"width": 40, "height": 50, "samples": 1, "video": false, "cells": 64}})");
+    const pid_t pid = start({"--scene", scene, "--out", path("out"), "--cache", path("a.cache")});
+    const uintmax_t header = 32 + 4 * 20, frame = 4 * (7 + 3 * 20 * 16);
+    const auto drawn = [&] { // two of the 64 pictures of 3600 frames
+        std::error_code error;
+        const uintmax_t size = std::filesystem::file_size(path("a.cache"), error);
+        return !error && size >= header + 130 * frame;
+    };
+    bool over = false;
+    while (!drawn() && !over) {
+        over = waitpid(pid, nullptr, WNOHANG) != 0;
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    ASSERT_FALSE(over) << text();
+    kill(pid, SIGINT);
+    ASSERT_EQ(wait_for(pid), 0) << text();
+    const Json stats = json("out/stats.json");
+    ASSERT_TRUE(stats.is_object()) << text();
+    EXPECT_EQ(stats.at("interrupted"), true);
+    EXPECT_LT(stats.at("frames").get<uint32_t>(), 3600u);
+    if (text().find("without pictures") != std::string::npos)
+        GTEST_SKIP() << text();
+    std::ifstream stream(path("out/sheet.png"), std::ios::binary);
+    const std::string sheet{std::istreambuf_iterator<char>(stream), {}};
+    const auto [width, height] = size_of_png(sheet);
+    EXPECT_GE(width, 2 * 40u) << text();
+    EXPECT_GE(height, 50u);
+    EXPECT_THAT(text(), HasSubstr("sheet.png"));
+    EXPECT_FALSE(std::filesystem::exists(path("out/ab.png"))) << "nothing was compared";
+}
+
 // A machine without any OpenCL platform; the reference is always there.
 class WithoutOpenCl : public Program {
   protected:
