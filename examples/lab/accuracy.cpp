@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <limits>
+#include <map>
 
 namespace lab {
 
@@ -117,10 +118,12 @@ class Runner {
             run_.results.push_back(result);
             return;
         }
+        if (row.over)
+            scenes.push_back(scene_of(row, *row.over));
         for (const RowScene& scene : scenes)
             result.fingerprint += scene.fingerprint.substr(0, row.spread ? 6 : 16);
         const Measure measure = row.spread ? spread_measure(row) : scenes[0].scene.measures[0];
-        result.unit = row.spread ? "L" : metric_unit(measure.metric);
+        result.unit = row.spread ? "L" : row.over ? "" : metric_unit(measure.metric);
         if (const Result* known = results_.find(result.key())) {
             run_.results.push_back(*known);
             return;
@@ -128,7 +131,9 @@ class Runner {
         const auto start = std::chrono::steady_clock::now();
         Value value;
         try {
-            value = row.spread ? spread(scenes, method) : measured(scenes[0].scene, method);
+            value = row.spread ? spread(scenes, method)
+                    : row.over ? ratio(scenes[0], scenes[1], method)
+                               : measured(scenes[0].scene, method);
         } catch (const Failure& failure) { // a result, too
             value = {std::numeric_limits<double>::quiet_NaN(), failure.what()};
         }
@@ -167,6 +172,22 @@ class Runner {
         return evaluate(scene, method, recording, scene.measures[0]);
     }
 
+    // Over what is measured in another scene, which is run once for all variants; less 1.
+    Value ratio(const RowScene& scene, const RowScene& over, const Method& method) {
+        const auto key = over.fingerprint + method.label();
+        if (over_.count(key) == 0) {
+            const Value value = measured(over.scene, method);
+            if (interrupted())
+                return {};
+            over_[key] = value;
+        }
+        const Value& divisor = over_[key];
+        if (std::isnan(divisor.value))
+            return {divisor.value, divisor.note + ", nor where it is compared with"};
+        const Value value = measured(scene.scene, method);
+        return {value.value / divisor.value - 1, value.note};
+    }
+
     // The largest distance between any two variants' shapes, in lengths.
     Value spread(const std::vector<RowScene>& scenes, const Method& method) {
         std::vector<std::vector<Vec3>> shapes;
@@ -187,6 +208,7 @@ class Runner {
     Contexts contexts_;
     Results results_;
     AccuracyRun& run_;
+    std::map<std::string, Value> over_; // by fingerprint and method
 };
 
 } // namespace

@@ -76,10 +76,15 @@ std::vector<double> first_mode(const MetricInput& in) {
     return signal;
 }
 
+Value frequency(const MetricInput& in) {
+    const Swing swing = fit_swing(first_mode(in), 1 / in.scene.rate);
+    return swing.frequency > 0 ? Value{swing.frequency, ""} : none("does not swing");
+}
+
 Value frequency_error(const MetricInput& in) {
     const double expected = hanging(in).frequencies(in.scene.gravity.norm())[0];
-    const Swing swing = fit_swing(first_mode(in), 1 / in.scene.rate);
-    return swing.frequency > 0 ? Value{swing.frequency / expected - 1, ""} : none("does not swing");
+    const Value found = frequency(in);
+    return {found.value / expected - 1, found.note};
 }
 
 Value damping_ratio(const MetricInput& in) {
@@ -200,6 +205,7 @@ constexpr Metric metrics[] = {
     {"strain_max", "", strain_max},
     {"strain_rest", "", strain_rest},
     {"jitter", "L/frame", jitter},
+    {"frequency", "rad/s", frequency},
     {"frequency_error", "", frequency_error},
     {"damping_ratio", "", damping_ratio},
     {"energy_rise", "m g L", energy_rise},

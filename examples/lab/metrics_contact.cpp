@@ -82,8 +82,8 @@ double cut(const SceneCollider& collider, double time, const std::vector<Vec3>& 
     double worst = -1e9;
     for (size_t i = 1; i < x.size(); ++i)
         for (int k = 1; k <= on_edge; ++k)
-            worst = std::max(worst, depth(collider.shape, pose,
-                                          x[i - 1] + (x[i] - x[i - 1]) * k / on_edge));
+            worst = std::max(
+                worst, depth(collider.shape, pose, x[i - 1] + (x[i] - x[i - 1]) * k / on_edge));
     return worst;
 }
 
@@ -119,8 +119,8 @@ Value passed_through(const MetricInput& in) {
     const double radius = static_cast<double>(collider.shape.radius_a);
     size_t passed = 0;
     for (const auto& x : last.x)
-        passed += (x.back() - to * centre).dot(way) <= 0 ||
-                  cut(collider, last.time, x) > 0.25 * radius;
+        passed +=
+            (x.back() - to * centre).dot(way) <= 0 || cut(collider, last.time, x) > 0.25 * radius;
     return {static_cast<double>(passed) / static_cast<double>(last.x.size()), ""};
 }
 

@@ -74,6 +74,10 @@ Row read_row(JsonReader in, const std::filesystem::path& folder) {
     if (const Json* measure = in.value("measure"))
         row.measure = *measure;
     in.flag("spread", row.spread);
+    if (const Json* over = in.value("over"))
+        row.over = read_variant(in.object(*over, "over"));
+    if (row.over && row.spread)
+        in.fail("over", "is given beside spread, which is one number of all variants");
     in.finish();
     return row;
 }

@@ -6,7 +6,7 @@
 #include "scene.hpp"
 
 #include <functional>
-
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +24,7 @@ struct Row {
     Json measure;        // as in a scene
     bool spread = false; // one number of all variants: how far their resting shapes differ
     std::vector<std::string> needs;
+    std::optional<Variant> over = {}; // what is measured counts over the same there, less 1
 };
 
 // "" or why the model cannot do the row: it lacks what the row needs.

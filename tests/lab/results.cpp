@@ -114,6 +114,28 @@ TEST_F(LabAccuracy, baselines_cannot_do_rows_with_colliders) {
     EXPECT_EQ(results[5].note, "knows no colliders");
 }
 
+// A chain falls as fast with thrice the mass, and four times as far in twice the time.
+TEST_F(LabAccuracy, rows_may_be_over_what_the_model_has_elsewhere) {
+    lab::AccuracyOptions options;
+    write("s.json", R"({"strand": {"segments": 3}, "duration": 0.05, "rate": 240, "drag": 0})");
+    options.table = write("rows.json", R"({"rows": [{"row": "1", "scene": "s.json",
+        "measure": {"metric": "drop", "pass": 0.01}, "over": {"name": "here"}, "vary": [
+        {"name": "heavy", "set": {"material": {"line_density": 1.5e-5}}},
+        {"name": "long", "set": {"duration": 0.1}}]}]})");
+    options.models = {"chain"};
+    options.out = path("out");
+    const auto results = run_accuracy(options).results;
+    ASSERT_EQ(results.size(), 4u);
+    EXPECT_NEAR(results[0].value, 0, 1e-5);
+    EXPECT_EQ(results[0].verdict, "pass");
+    EXPECT_NEAR(results[2].value, 3, 0.5);
+    EXPECT_EQ(results[2].verdict, "MISS");
+    write("s.json", R"({"strand": {"segments": 3}, "measure": []})");
+    write("rows.json", R"({"rows": [{"row": "1", "scene": "s.json", "spread": true,
+        "over": {"name": "here"}, "measure": {"pass": 1}}]})");
+    EXPECT_THROW(run_accuracy(options), lab::Failure);
+}
+
 TEST_F(LabAccuracy, a_changed_scene_is_measured_again) {
     run();
     write("s.json", "{}");
