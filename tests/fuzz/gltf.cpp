@@ -1,6 +1,5 @@
-// .glb by its first four bytes, else .gltf. A few bytes can ask for an array of any size, and
-// assimp does: what is too large is refused here as a machine without the memory would refuse it,
-// which the reader must survive.
+// .glb by its first four bytes, else .gltf. For a line strip of no vertices assimp asks for 64 GiB:
+// what is too large is refused here as by a machine that has not so much.
 #include "fuzz.hpp"
 
 #include <cstring>
@@ -40,7 +39,8 @@ int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
         auto strands = read_polylines(fuzz::bytes_of(data, size), binary ? "glb" : "gltf", {});
         if (strands) // a node of a few bytes places a whole mesh once more
             fuzz::demand_whole(*strands, SIZE_MAX);
-    } catch (const std::bad_alloc&) { // PLAIT_OUT_OF_MEMORY at the C face
+    } catch (const std::bad_alloc&) {
+        // one that assimp let through; the C face makes it PLAIT_OUT_OF_MEMORY
     }
     return 0;
 }
