@@ -1,5 +1,6 @@
 #include "metrics.hpp"
 
+#include "elastic.hpp"
 #include "metrics_input.hpp"
 #include "modes.hpp"
 
@@ -94,29 +95,22 @@ Value damping_ratio(const MetricInput& in) {
 
 // ---- energy
 
-// Kinetic, of weight, of stretch and of bending, J. Shear and twist, which positions do not show,
-// are left out: all of it is positive, so what is found to rise has risen.
+// Kinetic, of weight and elastic, J.
 double energy(const MetricInput& in, const Frame& frame) {
     const auto& x = in.x(frame);
     const auto& v = frame.v[in.measure.strand];
-    const auto lengths = in.strand().segment_lengths();
     const auto mass = masses_of(in.scene, *in.method.model, in.strand());
-    const double EA = stretch_stiffness(in.scene, in.length());
-    const bool elastic = in.method.model->bends && in.method.model->twists;
     double sum = 0;
-    for (size_t i = 1; i < x.size(); ++i) {
+    for (size_t i = 1; i < x.size(); ++i)
         sum += mass[i] * (0.5 * v[i].squaredNorm() - in.scene.gravity.dot(x[i] - x[0]));
-        const double strain = (x[i] - x[i - 1]).norm() / lengths[i - 1] - 1;
-        sum += elastic ? 0.5 * EA * lengths[i - 1] * strain * strain : 0;
-    }
+    if (!in.method.model->bends || !in.method.model->twists)
+        return sum;
     const bool straight = in.strand().curvature == 0 && in.strand().points.empty();
-    for (size_t i = 1; elastic && straight && i + 1 < x.size(); ++i) {
-        const Vec3 a = (x[i] - x[i - 1]).normalized(), b = (x[i + 1] - x[i]).normalized();
-        const double turn = std::atan2(a.cross(b).norm(), a.dot(b));
-        const double l = 0.5 * (lengths[i - 1] + lengths[i]);
-        sum += 4 * in.scene.material.bend_stiffness / l * (1 - std::cos(0.5 * turn));
-    }
-    return sum;
+    const auto& rest = in.recording.rest[in.measure.strand];
+    const ElasticStrand strand{
+        in.strand().segment_lengths(), stretch_stiffness(in.scene, in.length()),
+        straight ? in.scene.material.bend_stiffness : 0, (rest[1] - rest[0]).normalized()};
+    return sum + least_elastic_energy(strand, x);
 }
 
 Value energy_rise(const MetricInput& in) {

@@ -1,5 +1,6 @@
 // The laboratory's own arithmetic, against closed forms and reference tables.
 #include "metrics.hpp"
+#include "elastic.hpp"
 #include "modes.hpp"
 #include "statics.hpp"
 #include "table.hpp"
@@ -214,6 +215,40 @@ TEST_F(LabRecording, what_a_collider_came_through_is_not_ahead_of_it) {
     EXPECT_EQ(ends(0.3, 1), 1);   // half way through
     EXPECT_EQ(ends(-1, -0.1), 1); // left behind
     EXPECT_EQ(ends(-0.4, 2), 1);  // an edge through it
+}
+
+// A level rod of two segments of 1 m, bent by 90 degrees at its middle.
+lab::ElasticStrand rod(double EA, double EI) {
+    return {{1, 1}, EA, EI, Vec3(1, 0, 0)};
+}
+const std::vector<Vec3> corner{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 1, 0)};
+
+TEST(LabElastic, is_of_bending_alone_where_nothing_shears) {
+    const double bend = 4 * (1 - std::cos(lab::pi / 4)); // 4 EI/lbar (1 - cos(angle/2))
+    EXPECT_NEAR(least_elastic_energy(rod(1e9, 1), corner), bend, 1e-6);
+    EXPECT_NEAR(least_elastic_energy(rod(3, 0), {Vec3(0, 0, 0), Vec3(1.1, 0, 0), Vec3(1.1, 1, 0)}),
+                0.5 * 3 * 0.01, 1e-12);
+    EXPECT_EQ(least_elastic_energy(rod(1, 1), {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(2, 0, 0)}), 0);
+}
+
+// Soft against shear, segments lean off their edges: no turns in a plane have less, searched.
+TEST(LabElastic, is_the_least_that_any_turns_give) {
+    for (const double EA : {0.1, 1.0, 10.0}) {
+        const lab::ElasticStrand s = rod(EA, 1);
+        double least = 1e9;
+        for (int i = -300; i <= 900; ++i)
+            for (int k = -300; k <= 900; ++k) {
+                const double a = i * lab::pi / 1800, b = k * lab::pi / 1800;
+                const Vec3 t(std::cos(a), std::sin(a), 0), u(std::cos(b), std::sin(b), 0);
+                least = std::min(least, 0.5 * EA *
+                                                ((t - Vec3(1, 0, 0)).squaredNorm() +
+                                                 (u - Vec3(0, 1, 0)).squaredNorm()) +
+                                            8 * (1 - std::cos(a / 2)) +
+                                            4 * (1 - std::cos((b - a) / 2)));
+            }
+        EXPECT_NEAR(least_elastic_energy(s, corner), least, 1e-4 * least) << "EA " << EA;
+        EXPECT_LT(least, 0.99 * 4 * (1 - std::cos(lab::pi / 4)));
+    }
 }
 
 TEST_F(LabRecording, nothing_is_said_of_what_is_not_finite) {
