@@ -9,7 +9,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 #include <limits>
 #include <map>
 
@@ -19,24 +18,19 @@ namespace {
 
 constexpr const char* all_variants = "all";
 
-bool wanted(const std::vector<std::string>& list, const std::string& name) {
-    return list.empty() || std::find(list.begin(), list.end(), name) != list.end();
-}
-
 std::vector<Row> choose(const AccuracyOptions& options) {
     const std::string table =
         options.table.empty() ? std::string(PLAIT_LAB_SCENES) + "/accuracy.json" : options.table;
     std::vector<Row> rows = read_rows(table);
-    std::vector<std::string> known;
-    for (const Row& row : rows)
+    std::vector<std::string> known, scenes;
+    for (const Row& row : rows) {
         known.push_back(row.id);
-    for (const std::string& row : options.rows)
-        if (!wanted(known, row) || known.empty())
-            throw Failure("--rows: \"" + row + "\" is no row of " + table + "; the nearest is \"" +
-                          std::string(nearest(row, known)) + "\"");
+        scenes.push_back(row.scene);
+    }
+    check_known("--rows", options.rows, known);
+    check_scenes(options.scenes, scenes);
     std::erase_if(rows, [&](const Row& row) {
-        const std::string scene = std::filesystem::path(row.scene).stem().string();
-        return !wanted(options.rows, row.id) || !wanted(options.scenes, scene);
+        return !wanted(options.rows, row.id) || !wanted_scene(options.scenes, row.scene);
     });
     return rows;
 }
@@ -214,10 +208,7 @@ class Runner {
 } // namespace
 
 std::vector<const Model*> models_of(const std::vector<std::string>& labels, bool baselines) {
-    for (const std::string& label : labels)
-        if (!find_model(label))
-            throw Failure("--models: \"" + label + "\" is no known model; the nearest is \"" +
-                          std::string(nearest(label, model_labels())) + "\"");
+    check_known("--models", labels, model_labels());
     std::vector<const Model*> chosen;
     for (const Model& model : models())
         if (wanted(labels, model.label) && (!labels.empty() || !model.baseline() || baselines))

@@ -1,16 +1,17 @@
 // The accuracy table: every row by every method, on one device.
 #pragma once
 
+#include "choice.hpp"
 #include "results.hpp"
 #include "rows.hpp"
 
 namespace lab {
 
-struct AccuracyOptions {
-    std::string table;                             // accuracy.json; "": the one of the sources
-    std::vector<std::string> models, rows, scenes; // empty: all
-    std::string device, backend, out = "out/lab";
-    bool fresh = false, all_settings = false, baselines = false;
+struct AccuracyOptions : Choice {
+    std::string table;             // accuracy.json; "": the one of the sources
+    std::vector<std::string> rows; // empty: all
+    std::string device, backend;
+    bool all_settings = false, baselines = false;
 };
 
 struct AccuracyRun {

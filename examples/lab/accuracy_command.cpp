@@ -13,8 +13,7 @@ namespace {
 struct Options {
     AccuracyOptions run;
     DeviceOptions device;
-    bool json = false;
-    std::string csv;
+    Print print;
 };
 
 Exit run(Options options) {
@@ -24,8 +23,10 @@ Exit run(Options options) {
     Json all = Json::array();
     for (const Result& result : done.results)
         all.push_back(to_json(result));
-    if (options.json)
+    if (options.print.json)
         std::cout << all.dump(2) << '\n';
+    else if (options.print.csv)
+        std::cout << csv_of(done.results);
     else
         std::cout << accuracy_text(done) << "wrote " << options.run.out << "/accuracy.csv\n";
     write_text(accuracy_markdown(done), options.run.out + "/accuracy.md");
@@ -37,18 +38,14 @@ Exit run(Options options) {
 void add_accuracy(CLI::App& app, Command& chosen) {
     auto options = std::make_shared<Options>();
     CLI::App* command = app.add_subcommand("accuracy", "every row of the accuracy table");
-    command->add_option("--models", options->run.models, "only these")->delimiter(',');
     command->add_option("--rows", options->run.rows, "only these, say 1,4,18")->delimiter(',');
-    command->add_option("--scenes", options->run.scenes, "only rows of these scenes")
-        ->delimiter(',');
     command->add_option("--table", options->run.table, "the rows [assets/lab/accuracy.json]");
-    command->add_option("--out", options->run.out, "folder of accuracy.csv, taken up again")
-        ->capture_default_str();
-    command->add_flag("--fresh", options->run.fresh, "measure again what is there");
     command->add_flag("--baselines", options->run.baselines, "the baselines, too");
     command->add_flag("--all-settings", options->run.all_settings,
                       "all settings of a model, not only for real time and for quality");
-    command->add_flag("--json", options->json, "print JSON instead of a table");
+    add_choice(*command, options->run);
+    add_scenes(*command, options->run);
+    add_print(*command, options->print);
     add_device_options(*command, options->device);
     command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }

@@ -1,5 +1,4 @@
-// plait-lab features, and plait-lab all: the table, the figures, the features, stability, and a
-// page of them.
+// plait-lab all: the table, the figures, the features, stability, and a page of them.
 #include "commands.hpp"
 #include "page.hpp"
 
@@ -17,17 +16,17 @@ struct Options {
     ChartOptions charts;
     FeatureOptions features;
     DeviceOptions device;
-    std::string out = "out/lab", write;
-    bool fresh = false;
+    Choice choice;
+    std::string write;
 };
 
 stability::SweepOptions stability_options(const Options& o) {
     stability::SweepOptions sweep;
     sweep.models.clear();
-    for (const Model* model : models_of(o.accuracy.models, true))
+    for (const Model* model : models_of(o.choice.models, true))
         sweep.models.push_back(model->label);
-    sweep.out = o.out;
-    sweep.fresh = o.fresh;
+    sweep.out = o.choice.out;
+    sweep.fresh = o.choice.fresh;
     sweep.few_baselines = true;
     return sweep;
 }
@@ -43,7 +42,7 @@ Page measure_all(const Options& o) {
         std::printf("wrote %s\n", file.c_str());
     if (!interrupted()) {
         Contexts contexts(o.device.backend, o.device.device);
-        page.grid = grid::run_grid(contexts, o.out, o.charts.costs);
+        page.grid = grid::run_grid(contexts, o.choice.out, o.charts.costs);
         std::cout << grid::rows_text(page.grid.rows);
     }
     if (!interrupted())
@@ -63,50 +62,27 @@ Page measure_all(const Options& o) {
 Exit run_all(Options o) {
     o.accuracy.device = o.charts.device = o.features.device = o.device.device;
     o.accuracy.backend = o.charts.backend = o.features.backend = o.device.backend;
-    o.accuracy.out = o.charts.out = o.out;
-    o.accuracy.fresh = o.charts.fresh = o.fresh;
-    o.charts.models = o.accuracy.models;
+    for (Choice* choice : {static_cast<Choice*>(&o.accuracy), static_cast<Choice*>(&o.charts),
+                           static_cast<Choice*>(&o.features)})
+        *choice = o.choice;
     const Page page = measure_all(o);
     if (o.write.empty())
         return Exit::ok;
     if (interrupted())
         throw Failure(
             "interrupted: no page is written of half a run; the same command takes it up");
-    for (const std::string& file : write_page(o.write, page, o.out))
+    for (const std::string& file : write_page(o.write, page, o.choice.out))
         std::printf("wrote %s\n", file.c_str());
-    return Exit::ok;
-}
-
-Exit run_features_command(FeatureOptions options, const DeviceOptions& device) {
-    options.device = device.device;
-    options.backend = device.backend;
-    std::cout << features_text(run_features(options));
     return Exit::ok;
 }
 
 } // namespace
 
-void add_features(CLI::App& app, Command& chosen) {
-    auto options = std::make_shared<FeatureOptions>();
-    auto device = std::make_shared<DeviceOptions>();
-    CLI::App* command = app.add_subcommand("features", "what each feature costs, and does");
-    command->add_option("--features", options->features, "only these")->delimiter(',');
-    command->add_option("--table", options->table, "the features [assets/lab/features.json]");
-    add_cost_options(*command, options->costs);
-    add_device_options(*command, *device);
-    command->callback([options, device, &chosen] {
-        chosen = [options, device] { return run_features_command(*options, *device); };
-    });
-}
-
 void add_all(CLI::App& app, Command& chosen) {
     auto options = std::make_shared<Options>();
     CLI::App* command = app.add_subcommand("all", "accuracy, chart, features and stability");
-    command->add_option("--models", options->accuracy.models, "only these")->delimiter(',');
-    command->add_option("--out", options->out, "folder of the results, taken up again")
-        ->capture_default_str();
+    add_choice(*command, options->choice);
     command->add_option("--write", options->write, "also write a page of results into this folder");
-    command->add_flag("--fresh", options->fresh, "measure again what is there");
     add_cost_options(*command, options->charts.costs);
     add_device_options(*command, options->device);
     command->callback([options, &chosen] { chosen = [options] { return run_all(*options); }; });

@@ -20,10 +20,6 @@ namespace {
 
 const double nan = std::numeric_limits<double>::quiet_NaN();
 
-bool wanted(const std::vector<std::string>& list, const std::string& name) {
-    return list.empty() || std::find(list.begin(), list.end(), name) != list.end();
-}
-
 // "rod 4x2 BDF2", or "verlet auto": with as many substeps as it needs.
 Method read_method(JsonReader& in, const Json& text) {
     const std::string method = text.is_string() ? text.get<std::string>() : text.dump();
@@ -276,15 +272,17 @@ std::vector<Family> read_families(const std::string& file) {
 ChartRun run_charts(const ChartOptions& options) {
     auto families = read_families(
         options.table.empty() ? std::string(PLAIT_LAB_SCENES) + "/charts.json" : options.table);
-    std::vector<std::string> known;
-    for (const Family& family : families)
+    std::vector<std::string> known, scenes;
+    for (const Family& family : families) {
         known.push_back(family.name);
-    for (const std::string& name : options.families)
-        if (!wanted(known, name))
-            throw Failure("--families: \"" + name + "\" is none; the nearest is \"" +
-                          std::string(nearest(name, known)) + "\"");
-    std::erase_if(families,
-                  [&](const Family& family) { return !wanted(options.families, family.name); });
+        scenes.push_back(family.scene);
+    }
+    check_known("--families", options.families, known);
+    check_scenes(options.scenes, scenes);
+    std::erase_if(families, [&](const Family& family) {
+        return !wanted(options.families, family.name) ||
+               !wanted_scene(options.scenes, family.scene);
+    });
     ChartRun run;
     Runner(options, run).all(families, models_of(options.models, true));
     for (const Chart& chart : run.charts) {
@@ -367,25 +365,76 @@ Figure figure_of(const Chart& chart, const plait_device_info& device) {
     return figure;
 }
 
+namespace {
+
+constexpr const char* csv_head =
+    "model,baseline,segments,substeps,iterations,bdf2,error_rms_over_L,class,"
+    "ms_per_frame_per_million,ms_per_frame_per_100k_strands,kernel_ns_per_vertex,"
+    "strands_at_60_hz,floor_over_L,vertices,steps\n";
+
+std::string csv_line(const Chart& chart, const ChartPoint& p) {
+    char line[320];
+    const Setting& s = p.method.setting;
+    std::snprintf(line, sizeof line, "%s,%d,%u,%u,%u,%d,%.6g,%c,%.6g,%.6g,%.6g,%.6g,%.6g,%llu,%u\n",
+                  p.method.model->label.c_str(), p.method.model->baseline(), p.segments, s.substeps,
+                  s.iterations, s.bdf2, p.error, p.letter ? p.letter : '.', p.cost.ms_per_frame(),
+                  p.ms_per_100k_strands(),
+                  1e9 * p.cost.kernel / static_cast<double>(p.cost.vertices),
+                  p.cost.strands_at_60_hz(p.segments + 1), chart.floor,
+                  static_cast<unsigned long long>(p.cost.vertices), p.cost.runs);
+    return line;
+}
+
+Json to_json(const ChartPoint& p) {
+    return {{"model", p.method.model->label},
+            {"baseline", p.method.model->baseline()},
+            {"segments", p.segments},
+            {"substeps", p.method.setting.substeps},
+            {"iterations", p.method.setting.iterations},
+            {"bdf2", p.method.setting.bdf2},
+            {"error_rms_over_L", p.error}, // null when it is no number
+            {"class", std::string(1, p.letter ? p.letter : '.')},
+            {"ms_per_frame_per_million", p.cost.ms_per_frame()},
+            {"ms_per_frame_per_100k_strands", p.ms_per_100k_strands()},
+            {"vertices", p.cost.vertices},
+            {"steps", p.cost.runs}};
+}
+
+} // namespace
+
 std::string chart_csv(const Chart& chart, const plait_device_info& device) {
     std::string text =
         "# " + chart.family.title + "; " + device.name + "; driver " + device.driver + "\n";
-    text += "model,baseline,segments,substeps,iterations,bdf2,error_rms_over_L,class,"
-            "ms_per_frame_per_million,ms_per_frame_per_100k_strands,kernel_ns_per_vertex,"
-            "strands_at_60_hz,floor_over_L,vertices,steps\n";
-    for (const ChartPoint& p : chart.points) {
-        char line[320];
-        const Setting& s = p.method.setting;
-        std::snprintf(
-            line, sizeof line, "%s,%d,%u,%u,%u,%d,%.6g,%c,%.6g,%.6g,%.6g,%.6g,%.6g,%llu,%u\n",
-            p.method.model->label.c_str(), p.method.model->baseline(), p.segments, s.substeps,
-            s.iterations, s.bdf2, p.error, p.letter ? p.letter : '.', p.cost.ms_per_frame(),
-            p.ms_per_100k_strands(), 1e9 * p.cost.kernel / static_cast<double>(p.cost.vertices),
-            p.cost.strands_at_60_hz(p.segments + 1), chart.floor,
-            static_cast<unsigned long long>(p.cost.vertices), p.cost.runs);
-        text += line;
-    }
+    text += csv_head;
+    for (const ChartPoint& point : chart.points)
+        text += csv_line(chart, point);
     return text;
+}
+
+std::string charts_csv(const ChartRun& run) {
+    std::string text = std::string("figure,") + csv_head;
+    for (const Chart& chart : run.charts)
+        for (const ChartPoint& point : chart.points)
+            text += chart.family.name + "," + csv_line(chart, point);
+    return text;
+}
+
+Json to_json(const ChartRun& run) {
+    Json figures = Json::array();
+    for (const Chart& chart : run.charts) {
+        Json points = Json::array();
+        for (const ChartPoint& point : chart.points)
+            points.push_back(to_json(point));
+        figures.push_back({{"figure", chart.family.name},
+                           {"title", chart.family.title},
+                           {"floor_over_L", chart.floor},
+                           {"points", points},
+                           {"left_out", chart.left_out}});
+    }
+    return {{"device", run.device.name},
+            {"backend", run.device.backend},
+            {"driver", run.device.driver},
+            {"figures", figures}};
 }
 
 } // namespace lab

@@ -35,11 +35,10 @@ struct Chart {
     std::vector<std::string> left_out; // "chain: does not bend"
 };
 
-struct ChartOptions {
-    std::string table; // charts.json; "": the one of the sources
-    std::vector<std::string> models, families;
-    std::string device, backend, out = "out/lab";
-    bool fresh = false;
+struct ChartOptions : Choice {
+    std::string table;                 // charts.json; "": the one of the sources
+    std::vector<std::string> families; // empty: all
+    std::string device, backend;
     CostOptions costs{100000, 21, true, 2, 30e3};
 };
 
@@ -54,6 +53,8 @@ std::vector<Family> read_families(const std::string& file);
 ChartRun run_charts(const ChartOptions& options);
 
 std::string chart_csv(const Chart& chart, const plait_device_info& device);
+std::string charts_csv(const ChartRun& run); // all in one table
+Json to_json(const ChartRun& run);
 Figure figure_of(const Chart& chart, const plait_device_info& device);
 
 } // namespace lab

@@ -3,15 +3,19 @@
 #include "commands.hpp"
 
 #include <cstdio>
+#include <iostream>
 
 namespace lab {
 
 namespace {
 
-Exit run(ChartOptions options, const DeviceOptions& device) {
-    options.device = device.device;
-    options.backend = device.backend;
-    const ChartRun done = run_charts(options);
+struct Options {
+    ChartOptions run;
+    DeviceOptions device;
+    Print print;
+};
+
+void print_tables(const ChartRun& done) {
     for (const Chart& chart : done.charts) {
         std::printf("%s\n", chart.family.title.c_str());
         for (const Dot& dot : front_of(figure_of(chart, done.device)))
@@ -21,26 +25,34 @@ Exit run(ChartOptions options, const DeviceOptions& device) {
     }
     for (const std::string& file : done.files)
         std::printf("wrote %s\n", file.c_str());
+}
+
+Exit run(Options options) {
+    options.run.device = options.device.device;
+    options.run.backend = options.device.backend;
+    const ChartRun done = run_charts(options.run);
+    if (options.print.json)
+        std::cout << to_json(done).dump(2) << '\n';
+    else if (options.print.csv)
+        std::cout << charts_csv(done);
+    else
+        print_tables(done);
     return Exit::ok;
 }
 
 } // namespace
 
 void add_chart(CLI::App& app, Command& chosen) {
-    auto options = std::make_shared<ChartOptions>();
-    auto device = std::make_shared<DeviceOptions>();
+    auto options = std::make_shared<Options>();
     CLI::App* command = app.add_subcommand("chart", "cost against accuracy, drawn by gnuplot");
-    command->add_option("--models", options->models, "only these")->delimiter(',');
-    command->add_option("--families", options->families, "only these figures")->delimiter(',');
-    command->add_option("--table", options->table, "the figures [assets/lab/charts.json]");
-    command->add_option("--out", options->out, "folder of the figures and charts.csv")
-        ->capture_default_str();
-    command->add_flag("--fresh", options->fresh, "measure again what is there");
-    add_cost_options(*command, options->costs);
-    add_device_options(*command, *device);
-    command->callback([options, device, &chosen] {
-        chosen = [options, device] { return run(*options, *device); };
-    });
+    command->add_option("--families", options->run.families, "only these figures")->delimiter(',');
+    command->add_option("--table", options->run.table, "the figures [assets/lab/charts.json]");
+    add_choice(*command, options->run);
+    add_scenes(*command, options->run);
+    add_print(*command, options->print);
+    add_cost_options(*command, options->run.costs);
+    add_device_options(*command, options->device);
+    command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }
 
 } // namespace lab

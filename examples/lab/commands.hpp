@@ -1,7 +1,7 @@
 // The commands of plait-lab. Each is a file: it declares its options and runs them.
 #pragma once
 
-#include "common.hpp"
+#include "choice.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -25,6 +25,15 @@ struct DeviceOptions {
     std::string device, backend, tables;
 };
 void add_device_options(CLI::App& command, DeviceOptions& options);
+
+void add_choice(CLI::App& command, Choice& choice); // but the scenes
+void add_scenes(CLI::App& command, Choice& choice);
+
+// Printed instead of tables for people, if either.
+struct Print {
+    bool json = false, csv = false;
+};
+void add_print(CLI::App& command, Print& print);
 
 struct CostOptions;
 void add_cost_options(CLI::App& command, CostOptions& costs);

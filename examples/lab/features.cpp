@@ -1,15 +1,19 @@
 #include "features.hpp"
 
+#include "hash.hpp"
 #include "metrics.hpp"
 #include "report.hpp"
+#include "results.hpp"
 
 #include "common/progress.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <limits>
+#include <optional>
 
 namespace lab {
 
@@ -86,47 +90,149 @@ std::vector<Feature> read_features(const std::string& file) {
     return features;
 }
 
-FeatureRun run_features(const FeatureOptions& options) {
+namespace {
+
+// The five numbers of a feature, by the names they are kept under.
+struct Number {
+    const char* name;
+    double FeatureResult::*value;
+    bool cost; // depends on how it is timed
+};
+constexpr Number numbers[] = {
+    {"ms with", &FeatureResult::cost_with, true},
+    {"ms without", &FeatureResult::cost_without, true},
+    {"moved", &FeatureResult::moved, false},
+    {"error with", &FeatureResult::error_with, false},
+    {"error without", &FeatureResult::error_without, false},
+};
+
+// What is not in the results is measured and added to them.
+class Runner {
+  public:
+    explicit Runner(const FeatureOptions& options)
+        : options_(options), contexts_(options.backend, options.device),
+          results_(options.out + "/features.csv", options.fresh), device_(contexts_.device()) {}
+
+    const plait_device_info& device() const { return device_; }
+
+    // None where it was interrupted.
+    std::optional<FeatureResult> one(const Feature& feature) {
+        const Scene scene = read_scene(feature.scene, feature.with);
+        FeatureResult result;
+        result.feature = feature.name;
+        result.scene = scene.title;
+        result.model = method_of(scene).label();
+        if (take_up(feature, scene, result))
+            return result;
+        const auto start = std::chrono::steady_clock::now();
+        measure(feature, scene, result);
+        if (interrupted())
+            return {};
+        const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+        for (const Number& number : numbers) {
+            Result kept = blank(feature, scene, number);
+            kept.value = result.*number.value;
+            kept.unit = number.cost ? "ms" : "L";
+            kept.note = result.note;
+            kept.seconds = spent.count();
+            results_.add(kept);
+        }
+        return result;
+    }
+
+  private:
+    Result blank(const Feature& feature, const Scene& scene, const Number& number) const {
+        Result result;
+        result.row = feature.name;
+        result.variant = number.name;
+        if (number.cost)
+            result.variant += " " + std::to_string(options_.costs.vertices) + " x " +
+                              std::to_string(options_.costs.runs);
+        const Method method = method_of(scene);
+        result.model = method.model->label;
+        result.setting = method.setting.label();
+        result.device = device_.name;
+        result.backend = device_.backend;
+        result.driver = device_.driver;
+        result.fingerprint = fingerprint_of(feature);
+        return result;
+    }
+
+    static std::string fingerprint_of(const Feature& feature) {
+        Json both = Json::array();
+        for (const Json* overrides : {&feature.with, &feature.without}) {
+            Origin origin{feature.scene, Json::object(), {}};
+            both.push_back(read_json(origin));
+            both.back().merge_patch(*overrides);
+        }
+        return hash_of(both);
+    }
+
+    bool take_up(const Feature& feature, const Scene& scene, FeatureResult& result) const {
+        for (const Number& number : numbers) {
+            const Result* known = results_.find(blank(feature, scene, number).key());
+            if (!known)
+                return false;
+            result.*number.value = known->value;
+            result.note = known->note;
+        }
+        return true;
+    }
+
+    void measure(const Feature& feature, const Scene& scene, FeatureResult& result) {
+        try {
+            const Half with = run_half(contexts_, feature, feature.with, options_.costs);
+            const Half without = run_half(contexts_, feature, feature.without, options_.costs);
+            result.cost_with = with.cost;
+            result.cost_without = without.cost;
+            result.error_with = with.error;
+            result.error_without = without.error;
+            result.moved = difference(with.recording, without.recording, scene.length());
+        } catch (const Failure& failure) { // a result, too
+            result.note = failure.what();
+            for (const Number& number : numbers)
+                result.*number.value = nan;
+        }
+    }
+
+    const FeatureOptions& options_;
+    Contexts contexts_;
+    Results results_;
+    plait_device_info device_;
+};
+
+std::vector<Feature> choose(const FeatureOptions& options) {
     auto features = read_features(
         options.table.empty() ? std::string(PLAIT_LAB_SCENES) + "/features.json" : options.table);
-    std::vector<std::string> known;
-    for (const Feature& feature : features)
+    std::vector<std::string> known, scenes;
+    for (const Feature& feature : features) {
         known.push_back(feature.name);
-    for (const std::string& name : options.features)
-        if (std::find(known.begin(), known.end(), name) == known.end())
-            throw Failure("--features: \"" + name + "\" is none; the nearest is \"" +
-                          std::string(nearest(name, known)) + "\"");
-    Contexts contexts(options.backend, options.device);
-    FeatureRun run{contexts.device(), {}};
-    Progress progress("features", static_cast<uint32_t>(features.size()));
+        scenes.push_back(feature.scene);
+    }
+    check_known("--features", options.features, known);
+    check_known("--models", options.models, model_labels());
+    check_scenes(options.scenes, scenes);
+    std::erase_if(features, [&](const Feature& feature) {
+        return !wanted(options.features, feature.name) ||
+               !wanted_scene(options.scenes, feature.scene) ||
+               !wanted(options.models, read_scene(feature.scene, feature.with).model);
+    });
+    return features;
+}
+
+} // namespace
+
+FeatureRun run_features(const FeatureOptions& options) {
+    const auto features = choose(options);
+    Runner runner(options);
+    FeatureRun run{runner.device(), {}};
+    Progress progress("features", std::max<uint32_t>(1, static_cast<uint32_t>(features.size())));
     uint32_t done = 0;
     for (const Feature& feature : features) {
-        const bool chosen =
-            options.features.empty() || std::find(options.features.begin(), options.features.end(),
-                                                  feature.name) != options.features.end();
         if (interrupted())
             break;
-        if (chosen) {
-            const Scene scene = read_scene(feature.scene, feature.with);
-            FeatureResult result;
-            result.feature = feature.name;
-            result.scene = scene.title;
-            result.model = method_of(scene).label();
-            try {
-                const Half with = run_half(contexts, feature, feature.with, options.costs);
-                const Half without = run_half(contexts, feature, feature.without, options.costs);
-                result.cost_with = with.cost;
-                result.cost_without = without.cost;
-                result.error_with = with.error;
-                result.error_without = without.error;
-                result.moved = difference(with.recording, without.recording, scene.length());
-            } catch (const Failure& failure) { // a result, too
-                result.note = failure.what();
-                result.cost_with = result.cost_without = result.moved = nan;
-                result.error_with = result.error_without = nan;
-            }
-            run.results.push_back(result);
-        }
+        if (auto result = runner.one(feature))
+            run.results.push_back(std::move(*result));
         progress.update(++done);
     }
     return run;
@@ -160,6 +266,39 @@ std::string features_markdown(const FeatureRun& run) {
                 " | " + number(r.moved) + " | " + number(r.error_with) + " | " +
                 number(r.error_without) + " |" + (r.note.empty() ? "" : " " + r.note) + "\n";
     return text;
+}
+
+std::string features_csv(const FeatureRun& run) {
+    std::string text = "feature,scene,method,ms_with,ms_without,moved_rms_over_L,error_with,"
+                       "error_without,note\n";
+    for (const FeatureResult& r : run.results) {
+        text += csv_cell(r.feature) + "," + csv_cell(r.scene) + "," + csv_cell(r.model);
+        for (const Number& number : numbers) {
+            char cell[32];
+            std::snprintf(cell, sizeof cell, ",%.9g", r.*number.value);
+            text += std::isnan(r.*number.value) ? "," : cell;
+        }
+        text += "," + csv_cell(r.note) + "\n";
+    }
+    return text;
+}
+
+Json to_json(const FeatureRun& run) {
+    Json features = Json::array();
+    for (const FeatureResult& r : run.results)
+        features.push_back({{"feature", r.feature},
+                            {"scene", r.scene},
+                            {"method", r.model},
+                            {"ms_with", r.cost_with}, // null when it is no number
+                            {"ms_without", r.cost_without},
+                            {"moved_rms_over_L", r.moved},
+                            {"error_with", r.error_with},
+                            {"error_without", r.error_without},
+                            {"note", r.note}});
+    return {{"device", run.device.name},
+            {"backend", run.device.backend},
+            {"driver", run.device.driver},
+            {"features", features}};
 }
 
 } // namespace lab

@@ -1,6 +1,7 @@
 // Each feature alone: what it costs, and what leaving it out does to the hair.
 #pragma once
 
+#include "choice.hpp"
 #include "cost.hpp"
 #include "rows.hpp"
 
@@ -21,9 +22,9 @@ struct FeatureResult {
     std::string note;
 };
 
-struct FeatureOptions {
+struct FeatureOptions : Choice {
     std::string table;                 // features.json; "": the one of the sources
-    std::vector<std::string> features; // only these
+    std::vector<std::string> features; // empty: all
     std::string device, backend;
     CostOptions costs{30000, 21, false};
 };
@@ -37,5 +38,7 @@ std::vector<Feature> read_features(const std::string& file);
 FeatureRun run_features(const FeatureOptions& options);
 std::string features_text(const FeatureRun& run);
 std::string features_markdown(const FeatureRun& run);
+std::string features_csv(const FeatureRun& run);
+Json to_json(const FeatureRun& run);
 
 } // namespace lab

@@ -13,6 +13,23 @@ void add_device_options(CLI::App& command, DeviceOptions& options) {
                                              "folder of the reference tables [tests/data]");
 }
 
+void add_choice(CLI::App& command, Choice& choice) {
+    command.add_option("--models", choice.models, "only these")->delimiter(',');
+    command.add_option("--out", choice.out, "folder of what is found; a run goes on from there")
+        ->capture_default_str();
+    command.add_flag("--fresh", choice.fresh, "measure again what is there");
+}
+
+void add_scenes(CLI::App& command, Choice& choice) {
+    command.add_option("--scenes", choice.scenes, "only of these scenes, say rod_fall,curls")
+        ->delimiter(',');
+}
+
+void add_print(CLI::App& command, Print& print) {
+    auto* json = command.add_flag("--json", print.json, "print JSON instead of tables");
+    command.add_flag("--csv", print.csv, "print CSV instead of tables")->excludes(json);
+}
+
 void add_cost_options(CLI::App& command, CostOptions& costs) {
     command.add_option("--cost-vertices", costs.vertices, "vertices timed, at least")
         ->capture_default_str();

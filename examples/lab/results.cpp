@@ -128,6 +128,13 @@ void Results::add(const Result& result) {
     all_[result.key()] = result;
 }
 
+std::string csv_of(const std::vector<Result>& results) {
+    std::string text = std::string(head) + "\n";
+    for (const Result& result : results)
+        text += line_of(result);
+    return text;
+}
+
 Json to_json(const Result& r) {
     Json json{{"row", r.row},         {"variant", r.variant}, {"model", r.model},
               {"setting", r.setting}, {"device", r.device},   {"backend", r.backend},

@@ -37,6 +37,7 @@ class Results {
 };
 
 Json to_json(const Result& result);
+std::string csv_of(const std::vector<Result>& results);
 
 // "a,b" -> "\"a,b\"" where it must be.
 std::string csv_cell(const std::string& text);

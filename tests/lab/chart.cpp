@@ -135,6 +135,7 @@ TEST_F(LabFeatures, say_what_leaving_out_moves) {
     options.table = write("f.json", R"({"features": [{"feature": "weight", "scene": "s.json",
         "without": {"gravity": [0, 0, 0]}}]})");
     options.backend = "reference";
+    options.out = path("out");
     options.costs = {8, 3, false};
     const lab::FeatureRun run = lab::run_features(options);
     ASSERT_EQ(run.results.size(), 1u);
@@ -143,6 +144,45 @@ TEST_F(LabFeatures, say_what_leaving_out_moves) {
     EXPECT_GT(run.results[0].cost_with, 0);
     EXPECT_TRUE(std::isnan(run.results[0].error_with)); // the scene has no reference
     EXPECT_THAT(lab::features_markdown(run), HasSubstr("| weight | fall |"));
+    EXPECT_THAT(lab::features_csv(run), HasSubstr("\nweight,fall,chain 1x1,"));
+    EXPECT_EQ(to_json(run)["features"][0]["feature"], "weight");
+}
+
+// Taken up, not measured again: times would differ. What was changed is; what was not asked for is
+// not.
+TEST_F(LabFeatures, are_taken_up_where_a_run_was_stopped) {
+    const char* scene = R"({"strand": {"segments": 3}, "duration": 0.1, "drag": 1})";
+    write("s.json", scene);
+    write("t.json", scene);
+    lab::FeatureOptions options;
+    options.table = write("f.json", R"({"features": [
+        {"feature": "weight", "scene": "s.json", "with": {"model": "chain"},
+         "without": {"model": "chain", "gravity": [0, 0, 0]}},
+        {"feature": "air", "scene": "t.json", "with": {"model": "rod"},
+         "without": {"model": "rod", "drag": 0}}]})");
+    options.backend = "reference";
+    options.out = path("out");
+    options.costs = {8, 3, false};
+    const auto first = lab::run_features(options).results;
+    ASSERT_EQ(first.size(), 2u);
+    const auto again = lab::run_features(options).results;
+    for (size_t i = 0; i < 2; ++i) {
+        EXPECT_NEAR(again[i].cost_with / first[i].cost_with, 1, 1e-8);
+        EXPECT_NEAR(again[i].moved / first[i].moved, 1, 1e-8);
+    }
+    options.costs.vertices = 12;
+    EXPECT_NE(lab::run_features(options).results[0].cost_with, first[0].cost_with);
+    write("s.json", R"({"strand": {"segments": 3}, "duration": 0.2, "drag": 1})");
+    options.scenes = {"s"};
+    const auto changed = lab::run_features(options).results;
+    ASSERT_EQ(changed.size(), 1u);
+    EXPECT_GT(changed[0].moved, 1.5 * first[0].moved);
+    options.scenes = {};
+    options.models = {"rod"};
+    ASSERT_EQ(lab::run_features(options).results.size(), 1u);
+    EXPECT_EQ(lab::run_features(options).results[0].feature, "air");
+    options.scenes = {"u"};
+    EXPECT_THROW(lab::run_features(options), lab::Failure);
 }
 
 } // namespace

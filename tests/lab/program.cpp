@@ -5,6 +5,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 
@@ -57,6 +58,39 @@ TEST_F(LabProgram, prints_tables_and_costs) {
     EXPECT_EQ(outcome.code, 0);
     EXPECT_THAT(outcome.text, HasSubstr("strain_max"));
     EXPECT_THAT(outcome.text, HasSubstr("ns per vertex"));
+}
+
+// The commands with tables: the same options, and what is printed is for programs.
+TEST_F(LabProgram, tables_are_chosen_from_and_printed_as_json_and_csv) {
+    scene();
+    write("t.json", R"({"reference": {"converged": "rod"}, "strand": {"segments": 2},
+        "duration": 0.05})");
+    const std::string tables[][2] = {
+        {"accuracy", R"({"rows": [{"row": "1", "scene": "s.json", "measure": {"metric": "drop"}},
+            {"row": "2", "scene": "t.json", "measure": {"metric": "drop"}}]})"},
+        {"chart", R"({"charts": [{"name": "a", "scene": "s.json"}, {"name": "b",
+            "scene": "t.json", "methods": ["rod 1x1", "chain 1x1"]}]})"},
+        {"features", R"({"features": [{"feature": "a", "scene": "s.json"}, {"feature": "b",
+            "scene": "t.json", "with": {"model": "rod"}, "without": {"model": "chain"}}]})"}};
+    for (const auto& [command, table] : tables) {
+        const std::string arguments = command + " --table " + write(command + ".json", table) +
+                                      " --scenes t --models rod --backend reference --out " +
+                                      path("out") +
+                                      (command == "accuracy" ? "" : " --cost-vertices 8") + " ";
+        const Outcome json = lab(arguments + "--json", false);
+        EXPECT_EQ(json.code, 0) << command;
+        const auto document = common::Json::parse(json.text, nullptr, false);
+        ASSERT_FALSE(document.is_discarded()) << json.text;
+        const Outcome csv = lab(arguments + "--csv", false);
+        const auto lines = std::count(csv.text.begin(), csv.text.end(), '\n');
+        EXPECT_EQ(lines, command == "accuracy" ? 3 : 2) << csv.text; // with its head
+        EXPECT_THAT(csv.text, HasSubstr("rod")) << command;
+        EXPECT_THAT(json.text, HasSubstr("rod")) << command;
+        EXPECT_EQ(lab(arguments + "--csv --json", true).code, 1) << command;
+        const Outcome none = lab(arguments + "--scenes u", true);
+        EXPECT_EQ(none.code, 1);
+        EXPECT_THAT(none.text, HasSubstr("--scenes: \"u\" is none; the nearest is")) << command;
+    }
 }
 
 TEST_F(LabProgram, says_what_is_wrong) {

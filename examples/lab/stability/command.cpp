@@ -14,7 +14,7 @@ namespace {
 struct Options {
     SweepOptions sweep;
     DeviceOptions device;
-    bool json = false, csv = false;
+    Print print;
 };
 
 void print_verdicts(const Verdicts& verdicts) {
@@ -41,9 +41,9 @@ Exit run_sweep(const Options& options) {
     const Json json{
         {"device", done.device}, {"trials", to_json(done.rows)}, {"bad_input", to_json(verdicts)}};
     write_json(json, options.sweep.out + "/stability.json");
-    if (options.json) {
+    if (options.print.json) {
         std::cout << json.dump(2) << '\n';
-    } else if (options.csv) {
+    } else if (options.print.csv) {
         write_csv(std::cout, done.rows);
     } else {
         std::printf("%s\n", done.device.c_str());
@@ -74,8 +74,7 @@ void add_stability(CLI::App& app, Command& chosen) {
     command->add_flag("--full", options->sweep.full,
                       "all rates, segments, gammas and settings: hours");
     command->add_flag("--fresh", options->sweep.fresh, "forget what an earlier run found");
-    command->add_flag("--json", options->json, "print JSON instead of maps");
-    command->add_flag("--csv", options->csv, "print CSV instead of maps");
+    add_print(*command, options->print);
     command->add_flag("!--no-pictures", options->sweep.pictures, "do not call gnuplot");
     command->callback(
         [options, &chosen] { chosen = [options] { return stability::run_sweep(*options); }; });
