@@ -58,7 +58,24 @@ std::vector<Scene> scenes_of(const Family& family) {
     return scenes;
 }
 
-Family read_family(JsonReader in, const std::filesystem::path& folder) {
+// A list of methods, or the name of one of the table's lists.
+std::vector<Method> read_methods(JsonReader& in, const Json& given, const Json& lists) {
+    const Json* list = &given;
+    if (given.is_string()) {
+        const auto named = lists.find(given.get<std::string>());
+        if (named == lists.end())
+            in.fail("methods", "is " + given.dump() + ", none of the lists that are named above");
+        list = &*named;
+    }
+    if (!list->is_array())
+        in.fail("methods", "is " + list->dump() + ", not a list");
+    std::vector<Method> methods;
+    for (const Json& text : *list)
+        methods.push_back(read_method(in, text));
+    return methods;
+}
+
+Family read_family(JsonReader in, const std::filesystem::path& folder, const Json& lists) {
     Family family;
     if (!in.text("name", family.name))
         in.fail("name", "is missing: of the files it makes");
@@ -73,8 +90,7 @@ Family read_family(JsonReader in, const std::filesystem::path& folder) {
     if (const Json* segments = in.value("segments"))
         family.segments = read_segments(in, *segments);
     if (const Json* methods = in.value("methods"))
-        for (const Json& text : *methods)
-            family.methods.push_back(read_method(in, text));
+        family.methods = read_methods(in, *methods, lists);
     in.finish();
     return family;
 }
@@ -262,9 +278,13 @@ std::vector<Family> read_families(const std::string& file) {
     const Json* list = top.value("charts");
     if (!list || !list->is_array())
         top.fail("charts", "is missing or no list");
+    const Json* named = top.value("methods");
+    if (named && !named->is_object())
+        top.fail("methods", "is " + named->dump() + ", not lists by their names");
+    const Json lists = named ? *named : Json::object();
     for (size_t i = 0; i < list->size(); ++i)
         families.push_back(read_family(top.element(*list, i, "charts"),
-                                       std::filesystem::path(file).parent_path()));
+                                       std::filesystem::path(file).parent_path(), lists));
     top.finish();
     return families;
 }

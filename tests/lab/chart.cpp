@@ -86,6 +86,25 @@ TEST(LabChart, families_and_features_of_the_repository_are_valid) {
     }
 }
 
+class LabCharts : public TemporaryFolder {};
+
+TEST_F(LabCharts, figures_may_share_a_list_of_methods) {
+    const auto read = [&](const std::string& methods) {
+        return lab::read_families(write(
+            "c.json", R"({"methods": {"few": ["rod 4x2 BDF2", "verlet auto"], "none": "rod 1x1"},
+            "charts": [{"name": "a", "scene": "s.json", "methods": )" +
+                          methods + R"(}, {"name": "b", "scene": "s.json"}]})"));
+    };
+    const auto families = read(R"("few")");
+    ASSERT_EQ(families[0].methods.size(), 2u);
+    EXPECT_EQ(families[0].methods[0].label(), "rod 4x2 BDF2");
+    EXPECT_EQ(families[0].methods[1].label(), "verlet auto");
+    EXPECT_TRUE(families[1].methods.empty());
+    EXPECT_EQ(read(R"(["rod 1x1"])")[0].methods.size(), 1u);
+    for (const char* wrong : {R"("many")", R"("none")", "3", R"(["rod fast"])"})
+        EXPECT_THROW(read(wrong), lab::Failure) << wrong;
+}
+
 TEST(LabPage, names_files_after_the_device) {
     EXPECT_EQ(lab::slug("pthread-Intel(R) Xeon(R) CPU"), "pthread-intel-r-xeon-r-cpu");
 }
