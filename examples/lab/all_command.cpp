@@ -31,11 +31,25 @@ stability::SweepOptions stability_options(const Options& o) {
     return sweep;
 }
 
+// Those that cost no more than the models to run through the table; where models are named, these
+// are all there is.
+AccuracyRun run_baselines(const Options& o) {
+    if (!o.choice.models.empty())
+        return {};
+    AccuracyOptions options = o.accuracy;
+    options.models = {"pbd", "xpbd", "xpbd_heavy"};
+    return run_accuracy(options);
+}
+
 // One after the other, until somebody interrupts.
 Page measure_all(const Options& o) {
     Page page;
     page.accuracy = run_accuracy(o.accuracy);
     std::cout << accuracy_text(page.accuracy) << std::endl;
+    if (!interrupted())
+        page.baselines = run_baselines(o);
+    if (!page.baselines.methods.empty())
+        std::cout << accuracy_text(page.baselines) << std::endl;
     if (!interrupted())
         page.charts = run_charts(o.charts);
     for (const std::string& file : page.charts.files)

@@ -31,6 +31,14 @@ std::string head(const plait_device_info& device) {
            " |\n\nWritten by `./dev lab all`. What the numbers are: [the laboratory](../lab.md).\n";
 }
 
+std::string baselines_of(const AccuracyRun& run) {
+    if (run.methods.empty())
+        return "";
+    return "\n### Baselines\n\nThe same rows by what users know; what they do and do not: "
+           "[baselines](../baselines.md).\n\n" +
+           accuracy_markdown(run);
+}
+
 std::string drawn(const ChartRun& run, const std::string& prefix, bool free) {
     std::string text;
     for (const Chart& chart : run.charts) {
@@ -151,9 +159,9 @@ std::vector<std::string> write_page(const std::string& folder, const Page& page,
         head(page.accuracy.device) + "\n## In words\n\n" + by_hand + kept + by_hand_end +
             "\n\n## Accuracy\n\nBold passes its mark, `!` misses it, n/a: the "
             "model cannot do it. Why what misses does: [the laboratory](../lab.md#misses).\n\n" +
-            accuracy_markdown(page.accuracy) + figures_of(page.charts, name + "-") +
-            grid_of(page.grid, name + "-") + features_of(page.features) +
-            stability_of(page, name + "-"),
+            accuracy_markdown(page.accuracy) + baselines_of(page.baselines) +
+            figures_of(page.charts, name + "-") + grid_of(page.grid, name + "-") +
+            features_of(page.features) + stability_of(page, name + "-"),
         files[0]);
     return files;
 }

@@ -11,6 +11,7 @@ namespace lab {
 
 struct Page {
     AccuracyRun accuracy;
+    AccuracyRun baselines; // a table of their own; no methods: none
     ChartRun charts;
     FeatureRun features;
     stability::Sweep stability;

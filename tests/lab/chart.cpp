@@ -130,10 +130,13 @@ TEST_F(LabPages, keep_what_was_written_by_hand) {
     page.stability.rows = {row};
     row.outcome.grade = lab::stability::Grade::explosion;
     page.stability.rows.push_back(row);
+    page.baselines.methods = {{lab::find_model("pbd"), {20, 1, false}}};
     const std::string file = path("lab-a-device.md");
     EXPECT_THAT(lab::write_page(path(""), page, path("")),
                 testing::Contains(testing::EndsWith("lab-a-device.md")));
     std::string text = text_of(file);
+    EXPECT_THAT(text, HasSubstr("### Baselines"));
+    EXPECT_THAT(text, HasSubstr("| pbd 20x1 |\n"));
     EXPECT_THAT(text, HasSubstr("| 300 | verlet 2x3 BDF2 (baseline) | 0.001 | rod 2x3 BDF2 |"));
     EXPECT_THAT(text, HasSubstr("| rod | 2 | 0 | 1 | 0 | 0 | 0 | 0 | 1 | 2 | 1 |"));
     const std::string mark = lab::by_hand;
