@@ -6,13 +6,22 @@
  *
  * Errors:    every function that can fail returns a plait_result and leaves a sentence that names
  *            what failed, on what, with which value and range, in plait_last_error() of the thread.
- *            Output arguments are untouched on failure unless said otherwise.
+ *            Output arguments are untouched on failure unless said otherwise. Any may return
+ *            INVALID_ARGUMENT (NULL where nothing says that it may be, a value outside its range),
+ *            OUT_OF_MEMORY and, where work reaches a device, DEVICE_LOST and BACKEND; `@errors` are
+ *            what else a function returns.
+ * Lists:     dst == NULL writes the needed count to *count; otherwise at most *count elements are
+ *            written and *count becomes their number. Of what is read as bytes (fields, snapshots)
+ *            a *size below the needed one is INVALID_ARGUMENT.
  * Threads:   a context and what it made are used by one thread at a time; different contexts are
  *            independent. Grooms are immutable and may be shared by threads and contexts.
  * Ownership: what a `_create` or `_load` returned is released by the `_destroy` of the same noun;
  *            destroying NULL does nothing. Arrays passed in are copied before the call returns.
  * Structs:   begin with struct_size; fill them, also those that are written to, with their
  *            `plait_*_init` (or by value, `plait_*_defaults`) and then change fields.
+ *
+ * @source  Each stage's formula, paper and equation: docs/stages. Models: docs/models.
+ * @since   0.1.0, all of it.
  */
 #ifndef PLAIT_H
 #define PLAIT_H
@@ -140,8 +149,7 @@ typedef struct plait_device_info {
     uint64_t local_memory_bytes;
 } plait_device_info;
 
-/* Every device of every registered backend. dst == NULL: writes the needed count to *count;
- * otherwise writes at most *count entries, best first, and their number to *count. */
+/* Every device of every registered backend, best first: a list. No device is no error. */
 PLAIT_API plait_result plait_devices_list(plait_device_info* dst, size_t* count);
 PLAIT_API void plait_device_info_init(plait_device_info* info, size_t size);
 
@@ -153,6 +161,7 @@ typedef struct plait_stage_source {
     const char* name;   /* file name for the compiler's messages; NULL: "<stage>" */
 } plait_stage_source;
 
+/* Texts are copied; `log_user` and what the allocator names must outlive the context. */
 typedef struct plait_context_desc {
     uint32_t struct_size;
     const char* backend; /* NULL: the best there is */
@@ -172,6 +181,7 @@ PLAIT_API void plait_context_desc_init(plait_context_desc* desc, size_t size);
  * BACKEND. `desc` NULL: all defaults. */
 PLAIT_API plait_result plait_context_create(const plait_context_desc* desc, plait_context** out);
 PLAIT_API void plait_context_destroy(plait_context* context); /* after its sims */
+/* The device it is on, and its `lanes`. */
 PLAIT_API plait_result plait_context_describe(const plait_context* context, plait_device_info* out);
 
 /* ---- grooms --------------------------------------------------------------------------------- */
@@ -195,14 +205,15 @@ typedef enum plait_repair {
 typedef struct plait_import_options {
     uint32_t struct_size;
     plait_repair_policy policy;
-    float min_segment; /* tiny: below this share of the strand's mean, default 1e-3 */
-    float scale;       /* file units to metres, default 1 */
+    float min_segment; /* tiny: below this share of the strand's mean, [0, 0.5], default 1e-3 */
+    float scale;       /* units of what is read to metres, (0, 1e6], default 1 */
     uint32_t resample; /* 0: keep; 2..256: every strand to so many vertices by arc length */
     plait_allocator allocator;
 } plait_import_options;
 
 PLAIT_API void plait_import_options_init(plait_import_options* options, size_t size);
 
+/* Either `vertex_counts` or `vertices_per_strand`; views are copied. */
 typedef struct plait_groom_desc {
     uint32_t struct_size;
     plait_view positions;     /* float[3], metres, strand after strand, root first [vertices] */
@@ -234,7 +245,7 @@ typedef struct plait_groom_info {
     char first_repair[192]; /* "strand 17, vertex 3: segment of 0 m ..." or "" */
 } plait_groom_info;
 
-/* `options` NULL: defaults. @errors INVALID_ARGUMENT, BAD_DATA (nothing left, or policy REFUSE). */
+/* `options` NULL: defaults. @errors BAD_DATA (nothing left, or policy REFUSE). */
 PLAIT_API plait_result plait_groom_create(const plait_groom_desc* desc,
                                           const plait_import_options* options, plait_groom** out);
 
@@ -260,7 +271,7 @@ typedef enum plait_groom_field {
     PLAIT_GROOM_BONE_WEIGHTS = 5   /* float[4] [strands] */
 } plait_groom_field;
 
-/* dst == NULL: writes the needed size in bytes to *size (0: the groom lacks the field). */
+/* After repairs. dst == NULL: writes the needed size in bytes to *size (0: the groom lacks it). */
 PLAIT_API plait_result plait_groom_read(const plait_groom* groom, plait_groom_field field,
                                         void* dst, size_t* size);
 PLAIT_API void plait_groom_destroy(plait_groom* groom); /* sims keep what they need */
@@ -276,6 +287,8 @@ typedef enum plait_model {
 
 #define PLAIT_ITERATIONS_OF_MODEL 0xffffffffu
 
+/* Forms of a formula: PUBLISHED and THRESHOLD as in TressFX 4, THESIS as in Ugurca 2015; the others
+ * are our corrections. What each mends: docs/models/tressfx.md. */
 typedef enum plait_wind_form {
     PLAIT_WIND_FORM_PUBLISHED = 0,
     PLAIT_WIND_FORM_DRAG = 1
@@ -405,7 +418,7 @@ typedef struct plait_param_info {
 
 PLAIT_API void plait_param_info_init(plait_param_info* info, size_t size);
 
-/* All of them, in the order of the struct. dst == NULL: writes the needed count. */
+/* All of them, in the order of the struct: a list, whose elements given have their struct_size. */
 PLAIT_API plait_result plait_params_list(plait_param_info* dst, size_t* count);
 
 /* What a hair is made of. */
@@ -422,7 +435,8 @@ PLAIT_API void plait_fibre_init(plait_fibre* fibre, size_t size);
 
 /* Sets line_density, bend_stiffness, twist_stiffness and section_ratio of `params` to those of a
  * fibre of elliptic section; it bends about the longer axis most easily. stretch_stiffness stays: a
- * hair's own EA only slows the solve. */
+ * hair's own EA only slows the solve.
+ * @source  beam theory: A = pi a b, EI = E pi a b^3/4, GJ = G pi a^3 b^3/(a^2 + b^2). */
 PLAIT_API plait_result plait_sim_params_set_fibre(plait_sim_params* params,
                                                   const plait_fibre* fibre);
 
@@ -431,10 +445,10 @@ typedef struct plait_sim_desc {
     plait_model model;           /* of every strand, until plait_sim_set_models */
     float step;                  /* fixed step, s, [1e-5, 1], default 1/60 */
     uint32_t substeps;           /* per fixed step, [1, 1000], default 1 */
-    uint32_t max_steps_per_call; /* time beyond so many is dropped and counted, default 8 */
+    uint32_t max_steps_per_call; /* [1, 1000]; time beyond is dropped and counted, default 8 */
     uint32_t interpolate_output; /* 1: positions follow dt, one fixed step late; default 0 */
     uint32_t follows_per_guide;  /* [0, 64], default 0 */
-    float follow_radius;         /* m, default 0.003 */
+    float follow_radius;         /* m, [0, 1], default 0.003 */
     uint64_t seed;               /* follow offsets and slot hash */
     plait_view strand_stiffness; /* float [guides] or empty: what scales each strand's bend and
                                     twist stiffness, [0, 1e6]; cosserat, rod. Copied */
@@ -445,14 +459,20 @@ typedef struct plait_sim_desc {
 PLAIT_API void plait_sim_desc_init(plait_sim_desc* desc, size_t size);
 
 /* Strands are stored [strands][V], V the groom's longest; shorter strands are padded with copies of
- * their tip. Guides come first, then follows, guide by guide. The head starts at the identity. */
+ * their tip. Guides come first, then follows, guide by guide. The head starts at the identity.
+ * `desc` NULL: all defaults. The groom may go before the sim, the context not.
+ * @errors UNSUPPORTED (tressfx: V beyond the device's work-group; the backend lacks a stage),
+ *         COMPILE. */
 PLAIT_API plait_result plait_sim_create(plait_context* context, const plait_groom* groom,
                                         const plait_sim_desc* desc, plait_sim** out);
 PLAIT_API void plait_sim_destroy(plait_sim* sim);
 
-/* Every vertex to its rest position at the present roots, at rest; clock and accumulator to 0. */
+/* Every vertex to its rest position at the present roots, at rest; clock and accumulator to 0. Does
+ * not wait. */
 PLAIT_API plait_result plait_sim_reset(plait_sim* sim);
 
+/* From the next step on; all or nothing. Waits for the device where material, sag or BDF2 change.
+ * @errors UNSUPPORTED (the backend lacks a stage they ask for), COMPILE. */
 PLAIT_API plait_result plait_sim_set_params(plait_sim* sim, const plait_sim_params* params);
 PLAIT_API plait_result plait_sim_get_params(const plait_sim* sim, plait_sim_params* params);
 
@@ -465,7 +485,7 @@ PLAIT_API plait_result plait_sim_get_params(const plait_sim* sim, plait_sim_para
  *         A call that fails changes nothing. */
 PLAIT_API plait_result plait_sim_set_models(plait_sim* sim, const plait_model* models,
                                             size_t count);
-/* dst == NULL: writes the needed count, that of the guides. */
+/* A list of the guides' models; waits for nothing. */
 PLAIT_API plait_result plait_sim_get_models(const plait_sim* sim, plait_model* dst, size_t* count);
 
 /* Where the roots will be at the end of the next plait_sim_step; on the way they interpolate.
@@ -479,15 +499,17 @@ typedef struct plait_roots {
 } plait_roots;
 
 PLAIT_API void plait_roots_init(plait_roots* roots, size_t size);
+/* Copies; checks that counts are the guides' and at least the skin's bones, rotations of length 1
+ * within 1e-3, translations within 1e6 m. A call that fails changes nothing. */
 PLAIT_API plait_result plait_sim_set_roots(plait_sim* sim, const plait_roots* roots);
 
-/* Carry the hair rigidly to new roots, at once, without dynamics. */
+/* Carry the hair rigidly to new roots, at once, without dynamics. Checked as in set_roots. */
 PLAIT_API plait_result plait_sim_teleport(plait_sim* sim, const plait_roots* roots);
 
 /* Advance by dt seconds, [0, 10]: enqueues the fixed steps that fit; the rest waits for the next
  * call. Returns before the device is done, except that a step in which a collider moves waits for
  * the one before it (docs/threading.md).
- * @errors INVALID_ARGUMENT (dt not finite), DEVICE_LOST, BACKEND */
+ * Failures of the device may come with a later call, at the latest with one that waits. */
 PLAIT_API plait_result plait_sim_step(plait_sim* sim, double dt);
 
 /* Wait for the device; reports failures of the steps before. */
@@ -505,11 +527,12 @@ typedef enum plait_field {
     PLAIT_FIELD_COUNT_ = 8
 } plait_field;
 
-/* Waits. dst == NULL: writes the needed size in bytes. Reading what is off gives INVALID_STATE. */
+/* Waits. dst == NULL: writes the needed size in bytes.
+ * @errors INVALID_STATE (what would fill the field is off) */
 PLAIT_API plait_result plait_sim_read(plait_sim* sim, plait_field field, void* dst, size_t* size);
 
 /* Overwrite POSITION (guides only, [guides][V]; w is kept), POSITION_PREV or VELOCITY (guides). The
- * size must match; non-finite values are refused with their index. */
+ * size must match; of a non-finite value the call says the index, and writes nothing. Waits. */
 PLAIT_API plait_result plait_sim_write(plait_sim* sim, plait_field field, const void* src,
                                        size_t size);
 
@@ -547,25 +570,29 @@ typedef struct plait_stage_time {
     double seconds; /* device time, all calls; 0 unless the context was made with profile = 1 */
 } plait_stage_time;
 
-/* Times since creation or the last call with `reset`. dst == NULL: writes the needed count. */
+/* Times since creation or the last call with `reset`: a list. */
 PLAIT_API plait_result plait_sim_stage_times(plait_sim* sim, plait_stage_time* dst, size_t* count,
                                              uint32_t reset);
 
-/* The dynamic state (no parameters) as bytes that restore on any device. dst == NULL: its size. */
+/* The dynamic state (no parameters) as bytes that restore on any device, into a sim of as many
+ * guides and vertices, the same model, step and substeps. dst == NULL: its size. Both wait.
+ * @errors BAD_DATA (not a snapshot, truncated, a value out of range), UNSUPPORTED (its version).
+ *         What is refused changes nothing. */
 PLAIT_API plait_result plait_sim_save(plait_sim* sim, void* dst, size_t* size);
 PLAIT_API plait_result plait_sim_restore(plait_sim* sim, const void* src, size_t size);
 
-/* 64-bit hash of the dynamic state: equal states, equal hashes. Waits. */
+/* 64-bit hash of a snapshot: equal states, equal hashes. Waits. */
 PLAIT_API plait_result plait_sim_hash(plait_sim* sim, uint64_t* out);
 
 /* ---- colliders ------------------------------------------------------------------------------ */
 
+/* A tapered capsule: the hull of two spheres. */
 typedef struct plait_collider_desc {
     uint32_t struct_size;
-    float a[3];     /* m, in the collider's own frame */
-    float b[3];     /* a == b: a sphere */
-    float radius_a; /* m, (0, 1e3] */
-    float radius_b;
+    float a[3];      /* m, in the collider's own frame */
+    float b[3];      /* a == b: a sphere */
+    float radius_a;  /* m, (0, 1e3] */
+    float radius_b;  /* the same */
     float friction;  /* Coulomb coefficient, [0, 10] */
     plait_pose pose; /* at creation */
 } plait_collider_desc;
@@ -573,9 +600,11 @@ typedef struct plait_collider_desc {
 PLAIT_API void plait_collider_desc_init(plait_collider_desc* desc, size_t size);
 PLAIT_API plait_result plait_collider_create(plait_sim* sim, const plait_collider_desc* desc,
                                              plait_collider_id* out);
-/* Where it will be at the end of the next plait_sim_step; interpolated from where it is. */
+/* Where it will be at the end of the next plait_sim_step; interpolated from where it is.
+ * @errors NOT_FOUND (not of this sim, or destroyed) */
 PLAIT_API plait_result plait_collider_set_pose(plait_sim* sim, plait_collider_id collider,
                                                const plait_pose* pose);
+/* Its id is never used again. @errors NOT_FOUND */
 PLAIT_API plait_result plait_collider_destroy(plait_sim* sim, plait_collider_id collider);
 
 /* ---- defaults, by value --------------------------------------------------------------------- */

@@ -157,7 +157,7 @@ typedef struct plait_backend_api {
 
 /* ---- registry ------------------------------------------------------------------------------- */
 
-/* Adds a backend for the rest of the process; `api` must live as long. Threads: any, one at a time.
+/* Adds a backend for the rest of the process; `api` must live as long. Threads: any.
  * @errors INVALID_ARGUMENT (ABI or size mismatch, missing function, name taken: it says which) */
 PLAIT_API plait_result plait_backend_register(const plait_backend_api* api);
 
@@ -166,6 +166,7 @@ PLAIT_API plait_result plait_backend_register(const plait_backend_api* api);
  * and registers what it returns. Never unloaded. @errors NOT_FOUND, UNSUPPORTED (no such symbol) */
 PLAIT_API plait_result plait_backend_load(const char* path);
 
+/* The built-in ones first. Threads: any. */
 PLAIT_API size_t plait_backend_count(void);
 PLAIT_API const plait_backend_api* plait_backend_get(size_t index); /* NULL: out of range */
 

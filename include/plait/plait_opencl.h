@@ -33,7 +33,7 @@ PLAIT_API plait_result plait_opencl_context_create(const plait_opencl_handles* h
  * @errors UNSUPPORTED (not an OpenCL context), INVALID_STATE (the field is off) */
 PLAIT_API plait_result plait_opencl_sim_field(plait_sim* sim, plait_field field, cl_mem* out);
 
-/* The queue plait enqueues on, borrowed. */
+/* The queue plait enqueues on, borrowed. @errors UNSUPPORTED (not an OpenCL context) */
 PLAIT_API plait_result plait_opencl_context_queue(plait_context* context, cl_command_queue* out);
 
 #ifdef __cplusplus
