@@ -219,6 +219,21 @@ TEST_P(StrandModel, turned_world_turns_the_result) {
     EXPECT_LT(worst_distance(turned.read(PLAIT_FIELD_POSITION), expected), rounding() * 0.3f);
 }
 
+// Positions are relative to the root: far away only the sum that is shown is rounded, 4 um at 64 m.
+TEST_P(StrandModel, moved_world_moves_the_result) {
+    const Vec3 away{64.0f, -32.0f, 16.0f};
+    OneStrand here(curls(20), 17, desc(), shared_context());
+    OneStrand there(curls(20), 17, desc(), shared_context());
+    there.teleport(away);
+    here.run(1.0);
+    there.run(1.0);
+    auto expected = here.read(PLAIT_FIELD_POSITION);
+    for (auto& x : expected)
+        for (size_t c = 0; c < 3; ++c)
+            x[c] += away[c];
+    EXPECT_LT(worst_distance(there.read(PLAIT_FIELD_POSITION), expected), 1e-5f);
+}
+
 // Strands know nothing of their neighbours, also not within one work-item.
 TEST_P(StrandModel, order_of_strands_does_not_matter) {
     constexpr size_t strands = 20;
@@ -256,6 +271,27 @@ TEST_P(StrandModel, every_width_and_the_reference_agree) {
         const Context context = context_with(lanes);
         EXPECT_LT(worst_distance(after_ten_steps(context.get()), expected), rounding() * 0.3f)
             << lanes << " lanes";
+    }
+}
+
+// A strand alone is a work-group of one, whatever the device takes for a hundred.
+TEST_P(StrandModel, size_of_the_work_group_does_not_matter) {
+    constexpr uint32_t strands = 100;
+    const std::vector<Vec3> points = curls(strands);
+    for (const uint32_t lanes : {1u, 16u}) {
+        const Context context = context_with(lanes);
+        OneStrand all(points, 17, desc(), context.get());
+        all.run(0.5);
+        const auto x = all.read(PLAIT_FIELD_POSITION);
+        for (const uint32_t s : {0u, 41u, strands - 1}) {
+            const long first = long{17} * s;
+            OneStrand alone({points.begin() + first, points.begin() + first + 17}, 17, desc(),
+                            context.get());
+            alone.run(0.5);
+            EXPECT_EQ(alone.read(PLAIT_FIELD_POSITION),
+                      std::vector(x.begin() + first, x.begin() + first + 17))
+                << "strand " << s << ", " << lanes << " lanes";
+        }
     }
 }
 
