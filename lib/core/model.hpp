@@ -6,6 +6,7 @@
 #include "core/schedule.hpp"
 #include "core/state.hpp"
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -18,8 +19,9 @@ struct Substep {
     const plait_sim_params& params;
     const Buffer& capsules;
     uint32_t collider_count;
-    uint32_t collider_first; // in `capsules`, of this substep
-    float h;                 // s
+    uint32_t collider_first;  // in `capsules`, of this substep
+    float h;                  // s
+    std::array<float, 3> air; // m/s: the wind, and what the head takes along
 };
 
 // State in the lane layout.

@@ -89,6 +89,7 @@ constexpr plait_param_info table[] = {
     real(AT(attachment), "", 0, 100),
 
     real(AT(wind), "m/s", -1e3, 1e3),
+    real(AT(air_with_head), "", 0, 1),
     real(AT(air_drag), "1/m", 0, 1e6),
     real(AT(wind_cone), "rad", 0, std::numbers::pi / 2),
 

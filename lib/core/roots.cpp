@@ -100,6 +100,13 @@ void Roots::pose_now(Schedule& schedule, const Buffer& pose) const {
     add(schedule, at_, at_, 1, pose);
 }
 
+std::array<float, 3> Roots::head_moves(const float p[3]) const {
+    std::array<float, 3> from{}, to{};
+    transform(from_.head, p, from.data());
+    transform(to_.head, p, to.data());
+    return {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
+}
+
 void Roots::stop(Schedule& schedule) {
     begin_step(schedule, 0);
     begin_step(schedule, 0);

@@ -37,6 +37,8 @@ class Roots {
     // No path: the step begins and ends where the roots are now.
     void stop(Schedule& schedule);
 
+    // How far the step's path takes the point `p` (m, at rest) of the head.
+    std::array<float, 3> head_moves(const float p[3]) const;
     // Head at the end of the last fixed step.
     const plait_pose& step_head() const { return to_.head; }
 

@@ -156,7 +156,22 @@ Substep Sim::at(uint32_t substep) const {
             colliders_.capsules(),
             colliders_.count(),
             substep * colliders_.count(),
-            substep_length()};
+            substep_length(),
+            air()};
+}
+
+std::array<float, 3> Sim::air() const {
+    const plait_sim_params& p = desc_.params;
+    std::array<float, 3> air{p.wind[0], p.wind[1], p.wind[2]};
+    if (p.air_with_head == 0)
+        return air;
+    float middle[3];
+    for (size_t i = 0; i < 3; ++i)
+        middle[i] = cube_.origin[i] + 0.5f * cube_.edge;
+    const auto moved = roots_.head_moves(middle);
+    for (size_t i = 0; i < 3; ++i)
+        air[i] += p.air_with_head * moved[i] / static_cast<float>(clock_.step());
+    return air;
 }
 
 void Sim::add_substep(uint32_t index) {

@@ -94,6 +94,7 @@ class Sim {
     Status submit();
     Status fixed_step(double end, bool keep);
     Substep at(uint32_t substep) const;
+    std::array<float, 3> air() const;                          // m/s, in this fixed step
     Substep present() const { return at(desc_.substeps - 1); } // between steps
     void add_substep(uint32_t index);
     void add_interhair();

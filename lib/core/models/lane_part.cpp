@@ -138,7 +138,7 @@ void LanePart::substep(Schedule& schedule, const Substep& at, const Contact& con
     params.drag = p.drag;
     for (size_t i = 0; i < 3; ++i) {
         params.gravity[i] = p.gravity[i];
-        params.air[i] = p.wind[i];
+        params.air[i] = at.air[i];
     }
     params.collider_count = at.collider_count;
     params.collider_first = at.collider_first;
