@@ -151,20 +151,18 @@ uint64_t Stage::vertices() const {
     return stats.guides * stats.vertices_per_strand;
 }
 
-void Stage::set_params(double drag, const Vec3& gravity, const Vec3& wind) {
+void Stage::set_params(double drag, const Vec3& gravity) {
     plait_sim_params p = desc_.params;
     p.drag = static_cast<float>(drag);
     if (desc_.model == PLAIT_MODEL_TRESSFX)
         p.damping = static_cast<float>(drag / 60);
     to_floats(gravity, p.gravity);
-    for (int i = 0; i < 3; ++i)
-        p.wind[i] += static_cast<float>(wind[i]);
     check(plait_sim_set_params(sim_.get(), &p));
 }
 
 void Stage::settle(bool begin) {
     set_params(begin ? scene_.settle_drag : scene_.drag,
-               begin ? scene_.settle_gravity : scene_.gravity, Vec3::Zero());
+               begin ? scene_.settle_gravity : scene_.gravity);
 }
 
 void Stage::pose_colliders(double time) {
@@ -199,8 +197,6 @@ double Stage::step_to(double time) {
     double change = 0;
     if (scene_.motion.teleports(time_, time))
         change = teleport(pose);
-    if (scene_.air_moves_with_head && time > time_)
-        set_params(scene_.drag, scene_.gravity, (pose.t - pose_.t) / (time - time_));
     const plait_roots roots = roots_at(pose);
     check(plait_sim_set_roots(sim_.get(), &roots));
     pose_colliders(time);

@@ -51,7 +51,7 @@ class Stage {
     void start_at(const Pose& pose);
     void pose_colliders(double time);
     double teleport(const Pose& to);
-    void set_params(double drag, const Vec3& gravity, const Vec3& wind);
+    void set_params(double drag, const Vec3& gravity);
     std::vector<std::vector<Vec3>> read_field(plait_field field) const;
 
     const Scene& scene_;

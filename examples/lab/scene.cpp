@@ -374,7 +374,7 @@ Scene read_scene(const Json& document, const Origin& origin) {
     static constexpr std::array airs{"world", "head"};
     int air = 0;
     top.choice("air", air, airs);
-    scene.air_moves_with_head = air == 1;
+    scene.params.air_with_head = static_cast<float>(air);
     if (const Json* params = top.value("params"))
         read_params(top.object(*params, "params"), scene.params);
     if (scene.params.tip_density != 1)

@@ -6,11 +6,11 @@
 namespace plait::test {
 namespace {
 
-// Degrees from upright, backwards, of a strand that a head has carried along x at 2 m/s for 5 s.
+// Degrees from upright, backwards, of a strand that a head has carried along x at 2 m/s for 20 s.
 double tilt_on_a_moving_head(const plait_sim_desc& desc) {
     constexpr float speed = 2.0f; // m/s
     OneStrand strand(StrandShape{17, 0.3f, {0.0f, -1.0f, 0.0f}}, desc);
-    for (int i = 1; i <= 300; ++i) {
+    for (int i = 1; i <= 1200; ++i) {
         strand.move_head({speed * static_cast<float>(i) / 60.0f, 0.0f, 0.0f});
         strand.step();
     }
@@ -23,13 +23,11 @@ double tilt_on_a_moving_head(const plait_sim_desc& desc) {
 class Air : public testing::TestWithParam<plait_model> {};
 
 INSTANTIATE_TEST_SUITE_P(Models, Air,
-                         testing::Values(PLAIT_MODEL_TRESSFX, PLAIT_MODEL_CHAIN,
-                                         PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD));
+                         testing::Values(PLAIT_MODEL_CHAIN, PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD));
 
 TEST_P(Air, with_the_head_leaves_hair_hanging) {
     plait_sim_desc desc = plait_sim_desc_defaults();
     desc.model = GetParam();
-    desc.params.air_drag = 1.0f; // of tressfx
     desc.params.air_with_head = 1.0f;
     EXPECT_NEAR(tilt_on_a_moving_head(desc), 0.0, 0.5);
 }

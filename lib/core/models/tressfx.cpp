@@ -94,7 +94,7 @@ void wind(Schedule& schedule, const Substep& at) {
     params.form = static_cast<plait_u32>(p.wind_form);
     params.drag = p.air_drag;
     for (size_t i = 0; i < 3; ++i)
-        params.wind[i] = p.wind_form == PLAIT_WIND_FORM_DRAG ? at.air[i] : p.wind[i];
+        params.wind[i] = p.wind[i];
     if (p.wind_form == PLAIT_WIND_FORM_PUBLISHED)
         wind_cone(p.wind, p.wind_cone, params.corner);
     schedule.add(PLAIT_STAGE_wind, at.layout.guides, params,
