@@ -31,13 +31,12 @@ stability::SweepOptions stability_options(const Options& o) {
     return sweep;
 }
 
-// Those that cost no more than the models to run through the table; where models are named, these
-// are all there is.
+// Of each kind the cheapest, a minute or two. None where models are named.
 AccuracyRun run_baselines(const Options& o) {
     if (!o.choice.models.empty())
         return {};
     AccuracyOptions options = o.accuracy;
-    options.models = {"pbd", "xpbd", "xpbd_heavy"};
+    options.models = {"pbd", "xpbd", "xpbd_heavy", "verlet_limp", "verlet"};
     return run_accuracy(options);
 }
 
