@@ -488,7 +488,7 @@ PLAIT_API plait_result plait_sim_get_params(const plait_sim* sim, plait_sim_para
  *         A call that fails changes nothing. */
 PLAIT_API plait_result plait_sim_set_models(plait_sim* sim, const plait_model* models,
                                             size_t count);
-/* A list of the guides' models; waits for nothing. */
+/* dst == NULL: writes the needed count, that of the guides; a *count below it is refused. */
 PLAIT_API plait_result plait_sim_get_models(const plait_sim* sim, plait_model* dst, size_t* count);
 
 /* Where the roots will be at the end of the next plait_sim_step; on the way they interpolate.
