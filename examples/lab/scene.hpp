@@ -54,8 +54,8 @@ struct Scene {
     std::vector<Strand> strands;
     uint32_t follows_per_guide = 0;
     Material material;
-    Vec3 gravity{0, -standard_gravity, 0}; // m/s^2
-    double drag = 1;                       // 1/s
+    Vec3 gravity{0, -standard_gravity, 0};        // m/s^2
+    double drag = 1;                              // 1/s
     plait_sim_params params;                      // what else is set, by the library's own names
     double rate = 60;                             // steps a second
     double duration = 2;                          // s, recorded
