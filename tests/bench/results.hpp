@@ -23,7 +23,7 @@ struct StageRow {
     double copy_seconds = 0; // of a kernel that copies as many
 };
 
-enum class Interhair { off, slots, exact };
+enum class Interhair { off, thesis, slots, exact };
 
 struct DeviceResults {
     plait_device_info device{};

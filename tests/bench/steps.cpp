@@ -1,6 +1,6 @@
 // The whole step without and with the inter-hair step, over the number of strands: the two columns
-// of table 5.1 of Ugurca 2015, by its own hash and rule, and a third for the exact accumulation, by
-// plait's rule.
+// of table 5.1 of Ugurca 2015, by its own hash and rule, and two more for slots and exact sums as
+// they are by default.
 #include "bench.hpp"
 #include "inputs.hpp"
 
@@ -15,11 +15,16 @@ constexpr uint32_t strand_counts[] = {1000, 3000, 10000, 30000, 100000};
 struct Column {
     Interhair interhair;
     plait_interhair value;
+    plait_slot_hash hash;
+    plait_diffuse_rule rule;
     const char* name;
 };
-constexpr Column columns[] = {{Interhair::off, PLAIT_INTERHAIR_OFF, "original"},
-                              {Interhair::slots, PLAIT_INTERHAIR_SLOTS, "slots"},
-                              {Interhair::exact, PLAIT_INTERHAIR_EXACT, "exact"}};
+constexpr Column columns[] = {
+    {Interhair::off, PLAIT_INTERHAIR_OFF, PLAIT_HASH_PCG, PLAIT_DIFFUSE_RULE_FLOORED, "original"},
+    {Interhair::thesis, PLAIT_INTERHAIR_SLOTS, PLAIT_HASH_THESIS, PLAIT_DIFFUSE_RULE_THESIS,
+     "thesis"},
+    {Interhair::slots, PLAIT_INTERHAIR_SLOTS, PLAIT_HASH_PCG, PLAIT_DIFFUSE_RULE_FLOORED, "slots"},
+    {Interhair::exact, PLAIT_INTERHAIR_EXACT, PLAIT_HASH_PCG, PLAIT_DIFFUSE_RULE_FLOORED, "exact"}};
 
 void check(plait_result result) {
     if (result != PLAIT_OK)
@@ -61,7 +66,7 @@ Groom make_groom(const Shape& shape) {
 }
 
 // The settings of TressFX's own demonstration hair (pipeline's "mohawk").
-Sim make_sim(plait_context* context, plait_groom* groom, plait_interhair interhair) {
+Sim make_sim(plait_context* context, plait_groom* groom, const Column& column) {
     plait_sim_desc desc = plait_sim_desc_defaults();
     desc.params.damping = 0.068f;
     desc.params.local_stiffness = 0.908f;
@@ -69,11 +74,9 @@ Sim make_sim(plait_context* context, plait_groom* groom, plait_interhair interha
     desc.params.global_stiffness = 0.408f;
     desc.params.global_range = 0.308f;
     desc.params.length_iterations = 3;
-    desc.params.interhair = interhair;
-    if (interhair == PLAIT_INTERHAIR_SLOTS) {
-        desc.params.slot_hash = PLAIT_HASH_THESIS;
-        desc.params.diffuse_rule = PLAIT_DIFFUSE_RULE_THESIS;
-    }
+    desc.params.interhair = column.value;
+    desc.params.slot_hash = column.hash;
+    desc.params.diffuse_rule = column.rule;
     plait_sim* sim = nullptr;
     check(plait_sim_create(context, groom, &desc, &sim));
     return Sim(sim);
@@ -95,7 +98,7 @@ void measure(benchmark::State& state, uint32_t index, uint32_t strands, const Co
     const Shape shape{strands, results.options.vertices};
     const Context context = make_context(results.devices[index].device);
     const Groom groom = make_groom(shape);
-    const Sim sim = make_sim(context.get(), groom.get(), column.value);
+    const Sim sim = make_sim(context.get(), groom.get(), column);
     uint32_t number = 0;
     frame(sim.get(), number++); // compiles
     double total = 0;
