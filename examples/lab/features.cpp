@@ -50,21 +50,32 @@ double difference(const Recording& a, const Recording& b, double length) {
 }
 
 struct Half {
+    Scene scene;
+    Method method;
     Recording recording;
-    double cost, error;
+    double error;
+    double cost = std::numeric_limits<double>::infinity(); // ms
 };
 
 // Either half's error is from the whole scene's reference.
-Half run_half(Contexts& contexts, const Feature& feature, const Json& overrides,
-              const CostOptions& costs) {
+Half run_half(Contexts& contexts, const Feature& feature, const Json& overrides) {
     const Scene whole = read_scene(feature.scene, feature.with);
     const Scene scene = read_scene(feature.scene, overrides);
     const Method method = method_of(scene);
-    Half half{record(contexts, scene, method), 0, nan};
+    Half half{scene, method, record(contexts, scene, method), nan};
     if (whole.reference)
         half.error = evaluate(whole, method, half.recording, measure_of("rms_error")).value;
-    half.cost = measure_cost(contexts, contexts, scene, method, costs).ms_per_frame();
     return half;
+}
+
+// By turns, the least of three rounds each: what else the machine does only adds.
+void time_halves(Contexts& contexts, const CostOptions& costs, Half& with, Half& without) {
+    constexpr int rounds = 3;
+    for (int round = 0; round < rounds && !interrupted(); ++round)
+        for (Half* half : {&with, &without}) {
+            const Cost cost = measure_cost(contexts, contexts, half->scene, half->method, costs);
+            half->cost = std::min(half->cost, cost.ms_per_frame());
+        }
 }
 
 std::string percent(double with, double without) {
@@ -181,8 +192,9 @@ class Runner {
 
     void measure(const Feature& feature, const Scene& scene, FeatureResult& result) {
         try {
-            const Half with = run_half(contexts_, feature, feature.with, options_.costs);
-            const Half without = run_half(contexts_, feature, feature.without, options_.costs);
+            Half with = run_half(contexts_, feature, feature.with);
+            Half without = run_half(contexts_, feature, feature.without);
+            time_halves(contexts_, options_.costs, with, without);
             result.cost_with = with.cost;
             result.cost_without = without.cost;
             result.error_with = with.error;

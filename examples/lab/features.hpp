@@ -26,7 +26,7 @@ struct FeatureOptions : Choice {
     std::string table;                 // features.json; "": the one of the sources
     std::vector<std::string> features; // empty: all
     std::string device, backend;
-    CostOptions costs{30000, 21, false};
+    CostOptions costs{100000, 21, false};
 };
 
 struct FeatureRun {
