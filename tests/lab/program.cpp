@@ -74,9 +74,9 @@ TEST_F(LabProgram, tables_are_chosen_from_and_printed_as_json_and_csv) {
             "scene": "t.json", "with": {"model": "rod"}, "without": {"model": "chain"}}]})"}};
     for (const auto& [command, table] : tables) {
         const std::string arguments = command + " --table " + write(command + ".json", table) +
-                                      " --scenes t --models rod --backend reference --out " +
+                                      " --scenes t --models rod --backend opencl --out " +
                                       path("out") +
-                                      (command == "accuracy" ? "" : " --cost-vertices 8") + " ";
+                                      (command == "accuracy" ? "" : " --cost-vertices 3000") + " ";
         const Outcome json = lab(arguments + "--json", false);
         EXPECT_EQ(json.code, 0) << command;
         const auto document = common::Json::parse(json.text, nullptr, false);
