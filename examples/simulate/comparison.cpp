@@ -34,7 +34,7 @@ Scene Variant::of(Scene scene) const {
 }
 
 std::string label_of(const plait_sim_desc& sim) {
-    const std::string label = sim.model == PLAIT_MODEL_TRESSFX ? "TressFX" : model_names[sim.model];
+    std::string label = sim.model == PLAIT_MODEL_TRESSFX ? "TressFX" : model_names[sim.model];
     if (sim.params.interhair == PLAIT_INTERHAIR_OFF)
         return label;
     if (has_thesis_step(sim.params))

@@ -7,7 +7,6 @@
 namespace plait::conformance {
 namespace {
 
-using cases::Array;
 using cases::Case;
 using cases::Field;
 using cases::FieldKind;
