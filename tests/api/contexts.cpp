@@ -86,7 +86,7 @@ struct Worker {
     const std::string& backend;
     const plait::Groom& groom;
     uint64_t hash = 0;
-    std::string trouble; // if all was as it should be
+    std::string trouble = {}; // if all was as it should be
 
     template <typename Meet> void work(const Meet& meet) {
         const auto context = make_context(backend);
