@@ -10,16 +10,10 @@ namespace lab {
 
 namespace {
 
-struct Options {
-    AccuracyOptions run;
-    DeviceOptions device;
-    Print print;
-};
+using Options = TableCommand<AccuracyOptions>;
 
-Exit run(Options options) {
-    options.run.device = options.device.device;
-    options.run.backend = options.device.backend;
-    const AccuracyRun done = run_accuracy(options.run);
+Exit run(const Options& options) {
+    const AccuracyRun done = run_accuracy(options.on_device());
     Json all = Json::array();
     for (const Result& result : done.results)
         all.push_back(to_json(result));
@@ -43,10 +37,7 @@ void add_accuracy(CLI::App& app, Command& chosen) {
     command->add_flag("--baselines", options->run.baselines, "the baselines, too");
     command->add_flag("--all-settings", options->run.all_settings,
                       "all settings of a model, not only for real time and for quality");
-    add_choice(*command, options->run);
-    add_scenes(*command, options->run);
-    add_print(*command, options->print);
-    add_device_options(*command, options->device);
+    add_table_options(*command, *options);
     command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }
 

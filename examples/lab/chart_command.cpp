@@ -9,11 +9,7 @@ namespace lab {
 
 namespace {
 
-struct Options {
-    ChartOptions run;
-    DeviceOptions device;
-    Print print;
-};
+using Options = TableCommand<ChartOptions>;
 
 void print_tables(const ChartRun& done) {
     for (const Chart& chart : done.charts) {
@@ -27,10 +23,8 @@ void print_tables(const ChartRun& done) {
         std::printf("wrote %s\n", file.c_str());
 }
 
-Exit run(Options options) {
-    options.run.device = options.device.device;
-    options.run.backend = options.device.backend;
-    const ChartRun done = run_charts(options.run);
+Exit run(const Options& options) {
+    const ChartRun done = run_charts(options.on_device());
     if (options.print.json)
         std::cout << to_json(done).dump(2) << '\n';
     else if (options.print.csv)
@@ -47,11 +41,8 @@ void add_chart(CLI::App& app, Command& chosen) {
     CLI::App* command = app.add_subcommand("chart", "cost against accuracy, drawn by gnuplot");
     command->add_option("--families", options->run.families, "only these figures")->delimiter(',');
     command->add_option("--table", options->run.table, "the figures [assets/lab/charts.json]");
-    add_choice(*command, options->run);
-    add_scenes(*command, options->run);
-    add_print(*command, options->print);
+    add_table_options(*command, *options);
     add_cost_options(*command, options->run.costs);
-    add_device_options(*command, options->device);
     command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }
 

@@ -35,6 +35,26 @@ struct Print {
 };
 void add_print(CLI::App& command, Print& print);
 
+// A command that measures a table: what is to be run, on which device, printed how.
+template <typename Run> struct TableCommand {
+    Run run;
+    DeviceOptions device;
+    Print print;
+
+    Run on_device() const {
+        Run chosen = run;
+        chosen.device = device.device;
+        chosen.backend = device.backend;
+        return chosen;
+    }
+};
+template <typename Run> void add_table_options(CLI::App& app, TableCommand<Run>& command) {
+    add_choice(app, command.run);
+    add_scenes(app, command.run);
+    add_print(app, command.print);
+    add_device_options(app, command.device);
+}
+
 struct CostOptions;
 void add_cost_options(CLI::App& command, CostOptions& costs);
 
