@@ -373,12 +373,11 @@ typedef struct plait_sim_params {
                          off; 1: no stretch of the strand as a whole */
 
     /* air */
-    float wind[3]; /* m/s, each [-1e3, 1e3], default 0; with no drag: no wind stage */
-    float
-        air_with_head; /* [0, 1], share of the head's velocity, taken at the middle of the
-                          groom, that the air has: 1 under a hat; default 0. chain, cosserat, rod */
-    float air_drag;    /* rho_air C_d d / (2 rho A), 1/m, [0, 1e6], default 0 */
-    float wind_cone;   /* published form: its half angle, rad, [0, pi/2], default 0.7 */
+    float wind[3];       /* m/s, each [-1e3, 1e3], default 0; with no drag: no wind stage */
+    float air_with_head; /* [0, 1], share of the head's velocity that the air has, at the middle of
+                            the groom; 1: under a hat; default 0. chain, cosserat, rod */
+    float air_drag;      /* rho_air C_d d / (2 rho A), 1/m, [0, 1e6], default 0 */
+    float wind_cone;     /* published form: its half angle, rad, [0, pi/2], default 0.7 */
 
     /* inter-hair step, once per fixed step */
     plait_interhair interhair;       /* default OFF */
