@@ -250,7 +250,7 @@ PLAIT_API plait_result plait_groom_create(const plait_groom_desc* desc,
                                           const plait_import_options* options, plait_groom** out);
 
 /* By extension: .tfx (TressFX 3 and 4; a .tfxbone beside it is read as skin), .hair (Cem Yuksel),
- * .obj, .gltf, .glb polylines. @errors NOT_FOUND, IO, BAD_DATA (file, place, value, range),
+ * .obj polylines. @errors NOT_FOUND, IO, BAD_DATA (file, place, value, range),
  * UNSUPPORTED (unknown extension, or built without assimp). */
 PLAIT_API plait_result plait_groom_load(const char* path, const plait_import_options* options,
                                         plait_groom** out);

@@ -17,11 +17,10 @@ Result<ByteVector> write_tfxbone(const StrandSet& strands);
 Result<StrandSet> read_hair(const ByteReader& file, const ReadOptions& options);
 Result<ByteVector> write_hair(const StrandSet& strands);
 
-// Polylines by assimp, which opens the file itself because .gltf names others (buffers). Without
-// assimp: UNSUPPORTED.
+// Polylines of OBJ by assimp, once check_obj() has passed the text. Without assimp: UNSUPPORTED.
 Result<StrandSet> read_polylines(const std::string& path, const ReadOptions& options);
-// The same from memory; `extension` as in "obj".
-Result<StrandSet> read_polylines(std::span<const std::byte> bytes, const std::string& extension,
+// The same from memory; `file` is for messages.
+Result<StrandSet> read_polylines(ByteVector text, const std::string& file,
                                  const ReadOptions& options);
 
 } // namespace plait

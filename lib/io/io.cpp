@@ -56,11 +56,10 @@ Result<StrandSet> read_by_extension(const std::string& path, const ReadOptions& 
         return read_tfx_file(path, options);
     if (extension == ".hair")
         return read_hair_file(path, options);
-    if (extension == ".obj" || extension == ".gltf" || extension == ".glb")
+    if (extension == ".obj")
         return read_polylines(path, options);
     return Error{PLAIT_UNSUPPORTED,
-                 format("%s: cannot read strands from \"%s\"; known are .tfx, .hair, .obj, .gltf, "
-                        ".glb",
+                 format("%s: cannot read strands from \"%s\"; known are .tfx, .hair, .obj",
                         path.c_str(), extension.c_str())};
 }
 

@@ -16,7 +16,7 @@ struct ReadOptions {
 };
 
 // .tfx (TressFX 3 and 4, with the .tfxbone beside it, if any, as skin), .hair, and polylines of
-// .obj, .gltf, .glb. NOT_FOUND, IO, BAD_DATA (file, place, value, range), UNSUPPORTED.
+// .obj. NOT_FOUND, IO, BAD_DATA (file, place, value, range), UNSUPPORTED.
 Result<StrandSet> read_strands(const std::string& path, const ReadOptions& options = {});
 
 // .tfx (version 4; strands of equal vertex counts; the skin, if any, to a .tfxbone beside it) or

@@ -10,9 +10,8 @@ Result<StrandSet> read_polylines(const std::string& path, const ReadOptions&) {
                         path.c_str())};
 }
 
-Result<StrandSet> read_polylines(std::span<const std::byte>, const std::string& extension,
-                                 const ReadOptions& options) {
-    return read_polylines("memory." + extension, options);
+Result<StrandSet> read_polylines(ByteVector, const std::string& file, const ReadOptions& options) {
+    return read_polylines(file, options);
 }
 
 } // namespace plait

@@ -3,7 +3,8 @@
 using namespace plait;
 
 int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
-    auto strands = read_polylines(fuzz::bytes_of(data, size), "obj", {});
+    const auto bytes = fuzz::bytes_of(data, size);
+    auto strands = read_polylines({bytes.begin(), bytes.end()}, "memory.obj", {});
     if (strands)
         fuzz::demand_whole(*strands, size);
     return 0;

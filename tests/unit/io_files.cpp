@@ -18,7 +18,7 @@ void expect_read_error(const std::string& path, plait_result code) {
 
 const char* const READABLE[] = {".tfx", ".hair",
 #ifndef PLAIT_WITHOUT_ASSIMP
-                                ".obj", ".gltf", ".glb"
+                                ".obj"
 #endif
 };
 
@@ -54,6 +54,16 @@ TEST(IoFiles, UnknownExtension) {
     TemporaryDirectory directory;
     expect_read_error(directory.file("hair.abc"), PLAIT_UNSUPPORTED);
     expect_read_error(directory.file("hair"), PLAIT_UNSUPPORTED);
+    for (const char* name : {"hair.gltf", "hair.GLB"}) {
+        auto strands = read_strands(directory.file(name));
+        ASSERT_FALSE(strands.ok());
+        EXPECT_EQ(strands.error().code, PLAIT_UNSUPPORTED);
+        const std::string& message = strands.error().message;
+        EXPECT_NE(message.find(directory.file(name) + ": cannot read strands from \".gl"),
+                  std::string::npos)
+            << message;
+        EXPECT_NE(message.find("known are .tfx, .hair, .obj"), std::string::npos) << message;
+    }
     const Status status = write_strands(directory.file("hair.obj"), sample_strands({2}));
     EXPECT_EQ(status.error().code, PLAIT_UNSUPPORTED);
     EXPECT_EQ(directory.entries(), 0u);

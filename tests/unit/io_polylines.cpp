@@ -6,18 +6,17 @@ namespace {
 #ifdef PLAIT_WITHOUT_ASSIMP
 
 TEST(IoPolylines, AreUnsupportedWithoutAssimp) {
-    for (const char* path : {"a.obj", "a.gltf", "a.glb"}) {
-        auto strands = read_strands(path);
-        ASSERT_FALSE(strands.ok());
-        EXPECT_EQ(strands.error().code, PLAIT_UNSUPPORTED);
-        EXPECT_NE(strands.error().message.find("assimp"), std::string::npos);
-    }
+    auto strands = read_strands("a.obj");
+    ASSERT_FALSE(strands.ok());
+    EXPECT_EQ(strands.error().code, PLAIT_UNSUPPORTED);
+    EXPECT_NE(strands.error().message.find("assimp"), std::string::npos);
 }
 
 #else
 
 Result<StrandSet> read_obj(const std::string& text, float scale = 1.0f) {
-    return read_polylines(std::as_bytes(std::span(text)), "obj", {.scale = scale});
+    const auto bytes = std::as_bytes(std::span(text));
+    return read_polylines({bytes.begin(), bytes.end()}, "memory.obj", {.scale = scale});
 }
 
 using Counts = std::pmr::vector<uint32_t>;
@@ -48,39 +47,140 @@ TEST(IoPolylines, FileWithoutPolylines) {
     expect_bad_data(read_obj(POINTS + "f 1 2 4\n"), "memory.obj", "has no polylines");
 }
 
-TEST(IoPolylines, TextThatIsNoModel) {
-    TemporaryDirectory directory;
-    for (const char* name : {"a.gltf", "a.glb"}) {
-        put_file(directory.file(name), "this is no model");
-        expect_bad_data(read_strands(directory.file(name)), name, "");
+// Five vertices at x = 0..4, which the tests below begin their files with.
+const std::string FIVE = "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 3 0 0\nv 4 0 0\n";
+
+// The x of all vertices of all strands.
+void expect_x(const std::string& text, const std::vector<float>& expected) {
+    auto strands = read_obj(text);
+    ASSERT_OK(strands) << text;
+    std::vector<float> x;
+    for (size_t i = 0; i < strands->positions.size(); i += 3)
+        x.push_back(strands->positions[i]);
+    EXPECT_EQ(x, expected) << text;
+}
+
+TEST(IoPolylines, LegalTextOfManyKinds) {
+    const std::string data = "vt 0 0\nvt 0 0 1\nvn 0 0 1\nvp 1\n";
+    for (const char* line :
+         {"l 1 2 4\n", "l 1 2 4", "l 1 2 4 \t \n", "l\t1\t2\t4\n", "\n \nl 1 2 4\n", "l -5 -4 -2\n",
+          "l 1/1 2/2 4/2\n", "l 1/-2 2/-1 4/-1\n", "l 1//1 2//1 4//1\n", "l 1/1/1 2/2/-1 4/2/1\n",
+          "f 1/2/1 2/2/1 3/1/1\nf 1//1 2//1 3//1\nf 1 2 3\np 1 2\nl 1 2 4\n",
+          "# C:\\hair \xc3\xa4\no h\xc3\xa4r\ng a b\nusemtl m\xc3\xbc\nl 1 2 4\n",
+          "mtllib none.mtl\ns off\nmg 1 2\nbevel on\nl 1 2 4\n  # end"})
+        expect_x(FIVE + data + line, {0, 1, 3});
+}
+
+TEST(IoPolylines, LineEndsOfOtherSystems) {
+    for (const char* end : {"\r\n", "\r"}) {
+        const std::string n = end;
+        expect_x("# one" + n + "v 1 0 0" + n + "v 2 0 0" + n + "l 1 2" + n, {1, 2});
     }
 }
 
-// A line strip and a pair of separate lines, the second placed 10 to the right by its node.
-const char GLTF[] = R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1]}],
-"nodes": [{"mesh": 0}, {"mesh": 1, "translation": [10, 0, 0]}],
-"meshes": [{"primitives": [{"mode": 3, "attributes": {"POSITION": 0}}]},
-           {"primitives": [{"mode": 1, "attributes": {"POSITION": 1}}]}],
-"accessors": [
- {"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0,0,0], "max": [0,2,0]},
- {"bufferView": 1, "componentType": 5126, "count": 4, "type": "VEC3", "min": [0,0,0], "max": [0,3,0]}],
-"bufferViews": [{"buffer": 0, "byteOffset": 0, "byteLength": 36},
-                {"buffer": 0, "byteOffset": 0, "byteLength": 48}],
-"buffers": [{"uri": "lines.bin", "byteLength": 48}]})";
+TEST(IoPolylines, NumbersOfManyForms) {
+    expect_x("v 1. 0 0\nv -2.5e-1 0 0\nv +3E+2 0 0\nv 6 0 0 2\nv 7 0 0 1 0 0\nl 1 2 3 4 5\n",
+             {1, -0.25f, 300, 3, 7});
+}
 
-TEST(IoPolylines, LinesOfGltfWithItsBufferAndNodes) {
-    TemporaryDirectory directory;
-    ByteWriter buffer(std::pmr::get_default_resource());
-    for (float y : {0.0f, 1.0f, 2.0f, 3.0f})
-        for (float value : {0.0f, y, 0.0f})
-            buffer.f32(value);
-    put_file(directory.file("lines.bin"), std::move(buffer).take());
-    put_file(directory.file("lines.gltf"), GLTF);
-    auto strands = read_strands(directory.file("lines.gltf"));
+TEST(IoPolylines, IndicesAheadOfTheirVertices) {
+    expect_x("l 1 2\n" + FIVE, {0, 1});
+}
+
+TEST(IoPolylines, LastLineOfALargeFileWithoutALineEnd) {
+    std::string text = FIVE;
+    text.resize((size_t{16} << 20) - 4, '\n'); // assimp reads 16 MiB at a time
+    auto strands = read_obj(text + "l 1 2\nl 4 5");
     ASSERT_OK(strands);
-    EXPECT_EQ(strands->vertex_counts, (Counts{3, 2, 2}));
-    EXPECT_EQ(strands->positions,
-              (Floats{0, 0, 0, 0, 1, 0, 0, 2, 0, 10, 0, 0, 10, 1, 0, 10, 2, 0, 10, 3, 0}));
+    EXPECT_EQ(strands->vertex_counts, (Counts{2, 2}));
+}
+
+// assimp refuses the groom when it sees these materials.
+TEST(IoPolylines, OtherFilesAreNotOpened) {
+    TemporaryDirectory directory;
+    const std::string materials = directory.file("a.mtl");
+    put_file(materials, "newmtl a\nNs none\n");
+    put_file(directory.file("a.obj"), "mtllib " + materials + "\nusemtl a\n" + FIVE + "l 1 2\n");
+    auto strands = read_strands(directory.file("a.obj"));
+    ASSERT_OK(strands);
+    EXPECT_EQ(strands->vertex_counts, Counts{2});
+}
+
+void expect_refusal(const std::string& line, const std::string& text) {
+    expect_bad_data(read_obj(FIVE + line + "\nl 1 2\n"), "memory.obj: line 6: ", text);
+}
+
+TEST(IoPolylines, RefusedBytes) {
+    expect_refusal(std::string("l 1 2\0", 6), "byte 0x00; allowed are text and tabs");
+    expect_refusal("# \x1b[1m", "byte 0x1b");
+    expect_refusal("l 1 \v 2", "byte 0x0b");
+    expect_refusal("l 1 2 \\", "goes on after \\; allowed are whole lines");
+    expect_refusal("# C:\\", "goes on after \\");
+    expect_refusal("# C:\\\r", "goes on after \\");
+    expect_refusal(" l 1 2", "blanks before \"l\"; allowed are none");
+}
+
+TEST(IoPolylines, RefusedKeywords) {
+    for (const char* word : {"lod", "l1", "v1", "parm", "curv", "call", "L", "\xef\xbb\xbfv", "1"})
+        expect_refusal(format("%s 1", word),
+                       format("unknown keyword \"%s\"; known are v, vt, vn, p, l", word));
+    const std::string x(32, 'x');
+    expect_refusal(x + x, format("\"%s\"", x.c_str()));
+}
+
+TEST(IoPolylines, RefusedNumbers) {
+    for (const char* number : {"nan", "inf", "-inf", "1e39", "-1e400", ".5", "1,5", "1x", "+", "-",
+                               "+-1", "0x1", "#", "\xc3\xa4"})
+        expect_refusal(format("v 1 2 %s", number),
+                       format("vertex has \"%s\"; allowed are finite numbers", number));
+    for (const char* count :
+         {"", " 1", " 1 2", " 1 2 3 4 5", " 1 2 3 4 5 6 7",
+          " 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26"
+          " 27 28 29 30 31 32 33 34 35"})
+        expect_refusal(format("v%s", count), "numbers; allowed 3, 4 or 6");
+    expect_refusal("vt 1", "texture vertex of 1 numbers; allowed 2 or 3");
+    expect_refusal("vt nan 1", "texture vertex has \"nan\"");
+    expect_refusal("vn 1 2", "vertex normal of 2 numbers; allowed 3");
+}
+
+TEST(IoPolylines, RefusedIndices) {
+    for (const char* index :
+         {"0", "-0", "01", "-01", "+1", "1.5", "1x", "x", "99999999999999999999"})
+        expect_refusal(format("l 1 %s", index),
+                       format("vertex index is \"%s\"; allowed are whole numbers", index));
+    expect_refusal("l 1 25", "vertex index is 25; allowed 1 to 5");
+    expect_refusal("l 1 2147483648", "vertex index is 2147483648; allowed 1 to 5");
+    expect_refusal("l -6 -1", "vertex index is -6; allowed -5 to -1");
+    expect_refusal("f 1 2 6", "vertex index is 6; allowed 1 to 5");
+    expect_refusal("p 6", "vertex index is 6; allowed 1 to 5");
+    expect_refusal("l 1/1 2/1", "texture vertex index is 1; there are none");
+    expect_refusal("l 1//1 2//1", "vertex normal index is 1; there are none");
+    expect_refusal("l 1/-1 2/-1", "texture vertex index is -1; there are none");
+}
+
+TEST(IoPolylines, RefusedReferences) {
+    const std::string data = "vt 0 0\nvn 0 0 1\n";
+    for (const char* word : {"1/", "1//", "1/1/", "/1", "/"})
+        expect_bad_data(read_obj(FIVE + data + "l 1 " + word),
+                        "memory.obj: line 8: ", "index is \"\"; allowed are whole numbers");
+    expect_bad_data(read_obj(FIVE + data + "l 1 1/1/1/1"),
+                    "memory.obj: line 8: ", "\"1/1/1/1\" has more than three parts");
+    expect_bad_data(read_obj(FIVE + data + "l 1/2 2"),
+                    "memory.obj: line 8: ", "texture vertex index is 2; allowed 1 to 1");
+    expect_bad_data(read_obj(FIVE + data + "l 1//-2 2"),
+                    "memory.obj: line 8: ", "vertex normal index is -2; allowed -1 to -1");
+}
+
+// Two lines of one vertex make assimp write beyond its arrays.
+TEST(IoPolylines, ElementsOfTooFewVertices) {
+    expect_refusal("l 1\nl 1", "l of 1 vertices; allowed 2 or more");
+    expect_refusal("l", "l of 0 vertices; allowed 2 or more");
+    expect_refusal("f 1 2", "f of 2 vertices; allowed 3 or more");
+    expect_refusal("p", "p of 0 vertices; allowed 1 or more");
+}
+
+TEST(IoPolylines, LinesAreCountedAtEveryKindOfEnd) {
+    expect_bad_data(read_obj("v 0 0 0\r\n\r\n\nv 1 0 0\r\rl 0 1"), "memory.obj: line 6: ", "index");
 }
 
 #endif
