@@ -8,6 +8,7 @@
  */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/chain_tension.clh"
+#include "common/energy.clh"
 
 #define CHAIN_CORRECTION 0.5f /* s_damping of Mueller et al. 2012 */
 
@@ -181,14 +182,14 @@ __kernel void plait_chain(const uint item_count, const plait_lane_params params,
             w[i] = axpy3((real)(-CHAIN_CORRECTION / step.h), sub3(x[i + 1], solved[i + 1]), w[i]);
     }
     lane_velocities(&step, x, y, w);
-    if (!params.bdf2) {
-        const real given = contacts ? energy_of_contacts(contacts, state, x) : (real)(0.0f);
-        energy_limit(&step, &params, state, given, x, w);
-    }
-    store3(lane_x, step.place, 0, step.pose.root);
+    const real given = contacts ? energy_of_contacts(contacts, state, x) : (real)(0.0f);
+    const mask pairs = energy_pairs(&step, &params, state);
+    const energy_limits limits = energy_limit(&step, &params, state, pairs, given, x, w);
+    lane_store_root(&step, state);
     for (int i = 1; i <= step.segments; ++i)
         if (contacts && contacts->touching)
             contact_store(contacts, state, i, x[i], w[i]);
         else
             lane_store(&step, state, i, x[i], w[i]);
+    energy_limit_before(&step, state, limits);
 }

@@ -28,6 +28,9 @@ Case chain_case() {
     }
     for (const Size& size : contact_sizes())
         result.setups.push_back(
+            lane_setup(size, make_lane_hair_spun(size, 31), lane_params_afloat(size, 1), false));
+    for (const Size& size : contact_sizes())
+        result.setups.push_back(
             reordered(lane_setup(size, make_lane_hair(size, 31), lane_params(size, 1, 0), false)));
     // In the second and the third a strand does not touch and has a neighbour in its work-item that
     // does. In the last the second sweep finds a vertex where the first put it, its plane just

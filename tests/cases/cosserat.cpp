@@ -22,6 +22,9 @@ Case cosserat_case() {
             lane_setup(size, make_lane_hair_spun(size, 32), lane_params(size, 1, 0), true));
     for (const Size& size : contact_sizes())
         result.setups.push_back(
+            lane_setup(size, make_lane_hair_spun(size, 32), lane_params_afloat(size, 1), true));
+    for (const Size& size : contact_sizes())
+        result.setups.push_back(
             lane_setup(size, make_lane_hair_wrung(size, 32), lane_params(size, 3, 1), true));
     for (const Size& size : contact_sizes())
         result.setups.push_back(

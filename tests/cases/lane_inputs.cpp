@@ -209,6 +209,13 @@ plait_lane_params lane_params(const Size& size, uint32_t iterations, uint32_t bd
     return params;
 }
 
+plait_lane_params lane_params_afloat(const Size& size, uint32_t iterations) {
+    plait_lane_params params = lane_params(size, iterations, 1);
+    for (float& g : params.gravity)
+        g *= 0.1f;
+    return params;
+}
+
 Setup lane_setup(const Size& size, const LaneHair& lanes, const plait_lane_params& params,
                  bool bends) {
     Setup setup;

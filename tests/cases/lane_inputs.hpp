@@ -33,6 +33,8 @@ Setup reordered(Setup setup);
 
 // A long substep under strong forces, so that 1 % of any of them shows.
 plait_lane_params lane_params(const Size& size, uint32_t iterations, uint32_t bdf2);
+// BDF2 and a tenth of the gravity: velocities change by more than it does, and no pairs count.
+plait_lane_params lane_params_afloat(const Size& size, uint32_t iterations);
 
 // The setup of a strand model: `bends` with orientations.
 Setup lane_setup(const Size& size, const LaneHair& hair, const plait_lane_params& params,

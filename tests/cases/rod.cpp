@@ -22,6 +22,9 @@ Case rod_case() {
             lane_setup(size, make_lane_hair_spun(size, 32), lane_params(size, 0, 0), true));
     for (const Size& size : contact_sizes())
         result.setups.push_back(
+            lane_setup(size, make_lane_hair_spun(size, 32), lane_params_afloat(size, 0), true));
+    for (const Size& size : contact_sizes())
+        result.setups.push_back(
             lane_setup(size, make_lane_hair_wrung(size, 32), lane_params(size, 1, 1), true));
     for (const Size& size : contact_sizes())
         result.setups.push_back(

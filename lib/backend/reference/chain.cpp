@@ -197,11 +197,14 @@ void chain(uint32_t item_count, const plait_lane_params& params, const chain_arg
         for (size_t i = 1; i + 1 < x.size(); ++i)
             motion.w[i] -= (x[i + 1] - solved[i + 1]) / (2 * motion.h);
         std::vector<Vec3> v = motion.velocities(x);
-        limit_energy({params, motion, links.mass, before}, held ? held->work(x) : 0, x, v);
+        const Limit limit =
+            limit_energy({params, motion, links.mass, before}, held ? held->work(x) : 0, x, v);
         if (held)
             held->store(lane, state, x, v);
         else
             motion.store(lane, state, x, v);
+        if (params.bdf2)
+            limit.apply_before(lane, state, x.size());
     }
 }
 

@@ -263,7 +263,7 @@ double Contacts::work(const std::vector<Vec3>& x) const {
         const Contact& at = at_[i];
         if (at.stiffness == 0)
             continue;
-        const Vec3 way = at.anchor - (motion_.start[i] - motion_.start[0]); // relative to the root
+        const Vec3 way = params_.h / motion_.h * (at.anchor - motion_.from[i]);
         const double push = at.stiffness * std::max(at.offset - at.normal.dot(x[i]), 0.0);
         const double rise = at.normal.dot(way);
         sum += push * rise + at.friction * at.push * (way - rise * at.normal).norm() +

@@ -4,34 +4,106 @@
 #include <cmath>
 
 namespace plait::reference {
+namespace {
 
-double limit_energy(const Substep& step, double released, const std::vector<Vec3>& x,
-                    std::vector<Vec3>& v) {
+struct Balance {
+    double before, after; // J, the work of the substep in the former
+    double least = 1e-30; // J: what moves less is left alone
+};
+
+// 1e-5 of its distance from the root a vertex may always move
+double creep(double mass, double h, const Vec3& x) {
+    return 1e-10 * mass / 2 * x.squaredNorm() / (h * h);
+}
+
+// What positions are relative to moves at, as the balance takes it.
+Vec3 root_velocity(const Substep& step, bool pairs) {
+    return pairs ? step.motion.root_velocity : Vec3(-step.motion.start[0] / step.params.h);
+}
+
+Balance of_backward_euler(const Substep& step, const std::vector<Vec3>& x,
+                          const std::vector<Vec3>& v) {
     const auto& [params, motion, mass, length] = step;
-    if (params.bdf2)
-        return 1;
-    constexpr double still = 1e-10; // 1e-5 of its distance from the root a vertex may always move
-    const double h = motion.h, drag = params.drag;
-    const Vec3 push = vec3(params.gravity) + drag * vec3(params.air);
-    const Vec3 root_moved = -motion.start[0];
-    double before = released, after = 0;
+    const double h = motion.h, gain = 1 + params.drag * h;
+    const Vec3 push = vec3(params.gravity) + params.drag * vec3(params.air);
+    Balance sum{0, 0};
     for (size_t i = 1; i < x.size(); ++i) {
         if (length[i] == 0)
             continue;
-        const double k = mass[i] * (1 + drag * h) / (h * h);
-        const Vec3 start = motion.start[i] + root_moved; // relative to the root of then
-        const Vec3 inertial = h / (1 + drag * h) * motion.v[i] - root_moved;
-        before += k / 2 * (inertial.squaredNorm() + still * x[i].squaredNorm()) +
-                  mass[i] * push.dot(x[i] - start);
-        after += k / 2 * (h * v[i] - root_moved).squaredNorm();
+        const Vec3 inertial = motion.v[i] / gain - motion.root_velocity;
+        const Vec3 moves = v[i] - motion.root_velocity;
+        sum.before += gain * (mass[i] / 2 * inertial.squaredNorm() + creep(mass[i], h, x[i])) +
+                      mass[i] * push.dot(x[i] - motion.from[i]);
+        sum.after += gain * mass[i] / 2 * moves.squaredNorm();
     }
-    constexpr double none = 1e-30; // J: nothing moves
-    if (after <= std::max(before, none))
-        return 1;
-    const double share = std::sqrt(std::max(before, 0.0) / after);
+    return sum;
+}
+
+// Of BDF2, by (3a - 4b + c).a/2 = G(a, b) - G(b, c) + |a - 2b + c|^2/4 of its velocities; of one
+// state after another where pairs do not count.
+Balance of_bdf2(const Substep& step, bool pairs, const std::vector<Vec3>& x,
+                const std::vector<Vec3>& v) {
+    const auto& [params, motion, mass, length] = step;
+    const Vec3 root = root_velocity(step, pairs);
+    Balance sum{0, 0};
+    double total = 0, reach = 0;
+    for (size_t i = 1; i < x.size(); ++i) {
+        if (length[i] == 0)
+            continue;
+        const Vec3 now = v[i] - root, before = motion.v[i] - root, ago = motion.v_before[i] - root;
+        const Vec3 way = pairs ? Vec3(params.h / motion.h * (x[i] - motion.from[i]))
+                               : Vec3(x[i] - (motion.start[i] - motion.start[0]));
+        const Vec3 force = vec3(params.gravity) + params.drag * (vec3(params.air) - v[i]);
+        sum.before +=
+            mass[i] * (held(pairs, before, ago) + force.dot(way)) + creep(mass[i], motion.h, x[i]);
+        sum.after += mass[i] * held(pairs, now, before);
+        total += mass[i];
+        reach += length[i];
+    }
+    // truncated solves leave creeping hair more than it has
+    sum.least = 1e-5 * total * reach * vec3(params.gravity).norm();
+    return sum;
+}
+
+} // namespace
+
+bool counts_pairs(const Substep& step) {
+    const auto& [params, motion, mass, length] = step;
+    if (!params.bdf2)
+        return false;
+    const double fall = (2 * params.h * vec3(params.gravity)).squaredNorm();
+    double turned = 0, may = 0;
+    for (size_t i = 1; i < length.size(); ++i) {
+        if (length[i] == 0)
+            continue;
+        turned += mass[i] * (motion.v[i] - motion.v_before[i]).squaredNorm();
+        may += mass[i] * (0.2 * (motion.v[i] - motion.root_velocity).squaredNorm() + fall);
+    }
+    return turned <= may;
+}
+
+Limit limit_energy(const Substep& step, double released, const std::vector<Vec3>& x,
+                   std::vector<Vec3>& v) {
+    const bool pairs = counts_pairs(step);
+    Limit limit{1, root_velocity(step, pairs)};
+    const Balance sum =
+        step.params.bdf2 ? of_bdf2(step, pairs, x, v) : of_backward_euler(step, x, v);
+    const double budget = std::max(released + sum.before, sum.least);
+    if (sum.after <= budget)
+        return limit;
+    limit.share = std::sqrt(budget / sum.after);
     for (size_t i = 1; i < x.size(); ++i)
-        v[i] = root_moved / h + share * (v[i] - root_moved / h);
-    return share;
+        v[i] = limit.root + limit.share * (v[i] - limit.root);
+    return limit;
+}
+
+void Limit::apply_before(const Lane& lane, const LaneState& state, size_t vertices) const {
+    if (share == 1)
+        return;
+    for (size_t i = 1; i < vertices; ++i) {
+        const Vec3 v_before = lane.vector(state.v_before, i);
+        lane.store(state.v_before, i, Vec3(root + share * (v_before - root)));
+    }
 }
 
 } // namespace plait::reference

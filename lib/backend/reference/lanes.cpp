@@ -17,30 +17,28 @@ Vec3 root_of(const View<const Vec4>& rest, const Pose& pose, size_t strand, uint
 Motion::Motion(const Lane& lane, const plait_lane_params& params, const LaneState& state,
                const Vec3& new_root)
     : h(params.bdf2 ? params.h * 2.0 / 3.0 : params.h), root(new_root), start(params.vertex_stride),
-      v(params.vertex_stride, Vec3::Zero()), y(params.vertex_stride),
-      w(params.vertex_stride, Vec3::Zero()) {
+      v(params.vertex_stride, Vec3::Zero()), from(params.vertex_stride, Vec3::Zero()),
+      y(params.vertex_stride), w(params.vertex_stride, Vec3::Zero()) {
     const Vec3 push = vec3(params.gravity) + params.drag * vec3(params.air);
     const Vec3 root_now = lane.vector(state.x, 0);
     const Vec3 root_before = params.bdf2 ? lane.vector(state.x_before, 0) : root_now;
     start[0] = root_now - root;
     y[0] = Vec3::Zero();
-    for (uint32_t i = 1; i < params.vertex_stride; ++i) {
-        Vec3 x = root_now + lane.vector(state.x, i);
-        Vec3 velocity = v[i] = lane.vector(state.v, i);
-        start[i] = x - root;
-        if (params.bdf2) {
-            const Vec3 x_before = root_before + lane.vector(state.x_before, i);
-            const Vec3 v_before = lane.vector(state.v_before, i);
-            lane.store(state.x_before, i, Vec3(x - root_now));
-            lane.store(state.v_before, i, v[i]);
-            x = continued(x, x_before);
-            velocity = continued(velocity, v_before);
-        }
-        w[i] = (velocity + h * push) / (1 + params.drag * h);
-        y[i] = x + h * w[i] - root;
-    }
     if (params.bdf2)
-        lane.store(state.x_before, 0, root_now);
+        for (uint32_t i = 0; i < params.vertex_stride; ++i) {
+            x_before.push_back(i == 0 ? Vec3(Vec3::Zero()) : lane.vector(state.x_before, i));
+            v_before.push_back(i == 0 ? Vec3(Vec3::Zero()) : lane.vector(state.v_before, i));
+        }
+    root_velocity = (root - (params.bdf2 ? continued(root_now, root_before) : root_now)) / h;
+    for (uint32_t i = 1; i < params.vertex_stride; ++i) {
+        const Vec3 x = lane.vector(state.x, i);
+        v[i] = lane.vector(state.v, i);
+        start[i] = root_now + x - root;
+        from[i] = params.bdf2 ? continued(x, x_before[i]) : x;
+        const Vec3 velocity = params.bdf2 ? continued(v[i], v_before[i]) : v[i];
+        w[i] = (velocity + h * push) / (1 + params.drag * h);
+        y[i] = from[i] + h * (w[i] - root_velocity);
+    }
 }
 
 std::vector<Vec3> Motion::velocities(const std::vector<Vec3>& x) const {
@@ -52,8 +50,14 @@ std::vector<Vec3> Motion::velocities(const std::vector<Vec3>& x) const {
 
 void Motion::store(const Lane& lane, const LaneState& state, const std::vector<Vec3>& x,
                    const std::vector<Vec3>& solved) const {
+    if (!x_before.empty())
+        lane.store(state.x_before, 0, Vec3(root + start[0]));
     lane.store(state.x, 0, root);
     for (size_t i = 1; i < x.size(); ++i) {
+        if (!x_before.empty()) {
+            lane.store(state.x_before, i, lane.vector(state.x, i));
+            lane.store(state.v_before, i, v[i]);
+        }
         lane.store(state.x, i, x[i]);
         lane.store(state.v, i, solved[i]);
     }

@@ -65,8 +65,11 @@ struct Motion {
 
     double h;
     Vec3 root;
-    std::vector<Vec3> start; // positions at the substep's begin, [0] that of the root
-    std::vector<Vec3> v;     // velocities at the substep's begin
+    std::vector<Vec3> start;              // positions at the substep's begin, [0] that of the root
+    std::vector<Vec3> v;                  // velocities at the substep's begin
+    std::vector<Vec3> x_before, v_before; // BDF2: relative to the root, a substep earlier
+    std::vector<Vec3> from;               // relative to the root, what v = (x - from)/h counts from
+    Vec3 root_velocity;
     std::vector<Vec3> y, w;
 };
 

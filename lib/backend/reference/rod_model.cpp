@@ -42,8 +42,8 @@ RodModel::RodModel(const RodBuffers& buffers, const plait_lane_params& params, s
         const Quat now = lane_.rotation(buffers.q, i), before = lane_.rotation(buffers.q_before, i);
         q.push_back(
             Quat(Vec4(now.coeffs() + repeat * (now.coeffs() - before.coeffs()))).normalized());
-        lane_.store(buffers.q_before, i, now);
         q_start_.push_back(now.normalized()); // float32 rounds it
+        q_before_.push_back(before.normalized());
     }
     length_before_.assign(1, 0.0);
     length_before_.insert(length_before_.end(), length_.begin(), length_.end());
@@ -68,17 +68,22 @@ void RodModel::store(const RodBuffers& buffers) {
         given += contacts_->work_of_new(x);
     }
     std::vector<Vec3> v = motion_.velocities(x);
-    const double share =
-        limit_energy({*params_, motion_, mass_, length_before_}, given + released(), x, v);
+    const Substep substep{*params_, motion_, mass_, length_before_};
+    given += counts_pairs(substep) ? released_of_pairs() : released();
+    const Limit limit = limit_energy(substep, given, x, v);
     if (contacts_)
         contacts_->store(lane_, buffers.state, x, v);
     else
         motion_.store(lane_, buffers.state, x, v);
+    if (params_->bdf2)
+        limit.apply_before(lane_, buffers.state, x.size());
+    // The turn that the next substep repeats loses what the velocities lost; BDF2's remembers
+    // strains.
+    const double repeats = params_->bdf2 ? 1 : limit.share;
     for (size_t i = 0; i < segments(); ++i) {
         lane_.store(buffers.q, i, q[i]);
-        // The turn that the next substep repeats loses what the velocities lost.
         const Vec4 turn = q[i].coeffs() - q_start_[i].coeffs();
-        lane_.store(buffers.q_before, i, Quat(Vec4(q[i].coeffs() - share * turn)));
+        lane_.store(buffers.q_before, i, Quat(Vec4(q[i].coeffs() - repeats * turn)));
     }
 }
 
@@ -109,6 +114,42 @@ double RodModel::released() const {
     for (Vec3& at : start)
         at -= motion_.start[0];
     return elastic(start, q_start_) - elastic(x, q);
+}
+
+RodModel::JointStrain RodModel::joint_strain(size_t segment, const std::vector<Vec3>& at,
+                                             const std::vector<Quat>& turned, double side) const {
+    const Quat from = (segment == 0 ? root_frame_ : turned[segment - 1]) * rest_[segment];
+    const Quat& to = turned[segment];
+    return {at[segment + 1] - at[segment] - length_[segment] * (to * Vec3::UnitX()),
+            to.coeffs() - side * from.coeffs(), (from.conjugate() * to).vec(), dot(to, from)};
+}
+
+double RodModel::released_of_pairs() const {
+    std::vector<Vec3> start = motion_.start;
+    for (Vec3& at : start)
+        at -= motion_.start[0];
+    double sum = 0;
+    for (size_t i = 0; i < segments(); ++i) {
+        const double side = std::copysign(1.0, dot(q[i], expected(i)));
+        const JointStrain now = joint_strain(i, x, q, side);
+        const JointStrain then = joint_strain(i, start, q_start_, side);
+        const JointStrain before = joint_strain(i, motion_.x_before, q_before_, side);
+        const auto lost = [&](const auto& a, const auto& b, const auto& c) {
+            return held(true, b, c) - held(true, a, b);
+        };
+        sum += stretch_[i] * lost(now.stretch, then.stretch, before.stretch);
+        // What turned past half a turn has another energy altogether.
+        const bool flipped = side * then.cosine < 0 || side * before.cosine < 0;
+        sum += bend_[i] * (flipped ? std::abs(now.cosine) - std::abs(then.cosine)
+                                   : lost(now.bend, then.bend, before.bend));
+        const Vec3 k = section_[i];
+        for (const int axis : {0, 2}) {
+            using Scalar = Eigen::Matrix<double, 1, 1>;
+            sum += k[axis] * lost(Scalar(now.section[axis]), Scalar(then.section[axis]),
+                                  Scalar(before.section[axis]));
+        }
+    }
+    return sum;
 }
 
 double RodModel::energy() const {

@@ -61,7 +61,17 @@ class RodModel {
              size_t strand);
     Quat expected(size_t segment) const; // q_{i-1} r_i
     Vec3 strain(size_t segment) const;   // x_{i+1} - x_i - l_i t_i
-    double released() const;             // elastic energy, J, since the substep's begin
+    // Elastic energy, J, since the substep's begin.
+    double released() const;
+    double released_of_pairs() const;
+    struct JointStrain {
+        Vec3 stretch;
+        Vec4 bend;
+        Vec3 section; // in the joint's own axes
+        double cosine;
+    };
+    JointStrain joint_strain(size_t segment, const std::vector<Vec3>& at,
+                             const std::vector<Quat>& turned, double side) const;
     Quat bent(size_t segment) const { return expected(segment).conjugate() * q[segment]; }
     Vec3 director(size_t segment) const { return q[segment] * Vec3::UnitX(); }
     Eigen::VectorXd direction() const;
@@ -72,9 +82,9 @@ class RodModel {
     double inertia_; // (1 + c h)/h^2
     Quat root_frame_;
     std::vector<double> length_, stretch_, bend_, mass_;
-    std::vector<double> length_before_; // of the segment before a vertex
-    std::vector<Quat> q_start_;         // at the substep's begin
-    std::vector<Vec3> section_;         // (kt, 0, kc)
+    std::vector<double> length_before_;    // of the segment before a vertex
+    std::vector<Quat> q_start_, q_before_; // at the substep's begin, and a substep earlier
+    std::vector<Vec3> section_;            // (kt, 0, kc)
     std::vector<Quat> rest_;
     std::shared_ptr<Contacts> contacts_; // null: no colliders
 };

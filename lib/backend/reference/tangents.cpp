@@ -15,10 +15,10 @@ Vec3 segment_direction(const tangents_args& args, size_t item) {
 
 Vec3 tangent(const tangents_args& args, size_t root, uint32_t segment, uint32_t segments) {
     for (uint32_t back = 0; back <= segment; ++back)
-        if (const Vec3 d = segment_direction(args, root + segment - back); !d.isZero(0))
+        if (Vec3 d = segment_direction(args, root + segment - back); !d.isZero(0))
             return d;
     for (uint32_t next = segment + 1; next < segments; ++next)
-        if (const Vec3 d = segment_direction(args, root + next); !d.isZero(0))
+        if (Vec3 d = segment_direction(args, root + next); !d.isZero(0))
             return d;
     return Vec3::UnitY();
 }
