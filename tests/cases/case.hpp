@@ -66,7 +66,8 @@ struct Case {
     // equal.
     std::map<std::string, double> tolerance;
     // Fields of the parameters that this stage does not read; what it does not read of a buffer of
-    // floats, as argument or argument.component (see disturb.cpp).
+    // floats, as argument or argument.component (see disturb.cpp). position.w, pinned or not, is
+    // read only by the stages that move vertices.
     std::vector<std::string> unread = {};
     // By argument: instead of the element-wise comparison.
     std::map<std::string, Compare> compare = {};
