@@ -133,11 +133,12 @@ TEST(IoPolylines, RefusedNumbers) {
                                "+-1", "0x1", "#", "\xc3\xa4"})
         expect_refusal(format("v 1 2 %s", number),
                        format("vertex has \"%s\"; allowed are finite numbers", number));
-    for (const char* count :
-         {"", " 1", " 1 2", " 1 2 3 4 5", " 1 2 3 4 5 6 7",
-          " 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26"
-          " 27 28 29 30 31 32 33 34 35"})
-        expect_refusal(format("v%s", count), "numbers; allowed 3, 4 or 6");
+    for (const int count : {0, 1, 2, 5, 7, 35}) { // 35: more than the bits of a word
+        std::string line = "v";
+        for (int i = 0; i < count; ++i)
+            line += " 1";
+        expect_refusal(line, "numbers; allowed 3, 4 or 6");
+    }
     expect_refusal("vt 1", "texture vertex of 1 numbers; allowed 2 or 3");
     expect_refusal("vt nan 1", "texture vertex has \"nan\"");
     expect_refusal("vn 1 2", "vertex normal of 2 numbers; allowed 3");
