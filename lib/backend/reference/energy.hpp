@@ -16,7 +16,7 @@ struct Substep {
 
 // Whether energy is counted of a state and the one before it, which BDF2 never raises where forces
 // are linear. Not where the velocities change more in a substep than by 0.45 of themselves and by
-// gravity: there the two have little in common.
+// twice what gravity does: there the two have little in common.
 bool counts_pairs(const Substep& step);
 
 // Energy of a quantity of stiffness 1 that was `before` a substep ago; of pairs in the norm of

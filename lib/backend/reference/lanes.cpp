@@ -48,6 +48,13 @@ std::vector<Vec3> Motion::velocities(const std::vector<Vec3>& x) const {
     return solved;
 }
 
+std::vector<Vec3> Motion::relative_start() const {
+    std::vector<Vec3> relative = start;
+    for (Vec3& at : relative)
+        at -= start[0];
+    return relative;
+}
+
 void Motion::store(const Lane& lane, const LaneState& state, const std::vector<Vec3>& x,
                    const std::vector<Vec3>& solved) const {
     if (!x_before.empty())

@@ -62,6 +62,7 @@ struct Motion {
     std::vector<Vec3> velocities(const std::vector<Vec3>& x) const;
     void store(const Lane& lane, const LaneState& state, const std::vector<Vec3>& x,
                const std::vector<Vec3>& solved) const;
+    std::vector<Vec3> relative_start() const; // `start`, relative to the root of then
 
     double h;
     Vec3 root;

@@ -110,9 +110,7 @@ double RodModel::elastic(const std::vector<Vec3>& at, const std::vector<Quat>& t
 
 // Before and after relative to the root of their time, both clamped as after.
 double RodModel::released() const {
-    std::vector<Vec3> start = motion_.start;
-    for (Vec3& at : start)
-        at -= motion_.start[0];
+    const std::vector<Vec3> start = motion_.relative_start();
     return elastic(start, q_start_) - elastic(x, q);
 }
 
@@ -125,9 +123,7 @@ RodModel::JointStrain RodModel::joint_strain(size_t segment, const std::vector<V
 }
 
 double RodModel::released_of_pairs() const {
-    std::vector<Vec3> start = motion_.start;
-    for (Vec3& at : start)
-        at -= motion_.start[0];
+    const std::vector<Vec3> start = motion_.relative_start();
     double sum = 0;
     for (size_t i = 0; i < segments(); ++i) {
         const double side = std::copysign(1.0, dot(q[i], expected(i)));
