@@ -86,6 +86,23 @@ TEST_P(Interop, lends_what_read_gives) {
     EXPECT_NE(read[4 * (vertices - 1) + 1], -0.01f * (vertices - 1)) << "the tip has not moved";
 }
 
+TEST_P(Interop, waits_for_what_was_flushed) {
+    const OwnContext context = adopt();
+    const OwnSim sim = make_sim(context.get());
+    ASSERT_EQ(plait_sim_step(sim.get(), 0.1), PLAIT_OK) << plait_last_error();
+    cl_event made = nullptr;
+    ASSERT_EQ(clEnqueueMarkerWithWaitList(queue_.get(), 0, nullptr, &made), CL_SUCCESS);
+    const Event step_ended(made);
+    ASSERT_EQ(clFlush(queue_.get()), CL_SUCCESS);
+
+    ASSERT_EQ(plait_sim_wait(sim.get()), PLAIT_OK) << plait_last_error();
+    cl_int status = CL_QUEUED;
+    ASSERT_EQ(clGetEventInfo(step_ended.get(), CL_EVENT_COMMAND_EXECUTION_STATUS, sizeof status,
+                             &status, nullptr),
+              CL_SUCCESS);
+    EXPECT_EQ(status, CL_COMPLETE);
+}
+
 TEST_P(Interop, says_which_fields_are_off_or_not_lent) {
     const OwnContext context = adopt();
     const OwnSim sim = make_sim(context.get());
