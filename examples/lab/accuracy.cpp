@@ -99,19 +99,16 @@ class Runner {
 
     void one(const Row& row, size_t c, const Method& method) {
         Result result = blank(row, c, method);
-        std::vector<RowScene> scenes;
-        for (size_t v = 0; v < row.variants.size(); ++v)
-            if (row.spread || v == c)
-                scenes.push_back(scene_of(row, row.variants[v]));
-        std::string why = why_not(row, *method.model);
-        for (const RowScene& scene : scenes)
-            why = why.empty() ? why_not(scene.scene, *method.model) : why;
-        if (!why.empty()) {
+        if (const std::string why = why_not(row, *method.model); !why.empty()) {
             result.verdict = "cannot";
             result.note = why;
             run_.results.push_back(result);
             return;
         }
+        std::vector<RowScene> scenes;
+        for (size_t v = 0; v < row.variants.size(); ++v)
+            if (row.spread || v == c)
+                scenes.push_back(scene_of(row, row.variants[v]));
         if (row.over)
             scenes.push_back(scene_of(row, *row.over));
         for (const RowScene& scene : scenes)

@@ -168,9 +168,7 @@ class Runner {
 
     void one(Chart& chart, const Scene& scene, const Method& method) {
         const Row row{chart.family.name, "", "", {}, {}, false, chart.family.needs};
-        std::string why = why_not(row, *method.model);
-        why = why.empty() ? why_not(scene, *method.model) : why;
-        if (!why.empty()) {
+        if (const std::string why = why_not(row, *method.model); !why.empty()) {
             const std::string line = method.model->label + ": " + why;
             if (!wanted(chart.left_out, line) || chart.left_out.empty())
                 chart.left_out.push_back(line);

@@ -32,7 +32,6 @@ struct Model {
     double (*longest_step)(double w) = nullptr;
 
     bool baseline() const { return stage != nullptr; }
-    bool collides() const { return !baseline(); } // no kernel in baselines/ reads its capsules
 };
 
 const std::vector<Model>& models();

@@ -37,12 +37,6 @@ GroomHandle make_groom(const std::vector<std::vector<Vec3>>& strands, uint32_t c
     return GroomHandle(groom);
 }
 
-void refuse_what_it_cannot(const Scene& scene, const Model& model) {
-    if (const std::string why = why_not(scene, model); !why.empty())
-        throw Failure(scene.file + ": the baseline \"" + model.label + "\" " + why +
-                      ", the scene has some; --set colliders=[] runs it without");
-}
-
 SimHandle make_sim(plait_context* context, const plait_groom* groom, const plait_sim_desc& desc) {
     plait_sim* sim = nullptr;
     check(plait_sim_create(context, groom, &desc, &sim));
@@ -113,10 +107,6 @@ Method method_of(const Scene& scene) {
     setting.iterations = scene.iterations.value_or(setting.iterations);
     setting.bdf2 = scene.bdf2.value_or(setting.bdf2);
     return {&model, setting};
-}
-
-std::string why_not(const Scene& scene, const Model& model) {
-    return scene.colliders.empty() || model.collides() ? "" : "knows no colliders";
 }
 
 Stage::Stage(plait_context* context, const Scene& scene, const Method& method, uint32_t copies)
@@ -234,7 +224,6 @@ void Stage::read(Frame& frame) const {
 
 Recording record(Contexts& contexts, const Scene& scene, const Method& method,
                  const std::function<void(double)>& watch) {
-    refuse_what_it_cannot(scene, *method.model);
     Stage stage(contexts.of(*method.model), scene, method);
     Recording recording;
     recording.rest = stage.rest();

@@ -25,11 +25,8 @@ struct Recording {
 // What the method makes of the scene.
 plait_sim_desc describe(const Scene& scene, const Method& method);
 Method method_of(const Scene& scene); // as the scene says
-// "" or why the model cannot do the scene.
-std::string why_not(const Scene& scene, const Model& model);
 
-// Settles, then records. `watch` is told the share that is done. Throws Failure, also where the
-// model cannot do the scene.
+// Settles, then records. `watch` is told the share that is done. Throws Failure.
 Recording record(Contexts& contexts, const Scene& scene, const Method& method,
                  const std::function<void(double)>& watch = {});
 

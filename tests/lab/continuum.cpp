@@ -111,10 +111,6 @@ TEST_F(LabFreeFamily, is_measured_and_names_who_cannot) {
     EXPECT_LT(chart.points[1].error, chart.points[0].error);
     EXPECT_GT(chart.floor, 0);
     EXPECT_EQ(lab::run_charts(options).charts[0].points[1].cost.wall, chart.points[1].cost.wall);
-    write("c.json", R"({"charts": [{"name": "b", "scene": "s.json", "methods": ["xpbd 4x1"], "set":
-        {"colliders": [{"a": [0.1, -0.1, 0], "radius_a": 0.05}], "reference": null}}]})");
-    EXPECT_THAT(lab::run_charts(options).charts[0].left_out,
-                testing::ElementsAre("xpbd: knows no colliders"));
     write("c.json", R"({"charts": [{"name": "f", "scene": "s.json", "methods": ["rod fast"]}]})");
     EXPECT_THROW(lab::run_charts(options), lab::Failure);
     write("c.json", R"({"charts": [{"name": "f", "scene": "s.json", "segments": [8, 12]}]})");

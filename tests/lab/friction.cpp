@@ -1,7 +1,6 @@
 // Friction against closed forms (tests/data/capstan.csv, stick_slip.csv) as the models are: what
 // holds its mark must, and what misses it is held to what was measured, both ways.
-#include "metrics.hpp"
-#include "rows.hpp"
+#include "measured.hpp"
 #include "table.hpp"
 
 #include <gtest/gtest.h>
@@ -9,16 +8,9 @@
 #include <cmath>
 
 using lab::Json;
+using plait::test::measured;
 
 namespace {
-
-lab::Value measured(const char* file, const char* label, const lab::Setting& setting,
-                    const Json& overrides = Json::object()) {
-    static lab::Contexts contexts("opencl", "");
-    const lab::Scene scene = lab::read_scene(std::string(PLAIT_SCENES) + "/" + file, overrides);
-    const lab::Method method{lab::find_model(label), setting};
-    return lab::evaluate(scene, method, record(contexts, scene, method), scene.measures[0]);
-}
 
 constexpr lab::Setting once{1, 1, false}, sweeps{1, 3, false}, more_sweeps{1, 20, false};
 

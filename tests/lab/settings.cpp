@@ -63,20 +63,6 @@ TEST_F(LabSettings, what_they_take_holds) {
     }
 }
 
-// What falls through a ball is no measurement of contact.
-TEST_F(LabSettings, baselines_are_refused_where_there_are_colliders) {
-    const Json ball{{"colliders", {{{"a", {0.1, -0.1, 0}}, {"radius_a", 0.05}}}}};
-    lab::Contexts contexts("reference", "");
-    for (const lab::Model& model : lab::models()) {
-        EXPECT_EQ(why_not(scene(), model), "") << model.label;
-        EXPECT_EQ(why_not(scene(ball), model), model.baseline() ? "knows no colliders" : "")
-            << model.label;
-        if (model.baseline()) {
-            EXPECT_THROW(record(contexts, scene(ball), {&model, {1, 1, false}}), lab::Failure);
-        }
-    }
-}
-
 TEST_F(LabSettings, dear_methods_are_given_up) {
     lab::Contexts contexts("reference", "");
     const lab::Scene fall = scene({{"strand", {{"segments", 3}}}});

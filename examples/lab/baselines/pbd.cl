@@ -6,6 +6,7 @@
  * Standard  all of it. No bending: that of PBD has no modulus; xpbd.cl has.
  */
 #pragma OPENCL FP_CONTRACT OFF
+#include "collide.clh"
 #include "common/lane_step.clh"
 
 inline void pbd_sweep(const lane_step* step, vec3* x) {
@@ -39,8 +40,11 @@ __kernel void plait_chain(const uint item_count, const plait_lane_params params,
     for (int i = 0; i <= step.segments; ++i)
         x[i] = y[i];
 
-    for (uint k = 0; k < params.iterations; ++k)
+    for (uint k = 0; k < params.iterations; ++k) {
         pbd_sweep(&step, x);
+        for (int i = 1; i <= step.segments; ++i)
+            x[i] = baseline_collide(&step, &params, capsule, lane_x, i, x[i]);
+    }
 
     lane_velocities(&step, x, y, w);
     store3(lane_x, step.place, 0, step.pose.root);

@@ -70,15 +70,10 @@ void add_map(std::vector<Work>& work, const Model& model, const Setting& setting
             }
 }
 
-bool can(const AxisPoint& point, const Subject& subject, const Model& model) {
-    return model.collides() || point.trial(subject).colliders.empty();
-}
-
 // Axes with the first setting only; long ones in full.
 void add_axes(std::vector<Work>& work, const Subject& subject, const Model& model, bool full) {
     for (const AxisPoint& point : axis_points())
-        if (can(point, subject, model) &&
-            (full || !(point.axis == "substeps" && std::stoi(point.value) > 100)))
+        if (full || !(point.axis == "substeps" && std::stoi(point.value) > 100))
             work.push_back(
                 {subject,
                  {point.axis, model.label, model.settings[0].label(), Place{}, point.value},
