@@ -11,6 +11,7 @@ uint32_t copies_for(const Scene& scene, uint64_t vertices) {
     uint64_t one = 0;
     for (const Strand& strand : scene.strands)
         one += strand.segments + 1;
+    one = std::max<uint64_t>(one, 1);
     return static_cast<uint32_t>((vertices + one - 1) / one);
 }
 

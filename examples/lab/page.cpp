@@ -92,8 +92,9 @@ std::string grid_of(const grid::GridRun& run, const std::string& prefix) {
 }
 
 std::string stability_of(const Page& page, const std::string& prefix) {
-    return "\n## Stability\n\nEach method in its first setting, baselines at 60 Hz alone, explicit "
-           "ones with as many substeps as they need, up to 1000: " +
+    return "\n## Stability\n\nplait's models in their settings for real time and for quality; "
+           "baselines at 60 Hz alone, explicit ones with as many substeps as they need, up to "
+           "1000: " +
            page.places +
            "; seven motions of the root. What the letters mean: [stability](../stability.md). The "
            "envelope is 60 Hz and above, N ≤ 64, Γ ≥ 1, ≤ 10 g.\n\n" +

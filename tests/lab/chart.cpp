@@ -138,7 +138,7 @@ TEST_F(LabPages, keep_what_was_written_by_hand) {
     EXPECT_THAT(text, HasSubstr("### Baselines"));
     EXPECT_THAT(text, HasSubstr("| pbd 20x1 |\n"));
     EXPECT_THAT(text, HasSubstr("| 300 | verlet 2x3 BDF2 (baseline) | 0.001 | rod 2x3 BDF2 |"));
-    EXPECT_THAT(text, HasSubstr("| rod | 2 | 0 | 1 | 0 | 0 | 0 | 0 | 1 | 2 | 1 |"));
+    EXPECT_THAT(text, HasSubstr("| rod 1x1 | 2 | 0 | 1 | 0 | 0 | 0 | 0 | 1 | 2 | 1 |"));
     const std::string mark = lab::by_hand;
     text.insert(text.find(mark) + mark.size(), "\nOf my own.\n");
     write("lab-a-device.md", text);

@@ -36,7 +36,6 @@ class Stability : public testing::TestWithParam<Case> {
 
     void try_places(const std::vector<double>& rates, const std::vector<uint32_t>& segments,
                     const std::vector<double>& gammas);
-    double bar_of(const AxisPoint& point) const;
 
     common::ContextHandle context_;
     Subject subject_;
@@ -77,17 +76,6 @@ TEST_P(StabilityFull, nothing_explodes_anywhere) {
                {1e-3, 1e-2, 0.1, 1, 10, 100, 1e3, 1e4, 1e5});
 }
 
-double Stability::bar_of(const AxisPoint& point) const {
-    if (subject_.bends())
-        return energy_bar;
-    // a chain may slip late off what it began inside
-    if (point.axis == "start embedded")
-        return std::numeric_limits<double>::infinity();
-    // one substep of BDF2 trembles under a heavy tip, and a length solve may lift it: 0.04 to 0.07
-    const bool trembles = subject_.bdf2 && subject_.substeps == 1 && point.axis == "density ratio";
-    return trembles ? 2 * energy_bar : energy_bar;
-}
-
 // One parameter at a time, far beyond hair.
 TEST_P(Stability, nothing_is_lost_on_any_axis) {
     for (const AxisPoint& point : axis_points()) {
@@ -96,7 +84,7 @@ TEST_P(Stability, nothing_is_lost_on_any_axis) {
         for (const Outcome& outcome : run(subject_.context, point.trial(subject_))) {
             EXPECT_NE(outcome.grade, Grade::nonfinite) << point.axis << " " << point.value;
             EXPECT_LE(outcome.speed, 1.0) << point.axis << " " << point.value;
-            EXPECT_LE(outcome.energy, bar_of(point)) << point.axis << " " << point.value;
+            EXPECT_LE(outcome.energy, energy_bar) << point.axis << " " << point.value;
         }
     }
 }

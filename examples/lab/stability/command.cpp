@@ -50,7 +50,8 @@ Exit run_sweep(const Options& options) {
         print_map(done.rows);
         print_axes(done.rows);
         print_count(done.rows);
-        print_verdicts(verdicts);
+        if (!verdicts.empty())
+            print_verdicts(verdicts);
     }
     return Exit::ok;
 }
@@ -65,6 +66,10 @@ void add_stability(CLI::App& app, Command& chosen) {
     auto options = std::make_shared<stability::Options>();
     CLI::App* command = app.add_subcommand("stability", "shake the models till they fail");
     command->add_option("--models", options->sweep.models, "labels [tressfx,chain,cosserat,rod]")
+        ->delimiter(',');
+    command
+        ->add_option("--scenes", options->sweep.scenes,
+                     "of these only: " + CLI::detail::join(stability::scene_names(), ", "))
         ->delimiter(',');
     command
         ->add_option("--out", options->sweep.out,

@@ -51,7 +51,7 @@ void print_map(const std::vector<Row>& rows);
 void print_axes(const std::vector<Row>& rows);
 // How many of each letter, and how many miss inside the envelope.
 struct Count {
-    std::string model;
+    std::string method; // "cosserat 1x3"
     size_t trials = 0, inside = 0, missed = 0;
     std::array<size_t, grades> letters{}; // in the order of Grade
 };

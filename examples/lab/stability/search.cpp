@@ -1,5 +1,6 @@
 #include "search.hpp"
 
+#include "../choice.hpp"
 #include "../settings.hpp"
 
 #include "common/progress.hpp"
@@ -70,31 +71,49 @@ void add_map(std::vector<Work>& work, const Model& model, const Setting& setting
             }
 }
 
-// Axes with the first setting only; long ones in full.
-void add_axes(std::vector<Work>& work, const Subject& subject, const Model& model, bool full) {
+// "collider speed (m/s)" -> "collider_speed"
+std::string scene_of(const std::string& axis) {
+    std::string name = axis.substr(0, axis.find(" ("));
+    std::ranges::replace(name, ' ', '_');
+    return name;
+}
+
+// Long ones in full.
+void add_axes(std::vector<Work>& work, const Model& model, const Setting& setting,
+              Contexts& contexts, const SweepOptions& options) {
+    const Subject subject = subject_of(model, setting, Place{}, contexts);
     for (const AxisPoint& point : axis_points())
-        if (full || !(point.axis == "substeps" && std::stoi(point.value) > 100))
-            work.push_back(
-                {subject,
-                 {point.axis, model.label, model.settings[0].label(), Place{}, point.value},
-                 point.trial});
+        if (wanted(options.scenes, scene_of(point.axis)) &&
+            (options.full || !(point.axis == "substeps" && std::stoi(point.value) > 100)))
+            work.push_back({subject,
+                            {point.axis, model.label, setting.label(), Place{}, point.value},
+                            point.trial});
+}
+
+// For real time and for quality; of baselines the first.
+std::vector<Setting> settings_of(const Model& model, bool full) {
+    if (full)
+        return model.settings;
+    std::vector<Setting> settings{model.settings[0]};
+    if (model.quality)
+        settings.push_back(*model.quality);
+    return settings;
 }
 
 std::vector<Work> plan(const SweepOptions& options, Contexts& contexts) {
+    check_known("--scenes", options.scenes, scene_names());
     std::vector<Work> work;
     for (const std::string& label : options.models) {
         const Model* model = find_model(label);
         if (!model)
             throw Failure("no model is called \"" + label + "\", the nearest is \"" +
                           std::string(nearest(label, model_labels())) + "\"");
-        for (const Setting& setting : model->settings) {
-            if (!options.full && &setting != &model->settings[0])
-                break;
-            add_map(work, *model, setting, contexts, options);
+        for (const Setting& setting : settings_of(*model, options.full)) {
+            if (wanted(options.scenes, "map"))
+                add_map(work, *model, setting, contexts, options);
+            if (!(model->baseline() && options.few_baselines))
+                add_axes(work, *model, setting, contexts, options);
         }
-        if (options.axes && !(model->baseline() && options.few_baselines))
-            add_axes(work, subject_of(*model, model->settings[0], Place{}, contexts), *model,
-                     options.full);
     }
     return work;
 }
@@ -126,7 +145,7 @@ void do_all(const std::vector<Work>& work, Rows& rows) {
     }
 }
 
-std::vector<Row> wanted(const std::vector<Work>& work, const Rows& rows) {
+std::vector<Row> rows_of(const std::vector<Work>& work, const Rows& rows) {
     std::map<std::string, bool> keys;
     for (const Work& one : work)
         keys[one.job.key()] = true;
@@ -150,8 +169,19 @@ std::string grid_of(const SweepOptions& options) {
            list(gammas(options.full));
 }
 
+std::vector<std::string> scene_names() {
+    std::vector<std::string> names{"map"};
+    for (const AxisPoint& point : axis_points())
+        if (const std::string name = scene_of(point.axis); name != names.back())
+            names.push_back(name);
+    names.push_back("bad_input");
+    return names;
+}
+
 Verdicts try_bad_inputs(const SweepOptions& options, Contexts& contexts) {
     Verdicts verdicts;
+    if (!wanted(options.scenes, "bad_input"))
+        return verdicts;
     for (const std::string& label : options.models) {
         const Model& model = *find_model(label);
         if (model.baseline() && options.few_baselines)
@@ -192,7 +222,7 @@ Sweep sweep(const SweepOptions& options, Contexts& contexts) {
     Rows rows(out / "stability.csv", done.device, options.fresh);
     do_all(work, rows);
     done.interrupted = interrupted();
-    done.rows = wanted(work, rows);
+    done.rows = rows_of(work, rows);
     if (options.pictures && !draw_maps(done.rows, out))
         std::fprintf(stderr, "plait-lab: gnuplot has drawn no pictures; their scripts are in %s\n",
                      options.out.c_str());

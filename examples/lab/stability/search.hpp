@@ -9,8 +9,9 @@ namespace lab::stability {
 
 struct SweepOptions {
     std::vector<std::string> models{"tressfx", "chain", "cosserat", "rod"};
+    std::vector<std::string> scenes; // of scene_names(); empty: all
     std::string out = "out/stability";
-    bool full = false, fresh = false, pictures = true, axes = true;
+    bool full = false, fresh = false, pictures = true;
     bool few_baselines = false; // at 60 Hz and on the map alone: some take a thousand substeps
 };
 
@@ -20,7 +21,9 @@ struct Sweep {
     bool interrupted = false;
 };
 
-// Throws Failure on a model's name that is none.
+// "map", one for each axis, as "collider_speed", and "bad_input".
+std::vector<std::string> scene_names();
+// Throws Failure on a name that is none, of a model or a scene.
 Sweep sweep(const SweepOptions& options, Contexts& contexts);
 // By model; of the library's own where there are `few_baselines`.
 using Verdicts = std::vector<std::pair<std::string, Verdict>>;

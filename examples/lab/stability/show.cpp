@@ -108,9 +108,10 @@ void print_axes(const std::vector<Row>& rows) {
 std::vector<Count> count_letters(const std::vector<Row>& rows) {
     std::vector<Count> counts;
     for (const Row& row : rows) {
-        auto count = std::ranges::find(counts, row.job.model, &Count::model);
+        const std::string method = row.job.model + " " + row.job.setting;
+        auto count = std::ranges::find(counts, method, &Count::method);
         if (count == counts.end())
-            count = counts.insert(count, Count{row.job.model});
+            count = counts.insert(count, Count{method});
         ++count->trials;
         ++count->letters[static_cast<size_t>(row.outcome.grade)];
         const bool limp_rod = std::isinf(row.job.place.gamma) && bends(row.job.model);
@@ -123,10 +124,10 @@ std::vector<Count> count_letters(const std::vector<Row>& rows) {
 
 void print_count(const std::vector<Row>& rows) {
     std::puts(
-        "\n              trials      N      E      F      J      s      r      .   inside the "
+        "\n                     trials      N      E      F      J      s      r      .   inside the "
         "envelope, missed");
     for (const Count& count : count_letters(rows)) {
-        std::printf("%-14s %5zu", count.model.c_str(), count.trials);
+        std::printf("%-21s %5zu", count.method.c_str(), count.trials);
         for (const size_t n : count.letters)
             std::printf(" %6zu", n);
         std::printf("   %zu, %zu\n", count.inside, count.missed);
@@ -136,11 +137,11 @@ void print_count(const std::vector<Row>& rows) {
 }
 
 std::string counts_markdown(const std::vector<Row>& rows) {
-    std::string text = "| model | trials | N | E | F | J | s | r | pass | inside the envelope | of "
+    std::string text = "| method | trials | N | E | F | J | s | r | pass | inside the envelope | of "
                        "them missed |\n|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n";
     const auto cell = [&](size_t n) { text.append(std::to_string(n)).append(" | "); };
     for (const Count& count : count_letters(rows)) {
-        text.append("| ").append(count.model).append(" | ");
+        text.append("| ").append(count.method).append(" | ");
         cell(count.trials);
         for (const size_t n : count.letters)
             cell(n);

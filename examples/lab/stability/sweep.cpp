@@ -112,7 +112,7 @@ void add_offsets(Points& points) {
         points.push_back({"world offset (m)", text(away), [away](const Subject& subject) {
                               Trial trial = base_trial(subject);
                               trial.offset = Point(away, 0, 0);
-                              trial.has_energy = away < 1e3; // positions are float32
+                              trial.has_energy &= away < 1e3; // positions are float32
                               return trial;
                           }});
 }

@@ -10,8 +10,7 @@ using namespace common;
 namespace {
 
 constexpr char letters[] = "NEFJsr.";
-// s after which energy counts: the root stops at its greatest acceleration, and velocities are
-// those between two steps.
+// s after which energy counts: the root stops at its greatest acceleration, and BDF2 remembers it.
 constexpr double energy_after = 0.1;
 
 double length_of(const std::vector<Point>& rest) {
@@ -43,7 +42,7 @@ class Elastic {
   public:
     Elastic(const std::vector<Point>& rest, const plait_sim_desc& desc);
 
-    double kinetic(const std::vector<Point>& x, const std::vector<Point>& before, double dt) const;
+    double kinetic(const std::vector<Point>& v) const;
     // Height and stretch, J: not above what there is.
     double least(const std::vector<Point>& x) const;
     // And bending, were every segment turned along its edge without more twist than that needs: not
@@ -86,11 +85,10 @@ Elastic::Elastic(const std::vector<Point>& rest, const plait_sim_desc& desc)
     }
 }
 
-double Elastic::kinetic(const std::vector<Point>& x, const std::vector<Point>& before,
-                        double dt) const {
+double Elastic::kinetic(const std::vector<Point>& v) const {
     double energy = 0;
     for (size_t i = 0; i < masses_.size(); ++i)
-        energy += 0.5 * masses_[i] * (x[i + 1] - before[i + 1]).squaredNorm() / (dt * dt);
+        energy += 0.5 * masses_[i] * v[i + 1].squaredNorm();
     return energy;
 }
 
@@ -122,13 +120,14 @@ double Elastic::most(const std::vector<Point>& x, const Turn& root) const {
 class Watch {
   public:
     Watch(const TrialStrand& strand, const Trial& trial);
-    void see(const std::vector<Point>& x, const plait_pose& root, double elapsed, bool shaking,
-             bool last);
+    // Positions and, where the trial has energy, velocities.
+    void see(const std::vector<Point>& x, const std::vector<Point>& v, const plait_pose& root,
+             double elapsed, bool shaking, bool last);
     Outcome outcome() const;
     bool lost() const { return !finite_; }
 
   private:
-    void see_energy(const std::vector<Point>& x, const Turn& root, double elapsed);
+    void see_energy(const std::vector<Point>& x, const std::vector<Point>& v, const Turn& root);
     double expected_response(const TrialStrand& strand, const plait_sim_desc& desc) const;
 
     std::vector<Point> rest_, before_;
@@ -164,18 +163,18 @@ double Watch::expected_response(const TrialStrand& strand, const plait_sim_desc&
 }
 
 // Energy never rises where nothing moves the root, so that at any time it is at most the least of
-// what it was before. Between two steps, as velocities are.
-void Watch::see_energy(const std::vector<Point>& x, const Turn& root, double elapsed) {
-    const double kinetic = elastic_.kinetic(x, before_, elapsed);
-    const double least = kinetic + 0.5 * (elastic_.least(x) + elastic_.least(before_));
-    const double most = kinetic + 0.5 * (elastic_.most(x, root) + elastic_.most(before_, root));
+// what it was before.
+void Watch::see_energy(const std::vector<Point>& x, const std::vector<Point>& v,
+                       const Turn& root) {
+    const double kinetic = elastic_.kinetic(v);
+    const double least = kinetic + elastic_.least(x), most = kinetic + elastic_.most(x, root);
     const double scale = std::max(energy_, 0.0) + elastic_.weight_times_length();
     seen_.energy = std::max(seen_.energy, (least - energy_) / scale);
     energy_ = std::min(energy_, most);
 }
 
-void Watch::see(const std::vector<Point>& x, const plait_pose& root, double elapsed, bool shaking,
-                bool last) {
+void Watch::see(const std::vector<Point>& x, const std::vector<Point>& v, const plait_pose& root,
+                double elapsed, bool shaking, bool last) {
     const Point origin = apply(root, rest_[0]);
     double strain = 0, fastest = 0, moved = 0;
     for (size_t i = 1; i < x.size(); ++i) {
@@ -196,7 +195,7 @@ void Watch::see(const std::vector<Point>& x, const plait_pose& root, double elap
     if (!shaking && last)
         seen_.jitter = std::max(seen_.jitter, moved / length_);
     if (still_ > energy_after && has_energy_ && elapsed > 0)
-        see_energy(x, turn_of(root), elapsed);
+        see_energy(x, v, turn_of(root));
     still_ = shaking ? 0 : still_ + elapsed;
     before_ = x;
 }
@@ -227,10 +226,12 @@ class Scene {
     Scene(plait_context* context, const Trial& trial);
     void step_to(double time, double elapsed);
     void drag(double value);
-    std::vector<std::vector<Point>> read() const; // relative to the offset
+    std::vector<std::vector<Point>> positions() const; // relative to the offset
+    std::vector<std::vector<Point>> velocities() const;
 
   private:
     void add_colliders();
+    std::vector<std::vector<Point>> read(plait_field field, const Point& origin) const;
 
     const Trial& trial_;
     uint32_t row_ = 0;
@@ -303,16 +304,24 @@ void Scene::drag(double value) {
     check(plait_sim_set_params(sim_.get(), &params));
 }
 
-std::vector<std::vector<Point>> Scene::read() const {
+std::vector<std::vector<Point>> Scene::positions() const {
+    return read(PLAIT_FIELD_POSITION, trial_.offset);
+}
+
+std::vector<std::vector<Point>> Scene::velocities() const {
+    return read(PLAIT_FIELD_VELOCITY, Point::Zero());
+}
+
+std::vector<std::vector<Point>> Scene::read(plait_field field, const Point& origin) const {
     std::vector<float> data(size_t{4} * row_ * trial_.strands.size());
     size_t size = data.size() * sizeof(float);
-    check(plait_sim_read(sim_.get(), PLAIT_FIELD_POSITION, data.data(), &size));
+    check(plait_sim_read(sim_.get(), field, data.data(), &size));
     std::vector<std::vector<Point>> strands;
     for (size_t s = 0; s < trial_.strands.size(); ++s) {
         strands.emplace_back();
         for (size_t i = 0; i < trial_.strands[s].rest.size(); ++i) {
             const float* p = &data[4 * (s * row_ + i)];
-            strands.back().push_back(Point(p[0], p[1], p[2]) - trial_.offset);
+            strands.back().push_back(Point(p[0], p[1], p[2]) - origin);
         }
     }
     return strands;
@@ -355,9 +364,10 @@ std::vector<Outcome> run(plait_context* context, const Trial& trial) {
         }
         time += dt;
         scene.step_to(time, dt);
-        const auto x = scene.read();
+        const auto x = scene.positions(), v = trial.has_energy ? scene.velocities() : x;
         for (size_t s = 0; s < x.size(); ++s)
-            watches[s].see(x[s], trial.strands[s].root(time), dt, !settling, time > end - 0.5);
+            watches[s].see(x[s], v[s], trial.strands[s].root(time), dt, !settling,
+                           time > end - 0.5);
         if (std::ranges::all_of(watches, &Watch::lost))
             break;
     }
