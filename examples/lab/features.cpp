@@ -21,19 +21,25 @@ namespace {
 
 const double nan = std::numeric_limits<double>::quiet_NaN();
 
-Feature read_feature(JsonReader in, const std::filesystem::path& folder) {
+// One for each scene.
+void read_feature(JsonReader in, const std::filesystem::path& folder, std::vector<Feature>& all) {
     Feature feature;
     if (!in.text("feature", feature.name))
         in.fail("feature", "is missing: its name");
-    if (!in.text("scene", feature.scene))
-        in.fail("scene", "is missing: a file beside this one");
-    feature.scene = (folder / feature.scene).string();
+    const Json* scenes = in.value("scenes");
+    if (!scenes || !scenes->is_array() || scenes->empty())
+        in.fail("scenes", "is missing or no list: files beside this one");
     if (const Json* with = in.value("with"))
         feature.with = *with;
     if (const Json* without = in.value("without"))
         feature.without = *without;
     in.finish();
-    return feature;
+    for (const Json& scene : *scenes) {
+        if (!scene.is_string())
+            in.fail("scenes", "has " + scene.dump() + ", which is no file's name");
+        feature.scene = (folder / scene.get<std::string>()).string();
+        all.push_back(feature);
+    }
 }
 
 // Of all vertices of all strands over the whole recording.
@@ -95,8 +101,8 @@ std::vector<Feature> read_features(const std::string& file) {
         top.fail("features", "is missing or no list");
     std::vector<Feature> features;
     for (size_t i = 0; i < list->size(); ++i)
-        features.push_back(read_feature(top.element(*list, i, "features"),
-                                        std::filesystem::path(file).parent_path()));
+        read_feature(top.element(*list, i, "features"), std::filesystem::path(file).parent_path(),
+                     features);
     top.finish();
     return features;
 }
@@ -290,7 +296,7 @@ std::string features_csv(const FeatureRun& run) {
             std::snprintf(cell, sizeof cell, ",%.9g", r.*number.value);
             text += std::isnan(r.*number.value) ? "," : cell;
         }
-        text += "," + csv_cell(r.note) + "\n";
+        text.append(",").append(csv_cell(r.note)).append("\n");
     }
     return text;
 }

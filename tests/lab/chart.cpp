@@ -154,7 +154,7 @@ TEST_F(LabFeatures, say_what_leaving_out_moves) {
     write("s.json",
           R"({"title": "fall", "strand": {"segments": 3}, "duration": 0.1, "model": "chain"})");
     lab::FeatureOptions options;
-    options.table = write("f.json", R"({"features": [{"feature": "weight", "scene": "s.json",
+    options.table = write("f.json", R"({"features": [{"feature": "weight", "scenes": ["s.json"],
         "without": {"gravity": [0, 0, 0]}}]})");
     options.backend = "reference";
     options.out = path("out");
@@ -170,6 +170,19 @@ TEST_F(LabFeatures, say_what_leaving_out_moves) {
     EXPECT_EQ(to_json(run)["features"][0]["feature"], "weight");
 }
 
+TEST_F(LabFeatures, are_of_every_scene_they_name) {
+    const auto table = [&](const char* scenes) {
+        return write("f.json", std::string(R"({"features": [{"feature": "weight", "scenes": )") +
+                                   scenes + "}]}");
+    };
+    const auto features = lab::read_features(table(R"(["s.json", "t.json"])"));
+    ASSERT_EQ(features.size(), 2u);
+    EXPECT_THAT(features[0].scene, testing::EndsWith("s.json"));
+    EXPECT_THAT(features[1].scene, testing::EndsWith("t.json"));
+    for (const char* wrong : {"[]", "\"s.json\"", "[3]"})
+        EXPECT_THROW(lab::read_features(table(wrong)), lab::Failure) << wrong;
+}
+
 // Taken up, not measured again: times would differ. What was changed is; what was not asked for is
 // not.
 TEST_F(LabFeatures, are_taken_up_where_a_run_was_stopped) {
@@ -178,9 +191,9 @@ TEST_F(LabFeatures, are_taken_up_where_a_run_was_stopped) {
     write("t.json", scene);
     lab::FeatureOptions options;
     options.table = write("f.json", R"({"features": [
-        {"feature": "weight", "scene": "s.json", "with": {"model": "chain"},
+        {"feature": "weight", "scenes": ["s.json"], "with": {"model": "chain"},
          "without": {"model": "chain", "gravity": [0, 0, 0]}},
-        {"feature": "air", "scene": "t.json", "with": {"model": "rod"},
+        {"feature": "air", "scenes": ["t.json"], "with": {"model": "rod"},
          "without": {"model": "rod", "drag": 0}}]})");
     options.backend = "reference";
     options.out = path("out");
