@@ -123,9 +123,8 @@ std::vector<Count> count_letters(const std::vector<Row>& rows) {
 }
 
 void print_count(const std::vector<Row>& rows) {
-    std::puts(
-        "\n                     trials      N      E      F      J      s      r      .   inside the "
-        "envelope, missed");
+    std::puts("\n                     trials      N      E      F      J      s      r      .   "
+              "inside the envelope, missed");
     for (const Count& count : count_letters(rows)) {
         std::printf("%-21s %5zu", count.method.c_str(), count.trials);
         for (const size_t n : count.letters)
@@ -137,8 +136,9 @@ void print_count(const std::vector<Row>& rows) {
 }
 
 std::string counts_markdown(const std::vector<Row>& rows) {
-    std::string text = "| method | trials | N | E | F | J | s | r | pass | inside the envelope | of "
-                       "them missed |\n|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n";
+    std::string text =
+        "| method | trials | N | E | F | J | s | r | pass | inside the envelope | of "
+        "them missed |\n|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n";
     const auto cell = [&](size_t n) { text.append(std::to_string(n)).append(" | "); };
     for (const Count& count : count_letters(rows)) {
         text.append("| ").append(count.method).append(" | ");

@@ -164,8 +164,7 @@ double Watch::expected_response(const TrialStrand& strand, const plait_sim_desc&
 
 // Energy never rises where nothing moves the root, so that at any time it is at most the least of
 // what it was before.
-void Watch::see_energy(const std::vector<Point>& x, const std::vector<Point>& v,
-                       const Turn& root) {
+void Watch::see_energy(const std::vector<Point>& x, const std::vector<Point>& v, const Turn& root) {
     const double kinetic = elastic_.kinetic(v);
     const double least = kinetic + elastic_.least(x), most = kinetic + elastic_.most(x, root);
     const double scale = std::max(energy_, 0.0) + elastic_.weight_times_length();

@@ -91,8 +91,8 @@ Status Device::read(const Buffer& buffer, size_t first, size_t count, void* dst)
 }
 
 Status Device::wait() {
-    // The clFinish of Mesa 22.3 waits for what has not been flushed, and for nothing else: a marker,
-    // which every command before it must end for.
+    // The clFinish of Mesa 22.3 waits for what has not been flushed, and for nothing else: a
+    // marker, which every command before it must end for.
     if (const cl_int code = clEnqueueMarkerWithWaitList(queue(), 0, nullptr, nullptr))
         return late_failure(code, "clEnqueueMarkerWithWaitList");
     if (const cl_int code = calls_.finish(queue()))
