@@ -13,6 +13,7 @@
 #include <set>
 #include <stdexcept>
 #include <thread>
+#include <vector>
 
 namespace bench {
 namespace {
@@ -123,6 +124,38 @@ std::string step_table(const Options& options, const DeviceResults& results) {
     return page;
 }
 
+std::string model_table(const DeviceResults& results) {
+    std::set<uint32_t> counts;
+    std::set<std::string> models;
+    for (const auto& [key, seconds] : results.model_seconds) {
+        counts.insert(key.first);
+        models.insert(key.second);
+    }
+    if (counts.empty())
+        return "";
+    std::string head = "| strands |", rule = "|---:|", real_time = "| at 60 Hz |", rows;
+    for (const std::string& model : models) {
+        head += " " + model + " |";
+        rule += "---:|";
+    }
+    for (const uint32_t strands : counts) {
+        rows += text("| %u |", strands);
+        for (const std::string& model : models) {
+            const auto found = results.model_seconds.find({strands, model});
+            const double seconds = found == results.model_seconds.end() ? 0 : found->second;
+            rows += seconds > 0 ? text(" %.3g |", 1e3 * seconds) : " - |";
+            if (strands == *counts.rbegin())
+                real_time += seconds > 0 ? text(" %.0f |", strands / 60 / seconds) : " - |";
+        }
+        rows += "\n";
+    }
+    return text("\n## The models\n\nMilliseconds of a step of each model as it is by default, "
+                "without the inter-hair step. Strands of %u vertices; in the last row how many of "
+                "them go into 1/60 s, by the row above it.\n\n",
+                model_vertices) +
+           head + "\n" + rule + "\n" + rows + real_time + "\n";
+}
+
 std::string csv(const Options& options, const DeviceResults& results) {
     const plait_device_info& device = results.device;
     std::string rows = text("# %s; %s; driver %s; %s\n", device.name, device.platform,
@@ -136,6 +169,9 @@ std::string csv(const Options& options, const DeviceResults& results) {
     for (const auto& [key, seconds] : results.step_seconds)
         rows += text("%s,%u,%u,%.9g,,\n", names[static_cast<int>(key.second)], key.first,
                      options.vertices, seconds);
+    for (const auto& [key, seconds] : results.model_seconds)
+        rows +=
+            text("model %s,%u,%u,%.9g,,\n", key.second.c_str(), key.first, model_vertices, seconds);
     return rows;
 }
 
@@ -153,13 +189,13 @@ void write_pages(const Results& results) {
     const std::filesystem::path folder = results.options.write;
     std::filesystem::create_directories(folder);
     for (const auto& [index, device] : results.devices) {
-        if (device.stages.empty() && device.step_seconds.empty())
+        if (device.stages.empty() && device.step_seconds.empty() && device.model_seconds.empty())
             continue; // filtered out
         const std::string name = "bench-" + slug(device.device);
         write_file(folder / (name + ".csv"), csv(results.options, device));
-        write_file(folder / (name + ".md"), header(results.options, device.device) +
-                                                stage_table(results.options, device) +
-                                                step_table(results.options, device));
+        write_file(folder / (name + ".md"),
+                   header(results.options, device.device) + stage_table(results.options, device) +
+                       step_table(results.options, device) + model_table(device));
     }
 }
 

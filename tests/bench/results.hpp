@@ -12,10 +12,12 @@ namespace bench {
 
 struct Options {
     uint32_t strands = 10000; // of the stage rows
-    uint32_t vertices = 32;   // per strand, everywhere
+    uint32_t vertices = 32;   // per strand, of the rows of stages and of the thesis's table
     std::string write;        // folder for the page and the CSV file; empty: none
     double load = 0;          // of the host in the minute before
 };
+
+constexpr uint32_t model_vertices = 16; // per strand, of the models' rows
 
 struct StageRow {
     double seconds = 0;      // of one dispatch
@@ -27,8 +29,9 @@ enum class Interhair { off, thesis, slots, exact };
 
 struct DeviceResults {
     plait_device_info device{};
-    std::map<int, StageRow> stages;                                // by plait_stage
-    std::map<std::pair<uint32_t, Interhair>, double> step_seconds; // by strands
+    std::map<int, StageRow> stages;                                   // by plait_stage
+    std::map<std::pair<uint32_t, Interhair>, double> step_seconds;    // of tressfx, by strands
+    std::map<std::pair<uint32_t, std::string>, double> model_seconds; // by strands and model
 };
 
 struct Results {

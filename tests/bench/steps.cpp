@@ -1,6 +1,6 @@
-// The whole step without and with the inter-hair step, over the number of strands: the two columns
-// of table 5.1 of Ugurca 2015, by its own hash and rule, and two more for slots and exact sums as
-// they are by default.
+// The whole step over the number of strands. Of tressfx without and with the inter-hair step: the
+// two columns of table 5.1 of Ugurca 2015, by its own hash and rule, and two more for slots and
+// exact sums as they are by default. Of every model as it is by default, without.
 #include "bench.hpp"
 #include "inputs.hpp"
 
@@ -25,6 +25,15 @@ constexpr Column columns[] = {
      "thesis"},
     {Interhair::slots, PLAIT_INTERHAIR_SLOTS, PLAIT_HASH_PCG, PLAIT_DIFFUSE_RULE_FLOORED, "slots"},
     {Interhair::exact, PLAIT_INTERHAIR_EXACT, PLAIT_HASH_PCG, PLAIT_DIFFUSE_RULE_FLOORED, "exact"}};
+
+struct NamedModel {
+    plait_model model;
+    const char* name;
+};
+constexpr NamedModel models[] = {{PLAIT_MODEL_TRESSFX, "tressfx"},
+                                 {PLAIT_MODEL_CHAIN, "chain"},
+                                 {PLAIT_MODEL_COSSERAT, "cosserat"},
+                                 {PLAIT_MODEL_ROD, "rod"}};
 
 void check(plait_result result) {
     if (result != PLAIT_OK)
@@ -65,9 +74,16 @@ Groom make_groom(const Shape& shape) {
     return Groom(groom);
 }
 
+Sim make_sim(plait_context* context, plait_groom* groom, const plait_sim_desc& desc) {
+    plait_sim* sim = nullptr;
+    check(plait_sim_create(context, groom, &desc, &sim));
+    return Sim(sim);
+}
+
 // The settings of TressFX's own demonstration hair (pipeline's "mohawk").
-Sim make_sim(plait_context* context, plait_groom* groom, const Column& column) {
+plait_sim_desc desc_of(const Column& column) {
     plait_sim_desc desc = plait_sim_desc_defaults();
+    desc.model = PLAIT_MODEL_TRESSFX;
     desc.params.damping = 0.068f;
     desc.params.local_stiffness = 0.908f;
     desc.params.local_iterations = 3;
@@ -77,9 +93,13 @@ Sim make_sim(plait_context* context, plait_groom* groom, const Column& column) {
     desc.params.interhair = column.value;
     desc.params.slot_hash = column.hash;
     desc.params.diffuse_rule = column.rule;
-    plait_sim* sim = nullptr;
-    check(plait_sim_create(context, groom, &desc, &sim));
-    return Sim(sim);
+    return desc;
+}
+
+plait_sim_desc desc_of(plait_model model) {
+    plait_sim_desc desc = plait_sim_desc_defaults();
+    desc.model = model;
+    return desc;
 }
 
 // One frame of a head that turns to and fro.
@@ -93,12 +113,12 @@ double frame(plait_sim* sim, uint32_t number) {
     return seconds_since(start);
 }
 
-void measure(benchmark::State& state, uint32_t index, uint32_t strands, const Column& column,
-             Results& results) {
-    const Shape shape{strands, results.options.vertices};
-    const Context context = make_context(results.devices[index].device);
+// Seconds of a step.
+double measure(benchmark::State& state, const plait_device_info& device, const Shape& shape,
+               const plait_sim_desc& desc) {
+    const Context context = make_context(device);
     const Groom groom = make_groom(shape);
-    const Sim sim = make_sim(context.get(), groom.get(), column);
+    const Sim sim = make_sim(context.get(), groom.get(), desc);
     uint32_t number = 0;
     frame(sim.get(), number++); // compiles
     double total = 0;
@@ -108,23 +128,34 @@ void measure(benchmark::State& state, uint32_t index, uint32_t strands, const Co
         total += seconds;
     }
     const double seconds = total / static_cast<double>(state.iterations());
-    results.devices[index].step_seconds[{strands, column.interhair}] = seconds;
     state.counters["steps/s"] = 1 / seconds;
     state.counters["ns/vertex"] = 1e9 * seconds / static_cast<double>(shape.total());
+    return seconds;
 }
 
 } // namespace
 
-void register_steps(uint32_t device, Results& results) {
-    for (const uint32_t strands : strand_counts)
-        for (const Column& column : columns) {
-            const std::string name = "device:" + std::to_string(device) +
-                                     "/step/strands:" + std::to_string(strands) + "/" + column.name;
-            register_row(name, results,
-                         [device, strands, &column, &results](benchmark::State& state) {
-                             measure(state, device, strands, column, results);
+void register_steps(uint32_t index, Results& results) {
+    const std::string on = "device:" + std::to_string(index);
+    for (const uint32_t strands : strand_counts) {
+        const std::string of = "/strands:" + std::to_string(strands) + "/";
+        const Shape shape{strands, results.options.vertices};
+        for (const Column& column : columns)
+            register_row(on + "/step" + of + column.name, results,
+                         [index, shape, &column, &results](benchmark::State& state) {
+                             DeviceResults& device = results.devices[index];
+                             device.step_seconds[{shape.strands, column.interhair}] =
+                                 measure(state, device.device, shape, desc_of(column));
                          });
-        }
+        for (const NamedModel& named : models)
+            register_row(on + "/model" + of + named.name, results,
+                         [index, strands, &named, &results](benchmark::State& state) {
+                             DeviceResults& device = results.devices[index];
+                             device.model_seconds[{strands, named.name}] =
+                                 measure(state, device.device, {strands, model_vertices},
+                                         desc_of(named.model));
+                         });
+    }
 }
 
 } // namespace bench
