@@ -1,6 +1,9 @@
 // What artists may add to the physics of a strand: attachment to the root, global and local shape.
 #include "one_strand.hpp"
 
+#include <set>
+#include <string>
+
 namespace plait::test {
 namespace {
 
@@ -101,6 +104,37 @@ TEST_P(ShapeOptions, off_means_off) {
     changed.params.global_range = 1.0f;
     changed.params.local_stiffness = 0.1f;
     EXPECT_EQ(tip_height(desc()), tip_height(changed));
+}
+
+// Of one step.
+std::set<std::string> stages_of(const plait_sim_desc& desc) {
+    OneStrand strand(level, desc);
+    strand.step();
+    size_t count = 0;
+    PLAIT_EXPECT(plait_sim_stage_times(strand.sim(), nullptr, &count, 1)); // forgets the start
+    strand.step();
+    PLAIT_EXPECT(plait_sim_stage_times(strand.sim(), nullptr, &count, 0));
+    std::vector<plait_stage_time> times(count);
+    PLAIT_EXPECT(plait_sim_stage_times(strand.sim(), times.data(), &count, 0));
+    std::set<std::string> stages;
+    for (const plait_stage_time& time : times)
+        if (time.calls > 0)
+            stages.insert(time.stage);
+    return stages;
+}
+
+TEST_P(ShapeOptions, off_costs_nothing) {
+    plait_sim_desc shaped = desc();
+    shaped.params.shape_constraints = 1;
+    shaped.params.global_stiffness = 0.3f;
+    shaped.params.global_range = 1.0f;
+    shaped.params.attachment = 1.05f;
+    const std::set<std::string> off = stages_of(desc()), on = stages_of(shaped);
+    for (const char* option : {"global_shape", "local_shape", "attach", "lane_pack"}) {
+        EXPECT_FALSE(off.contains(option)) << option;
+        EXPECT_TRUE(on.contains(option)) << option;
+    }
+    EXPECT_TRUE(off.contains(names[GetParam()]));
 }
 
 } // namespace
