@@ -103,8 +103,6 @@ void Limit::apply_before(const Lane& lane, const LaneState& state, size_t vertic
     for (size_t i = 1; i < vertices; ++i) {
         const Vec3 v_before = lane.vector(state.v_before, i);
         lane.store(state.v_before, i, Vec3(root + share * (v_before - root)));
-        if (forgets())
-            lane.store(state.x_before, i, lane.vector(state.x, i));
     }
 }
 

@@ -29,9 +29,7 @@ template <typename Vector> double held(bool pairs, const Vector& now, const Vect
 struct Limit {
     double share = 1; // of the velocities relative to the root that the budget leaves
     Vec3 root;        // the root's velocity
-    // Whether BDF2 goes on as if the strand had come from where it is.
-    bool forgets() const { return share < 0.1; }
-    // Also to what BDF2 remembers of the step before, once the state is stored.
+    // Also to those that BDF2 remembers of the step before, once the state is stored.
     void apply_before(const Lane& lane, const LaneState& state, size_t vertices) const;
 };
 

@@ -79,7 +79,7 @@ void RodModel::store(const RodBuffers& buffers) {
         limit.apply_before(lane_, buffers.state, x.size());
     // The turn that the next substep repeats loses what the velocities lost; BDF2's remembers
     // strains.
-    const double repeats = !params_->bdf2 ? limit.share : limit.forgets() ? 0 : 1;
+    const double repeats = params_->bdf2 ? 1 : limit.share;
     for (size_t i = 0; i < segments(); ++i) {
         lane_.store(buffers.q, i, q[i]);
         const Vec4 turn = q[i].coeffs() - q_start_[i].coeffs();
