@@ -70,8 +70,8 @@ TEST_F(LabProgram, tables_are_chosen_from_and_printed_as_json_and_csv) {
             {"row": "2", "scene": "t.json", "measure": {"metric": "drop"}}]})"},
         {"chart", R"({"charts": [{"name": "a", "scene": "s.json"}, {"name": "b",
             "scene": "t.json", "methods": ["rod 1x1", "chain 1x1"]}]})"},
-        {"features", R"({"features": [{"feature": "a", "scene": "s.json"}, {"feature": "b",
-            "scene": "t.json", "with": {"model": "rod"}, "without": {"model": "chain"}}]})"}};
+        {"features", R"({"features": [{"feature": "a", "scenes": ["s.json"]}, {"feature": "b",
+            "scenes": ["t.json"], "with": {"model": "rod"}, "without": {"model": "chain"}}]})"}};
     for (const auto& [command, table] : tables) {
         const std::string arguments = command + " --table " + write(command + ".json", table) +
                                       " --scenes t --models rod --backend opencl --out " +
