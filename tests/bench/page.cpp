@@ -68,6 +68,8 @@ std::string header(const Options& options, const plait_device_info& device) {
 }
 
 std::string stage_table(const Options& options, const DeviceResults& results) {
+    if (results.stages.empty())
+        return ""; // filtered out
     std::string page = text(
         "\n## Stages\n\n%u strands of %u vertices; the grid has 8x8x8 voxels of 1024 slots. "
         "*bytes* is the least a stage has to move through memory: each buffer once for reading and "
@@ -101,6 +103,8 @@ std::string step_cell(const DeviceResults& results, uint32_t strands, Interhair 
 }
 
 std::string step_table(const Options& options, const DeviceResults& results) {
+    if (results.step_seconds.empty())
+        return ""; // filtered out
     std::string page = text(
         "\n## The whole step\n\nSteps per second of the model `tressfx`, with the iterations and "
         "stiffnesses of TressFX's sample hair and real gravity, and with the inter-hair step after "
