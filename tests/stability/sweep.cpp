@@ -49,7 +49,7 @@ constexpr double energy_bar = 0.05; // of m g L and what there was
 double Stability::bar_after(const Shake& shake) const {
     const bool remembers =
         subject_.model == PLAIT_MODEL_COSSERAT && subject_.bdf2 && subject_.substeps == 1;
-    return remembers && shake.g >= 100 ? 0.15 : energy_bar;
+    return remembers && shake.g >= 100 ? 0.13 : energy_bar;
 }
 
 void Stability::try_places(const std::vector<double>& rates, const std::vector<uint32_t>& segments,
