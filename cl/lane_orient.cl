@@ -40,7 +40,7 @@ __kernel void plait_lane_orient(const uint item_count, const plait_lane_layout_p
         return;
     const uint lane = lane_slot[2 * item + 1];
     float4 q = pose[(size_t)lane_strand_of(lane_strand, lane) * PLAIT_POSE_STRIDE], before = q;
-    float3 x = (float3)(0.0f), v = x;
+    float3 x = (float3)(0.0f), v = lane_read(lane_v, lane_row(lane, 0, 3, stride, tile), tile);
     for (uint i = 0; i < stride; ++i) {
         const size_t row = lane_row(lane, i, 4, stride, tile);
         const float4 rest = rotation_at(lane_rest, row, tile);
@@ -50,8 +50,7 @@ __kernel void plait_lane_orient(const uint item_count, const plait_lane_layout_p
             const float3 x_next = lane_read(lane_x, next, tile);
             const float3 v_next = lane_read(lane_v, next, tile);
             edge = x_next - x;
-            /* how the root moves is not known here: the first segment keeps its direction */
-            edge_before = i == 0 ? edge : edge - params.h * (v_next - v);
+            edge_before = edge - params.h * (v_next - v);
             x = x_next;
             v = v_next;
         }

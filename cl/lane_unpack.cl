@@ -23,11 +23,9 @@ __kernel void plait_lane_unpack(const uint item_count, const plait_lane_layout_p
     const size_t root = lane_element(item - row, params.vertex_stride, params.tile);
     const size_t here = lane_element(item, params.vertex_stride, params.tile);
     float3 x = lane_read(lane_x, root, params.tile);
-    float3 v = (float3)(0.0f);
-    if (row > 0) {
+    if (row > 0)
         x += lane_read(lane_x, here, params.tile);
-        v = lane_read(lane_v, here, params.tile);
-    }
+    const float3 v = lane_read(lane_v, here, params.tile);
     const float w = position[vertex].w;
     position[vertex] = (float4)(x, w);
     position_prev[vertex] = (float4)(x - params.h * v, w);

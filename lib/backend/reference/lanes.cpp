@@ -16,9 +16,10 @@ Vec3 root_of(const View<const Vec4>& rest, const Pose& pose, size_t strand, uint
 
 Motion::Motion(const Lane& lane, const plait_lane_params& params, const LaneState& state,
                const Vec3& new_root)
-    : h(params.bdf2 ? params.h * 2.0 / 3.0 : params.h), root(new_root), start(params.vertex_stride),
-      v(params.vertex_stride, Vec3::Zero()), from(params.vertex_stride, Vec3::Zero()),
-      y(params.vertex_stride), w(params.vertex_stride, Vec3::Zero()) {
+    : whole(params.h), h(params.bdf2 ? whole * 2.0 / 3.0 : whole), root(new_root),
+      start(params.vertex_stride), v(params.vertex_stride, Vec3::Zero()),
+      from(params.vertex_stride, Vec3::Zero()), y(params.vertex_stride),
+      w(params.vertex_stride, Vec3::Zero()) {
     const Vec3 push = vec3(params.gravity) + params.drag * vec3(params.air);
     const Vec3 root_now = lane.vector(state.x, 0);
     const Vec3 root_before = params.bdf2 ? lane.vector(state.x_before, 0) : root_now;
@@ -60,6 +61,7 @@ void Motion::store(const Lane& lane, const LaneState& state, const std::vector<V
     if (!x_before.empty())
         lane.store(state.x_before, 0, Vec3(root + start[0]));
     lane.store(state.x, 0, root);
+    lane.store(state.v, 0, Vec3(-start[0] / whole));
     for (size_t i = 1; i < x.size(); ++i) {
         if (!x_before.empty()) {
             lane.store(state.x_before, i, lane.vector(state.x, i));

@@ -46,15 +46,15 @@ inline size_t strand_of(const View<const uint32_t>& lane_strand, size_t lane) {
 Vec3 root_of(const View<const Vec4>& rest, const Pose& pose, size_t strand, uint32_t stride);
 
 struct LaneState {
-    const View<double>& x; // row 0: the root in the world; else relative to it
-    const View<double>& v;
+    const View<double>& x;        // row 0: the root in the world; else relative to it
+    const View<double>& v;        // row 0: the root's own
     const View<double>& x_before; // BDF2 only
     const View<double>& v_before;
 };
 
 // One step of one strand: y is where inertia, gravity and drag alone would put each vertex,
-// relative to the root; w the velocity that goes with it; h the step of the integrator (2/3 of it
-// for BDF2).
+// relative to the root; w the velocity that goes with it; h the step of the integrator (2/3 of the
+// substep for BDF2).
 struct Motion {
     Motion(const Lane& lane, const plait_lane_params& params, const LaneState& state,
            const Vec3& root);
@@ -64,6 +64,7 @@ struct Motion {
                const std::vector<Vec3>& solved) const;
     std::vector<Vec3> relative_start() const; // `start`, relative to the root of then
 
+    double whole; // the substep
     double h;
     Vec3 root;
     std::vector<Vec3> start;              // positions at the substep's begin, [0] that of the root
