@@ -15,7 +15,7 @@ int main(void) {
     hair.positions = (plait_view){rest, VERTICES, 0};
     hair.vertices_per_strand = PER_STRAND;
     plait_sim_desc desc = plait_sim_desc_defaults();
-    desc.params.length_iterations = 32; /* with the default 2, TressFX's, hair is soft as rubber */
+    desc.params.bend_stiffness = 4.7e-8f; /* EI, N m^2: of a lock, ten times a single hair's */
     plait_context* context = NULL;
     plait_groom* groom = NULL;
     plait_sim* sim = NULL;

@@ -26,6 +26,7 @@ static float drift(const plait_stage_source* stage, float gravity) {
 
     plait_groom* groom = make_groom();
     plait_sim_desc desc = plait_sim_desc_defaults();
+    desc.model = PLAIT_MODEL_TRESSFX;   /* of which wind is a stage */
     desc.params.local_stiffness = 0.0f; /* limp */
     desc.params.gravity[1] = gravity;
     desc.params.wind[2] = 5.0f;

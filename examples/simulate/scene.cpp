@@ -180,7 +180,6 @@ void read_output(JsonReader& top, const Origin& origin, Scene& scene) {
 
 plait_sim_desc Scene::default_sim() {
     plait_sim_desc sim = plait_sim_desc_defaults();
-    sim.model = PLAIT_MODEL_COSSERAT;
     sim.max_steps_per_call = 1;
     plait_sim_params& p = sim.params;
     p.local_stiffness = 0.9f;

@@ -444,7 +444,7 @@ PLAIT_API plait_result plait_sim_params_set_fibre(plait_sim_params* params,
 
 typedef struct plait_sim_desc {
     uint32_t struct_size;
-    plait_model model;           /* of every strand, until plait_sim_set_models */
+    plait_model model;           /* of every strand, until plait_sim_set_models; default COSSERAT */
     float step;                  /* fixed step, s, [1e-5, 1], default 1/60 */
     uint32_t substeps;           /* per fixed step, [1, 1000], default 1 */
     uint32_t max_steps_per_call; /* [1, 1000]; time beyond is dropped and counted, default 8 */

@@ -114,6 +114,7 @@ plait_sim_params default_params() {
 plait_sim_desc default_sim_desc() {
     plait_sim_desc desc{};
     desc.struct_size = sizeof desc;
+    desc.model = PLAIT_MODEL_COSSERAT;
     desc.step = 1.0f / 60;
     desc.substeps = 1;
     desc.max_steps_per_call = 8;

@@ -297,7 +297,11 @@ TEST(Arguments, SimDescriptorsOutsideTheirRanges) {
                      d.strand_stiffness = {scales, 2, 0};
                  }),
         sim_desc("sag_free", [](D& d) { set_raw(d.sag_free, 3); }),
-        sim_desc("sag_free", [](D& d) { d.sag_free = PLAIT_SAG_FREE_REST; }), // tressfx
+        sim_desc("sag_free",
+                 [](D& d) {
+                     d.model = PLAIT_MODEL_TRESSFX;
+                     d.sag_free = PLAIT_SAG_FREE_REST;
+                 }),
         sim_desc("follow_radius", [](D& d) { d.follow_radius = NAN; }),
         sim_desc("damping", [](D& d) { d.params.damping = -1; }),
         sim_desc("params.struct_size", [](D& d) { d.params.struct_size += 8; }),

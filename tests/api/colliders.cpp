@@ -7,7 +7,7 @@ class Colliders : public OnBackend {};
 ON_EVERY_BACKEND(Colliders);
 
 TEST_P(Colliders, HairStaysOutsideAMovingSphere) {
-    plait::Sim sim(context, make_groom(tuft(3, 8)));
+    plait::Sim sim(context, make_groom(tuft(3, 8)), tressfx_desc()); // which pushes out exactly
     auto desc = plait_collider_desc_defaults();
     desc.radius_a = desc.radius_b = 0.05f;
     desc.pose.t[0] = 0.1f;

@@ -5,7 +5,7 @@
 namespace {
 
 plait_sim_desc thesis_desc() {
-    auto desc = plait_sim_desc_defaults();
+    auto desc = tressfx_desc();
     desc.params.gravity[1] = 0; // the hair stays where the grid is
     desc.params.interhair = PLAIT_INTERHAIR_SLOTS;
     desc.params.slot_hash = PLAIT_HASH_THESIS;

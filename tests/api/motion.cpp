@@ -17,7 +17,7 @@ class Motion : public OnBackend {
 ON_EVERY_BACKEND(Motion);
 
 TEST_P(Motion, GravityMovesFreeVerticesAndNotTheRoots) {
-    plait::Sim sim(context, make_groom(tuft(2, 6)));
+    plait::Sim sim(context, make_groom(tuft(2, 6)), tressfx_desc());
     const auto rest = sim.read(PLAIT_FIELD_POSITION);
     run(sim, 30);
     const auto now = sim.read(PLAIT_FIELD_POSITION);
@@ -122,7 +122,7 @@ Point turned(const Point& p) {
 
 TEST_P(Motion, ATurnedWorldMovesTurned) {
     Strands strands = tuft(4, 9);
-    auto desc = plait_sim_desc_defaults();
+    auto desc = tressfx_desc();
     desc.params.air_drag = 0.5f;
     desc.params.wind[2] = 3;
     const auto plain = after(strands, desc);
@@ -185,7 +185,7 @@ TEST_P(Motion, TheGridSeesTheHair) {
 }
 
 TEST_P(Motion, WhatIsOffHasNoBuffers) {
-    plait::Sim sim(context, make_groom(tuft(2, 6)));
+    plait::Sim sim(context, make_groom(tuft(2, 6)), tressfx_desc());
     const uint64_t off = sim.stats().device_bytes;
     auto params = sim.params();
     params.interhair = PLAIT_INTERHAIR_SLOTS;
@@ -208,7 +208,7 @@ std::vector<std::string> stages_of_a_step(plait::Sim& sim) {
 }
 
 TEST_P(Motion, OnlyWhatIsOnRuns) {
-    plait::Sim sim(context, make_groom(tuft(2, 6)));
+    plait::Sim sim(context, make_groom(tuft(2, 6)), tressfx_desc());
     EXPECT_EQ(stages_of_a_step(sim),
               (std::vector<std::string>{"roots", "integrate", "strand_data", "velocity_shock",
                                         "local_shape", "length", "tangents"}));
@@ -221,7 +221,7 @@ TEST_P(Motion, OnlyWhatIsOnRuns) {
 }
 
 TEST_P(Motion, ShockBeforeGlobalTakesTheGlobalConstraintOutOfIntegration) {
-    auto desc = plait_sim_desc_defaults();
+    auto desc = tressfx_desc();
     desc.params.global_stiffness = 0.2f;
     desc.params.global_range = 1;
     plait::Sim published(context, make_groom(tuft(2, 6)), desc);

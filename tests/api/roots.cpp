@@ -74,7 +74,7 @@ TEST_P(Roots, BonesBlendToTheClosestRotation) {
     desc.bone_weights = plait::view(weights, 4);
     const plait::Groom groom(desc);
     EXPECT_EQ(groom.describe().bones, 2u);
-    plait::Sim sim(context, groom);
+    plait::Sim sim(context, groom, tressfx_desc());
     const std::vector<float> bones = {1, 0,  0, 0, 0, 1, 0, 0, 0, 0, 1, 0,  // identity
                                       0, -1, 0, 1, 1, 0, 0, 0, 0, 0, 1, 0}; // quarter turn, +x
     auto roots = plait_roots_defaults();
@@ -94,14 +94,22 @@ TEST_P(Roots, BonesBlendToTheClosestRotation) {
 }
 
 TEST_P(Roots, SeveralStepsInOneCallSpreadTheMotion) {
-    auto desc = plait_sim_desc_defaults();
-    desc.params.gravity[1] = 0;
-    plait::Sim sim(context, make_groom(tuft(1, 3)), desc);
-    sim.set_roots(head_at({0.4f, 0, 0}));
-    sim.step(4 * frame);
-    EXPECT_EQ(sim.stats().steps, 4u);
-    const auto velocity = sim.read(PLAIT_FIELD_VELOCITY);
-    EXPECT_NEAR(velocity[0], 0.1 / frame, 1e-3); // the last of four equal parts
+    for (const plait_model model :
+         {PLAIT_MODEL_TRESSFX, PLAIT_MODEL_CHAIN, PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD}) {
+        auto desc = plait_sim_desc_defaults();
+        desc.model = model;
+        desc.substeps = 2;
+        desc.params.gravity[1] = 0;
+        plait::Sim sim(context, make_groom(tuft(2, 3)), desc);
+        sim.set_roots(head_at({0.4f, 0, 0}));
+        sim.step(4 * frame);
+        EXPECT_EQ(sim.stats().steps, 4u);
+        const auto velocity = sim.read(PLAIT_FIELD_VELOCITY);
+        EXPECT_NEAR(velocity[0], 0.1 / frame, 1e-3) << model; // of the root in the last part
+        EXPECT_NEAR(velocity[3 * 4], 0.1 / frame, 1e-3) << model;
+        sim.step(frame); // and at rest
+        EXPECT_NEAR(sim.read(PLAIT_FIELD_VELOCITY)[0], 0, 1e-5) << model;
+    }
 }
 
 } // namespace

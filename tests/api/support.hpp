@@ -71,6 +71,13 @@ inline plait_roots head_at(Point t, std::array<float, 4> q = {0, 0, 0, 1}) {
     return roots;
 }
 
+// The parity model, for what only it has: two vertices that the root holds, and stages by option.
+inline plait_sim_desc tressfx_desc() {
+    auto desc = plait_sim_desc_defaults();
+    desc.model = PLAIT_MODEL_TRESSFX;
+    return desc;
+}
+
 // Backends with a device here; `reference` always.
 inline std::vector<std::string> backends() {
     std::vector<std::string> names;

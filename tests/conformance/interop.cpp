@@ -30,9 +30,10 @@ OwnGroom two_strands() {
 
 OwnSim make_sim(plait_context* context) {
     const OwnGroom groom = two_strands();
+    plait_sim_desc desc = plait_sim_desc_defaults();
+    desc.model = PLAIT_MODEL_TRESSFX; // its stages are the soonest compiled
     plait_sim* sim = nullptr;
-    EXPECT_EQ(plait_sim_create(context, groom.get(), nullptr, &sim), PLAIT_OK)
-        << plait_last_error();
+    EXPECT_EQ(plait_sim_create(context, groom.get(), &desc, &sim), PLAIT_OK) << plait_last_error();
     return OwnSim(sim);
 }
 

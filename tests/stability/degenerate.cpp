@@ -47,6 +47,7 @@ const Degenerate states[] = {
 
 plait_sim_desc everything_on() {
     plait_sim_desc desc = plait_sim_desc_defaults();
+    desc.model = PLAIT_MODEL_TRESSFX;
     desc.follows_per_guide = 2;
     plait_sim_params& params = desc.params;
     params.global_stiffness = 0.4f;
@@ -119,6 +120,7 @@ TEST(Degenerate, states_stay_finite_with_every_option) {
 TEST(Degenerate, strands_recover) {
     const StrandShape shape{vertices, 0.3f, {0.0f, -1.0f, 0.0f}};
     plait_sim_desc desc = plait_sim_desc_defaults();
+    desc.model = PLAIT_MODEL_TRESSFX;
     desc.params.global_stiffness = 0.2f; // gives coincident vertices a direction to part in
     desc.params.global_range = 1.0f;
     OneStrand undisturbed(shape, desc);

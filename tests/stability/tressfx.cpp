@@ -13,6 +13,7 @@ constexpr StrandShape hanging{32, 0.3f, {0.0f, -1.0f, 0.0f}};
 
 plait_sim_desc at_rate(float hz) {
     plait_sim_desc desc = plait_sim_desc_defaults();
+    desc.model = PLAIT_MODEL_TRESSFX;
     desc.step = 1.0f / hz;
     return desc;
 }
@@ -207,6 +208,7 @@ class FramesAsSteps {
     void move_head(Vec3 head) { head_ = head; }
     void step(double dt) {
         plait_sim_desc desc = plait_sim_desc_defaults();
+        desc.model = PLAIT_MODEL_TRESSFX;
         desc.step = static_cast<float>(dt);
         OneStrand next(StrandShape{}, desc);
         if (last_) {
