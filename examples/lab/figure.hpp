@@ -38,12 +38,16 @@ struct Figure {
     std::vector<std::string> left_out; // "chain: does not bend"
 };
 
+std::vector<Dot> dots_of(const Figure& figure);
+std::vector<Dot> by_cost(std::vector<Dot> dots);
+
 // Dots no other beats in both cost and error, by cost.
 std::vector<Dot> front_of(const std::vector<Dot>& dots);
 std::vector<Dot> front_of(const Figure& figure);
 
-std::string gnuplot_script(const Figure& figure,
-                           const std::string& path); // of the picture, without its extension
+// Every label beside its marker, or left out where there is no room. `path`: of the picture,
+// without its extension.
+std::string gnuplot_script(const Figure& figure, const std::string& path);
 // Draws <out>/<name>.svg and .png; false, with a sentence on stderr, where there is no gnuplot.
 bool draw(const Figure& figure, const std::string& out);
 

@@ -10,6 +10,7 @@
 #include <cmath>
 
 using lab::Json;
+using testing::AllOf;
 using testing::HasSubstr;
 
 namespace {
@@ -82,7 +83,7 @@ TEST(LabFreeSegments, are_said_and_cost_by_the_strand) {
     EXPECT_NEAR(figure.series[0].dots[0].cost, 27, 1e-9); // 100,000 strands of 9 vertices
     EXPECT_NEAR(figure.series[0].dots[1].cost, 51, 1e-9);
     const std::string script = lab::gnuplot_script(figure, "a/b");
-    EXPECT_THAT(script, HasSubstr("51 0.01 \"16: 2×3 b\""));
+    EXPECT_THAT(script, AllOf(HasSubstr("51 0.01\n"), HasSubstr("\"16: 2×3 b\"\n")));
     EXPECT_THAT(script, HasSubstr("100,000 strands"));
     EXPECT_THAT(script, HasSubstr("error of the reference"));
     EXPECT_THAT(script, HasSubstr("$m0o << EOD\n102 0.05")); // beaten by its own: a dot
