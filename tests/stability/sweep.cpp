@@ -36,21 +36,12 @@ class Stability : public testing::TestWithParam<Case> {
 
     void try_places(const std::vector<double>& rates, const std::vector<uint32_t>& segments,
                     const std::vector<double>& gammas);
-    double bar_after(const Shake& shake) const;
 
     common::ContextHandle context_;
     Subject subject_;
 };
 
 constexpr double energy_bar = 0.05; // of m g L and what there was
-
-// Known deviation: with one substep of BDF2 `cosserat` rises on its memory of the way after hard
-// shaking, by 0.05 to 0.12.
-double Stability::bar_after(const Shake& shake) const {
-    const bool remembers =
-        subject_.model == PLAIT_MODEL_COSSERAT && subject_.bdf2 && subject_.substeps == 1;
-    return remembers && shake.g >= 100 ? 0.13 : energy_bar;
-}
 
 void Stability::try_places(const std::vector<double>& rates, const std::vector<uint32_t>& segments,
                            const std::vector<double>& gammas) {
@@ -67,7 +58,7 @@ void Stability::try_places(const std::vector<double>& rates, const std::vector<u
                                               shakes()[i].label;
                     EXPECT_NE(outcomes[i].grade, Grade::nonfinite) << where;
                     EXPECT_LE(outcomes[i].speed, 1.0) << where;
-                    EXPECT_LE(outcomes[i].energy, bar_after(shakes()[i])) << where;
+                    EXPECT_LE(outcomes[i].energy, energy_bar) << where;
                 }
             }
 }

@@ -8,7 +8,8 @@ namespace {
 
 struct Balance {
     double before, after; // J, the work of the substep in the former
-    double least = 1e-30; // J: what moves less is left alone
+    double creep = 0;     // BDF2, J: what it may always have
+    double brought = 0;   // BDF2, J: of `before`, what the strand brought along
 };
 
 // 1e-5 of its distance from the root a vertex may always move
@@ -54,14 +55,15 @@ Balance of_bdf2(const Substep& step, bool pairs, const std::vector<Vec3>& x,
         const Vec3 way = pairs ? Vec3(params.h / motion.h * (x[i] - motion.from[i]))
                                : Vec3(x[i] - (motion.start[i] - motion.start[0]));
         const Vec3 force = vec3(params.gravity) + params.drag * (vec3(params.air) - v[i]);
-        sum.before +=
-            mass[i] * (held(pairs, before, ago) + force.dot(way)) + creep(mass[i], motion.h, x[i]);
+        const double moves = held(pairs, before, ago), least = creep(mass[i], motion.h, x[i]);
+        sum.brought += mass[i] * moves + least;
+        sum.before += mass[i] * (moves + force.dot(way)) + least;
         sum.after += mass[i] * held(pairs, now, before);
         total += mass[i];
         reach += length[i];
     }
     // truncated solves leave creeping hair more than it has
-    sum.least = 1e-5 * total * reach * vec3(params.gravity).norm();
+    sum.creep = 1e-5 * total * reach * vec3(params.gravity).norm();
     return sum;
 }
 
@@ -85,12 +87,15 @@ bool counts_pairs(const Substep& step) {
 Limit limit_energy(const Substep& step, double released, const std::vector<Vec3>& x,
                    std::vector<Vec3>& v) {
     const bool pairs = counts_pairs(step);
-    Limit limit{1, root_velocity(step, pairs)};
+    Limit limit{1, 1, root_velocity(step, pairs)};
     const Balance sum =
         step.params.bdf2 ? of_bdf2(step, pairs, x, v) : of_backward_euler(step, x, v);
-    const double budget = std::max(released + sum.before, sum.least);
+    const double paid = released + sum.before;
+    const double budget = std::max({paid, sum.creep, 1e-30}); // what moves less is left alone
     if (sum.after <= budget)
         return limit;
+    if (step.params.bdf2 && paid + sum.creep < 0)
+        limit.way = (sum.brought + sum.creep) / (sum.brought - paid);
     limit.share = std::sqrt(budget / sum.after);
     for (size_t i = 1; i < x.size(); ++i)
         v[i] = limit.root + limit.share * (v[i] - limit.root);

@@ -28,6 +28,7 @@ template <typename Vector> double held(bool pairs, const Vector& now, const Vect
 
 struct Limit {
     double share = 1; // of the velocities relative to the root that the budget leaves
+    double way = 1;   // share of the way that a strand of BDF2 can pay for, standing still then
     Vec3 root;        // the root's velocity
     // Also to those that BDF2 remembers of the step before, once the state is stored.
     void apply_before(const Lane& lane, const LaneState& state, size_t vertices) const;

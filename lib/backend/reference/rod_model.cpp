@@ -60,6 +60,16 @@ void RodModel::renew_contacts() {
         contacts_->renew(x);
 }
 
+void RodModel::shorten(double share) {
+    if (share == 1)
+        return;
+    const std::vector<Vec3> start = motion_.relative_start();
+    for (size_t i = 1; i < x.size(); ++i)
+        x[i] = start[i] + share * (x[i] - start[i]);
+    for (size_t i = 0; i < segments(); ++i)
+        q[i] = Quat(Vec4((1 - share) * q_start_[i].coeffs() + share * q[i].coeffs())).normalized();
+}
+
 void RodModel::store(const RodBuffers& buffers) {
     double given = 0;
     if (contacts_) {
@@ -71,6 +81,8 @@ void RodModel::store(const RodBuffers& buffers) {
     const Substep substep{*params_, motion_, mass_, length_before_};
     given += counts_pairs(substep) ? released_of_pairs() : released();
     const Limit limit = limit_energy(substep, given, x, v);
+    if (!touched())
+        shorten(limit.way);
     if (contacts_)
         contacts_->store(lane_, buffers.state, x, v);
     else

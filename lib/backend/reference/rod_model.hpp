@@ -59,6 +59,8 @@ class RodModel {
   private:
     RodModel(const RodBuffers& buffers, const plait_lane_params& params, size_t slot,
              size_t strand);
+    // Only this share of the way: the potential is convex along it.
+    void shorten(double share);
     Quat expected(size_t segment) const; // q_{i-1} r_i
     Vec3 strain(size_t segment) const;   // x_{i+1} - x_i - l_i t_i
     // Elastic energy, J, since the substep's begin.
