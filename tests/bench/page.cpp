@@ -149,7 +149,7 @@ std::string model_table(const DeviceResults& results) {
             const double seconds = found == results.model_seconds.end() ? 0 : found->second;
             rows += seconds > 0 ? text(" %.3g |", 1e3 * seconds) : " - |";
             if (strands == *counts.rbegin())
-                real_time += seconds > 0 ? text(" %.0f |", strands / 60 / seconds) : " - |";
+                real_time += seconds > 0 ? text(" %.0f |", strands / (60.0 * seconds)) : " - |";
         }
         rows += "\n";
     }
