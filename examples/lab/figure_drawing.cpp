@@ -313,9 +313,8 @@ std::string gnuplot_script(const Figure& figure, const std::string& path) {
     return settings_of(figure, axes) + drawing.blocks +
            "set terminal svg size 1100,720 font 'DejaVu Sans,14' background rgb 'white'\n" +
            "set output '" + path + ".svg'\n" + plot +
-           "set terminal pngcairo size 1650,1080 font 'DejaVu Sans,14' fontscale 1.15 linewidth "
-           "1.5 "
-           "pointscale 1.5 background rgb 'white'\nset output '" +
+           "set terminal pngcairo size 1650,1080 font 'DejaVu Sans,14' fontscale 1.15 "
+           "linewidth 1.5 pointscale 1.5 background rgb 'white'\nset output '" +
            path + ".png'\n" + plot + "set output\n";
 }
 
