@@ -3,7 +3,8 @@
  *
  * Items   vertices of the lanes in use.
  * Reads   lane_strand, vertex_count, lane_x, lane_v.
- * Writes  position (w is kept), position_prev = position - h v.
+ * Writes  position, position_prev = position - h v; w 0 at the root, which is pinned, else 1.
+ *         Strands lie in another order there than in lanes: to read w would be to wait for it.
  */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/lane_scalar.clh"
@@ -13,20 +14,20 @@ __kernel void plait_lane_unpack(const uint item_count, const plait_lane_layout_p
                                 __global const uint* lane_strand, __global const uint* vertex_count,
                                 __global const float* lane_x, __global const float* lane_v,
                                 __global float4* position, __global float4* position_prev) {
-    const uint item = get_global_id(0), row = item % params.vertex_stride;
+    const uint item = get_global_id(0), stride = params.vertex_stride, tile = params.tile;
+    const uint lane = item / stride, row = item % stride;
     if (item >= item_count)
         return;
-    const uint strand = lane_strand_of(lane_strand, item / params.vertex_stride);
+    const uint strand = lane_strand_of(lane_strand, lane);
     if (row >= vertex_count[strand])
         return;
-    const size_t vertex = (size_t)strand * params.vertex_stride + row;
-    const size_t root = lane_element(item - row, params.vertex_stride, params.tile);
-    const size_t here = lane_element(item, params.vertex_stride, params.tile);
-    float3 x = lane_read(lane_x, root, params.tile);
+    const size_t vertex = (size_t)strand * stride + row;
+    const size_t here = lane_row(lane, row, 3, stride, tile);
+    float3 x = lane_read(lane_x, lane_row(lane, 0, 3, stride, tile), tile);
     if (row > 0)
-        x += lane_read(lane_x, here, params.tile);
-    const float3 v = lane_read(lane_v, here, params.tile);
-    const float w = position[vertex].w;
+        x += lane_read(lane_x, here, tile);
+    const float3 v = lane_read(lane_v, here, tile);
+    const float w = row == 0 ? 0.0f : 1.0f;
     position[vertex] = (float4)(x, w);
     position_prev[vertex] = (float4)(x - params.h * v, w);
 }

@@ -14,13 +14,19 @@ static float3 segment_direction(__global const float4* strand, uint segment) {
     return normalize_or_zero(strand[segment + 1u].xyz - strand[segment].xyz);
 }
 
+static int is_direction(float3 unit_or_zero) {
+    return dot3(unit_or_zero, unit_or_zero) != 0.0f;
+}
+
 static float3 tangent_at(__global const float4* strand, uint segment, uint count) {
     float3 direction = segment_direction(strand, segment);
-    for (uint i = segment; i > 0u && dot3(direction, direction) == 0.0f; --i)
+    if (is_direction(direction))
+        return direction;
+    for (uint i = segment; i > 0u && !is_direction(direction); --i)
         direction = segment_direction(strand, i - 1u);
-    for (uint i = segment + 1u; i + 1u < count && dot3(direction, direction) == 0.0f; ++i)
+    for (uint i = segment + 1u; i + 1u < count && !is_direction(direction); ++i)
         direction = segment_direction(strand, i);
-    return dot3(direction, direction) == 0.0f ? (float3)(0.0f, 1.0f, 0.0f) : direction;
+    return is_direction(direction) ? direction : (float3)(0.0f, 1.0f, 0.0f);
 }
 
 __kernel void plait_tangents(const uint item_count, const plait_layout_params params,

@@ -15,9 +15,9 @@ void lane_unpack(uint32_t item_count, const plait_lane_layout_params& params,
         const Vec3 root = lane.vector(args.lane_x, 0);
         const Vec3 x = i == 0 ? root : Vec3(root + lane.vector(args.lane_x, i));
         const Vec3 v = lane.vector(args.lane_v, i);
-        const double w = args.position[vertex].w();
-        args.position[vertex] = with_w(x, w);
-        args.position_prev[vertex] = with_w(x - params.h * v, w);
+        const double inverse_mass = i == 0 ? 0 : 1;
+        args.position[vertex] = with_w(x, inverse_mass);
+        args.position_prev[vertex] = with_w(x - params.h * v, inverse_mass);
     }
 }
 
