@@ -36,6 +36,7 @@ static surroundings_t surroundings_at(const plait_grid_params* params, float3 g,
         return sum;
     }
     const stencil_t stencil = stencil_at(params, g);
+#pragma unroll
     for (uint corner = 0u; corner < 8u; ++corner) {
         const uint voxel = stencil_voxel(stencil, corner);
         add_node(&sum, stencil_weight(stencil, corner), density[voxel], velocity[voxel]);

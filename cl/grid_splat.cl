@@ -95,8 +95,13 @@ __kernel void plait_grid_splat(const uint item_count, const plait_grid_params pa
             continue;
         }
         const float3 v = summable_velocity(&params, x, position_prev[first + i].xyz);
-        for (uint node = 0u; node < nodes; ++node)
-            run_add(&run, node, nodes == 1u ? tent_voxel(g) : stencil_weight(cell, node), v);
+        if (nodes == 1u) {
+            run_add(&run, 0u, tent_voxel(g), v);
+            continue;
+        }
+#pragma unroll
+        for (uint node = 0u; node < SPLAT_NODES; ++node)
+            run_add(&run, node, stencil_weight(cell, node), v);
     }
     run_end(&run, nodes, grid_sum);
     if (outside > 0u)
