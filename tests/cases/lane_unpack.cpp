@@ -4,9 +4,7 @@ namespace plait::cases {
 
 // Sums of values below 8 m.
 Case lane_unpack_case() {
-    Case result = {PLAIT_STAGE_lane_unpack,
-                   {},
-                   {{"position", 1e-6}, {"position_prev", 1e-6}}};
+    Case result = {PLAIT_STAGE_lane_unpack, {}, {{"position", 1e-6}, {"position_prev", 1e-6}}};
     for (const Size& size : sizes()) {
         const LaneHair lanes = make_lane_hair(size, 36);
         Setup setup;
