@@ -14,8 +14,8 @@
 
 /* Project x on linearised edge lengths: J W J^T lambda = C, C capped at one rest length; W is the
  * inverse mass, less where contacts hold. */
-inline void chain_solve_lengths(const lane_step* step, const lane_contacts* contacts,
-                                const chain_mobility* hold, vec3* x) {
+static inline void chain_solve_lengths(const lane_step* step, const lane_contacts* contacts,
+                                       const chain_mobility* hold, vec3* x) {
     vec3 u[PLAIT_VERTICES];
     real upper[PLAIT_VERTICES], lambda[PLAIT_VERTICES];
     const int touches = hold != 0;
@@ -64,9 +64,9 @@ inline void chain_solve_lengths(const lane_step* step, const lane_contacts* cont
 }
 
 /* K solves; those of strands in `pulled` had their first with an implicit tension. */
-inline void chain_iterate_lengths(const lane_step* step, const lane_contacts* contacts,
-                                  const chain_mobility* hold, uint iterations, mask pulled,
-                                  vec3* x) {
+static inline void chain_iterate_lengths(const lane_step* step, const lane_contacts* contacts,
+                                         const chain_mobility* hold, uint iterations, mask pulled,
+                                         vec3* x) {
     vec3 kept[PLAIT_VERTICES];
     for (uint k = 0; k < iterations; ++k) {
         const int some = k == 0 && any_lane(pulled);
@@ -81,7 +81,8 @@ inline void chain_iterate_lengths(const lane_step* step, const lane_contacts* co
 }
 
 /* Exact lengths, root to tip. */
-inline void chain_follow_leader(const lane_step* step, const lane_contacts* contacts, vec3* x) {
+static inline void chain_follow_leader(const lane_step* step, const lane_contacts* contacts,
+                                       vec3* x) {
     const vec3 down = vec3_of((real)(0.0f), (real)(-1.0f), (real)(0.0f));
     const int touches = contacts && contacts->touching;
     for (int i = 0; i < step->segments; ++i) {
@@ -92,8 +93,8 @@ inline void chain_follow_leader(const lane_step* step, const lane_contacts* cont
 }
 
 /* The same, off the colliders; again for strands that it pulled through one. */
-inline void chain_follow_leader_in_contact(const lane_step* step, lane_contacts* contacts,
-                                           vec3* x) {
+static inline void chain_follow_leader_in_contact(const lane_step* step, lane_contacts* contacts,
+                                                  vec3* x) {
     vec3 first[PLAIT_VERTICES];
     contact_renew(contacts, x);
     chain_follow_leader(step, contacts, x);
@@ -113,8 +114,8 @@ inline void chain_follow_leader_in_contact(const lane_step* step, lane_contacts*
 /* x, from `target` on, on its lengths; in some rounds where contacts hold it, so that pushes and
  * slip agree with the lengths. Strands that touch nothing, also not where the first round puts
  * them, leave after it. */
-inline void chain_solve(const lane_step* step, lane_contacts* contacts, uint iterations,
-                        mask pulled, const vec3* target, vec3* x) {
+static inline void chain_solve(const lane_step* step, lane_contacts* contacts, uint iterations,
+                               mask pulled, const vec3* target, vec3* x) {
     vec3 before[PLAIT_VERTICES];
     chain_mobility hold[PLAIT_VERTICES];
     const mask all = (real)(0.0f) == (real)(0.0f);

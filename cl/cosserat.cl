@@ -33,5 +33,5 @@ __kernel void plait_cosserat(const uint item_count, const plait_lane_params para
 
     cosserat_iterate(&rod, &s, params.iterations, 1);
 
-    rod_store(&rod, &params, state, &s, w, lane_q, lane_q_before);
+    rod_store(&rod, &params, state, &s, w, lane_q, lane_q_before, 1);
 }

@@ -13,11 +13,11 @@
 #include "common/quat.clh"
 #include "plait/params.h"
 
-inline float4 rotation_at(__global const float* data, size_t element, uint tile) {
+static inline float4 rotation_at(__global const float* data, size_t element, uint tile) {
     return (float4)(data[element], data[element + tile], data[element + 2 * tile],
                     data[element + 3 * tile]);
 }
-inline void put_rotation(__global float* data, size_t element, uint tile, float4 q) {
+static inline void put_rotation(__global float* data, size_t element, uint tile, float4 q) {
     data[element] = q.x;
     data[element + tile] = q.y;
     data[element + 2 * tile] = q.z;
@@ -25,7 +25,7 @@ inline void put_rotation(__global float* data, size_t element, uint tile, float4
 }
 
 /* `expected` turned so that its x axis lies along `edge`. */
-inline float4 laid_along(float4 expected, float3 edge) {
+static inline float4 laid_along(float4 expected, float3 edge) {
     const float3 director = quat_rotate(expected, (float3)(1.0f, 0.0f, 0.0f));
     return quat_normalize(quat_mul(quat_between(director, edge), expected));
 }

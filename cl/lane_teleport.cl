@@ -8,7 +8,7 @@
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/lane_step.clh"
 
-inline void carry(__global real* x, lane_place place, int row, vec3 root, quat turn) {
+static inline void carry(__global real* x, lane_place place, int row, vec3 root, quat turn) {
     store3(x, place, row, lane_carried(row, root, turn, load3(x, place, row)));
 }
 

@@ -22,7 +22,7 @@ typedef struct {
     real stretch, bend, length;
 } rod_segment;
 
-inline rod_segment rod_segment_at(const rod_problem* rod, const rod_state* s, int k) {
+static inline rod_segment rod_segment_at(const rod_problem* rod, const rod_state* s, int k) {
     rod_segment e;
     e.length = rod_material(rod, k, PLAIT_LANE_LENGTH);
     e.stretch = rod_material(rod, k, PLAIT_LANE_STRETCH);
@@ -35,24 +35,9 @@ inline rod_segment rod_segment_at(const rod_problem* rod, const rod_state* s, in
     return e;
 }
 
-/* Half the bending moment of the joint between an expected orientation and q. */
-inline vec3 rod_moment(quat q, quat expected, real bend) {
-    const quat m = mulq(expected, conjq(q));
-    return scale3(vec3_of(m.x, m.y, m.z), copysign(0.5f * bend, m.w));
-}
-
-/* What the joint's section adds to its moment on q: with u and w of the turn from the expected
- * orientation and g = k u, -1/2 (w g + u x g) in that one's axes. */
-inline vec3 rod_section_moment(rod_section k, quat q, quat expected) {
-    const quat m = mulq(conjq(expected), q);
-    const vec3 u = vec3_of(m.x, m.y, m.z);
-    const vec3 g = vec3_of(k.twist * m.x, (real)(0.0f), k.cross * m.z);
-    return scale3(rotate3(expected, axpy3(m.w, g, cross3(u, g))), (real)(-0.5f));
-}
-
-/* And to a block of the Hessian, rows and columns omega: side/4 R k R^T. */
-inline void rod_section_block(real a[ROD_UNKNOWNS][ROD_UNKNOWNS], rod_section k, quat expected,
-                              float side) {
+/* What a joint's section adds to a block of the Hessian, rows and columns omega: side/4 R k R^T. */
+static inline void rod_section_block(real a[ROD_UNKNOWNS][ROD_UNKNOWNS], rod_section k,
+                                     quat expected, float side) {
     const vec3 t = director(expected);
     const vec3 b = rotate3(expected, vec3_of((real)(0.0f), (real)(0.0f), (real)(1.0f)));
     const real along[3] = {t.x, t.y, t.z}, across[3] = {b.x, b.y, b.z};
@@ -64,8 +49,8 @@ inline void rod_section_block(real a[ROD_UNKNOWNS][ROD_UNKNOWNS], rod_section k,
 
 /* Lower triangle of the diagonal block of segment k; `next_*` belong to segment k+1, 0 at the tip.
  */
-inline void rod_diagonal(real a[ROD_UNKNOWNS][ROD_UNKNOWNS], const rod_segment* e, real inertia,
-                         real next_stretch, real next_bend) {
+static inline void rod_diagonal(real a[ROD_UNKNOWNS][ROD_UNKNOWNS], const rod_segment* e,
+                                real inertia, real next_stretch, real next_bend) {
     const vec3 t = e->director;
     const real turn = e->pull * e->length + e->geometric;
     const real linear = inertia + e->stretch + next_stretch;
@@ -91,8 +76,8 @@ inline void rod_diagonal(real a[ROD_UNKNOWNS][ROD_UNKNOWNS], const rod_segment* 
 }
 
 /* Adds the contact of vertex i. */
-inline void rod_diagonal_contact(real a[ROD_UNKNOWNS][ROD_UNKNOWNS], const rod_problem* rod,
-                                 const rod_state* s, int i) {
+static inline void rod_diagonal_contact(real a[ROD_UNKNOWNS][ROD_UNKNOWNS], const rod_problem* rod,
+                                        const rod_state* s, int i) {
     sym3 h = {a[0][0], a[1][1], a[2][2], a[1][0], a[2][0], a[2][1]};
     h = add_contact(h, &rod->contacts->at[i], contact_term_at(rod->contacts, i, s->x[i]));
     a[0][0] = h.xx;
@@ -104,7 +89,7 @@ inline void rod_diagonal_contact(real a[ROD_UNKNOWNS][ROD_UNKNOWNS], const rod_p
 }
 
 /* Block between segments k-1 (rows) and k (columns), e being segment k. */
-inline void rod_coupling(real b[ROD_UNKNOWNS][ROD_UNKNOWNS], const rod_segment* e) {
+static inline void rod_coupling(real b[ROD_UNKNOWNS][ROD_UNKNOWNS], const rod_segment* e) {
     const vec3 t = scale3(e->director, e->pull);
     for (int r = 0; r < ROD_UNKNOWNS; ++r)
         for (int c = 0; c < ROD_UNKNOWNS; ++c)
@@ -122,7 +107,7 @@ inline void rod_coupling(real b[ROD_UNKNOWNS][ROD_UNKNOWNS], const rod_segment* 
 
 /* a = L L^T in place, the inverse pivots on the diagonal; 0 where rounding took one, as the twist
  * of long limp strands': that unknown stays. */
-inline void rod_factor(real a[ROD_UNKNOWNS][ROD_UNKNOWNS]) {
+static inline void rod_factor(real a[ROD_UNKNOWNS][ROD_UNKNOWNS]) {
     for (int c = 0; c < ROD_UNKNOWNS; ++c) {
         real pivot = a[c][c];
         for (int k = 0; k < c; ++k)
@@ -138,7 +123,7 @@ inline void rod_factor(real a[ROD_UNKNOWNS][ROD_UNKNOWNS]) {
 }
 
 /* v = (L L^T)^-1 v */
-inline void rod_back_substitute(real a[ROD_UNKNOWNS][ROD_UNKNOWNS], real v[ROD_UNKNOWNS]) {
+static inline void rod_back_substitute(real a[ROD_UNKNOWNS][ROD_UNKNOWNS], real v[ROD_UNKNOWNS]) {
     for (int r = 0; r < ROD_UNKNOWNS; ++r) {
         for (int k = 0; k < r; ++k)
             v[r] -= a[r][k] * v[k];
@@ -151,30 +136,17 @@ inline void rod_back_substitute(real a[ROD_UNKNOWNS][ROD_UNKNOWNS], real v[ROD_U
     }
 }
 
-/* Where joint k would leave q_k if nothing bent it. */
-inline quat rod_expected(const rod_problem* rod, const rod_state* s, int k) {
-    return k == 0 ? rod->clamp : mulq(s->q[k - 1], loadq(rod->rest, rod->step->place, k));
-}
-
-inline vec3 rod_joint_moment(const rod_problem* rod, const rod_state* s, int k, quat expected,
-                             real bend) {
-    const vec3 moment = rod_moment(s->q[k], expected, bend);
-    const rod_section section = rod_section_of(rod, k);
-    return rod_section_round(section)
-               ? moment
-               : add3(moment, rod_section_moment(section, s->q[k], expected));
-}
-
-inline void rod_add_section(const rod_problem* rod, const rod_state* s, int k,
-                            real a[ROD_UNKNOWNS][ROD_UNKNOWNS], float side) {
+static inline void rod_add_section(const rod_problem* rod, const rod_state* s, int k,
+                                   real a[ROD_UNKNOWNS][ROD_UNKNOWNS], float side) {
     const rod_section section = rod_section_of(rod, k);
     if (!rod_section_round(section))
         rod_section_block(a, section, rod_expected(rod, s, k), side);
 }
 
 /* Minus the gradient for segment k; `next` is segment k+1 or null at the tip. */
-inline void rod_descent(const rod_problem* rod, const rod_state* s, int k, const rod_segment* e,
-                        const rod_segment* next, real g[ROD_UNKNOWNS]) {
+static inline void rod_descent(const rod_problem* rod, const rod_state* s, int k,
+                               const rod_segment* e, const rod_segment* next,
+                               real g[ROD_UNKNOWNS]) {
     const int i = k + 1;
     const real inertia = rod_material(rod, i, PLAIT_LANE_MASS) * rod->inertia;
     vec3 force = sub3(scale3(sub3(s->y[i], s->x[i]), inertia), e->tension);
@@ -203,8 +175,8 @@ typedef struct {
 } rod_row;
 
 /* Eliminate row k-1 from row k: a -= B^T X, g -= B^T z. */
-inline void rod_eliminate(real a[ROD_UNKNOWNS][ROD_UNKNOWNS], real g[ROD_UNKNOWNS],
-                          real b[ROD_UNKNOWNS][ROD_UNKNOWNS], const rod_row* before) {
+static inline void rod_eliminate(real a[ROD_UNKNOWNS][ROD_UNKNOWNS], real g[ROD_UNKNOWNS],
+                                 real b[ROD_UNKNOWNS][ROD_UNKNOWNS], const rod_row* before) {
     for (int r = 0; r < ROD_UNKNOWNS; ++r)
         for (int k = 0; k < ROD_UNKNOWNS; ++k) {
             g[r] -= b[k][r] * before->z[k];
@@ -214,7 +186,8 @@ inline void rod_eliminate(real a[ROD_UNKNOWNS][ROD_UNKNOWNS], real g[ROD_UNKNOWN
 }
 
 /* The Gauss-Newton direction (displacement, rotation vector) of every segment. */
-inline void rod_direction(const rod_problem* rod, const rod_state* s, real u[][ROD_UNKNOWNS]) {
+static inline void rod_direction(const rod_problem* rod, const rod_state* s,
+                                 real u[][ROD_UNKNOWNS]) {
     rod_row row[PLAIT_VERTICES - 1];
     real a[ROD_UNKNOWNS][ROD_UNKNOWNS], b[ROD_UNKNOWNS][ROD_UNKNOWNS];
     rod_segment e = rod_segment_at(rod, s, 0);
@@ -258,7 +231,7 @@ inline void rod_direction(const rod_problem* rod, const rod_state* s, real u[][R
 }
 
 /* exp(alpha w) q, w a rotation vector. */
-inline quat rod_turn(quat q, real x, real y, real z) {
+static inline quat rod_turn(quat q, real x, real y, real z) {
     const real angle = 0.5f * sqrt(x * x + y * y + z * z);
     const mask small = angle < (real)(1e-4f);
     const real s = pick(small, (real)(0.5f), 0.5f * sin(angle) / pick(small, (real)(1.0f), angle));
@@ -266,29 +239,17 @@ inline quat rod_turn(quat q, real x, real y, real z) {
 }
 
 /* s = from moved by alpha along u. */
-inline void rod_move(const rod_problem* rod, rod_state* s, const rod_state* from,
-                     real u[][ROD_UNKNOWNS], real alpha) {
+static inline void rod_move(const rod_problem* rod, rod_state* s, const rod_state* from,
+                            real u[][ROD_UNKNOWNS], real alpha) {
     for (int k = 0; k < rod->step->segments; ++k) {
         s->x[k + 1] = axpy3(alpha, vec3_of(u[k][0], u[k][1], u[k][2]), from->x[k + 1]);
         s->q[k] = rod_turn(from->q[k], alpha * u[k][3], alpha * u[k][4], alpha * u[k][5]);
     }
 }
 
-inline void rod_pick(const rod_problem* rod, mask condition, rod_state* s, const rod_state* other) {
-    for (int i = 0; i <= rod->step->segments; ++i) {
-        s->x[i].x = pick(condition, other->x[i].x, s->x[i].x);
-        s->x[i].y = pick(condition, other->x[i].y, s->x[i].y);
-        s->x[i].z = pick(condition, other->x[i].z, s->x[i].z);
-        s->q[i].x = pick(condition, other->q[i].x, s->q[i].x);
-        s->q[i].y = pick(condition, other->q[i].y, s->q[i].y);
-        s->q[i].z = pick(condition, other->q[i].z, s->q[i].z);
-        s->q[i].w = pick(condition, other->q[i].w, s->q[i].w);
-    }
-}
-
 /* One Newton step with backtracking per lane; lanes where the search fails take two iterations of
  * `cosserat` instead. */
-inline void rod_newton(const rod_problem* rod, rod_state* s) {
+static inline void rod_newton(const rod_problem* rod, rod_state* s) {
     real u[PLAIT_VERTICES - 1][ROD_UNKNOWNS];
     if (rod->contacts)
         contact_renew(rod->contacts, s->x);
@@ -309,20 +270,20 @@ inline void rod_newton(const rod_problem* rod, rod_state* s) {
     }
 }
 
-inline int rod_touched(const rod_problem* rod) {
+static inline int rod_touched(const rod_problem* rod) {
     return rod->contacts && any_lane(rod->contacts->lanes);
 }
 
 /* Newton steps, and for strands that touch something one more: what touches has to settle too. */
-inline void rod_solve(const rod_problem* rod, rod_state* s, uint iterations) {
-    rod_state free;
+static inline void rod_solve(const rod_problem* rod, rod_state* s, uint iterations) {
+    rod_state untouched;
     for (uint k = 0; k < iterations || (k == iterations && rod_touched(rod)); ++k) {
         if (k == iterations)
-            free = *s;
+            untouched = *s;
         rod_newton(rod, s);
     }
     if (rod_touched(rod))
-        rod_pick(rod, !rod->contacts->lanes, s, &free);
+        rod_pick(rod, !rod->contacts->lanes, s, &untouched);
 }
 
 __kernel void plait_rod(const uint item_count, const plait_lane_params params,
@@ -349,5 +310,5 @@ __kernel void plait_rod(const uint item_count, const plait_lane_params params,
     cosserat_iterate(&rod, &s, 1, 1);
     rod_solve(&rod, &s, params.iterations);
 
-    rod_store(&rod, &params, state, &s, w, lane_q, lane_q_before);
+    rod_store(&rod, &params, state, &s, w, lane_q, lane_q_before, 0);
 }

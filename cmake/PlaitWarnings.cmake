@@ -1,5 +1,13 @@
-# plait_warnings(target): the warnings every target of plait is built with.
+# plait_warnings(target): the warnings every target of plait is built with, by the compiler's own names.
 function(plait_warnings target)
-  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
-                                           $<$<BOOL:${PLAIT_WERROR}>:-Werror>)
+  if(MSVC)
+    target_compile_options(${target} PRIVATE /W4 $<$<BOOL:${PLAIT_WERROR}>:/WX>)
+  else()
+    target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
+                                             $<$<BOOL:${PLAIT_WERROR}>:-Werror>)
+  endif()
+  if(MINGW)
+    # libstdc++ has MinGW print as C99 does, which the attribute `printf` does not mean there.
+    target_compile_options(${target} PRIVATE -Wno-format)
+  endif()
 endfunction()

@@ -35,6 +35,13 @@ Vec3 comb_parted(Vec3 p, double part) {
     return or_hanging(away + Vec3{0, -0.3 - 0.9 * side, -0.25 - 0.35 * front}, p);
 }
 
+Vec3 comb_past_shoulder(Vec3 combed, Vec3 p, bool before, double spread) {
+    const double free = before ? mix(0.035, 0.065, spread) : mix(-0.105, -0.135, spread); // z, m
+    constexpr double reach = 0.11; // m of fall in which it gets near there
+    const double aside = std::clamp((free - p.z) / reach, -0.9, 0.9);
+    return mix(unit(combed), unit({0, -1, aside}), smoothstep(0.06, -0.04, p.y));
+}
+
 Vec3 comb_back(Vec3 p) {
     const double side = smoothstep(0.03, 0.075, std::abs(p.x));
     return or_hanging({0.25 * p.x / 0.075, -0.35 - 0.5 * side, -1}, p);

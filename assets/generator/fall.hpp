@@ -14,6 +14,10 @@ using Comb = std::function<Vec3(Vec3 p)>;
 // Away from the parting to both sides and backwards; radially from the crown behind it.
 Vec3 comb_parted(Vec3 p, double part);
 
+// Below the ears, away from the ridge of the shoulders: down the chest or down the back. `combed`:
+// the direction otherwise; `spread`: where in the layer of such hair, [0, 1].
+Vec3 comb_past_shoulder(Vec3 combed, Vec3 p, bool before, double spread);
+
 // Back over the head and down at its sides.
 Vec3 comb_back(Vec3 p);
 

@@ -22,7 +22,9 @@ enum Stream : uint64_t {
     clump_phase,
     clump_hand,
     clump_radius,
-    clump_pitch
+    clump_pitch,
+    clump_side,
+    clump_spread
 };
 
 constexpr double clearance = 0.0008;        // m from the head once a strand has left it
@@ -54,8 +56,20 @@ class LooseHair {
     double own(Stream stream, uint32_t i) const { return random(style_.seed, stream, i); }
     double own_signed(Stream stream, uint32_t i) const { return 2 * own(stream, i) - 1; }
 
-    Vec3 comb(Vec3 p) const {
-        return style_.hairstyle == Hairstyle::Short ? comb_back(p) : comb_parted(p, style_.part);
+    // Long hair would come to lie on the shoulders, where none stays: a clump falls before or
+    // behind.
+    Vec3 comb(Vec3 p, uint32_t clump) const {
+        if (style_.hairstyle == Hairstyle::Short)
+            return comb_back(p);
+        const Vec3 parted = comb_parted(p, style_.part);
+        return style_.hairstyle == Hairstyle::Long
+                   ? comb_past_shoulder(parted, p, falls_before(clump), own(clump_spread, clump))
+                   : parted;
+    }
+
+    // What grows in front of the ears, with a ragged border.
+    bool falls_before(uint32_t clump) const {
+        return middles_[clump].z > 0.02 + 0.02 * (own(clump_side, clump) - 0.5);
     }
 
     // The ends of loose long hair meet nearly in one line: hair that grows lower is shorter.
@@ -68,7 +82,7 @@ class LooseHair {
     Path fall_from(Vec3 root, uint32_t i, uint32_t clump) const {
         const double layer = style_.volume * mix(0.25, 1.0, own(strand_layer, i));
         return fall(
-            field_, root, [&](Vec3 p) { return comb(p); },
+            field_, root, [&](Vec3 p) { return comb(p, clump); },
             {length_of(root, i, clump), style_.stiffness, clearance, layer, style_.lift, true});
     }
 

@@ -7,7 +7,7 @@
 namespace common {
 
 const char* type_name(plait_device_type type) {
-    return type == PLAIT_DEVICE_CPU ? "CPU" : type == PLAIT_DEVICE_GPU ? "GPU" : "other";
+    return type == PLAIT_DEVICE_TYPE_CPU ? "CPU" : type == PLAIT_DEVICE_TYPE_GPU ? "GPU" : "other";
 }
 
 void print_devices() {

@@ -52,21 +52,27 @@ class Finder final : public nlohmann::json_sax<nlohmann::json> {
     bool end_array() override { return close(); }
     bool key(string_t& name) override {
         levels_.back().key = name;
+        const auto [known, fresh] = levels_.back().keys.emplace(name, line_);
+        if (!fresh)
+            duplicates.push_back({path(), known->second, line_});
         lines.emplace(path(), line_);
         return true;
     }
     bool parse_error(size_t, const std::string&, const nlohmann::detail::exception&) override {
         lines.clear();
+        duplicates.clear();
         return false;
     }
 
     JsonLines lines;
+    std::vector<DuplicateKey> duplicates;
 
   private:
     struct Level {
         bool list;
         size_t index;
         std::string key;
+        std::map<std::string, size_t> keys; // of an object so far, with their lines
     };
 
     std::string path() const {
@@ -90,7 +96,7 @@ class Finder final : public nlohmann::json_sax<nlohmann::json> {
     bool open(bool list) {
         if (!levels_.empty() && levels_.back().list)
             lines.emplace(path(), line_);
-        levels_.push_back({list, 0, ""});
+        levels_.push_back({list, 0, "", {}});
         return true;
     }
     bool close() {
@@ -104,13 +110,14 @@ class Finder final : public nlohmann::json_sax<nlohmann::json> {
 
 } // namespace
 
-JsonLines find_lines(const std::string& text) {
+JsonLines find_lines(const std::string& text, std::vector<DuplicateKey>& duplicates) {
     size_t line = 1;
     Finder finder(line);
     const CountingIterator first{text.data(), &line}, last{text.data() + text.size(), &line};
     if (!nlohmann::json::sax_parse(first, last, &finder, nlohmann::json::input_format_t::json, true,
                                    true))
         finder.lines.clear();
+    duplicates = std::move(finder.duplicates);
     return std::move(finder.lines);
 }
 

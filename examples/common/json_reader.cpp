@@ -193,7 +193,12 @@ Json read_json(Origin& origin) {
     const std::string text{std::istreambuf_iterator<char>(stream), {}};
     try {
         Json document = Json::parse(text, nullptr, true, true); // comments are welcome
-        origin.lines = find_lines(text);
+        std::vector<DuplicateKey> duplicates;
+        origin.lines = find_lines(text, duplicates);
+        if (!duplicates.empty()) // the parser keeps the last and says nothing
+            throw Failure(origin.file + ":" + std::to_string(duplicates[0].line) + ": " +
+                          duplicates[0].path + " stands here again, after line " +
+                          std::to_string(duplicates[0].first));
         return document;
     } catch (const Json::parse_error& error) {
         throw Failure(origin.file + ": " + error.what());

@@ -85,7 +85,7 @@ class JsonReader {
 };
 
 // The document in `origin.file`, whose lines it notes. Throws Failure with file, line and column
-// when it is not JSON.
+// when it is not JSON, or with file, line and key when an object has a key twice.
 Json read_json(Origin& origin);
 
 } // namespace common

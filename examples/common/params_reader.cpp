@@ -3,10 +3,11 @@
 #include "common/failure.hpp"
 
 #include <cstring>
+#include <stdexcept>
 
 namespace common {
 
-const std::array<const char*, 4> model_names{"tressfx", "chain", "cosserat", "rod"};
+const std::array<const char*, 5> model_names{"tressfx", "chain", "cosserat", "rod", "articulated"};
 const std::array<const char*, 3> interhair_names{"off", "slots", "exact"};
 const std::array<const char*, 3> sag_free_names{"off", "rest", "stiffen"};
 
@@ -21,17 +22,19 @@ class Field {
 
     void read(JsonReader& in) {
         switch (info_.kind) {
-        case PLAIT_PARAM_FLOAT:
+        case PLAIT_PARAM_KIND_FLOAT:
             return read_floats(in);
-        case PLAIT_PARAM_UINT:
+        case PLAIT_PARAM_KIND_UINT:
             return exchange<uint32_t>([&](uint32_t& value) {
                 in.integer(info_.name, value, static_cast<uint32_t>(info_.least),
                            static_cast<uint32_t>(info_.most));
             });
-        case PLAIT_PARAM_CHOICE:
+        case PLAIT_PARAM_KIND_CHOICE:
             return exchange<int32_t>([&](int32_t& value) {
                 in.choice(info_.name, value, {info_.choices, size_t(info_.most) + 1});
             });
+        default:
+            throw std::logic_error(std::string(info_.name) + " is of no kind this reader knows");
         }
     }
 

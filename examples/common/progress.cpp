@@ -1,34 +1,48 @@
 #include "common/progress.hpp"
 
+#include <atomic>
 #include <csignal>
 #include <cstdio>
+#include <thread>
 #include <unistd.h>
 
 namespace common {
 
 namespace {
 
-volatile std::sig_atomic_t interrupt_flag = 0;
+std::atomic<bool> interrupt_flag = false;
 
-extern "C" void on_interrupt(int) {
-    interrupt_flag = 1;
+// The second signal finds the default action.
+void wait_for_interrupt(const sigset_t& signals) {
+    int signal = 0;
+    while (sigwait(&signals, &signal) != 0) {
+    }
+    interrupt_flag = true;
+    while (sigwait(&signals, &signal) != 0) {
+    }
+    std::signal(signal, SIG_DFL);
+    pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
+    std::raise(signal);
 }
 
 } // namespace
 
-// SA_RESETHAND: the second Ctrl-C finds the default action. Writing to an ffmpeg that has gone must
-// be an error of the write, not the end of the program.
+// A thread waits for the signals, and all others block them. So do the processes they start: Ctrl-C
+// goes to all of a terminal's programs, and would end the linker that an OpenCL driver has called
+// to make a kernel, or the ffmpeg that writes the film. Writing to an ffmpeg that has gone must be
+// an error of the write, not the end of the program.
 void watch_for_interrupt() {
-    struct sigaction action {};
-    action.sa_handler = on_interrupt;
-    action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
-    sigaction(SIGINT, &action, nullptr);
-    sigaction(SIGTERM, &action, nullptr);
+    sigset_t signals;
+    sigemptyset(&signals);
+    sigaddset(&signals, SIGINT);
+    sigaddset(&signals, SIGTERM);
+    pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+    std::thread(wait_for_interrupt, signals).detach();
     std::signal(SIGPIPE, SIG_IGN);
 }
 
 bool interrupted() {
-    return interrupt_flag != 0;
+    return interrupt_flag;
 }
 
 Progress::Progress(std::string label, uint32_t total)

@@ -21,7 +21,8 @@ class Progress {
     Clock::time_point start_, last_;
 };
 
-// Set by Ctrl-C after watch_for_interrupt(); a second Ctrl-C ends the program at once.
+// Set by Ctrl-C after watch_for_interrupt(); a second Ctrl-C ends the program at once. Call it
+// before anything starts a thread or a program: what is started later leaves Ctrl-C to us.
 void watch_for_interrupt();
 bool interrupted();
 

@@ -35,7 +35,7 @@ static plait_result trace_submit(plait_device* device, const plait_dispatch* lis
         char line[96];
         snprintf(line, sizeof line, "trace: %s over %u items",
                  plait_stage_describe(list[i].stage)->name, (unsigned)list[i].item_count);
-        self->log(PLAIT_LOG_INFO, line, self->log_user);
+        self->log(PLAIT_LOG_LEVEL_INFO, line, self->log_user);
     }
     return self->api->submit(self->device, list, count);
 }
@@ -68,6 +68,10 @@ static plait_result trace_buffer_write(plait_device* device, plait_buffer* buffe
                                        size_t count, const void* src) {
     return SELF->buffer_write(INNER, buffer, first, count, src);
 }
+static plait_result trace_buffer_upload(plait_device* device, plait_buffer* buffer, size_t first,
+                                        size_t count, const void* src) {
+    return SELF->buffer_upload(INNER, buffer, first, count, src);
+}
 static plait_result trace_buffer_read(plait_device* device, plait_buffer* buffer, size_t first,
                                       size_t count, void* dst) {
     return SELF->buffer_read(INNER, buffer, first, count, dst);
@@ -98,6 +102,7 @@ static const plait_device_api device_api = {
     trace_buffer_create,
     trace_buffer_destroy,
     trace_buffer_write,
+    trace_buffer_upload,
     trace_buffer_read,
     trace_submit,
     trace_wait,

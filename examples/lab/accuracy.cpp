@@ -130,7 +130,7 @@ class Runner {
         }
         if (interrupted())
             return;
-        finish(result, measure, value);
+        finish(result, measure, method, value);
         const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
         result.seconds = spent.count();
         results_.add(result);
@@ -144,15 +144,13 @@ class Runner {
         return measure;
     }
 
-    static void finish(Result& result, const Measure& measure, const Value& value) {
+    static void finish(Result& result, const Measure& measure, const Method& method,
+                       const Value& value) {
         result.value = value.value;
         result.note = value.note;
-        for (const std::string& key : {result.model, std::string()})
-            if (const auto mark = measure.pass.find(key); mark != measure.pass.end()) {
-                result.mark = mark->second;
-                break;
-            }
-        const Verdict verdict = judge(measure, result.model, value);
+        if (const double* mark = mark_of(measure, method))
+            result.mark = *mark;
+        const Verdict verdict = judge(measure, method, value);
         result.verdict = std::isnan(value.value) ? "FAILED" : verdict_word(verdict);
     }
 
@@ -256,7 +254,7 @@ std::string mark_of(const AccuracyRun& run, const Row& row, const std::string& v
     for (const Result& result : run.results)
         if (result.row == row.id && result.variant == variant && result.mark)
             if (const std::string mark = number(*result.mark);
-                marks.empty() || marks.back() != mark)
+                std::find(marks.begin(), marks.end(), mark) == marks.end())
                 marks.push_back(mark);
     std::string text;
     for (const std::string& mark : marks)

@@ -20,6 +20,8 @@ namespace {
 
 const double nan = std::numeric_limits<double>::quiet_NaN();
 
+constexpr const char* every_model = "models"; // of the library, in each of its settings
+
 // "rod 4x2 BDF2", or "verlet auto": with as many substeps as it needs.
 Method read_method(JsonReader& in, const Json& text) {
     const std::string method = text.is_string() ? text.get<std::string>() : text.dump();
@@ -70,8 +72,14 @@ std::vector<Method> read_methods(JsonReader& in, const Json& given, const Json& 
     if (!list->is_array())
         in.fail("methods", "is " + list->dump() + ", not a list");
     std::vector<Method> methods;
-    for (const Json& text : *list)
-        methods.push_back(read_method(in, text));
+    for (const Json& text : *list) {
+        if (text != every_model) {
+            methods.push_back(read_method(in, text));
+            continue;
+        }
+        const auto all = methods_of({}, false, true);
+        methods.insert(methods.end(), all.begin(), all.end());
+    }
     return methods;
 }
 
@@ -91,25 +99,45 @@ Family read_family(JsonReader in, const std::filesystem::path& folder, const Jso
         family.segments = read_segments(in, *segments);
     if (const Json* methods = in.value("methods"))
         family.methods = read_methods(in, *methods, lists);
+    if (in.text("metric", family.metric) && !is_metric(family.metric))
+        in.fail("metric", "is \"" + family.metric + "\", none of " + metric_list());
     in.finish();
     return family;
 }
 
-// N: not finite, or 100 lengths away. E: energy out of nothing. o: off the scale. s, r: strained by
-// 10 % at some time, by 1 % at the end: these still have a place in the figure.
-char letter_of(const Scene& scene, const Method& method, const Recording& recording, double error) {
-    const auto value = [&](const char* metric) {
-        return evaluate(scene, method, recording, measure_of(metric)).value;
-    };
-    if (recording.nonfinite > 0)
-        return 'N';
+// Upper edges of figures: an error of a whole length is off the scale, and of five swings.
+constexpr double length_top = 2, swing_top = 10;
+
+double top_of(const Family& family) {
+    return counts_over_swing(family.metric) ? swing_top : length_top;
+}
+
+bool far_away(const Scene& scene, const Recording& recording) {
     for (const Frame& frame : recording.frames)
-        for (const Vec3& x : frame.x[0])
-            if ((x - frame.x[0][0]).norm() > 100 * scene.length())
-                return 'N';
+        for (size_t s = 0; s < frame.x.size(); ++s)
+            for (const Vec3& x : frame.x[s])
+                if ((x - frame.x[s][0]).norm() > 100 * scene.strands[s].length)
+                    return true;
+    return false;
+}
+
+// N: not finite, or 100 lengths away. E: energy out of nothing. o: off the scale. s, r: strained by
+// 10 % at some time, by 1 % at the end: these still have a place in the figure. Of the worst
+// strand.
+char letter_of(const Scene& scene, const Method& method, const Recording& recording, double error,
+               double top) {
+    const auto value = [&](const char* metric) {
+        double worst = 0;
+        Measure measure = measure_of(metric);
+        for (measure.strand = 0; measure.strand < scene.strands.size(); ++measure.strand)
+            worst = std::max(worst, evaluate(scene, method, recording, measure).value);
+        return worst;
+    };
+    if (recording.nonfinite > 0 || far_away(scene, recording))
+        return 'N';
     if (value("energy_rise") > 0.05)
         return 'E';
-    if (!(error < 1))
+    if (!(error < 0.5 * top))
         return 'o';
     if (value("strain_max") > 0.1)
         return 's';
@@ -204,30 +232,42 @@ class Runner {
     }
 
     // What is measured; the scene's fingerprint is without its reference.
-    static std::string error_of(const Scene& scene) {
+    static std::string error_of(const Family& family, const Scene& scene) {
+        if (counts_over_swing(family.metric))
+            return family.metric + " from " + std::to_string(scene.reference->substeps);
         const bool limit = scene.reference && scene.reference->segments > 0;
         return limit ? "error from " + scene.reference->converged + " " +
                            std::to_string(scene.reference->segments)
                      : "error";
     }
 
+    // Below it nothing can be told apart, or, of errors over swing, nothing moves as it should.
+    static double line_of(const Family& family, const Scene& scene, const Method& method,
+                          const Recording& recording) {
+        if (counts_over_swing(family.metric))
+            return 1;
+        const char* metric = family.free() ? "reference_error" : "static_floor";
+        return evaluate(scene, method, recording, measure_of(metric)).value;
+    }
+
     // The letter is kept where a verdict would be, the floor where a mark would be.
     void measured_error(Chart& chart, const Scene& scene, ChartPoint& point) {
-        Result result = blank(chart, scene, point.method, error_of(scene).c_str());
+        Result result = blank(chart, scene, point.method, error_of(chart.family, scene).c_str());
         if (const Result* known = results_.find(result.key())) {
             result = *known;
         } else {
             const Recording recording = record(contexts_, scene, point.method);
             if (recording.interrupted)
                 return;
-            const Value error = evaluate(scene, point.method, recording, measure_of("rms_error"));
-            const char letter = letter_of(scene, point.method, recording, error.value);
+            const Value error =
+                evaluate(scene, point.method, recording, measure_of(chart.family.metric.c_str()));
+            const char letter =
+                letter_of(scene, point.method, recording, error.value, top_of(chart.family));
             result.value = error.value;
             result.note = error.note;
             result.verdict = letter ? std::string(1, letter) : "";
-            result.unit = "L";
-            const char* floor = chart.family.free() ? "reference_error" : "static_floor";
-            result.mark = evaluate(scene, point.method, recording, measure_of(floor)).value;
+            result.unit = metric_unit(chart.family.metric);
+            result.mark = line_of(chart.family, scene, point.method, recording);
             if (interrupted()) // while it made the reference
                 return;
             results_.add(result);
@@ -325,6 +365,8 @@ const char* colour_of(const std::string& model, size_t index) {
         return "#009E73";
     if (model == "rod")
         return "#8E3B8F";
+    if (model == "articulated")
+        return "#CC0033";
     constexpr const char* others[] = {"#7F7F7F", "#E69F00", "#56B4E9",
                                       "#A0522D", "#4D4D4D", "#B8A000"};
     return others[index % std::size(others)];
@@ -341,6 +383,13 @@ Dot dot_of(const ChartPoint& point, bool free) {
                 std::to_string(s.iterations) + (s.bdf2 ? " b" : ""),
             point.letter,
             point.method.model->baseline()};
+}
+
+void of_swing(Figure& figure) {
+    figure.error_axis = "error / swing, median of the strands";
+    figure.floor_label = "hair that stands still";
+    figure.bands = false;
+    figure.top = swing_top;
 }
 
 void of_free_segments(Figure& figure) {
@@ -363,6 +412,8 @@ Figure figure_of(const Chart& chart, const plait_device_info& device) {
     figure.name = chart.family.name;
     figure.title = chart.family.title;
     figure.subtitle = std::string(device.name) + ", " + device.backend;
+    if (counts_over_swing(chart.family.metric))
+        of_swing(figure);
     if (chart.family.free())
         of_free_segments(figure);
     else if (!chart.points.empty())
@@ -386,20 +437,20 @@ Figure figure_of(const Chart& chart, const plait_device_info& device) {
 namespace {
 
 constexpr const char* csv_head =
-    "model,baseline,segments,substeps,iterations,bdf2,error_rms_over_L,class,"
+    "model,baseline,segments,substeps,iterations,bdf2,error,class,"
     "ms_per_frame_per_million,ms_per_frame_per_100k_strands,kernel_ns_per_vertex,"
-    "strands_at_60_hz,floor_over_L,vertices,steps\n";
+    "strands_at_60_hz,floor,vertices,steps,metric\n";
 
 std::string csv_line(const Chart& chart, const ChartPoint& p) {
-    char line[320];
+    char line[384];
     const Setting& s = p.method.setting;
-    std::snprintf(line, sizeof line, "%s,%d,%u,%u,%u,%d,%.6g,%c,%.6g,%.6g,%.6g,%.6g,%.6g,%llu,%u\n",
-                  p.method.model->label.c_str(), p.method.model->baseline(), p.segments, s.substeps,
-                  s.iterations, s.bdf2, p.error, p.letter ? p.letter : '.', p.cost.ms_per_frame(),
-                  p.ms_per_100k_strands(),
-                  1e9 * p.cost.kernel / static_cast<double>(p.cost.vertices),
-                  p.cost.strands_at_60_hz(p.segments + 1), chart.floor,
-                  static_cast<unsigned long long>(p.cost.vertices), p.cost.runs);
+    std::snprintf(
+        line, sizeof line, "%s,%d,%u,%u,%u,%d,%.6g,%c,%.6g,%.6g,%.6g,%.6g,%.6g,%llu,%u,%s\n",
+        p.method.model->label.c_str(), p.method.model->baseline(), p.segments, s.substeps,
+        s.iterations, s.bdf2, p.error, p.letter ? p.letter : '.', p.cost.ms_per_frame(),
+        p.ms_per_100k_strands(), 1e9 * p.cost.kernel / static_cast<double>(p.cost.vertices),
+        p.cost.strands_at_60_hz(p.segments + 1), chart.floor,
+        static_cast<unsigned long long>(p.cost.vertices), p.cost.runs, chart.family.metric.c_str());
     return line;
 }
 
@@ -410,7 +461,7 @@ Json to_json(const ChartPoint& p) {
             {"substeps", p.method.setting.substeps},
             {"iterations", p.method.setting.iterations},
             {"bdf2", p.method.setting.bdf2},
-            {"error_rms_over_L", p.error}, // null when it is no number
+            {"error", p.error}, // null when it is no number
             {"class", std::string(1, p.letter ? p.letter : '.')},
             {"ms_per_frame_per_million", p.cost.ms_per_frame()},
             {"ms_per_frame_per_100k_strands", p.ms_per_100k_strands()},
@@ -445,7 +496,8 @@ Json to_json(const ChartRun& run) {
             points.push_back(to_json(point));
         figures.push_back({{"figure", chart.family.name},
                            {"title", chart.family.title},
-                           {"floor_over_L", chart.floor},
+                           {"metric", chart.family.metric},
+                           {"floor", chart.floor},
                            {"points", points},
                            {"left_out", chart.left_out}});
     }

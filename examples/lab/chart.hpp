@@ -15,6 +15,7 @@ struct Family {
     std::vector<std::string> needs;
     std::vector<uint32_t> segments; // where their number is free: these, scored as E_total
     std::vector<Method> methods;    // empty: every model in each of its settings
+    std::string metric = "rms_error";
     bool free() const { return !segments.empty(); }
 };
 

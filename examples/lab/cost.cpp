@@ -17,9 +17,9 @@ uint32_t copies_for(const Scene& scene, uint64_t vertices) {
 
 double seconds_of_kernels(plait_sim* sim) {
     size_t count = 0;
-    check(plait_sim_stage_times(sim, nullptr, &count, 0));
+    check(plait_sim_get_stage_times(sim, nullptr, &count, 0));
     std::vector<plait_stage_time> stages(count);
-    check(plait_sim_stage_times(sim, stages.data(), &count, 1));
+    check(plait_sim_get_stage_times(sim, stages.data(), &count, 1));
     double sum = 0;
     for (size_t i = 0; i < count; ++i)
         sum += stages[i].seconds;

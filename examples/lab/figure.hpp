@@ -35,6 +35,7 @@ struct Figure {
     bool own_fronts = false; // a series' line joins what nothing of its own beats; the rest, dots
     double floor = std::numeric_limits<double>::quiet_NaN(); // of discretisation; NaN: none
     bool bands = true;                 // what the eye takes for the same, and for plausible
+    double top = 2;                    // the upper edge, below which failures are drawn
     std::vector<std::string> left_out; // "chain: does not bend"
 };
 

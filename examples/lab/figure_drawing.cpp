@@ -16,8 +16,7 @@ namespace lab {
 
 namespace {
 
-constexpr double top = 2;               // the upper edge
-constexpr double failures = 0.75 * top; // where they are drawn
+constexpr double failures = 0.75; // where they are drawn, of the upper edge
 
 // Texts inside, which end at this share of the width, and at which errors they stand.
 constexpr double text_end = 0.988;
@@ -116,7 +115,7 @@ Axes axes_of(const Figure& figure) {
     axes.y = {
         std::pow(10, std::floor(std::log10(
                          (figure.bands ? std::min(axes.y.least, 0.01) : axes.y.least) / 1.5))),
-        top};
+        figure.top};
     return axes;
 }
 
@@ -170,20 +169,21 @@ struct Marks {
     }
 };
 
-double height_of(const Dot& dot) {
-    return dot.off_scale() ? failures : dot.error;
+double height_of(const Dot& dot, double top) {
+    return dot.off_scale() ? failures * top : dot.error;
 }
 
-std::string rows_of(const std::vector<Dot>& dots) {
+std::string rows_of(const std::vector<Dot>& dots, double top) {
     std::string rows;
     for (const Dot& dot : dots)
-        rows += text("%.6g %.6g\n", dot.cost, height_of(dot));
+        rows += text("%.6g %.6g\n", dot.cost, height_of(dot, top));
     return rows;
 }
 
 // Data blocks, and the plot command that shows them.
 struct Drawing {
-    std::string blocks, plots;
+    double top;
+    std::string blocks = {}, plots = {};
 
     void add(const std::string& plot) { plots += (plots.empty() ? "" : ", \\\n  ") + plot; }
     void add_series(const Series& series, const Marks& marks, size_t index);
@@ -195,17 +195,17 @@ void Drawing::add_series(const Series& series, const Marks& marks, size_t index)
     const int point = 5 + 2 * static_cast<int>(index % 5);
     const char* colour = series.colour.c_str();
     if (!marks.joined.empty()) {
-        blocks += block(name.c_str(), rows_of(marks.joined));
+        blocks += block(name.c_str(), rows_of(marks.joined, top));
         add(text("$%s using 1:2 with linespoints lw 2 dt %d pt %d ps 1.1 lc rgb '%s' title '%s'",
                  name.c_str(), series.dashed ? 4 : 1, point, colour, series.name.c_str()));
     }
     if (!marks.loose.empty()) {
-        blocks += block((name + "o").c_str(), rows_of(marks.loose));
+        blocks += block((name + "o").c_str(), rows_of(marks.loose, top));
         add(text("$%so using 1:2 with points pt %d ps 0.7 lc rgb '%s' notitle", name.c_str(), point,
                  colour));
     }
     if (!marks.failed.empty()) {
-        blocks += block((name + "f").c_str(), rows_of(marks.failed));
+        blocks += block((name + "f").c_str(), rows_of(marks.failed, top));
         add(text("$%sf using 1:2 with points pt 2 ps 1.4 lw 2 lc rgb '%s' %s", name.c_str(), colour,
                  marks.joined.empty() ? ("title '" + series.name + "'").c_str() : "notitle"));
     }
@@ -234,7 +234,9 @@ void sample(Spot a, Spot b, std::vector<Spot>& spots) {
 Surroundings surroundings_of(const Figure& figure, const Axes& axes,
                              const std::vector<Marks>& series) {
     Surroundings all{{0, 0, Axes::width, Axes::height}, {}, {}};
-    const auto spot_of = [&](const Dot& dot) { return axes.spot_of(dot.cost, height_of(dot)); };
+    const auto spot_of = [&](const Dot& dot) {
+        return axes.spot_of(dot.cost, height_of(dot, figure.top));
+    };
     const auto take = [&](const std::vector<Dot>& dots, double radius) {
         for (const Dot& dot : dots)
             all.taken.push_back(around(spot_of(dot), radius));
@@ -270,7 +272,7 @@ std::vector<std::string> labels_of(const Figure& figure, const Axes& axes,
     std::vector<Label> labels;
     std::vector<size_t> owners;
     const auto add = [&](size_t owner, const Dot& dot, const std::string& label) {
-        labels.push_back({axes.spot_of(dot.cost, height_of(dot)), label});
+        labels.push_back({axes.spot_of(dot.cost, height_of(dot, figure.top)), label});
         owners.push_back(owner);
     };
     for (size_t i = 0; i < series.size(); ++i) {
@@ -296,9 +298,9 @@ std::string gnuplot_script(const Figure& figure, const std::string& path) {
     std::vector<Marks> series;
     for (const Series& each : figure.series)
         series.emplace_back(each, figure.own_fronts);
-    Drawing drawing;
+    Drawing drawing{figure.top};
     if (const auto front = front_of(figure); !front.empty()) {
-        drawing.blocks += block("front", rows_of(front));
+        drawing.blocks += block("front", rows_of(front, figure.top));
         drawing.add(
             "$front using 1:2 with lines dt '.' lw 3 lc rgb '#202020' title 'best at its cost'");
     }

@@ -48,15 +48,6 @@ Value jitter(const MetricInput& in) {
     return {std::sqrt(sum / static_cast<double>(count)) / in.length(), ""};
 }
 
-// Of the strand as its model has it; TressFX's stiffness has no modulus, so it counts as limp.
-HangingChain hanging(const MetricInput& in) {
-    const Model& model = *in.method.model;
-    const Material& m = in.scene.material;
-    const bool modulus = model.bends && model.model != PLAIT_MODEL_TRESSFX;
-    return {in.strand().segment_lengths(), model.pinned, model.half_tip,
-            modulus ? m.bend_stiffness / m.line_density : 0};
-}
-
 // Amplitude of the first mode over time: sideways displacement weighted by mass and mode shape.
 std::vector<double> first_mode(const MetricInput& in) {
     const HangingChain chain = hanging(in);
@@ -77,19 +68,29 @@ std::vector<double> first_mode(const MetricInput& in) {
     return signal;
 }
 
+bool is_held(const MetricInput& in) { // every vertex of it
+    return in.last().size() <= in.method.model->pinned;
+}
+
+Swing swing_of(const MetricInput& in) {
+    return is_held(in) ? Swing{} : fit_swing(first_mode(in), 1 / in.scene.rate);
+}
+
 Value frequency(const MetricInput& in) {
-    const Swing swing = fit_swing(first_mode(in), 1 / in.scene.rate);
+    const Swing swing = swing_of(in);
     return swing.frequency > 0 ? Value{swing.frequency, ""} : none("does not swing");
 }
 
 Value frequency_error(const MetricInput& in) {
-    const double expected = hanging(in).frequencies(in.scene.gravity.norm())[0];
     const Value found = frequency(in);
+    if (is_held(in))
+        return found;
+    const double expected = hanging(in).frequencies(in.scene.gravity.norm())[0];
     return {found.value / expected - 1, found.note};
 }
 
 Value damping_ratio(const MetricInput& in) {
-    const Swing swing = fit_swing(first_mode(in), 1 / in.scene.rate);
+    const Swing swing = swing_of(in);
     return swing.frequency > 0 ? Value{swing.damping, ""} : none("does not swing");
 }
 
@@ -109,7 +110,7 @@ double energy(const MetricInput& in, const Frame& frame) {
     const auto& rest = in.recording.rest[in.measure.strand];
     const ElasticStrand strand{
         in.strand().segment_lengths(), stretch_stiffness(in.scene, in.length()),
-        straight ? in.scene.material.bend_stiffness : 0, (rest[1] - rest[0]).normalized()};
+        straight ? in.scene.bend_stiffness(in.strand()) : 0, (rest[1] - rest[0]).normalized()};
     return sum + least_elastic_energy(strand, x);
 }
 
@@ -191,6 +192,11 @@ constexpr Metric metrics[] = {
     {"rms_error", "L", rms_error},
     {"max_error", "L", max_error},
     {"reference_error", "L", reference_error},
+    {"swing_error", "", swing_error},
+    {"swing_error_p90", "", swing_error_p90},
+    {"swing_least", "L", swing_least},
+    {"drive_amplitude", "", drive_amplitude},
+    {"drive_phase", "deg", drive_phase},
     {"tip_error", "L", tip_error},
     {"static_error", "L", static_error},
     {"static_tip_error", "L", static_tip_error},
@@ -198,6 +204,9 @@ constexpr Metric metrics[] = {
     {"static_tip_over_floor", "", static_tip_over_floor},
     {"strain_max", "", strain_max},
     {"strain_rest", "", strain_rest},
+    {"segment_strain", "", segment_strain},
+    {"strand_strain", "", strand_strain},
+    {"stretched_frames", "frames", stretched_frames},
     {"jitter", "L/frame", jitter},
     {"frequency", "rad/s", frequency},
     {"frequency_error", "", frequency_error},
@@ -211,7 +220,9 @@ constexpr Metric metrics[] = {
     {"tip_speed", "L/s", tip_speed},
     {"acceleration", "", acceleration},
     {"slip_strain", "", slip_strain},
+    {"slip_travel", "L", slip_travel},
     {"penetration", "L", penetration},
+    {"depth", "m", depth},
     {"passed_through", "of strands", passed_through},
     {"drop", "L", drop},
     {"nonfinite", "vertices", nonfinite},
@@ -223,6 +234,13 @@ const Metric* find(const std::string& name) {
     return found == std::end(metrics) ? nullptr : found;
 }
 } // namespace
+
+HangingChain hanging(const MetricInput& in) {
+    const Model& model = *in.method.model;
+    const bool modulus = model.bends && model.model != PLAIT_MODEL_TRESSFX;
+    return {in.strand().segment_lengths(), model.pinned, model.half_tip,
+            modulus ? in.scene.bend_stiffness(in.strand()) / in.scene.material.line_density : 0};
+}
 
 double stretch_stiffness(const Scene& scene, double length) {
     const Material& m = scene.material;
@@ -261,6 +279,10 @@ const char* metric_unit(const std::string& metric) {
     return find(metric)->unit;
 }
 
+bool counts_over_swing(const std::string& metric) {
+    return metric == "swing_error" || metric == "swing_error_p90";
+}
+
 Value evaluate(const Scene& scene, const Method& method, const Recording& recording,
                const Measure& measure) {
     if (recording.nonfinite > 0 && measure.metric != "nonfinite")
@@ -268,15 +290,22 @@ Value evaluate(const Scene& scene, const Method& method, const Recording& record
     return find(measure.metric)->evaluate({scene, method, recording, measure});
 }
 
-Verdict judge(const Measure& measure, const std::string& model, const Value& value) {
+const double* mark_of(const Measure& measure, const Method& method) {
+    const bool quality = method.setting == method.model->quality;
+    for (const std::string& key :
+         {method.model->label, std::string(quality ? "quality" : ""), std::string()})
+        if (const auto mark = measure.pass.find(key); mark != measure.pass.end())
+            return &mark->second;
+    return nullptr;
+}
+
+Verdict judge(const Measure& measure, const Method& method, const Value& value) {
     if (measure.at_least)
         return value.value >= *measure.at_least ? Verdict::pass : Verdict::fail;
-    auto mark = measure.pass.find(model);
-    if (mark == measure.pass.end())
-        mark = measure.pass.find("");
-    if (mark == measure.pass.end())
+    const double* mark = mark_of(measure, method);
+    if (!mark)
         return Verdict::none;
-    return std::abs(value.value) <= mark->second ? Verdict::pass : Verdict::fail;
+    return std::abs(value.value) <= *mark ? Verdict::pass : Verdict::fail;
 }
 
 double strain_at(const std::vector<double>& lengths, const std::vector<Vec3>& x) {

@@ -19,13 +19,19 @@ const std::vector<std::string>& metric_names();
 std::string metric_list();                          // "rms_error, max_error, ..."
 const char* metric_unit(const std::string& metric); // "L", "deg", "1/s", "" ...
 
+// Whether an error of 1 is what hair that stands still has, not a length.
+bool counts_over_swing(const std::string& metric);
+
 Value evaluate(const Scene& scene, const Method& method, const Recording& recording,
                const Measure& measure);
 
-// Whether the magnitude is at most the mark of this model, or at least what is asked; no mark: no
-// opinion.
+// The largest magnitude that passes: the model's own mark, else that of a model's setting for
+// quality, else everyone's. Null: none.
+const double* mark_of(const Measure& measure, const Method& method);
+
+// Whether the magnitude is at most the mark, or at least what is asked; no mark: no opinion.
 enum class Verdict { none, pass, fail };
-Verdict judge(const Measure& measure, const std::string& model, const Value& value);
+Verdict judge(const Measure& measure, const Method& method, const Value& value);
 
 // Of one strand: for reports and tests.
 double strain_at(const std::vector<double>& lengths, const std::vector<Vec3>& x); // worst |l/l0-1|

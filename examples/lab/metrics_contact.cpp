@@ -32,26 +32,52 @@ Value acceleration(const MetricInput& in) {
     return {measured / *in.measure.expect - 1, ""};
 }
 
-// How far the root had come, in lengths over what the table has, less 1, when the tip first slid
-// across its way faster than it comes, for a tenth of a second.
-Value slip_strain(const MetricInput& in) {
-    if (!in.reference() || in.reference()->table.empty())
-        return none("needs a reference table");
-    const auto rows = select(*in.reference());
+namespace {
+
+// How far the root had come, in lengths, when the tip first slid across its way faster than it
+// comes, for a tenth of a second. One that never slides has come as far as the root comes at all.
+struct Slip {
+    double strain = 0;
+    bool slipped = false;
+};
+
+Slip first_slip(const MetricInput& in) {
     const auto& frames = in.recording.frames;
     const auto window = static_cast<size_t>(std::lround(0.1 * in.scene.rate));
-    for (size_t k = window; k < frames.size() && rows.size() == 1; ++k) {
+    const auto come = [&](const Frame& frame) {
+        return (in.x(frame)[0] - in.x(frames[0])[0]).norm() / in.length();
+    };
+    for (size_t k = window; k < frames.size(); ++k) {
         if (!in.counts(frames[k]))
             continue;
         const Vec3 root = in.x(frames[k])[0] - in.x(frames[k - window])[0];
         const Vec3 tip = in.x(frames[k]).back() - in.x(frames[k - window]).back();
         const Vec3 way = root.normalized();
-        if ((tip - way * way.dot(tip)).norm() < root.norm())
-            continue;
-        const double come = (in.x(frames[k - window])[0] - in.x(frames[0])[0]).norm();
-        return {come / in.length() / rows[0].back() - 1, ""};
+        if ((tip - way * way.dot(tip)).norm() >= root.norm())
+            return {come(frames[k - window]), true};
     }
-    return none(rows.size() == 1 ? "never slips" : "no row of the table fits `where`");
+    return {come(frames.back()), false};
+}
+
+} // namespace
+
+Value slip_travel(const MetricInput& in) {
+    const Slip slip = first_slip(in);
+    return slip.slipped ? Value{slip.strain, ""} : none("never slips");
+}
+
+// Over the table's, less 1. Of what never slips it is at least what is said.
+Value slip_strain(const MetricInput& in) {
+    if (!in.reference() || in.reference()->table.empty())
+        return none("needs a reference table");
+    const auto rows = select(*in.reference());
+    if (rows.size() != 1)
+        return none(std::to_string(rows.size()) + " rows of the table fit `where`, not one");
+    const Slip slip = first_slip(in);
+    const double over = slip.strain / rows[0].back() - 1;
+    if (!slip.slipped && over <= 0)
+        return none("never slips, but its root stops before it should");
+    return {over, slip.slipped ? "" : "never slips: the number is where the root stops"};
 }
 
 namespace {
@@ -61,7 +87,7 @@ Vec3 end_of(const float* p) {
 }
 
 // Inside the hull of two spheres: depth below its surface, m.
-double depth(const plait_collider_desc& shape, const Pose& pose, const Vec3& x) {
+double depth_in(const plait_collider_desc& shape, const Pose& pose, const Vec3& x) {
     const Vec3 a = pose * end_of(shape.a), b = pose * end_of(shape.b);
     const double ra = static_cast<double>(shape.radius_a), rb = static_cast<double>(shape.radius_b);
     double deepest = -1e9;
@@ -83,7 +109,7 @@ double cut(const SceneCollider& collider, double time, const std::vector<Vec3>& 
     for (size_t i = 1; i < x.size(); ++i)
         for (int k = 1; k <= on_edge; ++k)
             worst = std::max(
-                worst, depth(collider.shape, pose, x[i - 1] + (x[i] - x[i - 1]) * k / on_edge));
+                worst, depth_in(collider.shape, pose, x[i - 1] + (x[i] - x[i - 1]) * k / on_edge));
     return worst;
 }
 
@@ -97,10 +123,26 @@ Value penetration(const MetricInput& in) {
         for (const SceneCollider& collider : in.scene.colliders) {
             const Pose pose = collider.motion.at(frame.time);
             for (size_t i = 1; i < in.x(frame).size(); ++i)
-                worst = std::max(worst, depth(collider.shape, pose, in.x(frame)[i]));
+                worst = std::max(worst, depth_in(collider.shape, pose, in.x(frame)[i]));
         }
     });
     return {worst / in.length(), ""};
+}
+
+// Deepest vertex of any strand in any collider, m; the roots, which are where they are, aside.
+Value depth(const MetricInput& in) {
+    if (in.scene.colliders.empty())
+        return none("needs colliders");
+    double worst = 0;
+    in.each([&](const Frame& frame) {
+        for (const SceneCollider& collider : in.scene.colliders) {
+            const Pose pose = collider.motion.at(frame.time);
+            for (const auto& x : frame.x)
+                for (size_t i = 1; i < x.size(); ++i)
+                    worst = std::max(worst, depth_in(collider.shape, pose, x[i]));
+        }
+    });
+    return {worst, ""};
 }
 
 // Share of the strands whose tip is not ahead of the collider that came upon them, or that cut it

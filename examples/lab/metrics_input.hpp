@@ -2,6 +2,7 @@
 #pragma once
 
 #include "metrics.hpp"
+#include "modes.hpp"
 
 #include <limits>
 
@@ -42,6 +43,18 @@ inline Value none(const std::string& note) {
 // EA as the library chooses it: 1 % of stretch at 10 g.
 double stretch_stiffness(const Scene& scene, double length);
 
+// The strand as its model has it; TressFX's stiffness has no modulus, so it counts as limp.
+HangingChain hanging(const MetricInput& in);
+
+// The scene itself, converged (`reference.converged`): run once a process for each scene.
+const Recording& converged_run(const Scene& scene, const Reference& reference);
+
+// metrics_swing.cpp: of strands whose roots move
+Value swing_error(const MetricInput& in);
+Value swing_error_p90(const MetricInput& in);
+Value swing_least(const MetricInput& in);
+Value drive_amplitude(const MetricInput& in);
+Value drive_phase(const MetricInput& in);
 // metrics_reference.cpp: against a trajectory
 Value rms_error(const MetricInput& in);
 Value max_error(const MetricInput& in);
@@ -51,8 +64,14 @@ Value tip_travel(const MetricInput& in);
 Value tip_speed(const MetricInput& in);
 Value acceleration(const MetricInput& in);
 Value slip_strain(const MetricInput& in);
+Value slip_travel(const MetricInput& in);
 Value penetration(const MetricInput& in);
 Value passed_through(const MetricInput& in);
+Value depth(const MetricInput& in);
+// metrics_stretch.cpp: of all strands' lengths
+Value segment_strain(const MetricInput& in);
+Value strand_strain(const MetricInput& in);
+Value stretched_frames(const MetricInput& in);
 // metrics_rest.cpp: of shapes at rest
 Value tip_error(const MetricInput& in);
 Value static_error(const MetricInput& in);

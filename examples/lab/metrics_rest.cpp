@@ -21,7 +21,7 @@ double plane_angle(const Plane& plane, const Vec3& v) {
 
 std::string plane_of(const MetricInput& in, Plane& plane) {
     const Material& m = in.scene.material;
-    if (!(m.bend_stiffness > 0) || m.tip_stiffness != 1)
+    if (!(in.scene.bend_stiffness(in.strand()) > 0) || m.tip_stiffness != 1)
         return "the float64 equilibrium is of strands of one bend stiffness > 0";
     if (!in.scene.motion.still() || !in.scene.colliders.empty())
         return "the float64 equilibrium is of strands that hang freely from a still root";
@@ -41,7 +41,7 @@ std::string plane_of(const MetricInput& in, Plane& plane) {
     plane.rod = {in.strand().segment_lengths(),
                  plane_angle(plane, rest[1] - rest[0]),
                  0,
-                 m.bend_stiffness,
+                 in.scene.bend_stiffness(in.strand()),
                  stretch_stiffness(in.scene, in.length()),
                  m.line_density,
                  in.scene.gravity.norm(),

@@ -77,13 +77,17 @@ std::vector<Model> make_models() {
     const std::vector<Setting> rod{{1, 1, false}, {1, 2, false}, {2, 1, false},
                                    {4, 1, false}, {1, 1, true},  {2, 1, true},
                                    {4, 1, true},  {8, 1, true},  {16, 1, true}};
+    const std::vector<Setting> articulated{{1, 1, true}, {1, 1, false}, {1, 2, true}, {2, 1, true},
+                                           {4, 1, true}, {8, 1, true},  {16, 1, true}};
     std::vector<Model> all{
         {"tressfx", PLAIT_MODEL_TRESSFX, nullptr, "", true, false, false, 2, tressfx},
         {"chain", PLAIT_MODEL_CHAIN, nullptr, "", false, false, false, 1, chain},
         {"cosserat", PLAIT_MODEL_COSSERAT, nullptr, "", true, true, true, 1, cosserat},
         {"rod", PLAIT_MODEL_ROD, nullptr, "", true, true, true, 1, rod},
+        {"articulated", PLAIT_MODEL_ARTICULATED, nullptr, "", true, true, true, 1, articulated},
     };
-    const Setting quality[] = {{1, 32, false}, {4, 1, false}, {4, 2, true}, {2, 1, true}};
+    const Setting quality[] = {
+        {1, 32, false}, {4, 1, false}, {4, 2, true}, {2, 1, true}, {2, 1, true}};
     for (size_t i = 0; i < all.size(); ++i)
         all[i].quality = quality[i];
     for (Model& baseline : make_baselines())

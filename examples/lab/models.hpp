@@ -16,6 +16,7 @@ struct Setting {
     uint32_t iterations = 1;
     bool bdf2 = false;
     std::string label() const; // "4x2 BDF2": substeps x iterations; "auto": as many as it needs
+    bool operator==(const Setting&) const = default;
 };
 
 struct Model {

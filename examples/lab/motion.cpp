@@ -17,11 +17,14 @@ Pose turned(const Vec3& axis, double degrees) {
     return {Quat(Eigen::AngleAxisd(radians(degrees), axis)), Vec3::Zero()};
 }
 
+// From nothing at t = 0; frequency in Hz, phase in degrees.
+double swayed(double frequency, double phase, double t) {
+    return std::sin(2 * pi * frequency * t + radians(phase)) - std::sin(radians(phase));
+}
+
 Pose pose_of(const Sine& s, double time) {
-    const double phase = radians(s.phase);
     const double t = std::clamp(time, s.from, s.to) - s.from;
-    const double way = std::sin(2 * pi * s.frequency * t + phase) - std::sin(phase);
-    return {Quat::Identity(), s.direction * s.amplitude * way};
+    return {Quat::Identity(), s.direction * s.amplitude * swayed(s.frequency, s.phase, t)};
 }
 
 Pose pose_of(const Accelerate& a, double time) {
@@ -37,7 +40,7 @@ Pose pose_of(const Move& m, double time) {
 Pose pose_of(const Turn& turn, double time) {
     const double t = std::clamp(time, turn.from, turn.to) - turn.from;
     const double share =
-        turn.frequency > 0 ? std::sin(2 * pi * turn.frequency * t) : t / (turn.to - turn.from);
+        turn.frequency > 0 ? swayed(turn.frequency, turn.phase, t) : t / (turn.to - turn.from);
     return turned(turn.axis, turn.degrees * share);
 }
 
@@ -138,6 +141,7 @@ Term read_turn(JsonReader& in, double time_unit) {
         in.fail("degrees", "is missing: how far it turns");
     in.number("frequency", term.frequency, 0, 1e6);
     term.frequency /= time_unit;
+    in.number("phase", term.phase, -360, 360);
     const Span span = read_span(in, time_unit);
     term.from = span.from;
     term.to = span.to;

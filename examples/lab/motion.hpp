@@ -34,7 +34,8 @@ struct Move {
 };
 struct Turn {
     Vec3 axis;
-    double degrees, frequency; // degrees * sin(2 pi frequency time), or once over when 0
+    double degrees, frequency; // degrees (sin(2 pi frequency time + phase) - sin phase), or once
+    double phase;              // over where the frequency is 0; degrees
     double from, to;
 };
 struct Place {

@@ -1,5 +1,7 @@
 #include "page.hpp"
 
+#include "summary.hpp"
+
 #include "common/file.hpp"
 
 #include <cctype>
@@ -57,8 +59,10 @@ std::string figures_of(const ChartRun& run, const std::string& prefix) {
     std::string text =
         "\n## Cost against accuracy\n\nMarkers say substeps×iterations, `b` BDF2. "
         "Crosses on the upper edge failed: N not finite, E energy out of nothing, o off "
-        "the scale. Below each figure: who is best from which cost on; beside it lies its table as "
-        "CSV.\n";
+        "the scale. Where hair moves with its head (shake, turn, walk) the error is over how far "
+        "it "
+        "swings: on the dashed line it is as wrong as hair that stands still. Below each figure: "
+        "who is best from which cost on; beside it lies its table as CSV.\n";
     text += drawn(run, prefix, false);
     const std::string free = drawn(run, prefix, true);
     if (free.empty())
@@ -158,7 +162,12 @@ std::vector<std::string> write_page(const std::string& folder, const Page& page,
     const std::string kept = hand_written(files[0]);
     write_text(
         head(page.accuracy.device) + "\n## In words\n\n" + by_hand + kept + by_hand_end +
-            "\n\n## Accuracy\n\nBold passes its mark, `!` misses it, n/a: the "
+            "\n\n## In short\n\nHair in motion first: error over swing, median of the strands of "
+            "the figures shake, turn and walk, where hair that stands still has 1; the rod fall of "
+            "Γ = 100 (rows 18a and 18b); strands of 16 segments at the first figure's cost; and "
+            "trials of the stability sweep in which a strand was lost or gained energy.\n\n" +
+            summary_markdown(page) +
+            "\n## Accuracy\n\nBold passes its mark, `!` misses it, n/a: the "
             "model cannot do it. Why what misses does: [the laboratory](../lab.md#misses).\n\n" +
             accuracy_markdown(page.accuracy) + baselines_of(page.baselines) +
             figures_of(page.charts, name + "-") + grid_of(page.grid, name + "-") +

@@ -37,7 +37,23 @@ GroomHandle make_groom(const std::vector<std::vector<Vec3>>& strands, uint32_t c
     return GroomHandle(groom);
 }
 
-SimHandle make_sim(plait_context* context, const plait_groom* groom, const plait_sim_desc& desc) {
+// What scales each strand's stiffness; none where all have the material's.
+std::vector<float> stiffness_of(const Scene& scene, uint32_t copies) {
+    const auto& strands = scene.strands;
+    if (std::none_of(strands.begin(), strands.end(),
+                     [](const Strand& strand) { return strand.gamma.has_value(); }))
+        return {};
+    std::vector<float> scales;
+    for (uint32_t copy = 0; copy < copies; ++copy)
+        for (const Strand& strand : strands)
+            scales.push_back(
+                static_cast<float>(scene.bend_stiffness(strand) / scene.material.bend_stiffness));
+    return scales;
+}
+
+SimHandle make_sim(plait_context* context, const plait_groom* groom, plait_sim_desc desc,
+                   const std::vector<float>& stiffness) {
+    desc.strand_stiffness = {stiffness.data(), stiffness.size(), 0};
     plait_sim* sim = nullptr;
     check(plait_sim_create(context, groom, &desc, &sim));
     return SimHandle(sim);
@@ -91,7 +107,8 @@ plait_sim_desc describe(const Scene& scene, const Method& method) {
     p.bend_stiffness = static_cast<float>(scene.material.bend_stiffness);
     p.stretch_stiffness = static_cast<float>(scene.material.stretch_stiffness);
     p.tip_stiffness = static_cast<float>(scene.material.tip_stiffness);
-    if (scene.material.twist_ratio > 0 && desc.model == PLAIT_MODEL_ROD)
+    if (scene.material.twist_ratio > 0 &&
+        (desc.model == PLAIT_MODEL_ROD || desc.model == PLAIT_MODEL_ARTICULATED))
         p.twist_stiffness =
             static_cast<float>(scene.material.twist_ratio * scene.material.bend_stiffness);
     p.drag = static_cast<float>(scene.drag);
@@ -112,10 +129,10 @@ Method method_of(const Scene& scene) {
 Stage::Stage(plait_context* context, const Scene& scene, const Method& method, uint32_t copies)
     : scene_(scene), desc_(describe(scene, method)),
       groom_(make_groom(shapes_of(scene, *method.model), copies)),
-      sim_(make_sim(context, groom_.get(), desc_)), rest_(shapes_of(scene, *method.model)),
-      copies_(copies), pose_(scene.motion.at(0)) {
+      sim_(make_sim(context, groom_.get(), desc_, stiffness_of(scene, copies))),
+      rest_(shapes_of(scene, *method.model)), copies_(copies), pose_(scene.motion.at(0)) {
     plait_sim_stats stats = plait_sim_stats_defaults();
-    check(plait_sim_stats_get(sim_.get(), &stats));
+    check(plait_sim_get_stats(sim_.get(), &stats));
     row_ = stats.vertices_per_strand;
     if (!scene.motion.still())
         start_at(pose_);
@@ -137,7 +154,7 @@ void Stage::start_at(const Pose& pose) {
 
 uint64_t Stage::vertices() const {
     plait_sim_stats stats = plait_sim_stats_defaults();
-    check(plait_sim_stats_get(sim_.get(), &stats));
+    check(plait_sim_get_stats(sim_.get(), &stats));
     return stats.guides * stats.vertices_per_strand;
 }
 

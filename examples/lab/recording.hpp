@@ -22,7 +22,7 @@ struct Recording {
     bool interrupted = false;
 };
 
-// What the method makes of the scene.
+// What the method makes of the scene. Stiffnesses of single strands come on top, see Stage.
 plait_sim_desc describe(const Scene& scene, const Method& method);
 Method method_of(const Scene& scene); // as the scene says
 

@@ -93,7 +93,7 @@ std::vector<Measured> measure_all(const Scene& scene, const Method& method,
     std::vector<Measured> all;
     for (const Measure& measure : measures) {
         const Value value = evaluate(scene, method, recording, measure);
-        all.push_back({measure, value, judge(measure, method.model->label, value)});
+        all.push_back({measure, value, judge(measure, method, value)});
     }
     return all;
 }

@@ -21,6 +21,8 @@ constexpr Need needs[] = {
     {"twist", "has no twist", [](const Model& m) { return m.twists; }},
     {"equal_masses", "has half a mass at the tip, the reference has not",
      [](const Model& m) { return !m.half_tip; }},
+    {"free_tip", "holds both ends of its first segment",
+     [](const Model& m) { return m.pinned == 1; }},
     {"free_root", "every root is held; tests/unit/rod_energy.cpp measures its energy",
      [](const Model&) { return false; }},
     {"tip_clamp", "no tip can be clamped; tests/unit/rod_energy.cpp measures its energy",

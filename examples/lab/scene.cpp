@@ -5,6 +5,7 @@
 #include "hash.hpp"
 #include "metrics.hpp"
 #include "models.hpp"
+#include "modes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -48,7 +49,7 @@ void read_points(JsonReader& in, const Json& list, Strand& strand) {
 
 // "angle": degrees above the horizontal in the x-y plane, for those who think in clamps.
 void read_aim(JsonReader& in, Strand& strand) {
-    static constexpr std::array aims{"tangent", "axis"};
+    static constexpr std::array aims{"tangent", "axis", "segment"};
     double angle = 0;
     const bool has_direction = in.value("direction") != nullptr;
     strand.direction = read_direction(in, "direction", strand.direction);
@@ -79,6 +80,8 @@ Strand read_strand(JsonReader in) {
     in.number("amplitude", strand.amplitude, -0.5, 0.5);
     if (const Json* points = in.value("points"))
         read_points(in, *points, strand);
+    if (double gamma = 0; in.number("gamma", gamma, 1e-9, 1e12))
+        strand.gamma = gamma;
     in.finish();
     return strand;
 }
@@ -156,15 +159,24 @@ void read_material(JsonReader in, Scene& scene) {
     in.finish();
 }
 
+// A strand's own stiffness reaches the library as a share of the material's.
+void check_gammas(JsonReader& top, const Scene& scene) {
+    for (const Strand& strand : scene.strands)
+        if (strand.gamma && !(scene.material.bend_stiffness > 0 && scene.gravity.norm() > 0))
+            top.fail("strands", "have a gamma of their own, which needs gravity and a material "
+                                "that bends");
+}
+
 void read_time(JsonReader& top, Scene& scene) {
-    static constexpr std::array units{"second", "natural"};
+    static constexpr std::array units{"second", "natural", "swing"};
     int unit = 0;
     top.choice("time_unit", unit, units);
-    if (unit == 1) {
-        if (!(scene.gravity.norm() > 0))
-            top.fail("time_unit", "is \"natural\", sqrt(L/g), without gravity");
+    if (unit > 0 && !(scene.gravity.norm() > 0))
+        top.fail("time_unit", std::string("is \"") + units[unit] + "\" without gravity");
+    if (unit == 1)
         scene.unit_time = std::sqrt(scene.length() / scene.gravity.norm());
-    }
+    if (unit == 2)
+        scene.unit_time = 2 * pi / scene.first_mode(scene.strands.front());
     const double u = scene.unit_time;
     scene.rate *= u; // the defaults are in seconds
     top.number("rate", scene.rate, u, 1e5 * u);
@@ -229,9 +241,13 @@ Reference read_reference(JsonReader in, const Scene& scene) {
         in.fail("converged", "is \"" + reference.converged +
                                  "\", no known model; the nearest is \"" +
                                  std::string(nearest(reference.converged, model_labels())) + "\"");
-    if (has_table == !reference.converged.empty())
-        in.fail("table", has_table ? "is given beside converged: one of the two"
+    in.flag("plane", reference.plane);
+    const int kinds = has_table + !reference.converged.empty() + reference.plane;
+    if (kinds != 1)
+        in.fail("table", kinds > 1 ? "is given beside converged or plane: one of the three"
                                    : "is missing: a file of tests/data");
+    if (in.integer("substeps", reference.substeps, 1, 1000) && reference.converged.empty())
+        in.fail("substeps", "is given without converged, the model that takes them");
     read_limit(in, scene, reference);
     int unit = 0;
     in.choice("units", unit, units);
@@ -269,6 +285,8 @@ void read_pass(JsonReader& in, std::map<std::string, double>& pass) {
     for (const std::string& model : model_labels())
         if (double mark = 0; each.number(model.c_str(), mark, 0, 1e9))
             pass[model] = mark;
+    if (double mark = 0; each.number("quality", mark, 0, 1e9))
+        pass["quality"] = mark;
     if (double mark = 0; each.number("others", mark, 0, 1e9))
         pass[""] = mark;
     each.finish();
@@ -342,10 +360,24 @@ double Scene::length() const {
 }
 
 double Scene::gamma() const {
-    const Material& m = material;
-    if (!(m.bend_stiffness > 0))
+    const double EI = bend_stiffness(strands.front());
+    if (!(EI > 0))
         return std::numeric_limits<double>::infinity();
-    return m.line_density * gravity.norm() * std::pow(length(), 3) / m.bend_stiffness;
+    return material.line_density * gravity.norm() * std::pow(length(), 3) / EI;
+}
+
+double Scene::bend_stiffness(const Strand& strand) const {
+    if (!strand.gamma)
+        return material.bend_stiffness;
+    return material.line_density * gravity.norm() * std::pow(strand.length, 3) / *strand.gamma;
+}
+
+// Of segments so many that the masses at its tip no longer matter.
+double Scene::first_mode(const Strand& strand) const {
+    constexpr size_t segments = 200;
+    const std::vector<double> lengths(segments, strand.length / segments);
+    const HangingChain chain{lengths, 1, true, bend_stiffness(strand) / material.line_density};
+    return chain.frequencies(gravity.norm())[0];
 }
 
 uint32_t Scene::frames() const {
@@ -370,6 +402,7 @@ Scene read_scene(const Json& document, const Origin& origin) {
     read_strands(top, scene);
     if (const Json* material = top.value("material"))
         read_material(top.object(*material, "material"), scene);
+    check_gammas(top, scene);
     read_time(top, scene);
     static constexpr std::array airs{"world", "head"};
     int air = 0;

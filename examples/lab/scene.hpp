@@ -25,11 +25,13 @@ struct SceneCollider {
     Motion motion;
 };
 
-// What a number is compared with: a table of tests/data, the scene's own converged run, or the
-// limit of many segments (continuum.hpp).
+// What a number is compared with: a table of tests/data, the scene's own strand let go in its plane
+// (plane_fall.hpp), its converged run, or the limit of many segments (continuum.hpp).
 struct Reference {
-    std::string table;                   // "" when `converged`
-    std::string converged;               // a model: run in float64 with 64 BDF2 substeps
+    std::string table;                   // "" when `plane` or `converged`
+    bool plane = false;                  // with the masses and the joint of the model it is for
+    std::string converged;               // a model, run in float64
+    uint32_t substeps = 64;              // of `converged`, BDF2 with two iterations
     uint32_t segments = 0;               // it goes to the limit from; 0: it has the scene's own
     std::map<std::string, double> where; // only rows with these values in these columns
     std::vector<std::string> columns{"x", "y", "z"};
@@ -73,6 +75,8 @@ struct Scene {
 
     double length() const; // m, of the first strand
     double gamma() const;  // rho A g L^3 / EI of the first strand; infinite when limp
+    double bend_stiffness(const Strand& strand) const; // its EI, N m^2; 0: limp
+    double first_mode(const Strand& strand) const;     // hanging, of small swings, rad/s
     uint32_t frames() const;
     uint32_t settle_frames() const;
 };

@@ -14,7 +14,7 @@ double stiffest(const Scene& scene) {
         const double EA = stretch_stiffness(scene, strand.length);
         for (const double l : strand.segment_lengths())
             w = std::max({w, 2 * std::sqrt(EA / m.line_density) / l,
-                          4 * std::sqrt(m.bend_stiffness / m.line_density) / (l * l)});
+                          4 * std::sqrt(scene.bend_stiffness(strand) / m.line_density) / (l * l)});
     }
     return w;
 }

@@ -37,13 +37,19 @@ Eigen::Matrix3d frame(const Vec3& along, const Vec3& across) {
     return m;
 }
 
-// From the frame of helix(), whose first chord is `first`, to the strand's.
-Quat aimed(const Strand& strand, const Vec3& first) {
+// From the frame of helix() to the strand's.
+Quat aimed(const Strand& strand, const Vec3& first_chord) {
     const Vec3 axis(0, 0, -1);
-    const Vec3 from = strand.aim == Aim::tangent ? first : axis;
+    const double turn = std::hypot(strand.curvature, strand.torsion);
+    Vec3 from = axis;
+    if (strand.aim == Aim::segment)
+        from = first_chord;
+    else if (strand.aim == Aim::tangent && turn > 0) // of the curve, where it begins
+        from = Vec3(0, -std::abs(strand.curvature) / turn, -strand.torsion / turn);
     if (strand.towards.isZero() || strand.curvature == 0)
         return Quat::FromTwoVectors(from, strand.direction);
-    const Vec3 centre = axis.cross(first); // of the first curve, seen from its chord
+    // Where the first curve's centre is, seen from where it is aimed.
+    const Vec3 centre = axis.cross(strand.aim == Aim::tangent ? from : first_chord);
     return Quat(frame(strand.direction, strand.towards) * frame(from, centre).transpose());
 }
 
@@ -88,7 +94,7 @@ std::vector<double> Strand::segment_lengths() const {
 std::vector<Vec3> rest_shape(const Strand& strand, uint32_t pinned, bool half_tip) {
     if (!strand.points.empty())
         return strand.points;
-    if (strand.mode > 0)
+    if (strand.mode > 0 && strand.mode + pinned <= strand.segments + 1) // as many as are free
         return bent_into_mode(strand, pinned, half_tip);
     std::vector<Vec3> points = helix(strand, strand.segment_lengths());
     const Quat turn = Eigen::AngleAxisd(strand.roll * pi / 180, strand.direction) *

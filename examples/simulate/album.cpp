@@ -18,6 +18,10 @@ namespace {
 
 constexpr uint32_t compared = 5; // pictures in a row of the comparison
 constexpr uint32_t columns = 4;  // of the contact sheet
+// A film of all that is compared is drawn smaller, and kept in memory until its last column is
+// there.
+constexpr uint32_t film_divisor = 3, film_share = 2; // of the pictures' size
+constexpr float longest_film = 20.0f; // s; of longer runs the film shows the run alone
 
 // `count` frames spread over all of them, the last one included.
 std::set<uint32_t> spread(uint32_t count, uint32_t frames) {
@@ -34,9 +38,9 @@ std::string caption(const Shot& shot) {
     return text;
 }
 
-Vector3f towards_camera(const CameraChoice& choice) {
+Vector3f towards_camera(const CameraChoice& choice, const Figure& figure) {
     const float radians = std::numbers::pi_v<float> / 180.0f;
-    const float azimuth = choice.azimuth * radians, elevation = choice.elevation * radians;
+    const float azimuth = figure.azimuth * radians, elevation = choice.elevation * radians;
     return {std::sin(azimuth) * std::cos(elevation), std::sin(elevation),
             std::cos(azimuth) * std::cos(elevation)};
 }
@@ -65,7 +69,7 @@ render::Camera fit_camera(const CameraChoice& choice, const PictureChoice& pictu
     const float tan_y =
         std::tan(0.5f * choice.field_of_view * std::numbers::pi_v<float> / 180.0f) / room;
     const float aspect = static_cast<float>(picture.width) / static_cast<float>(picture.height);
-    const Vector3f back = towards_camera(choice);
+    const Vector3f back = towards_camera(choice, figure);
     const float distance = fitting_distance(figure.hair_bounds, back, tan_y * aspect, tan_y);
     camera.target = choice.target ? Vector3f(choice.target->data()) : figure.hair_bounds.center();
     camera.eye = camera.target + back * distance / choice.zoom;
@@ -103,15 +107,20 @@ struct Album::State {
     render::Look look;
     std::set<uint32_t> sheet_frames, compared_frames;
     uint32_t video_every;
-    std::unique_ptr<Video> video;
-    using Cells = std::map<uint32_t, render::Cell>; // by frame
+    std::unique_ptr<Video> video;                        // of the run alone, written as it goes
+    std::vector<render::Image> film;                     // of the run, to be set beside the others
+    std::vector<std::vector<render::Image>> beside_film; // by variant
+    using Cells = std::map<uint32_t, render::Cell>;      // by frame
     Cells cells;
     std::vector<Variant> beside;
     std::vector<Cells> beside_cells; // by variant
 
     State(const Scene& s, const Figure& f, std::vector<Variant> variants);
     std::string path(const char* name) const { return scene.out + "/" + name; }
-    render::Image draw(const Shot& shot, uint32_t samples);
+    render::Image draw(const Shot& shot, uint32_t samples, bool small = false);
+    bool in_film(uint32_t frame) const { return frame % video_every == 0; }
+    bool films_all() const;
+    void write_film(std::vector<std::string>& files);
     std::string setting() const; // what all rows share
     void write_sheets(std::vector<std::string>& files) const;
     void write_comparison(std::vector<std::string>& files) const;
@@ -124,18 +133,32 @@ Album::State::State(const Scene& s, const Figure& f, std::vector<Variant> varian
       compared_frames(spread(compared, s.frames())),
       video_every(std::max(1u, s.rate / std::min(s.rate, s.pictures.video_rate))),
       beside(std::move(variants)), beside_cells(beside.size()) {
-    if (s.pictures.video && Video::possible())
-        video = std::make_unique<Video>(path("motion.mp4"), s.pictures.width, s.pictures.height,
+    beside_film.resize(beside.size());
+    if (s.pictures.video && !films_all())
+        video = std::make_unique<Video>(path("motion"), s.pictures.width, s.pictures.height,
                                         static_cast<double>(s.rate) / video_every);
 }
 
-render::Image Album::State::draw(const Shot& shot, uint32_t samples) {
-    const render::Hair hair{shot.positions, shot.vertex_count, shot.row, scene.pictures.hair_width};
-    const render::Mesh head{figure.posed_head(shot.head), figure.head.triangles};
-    const render::Frame frame{static_cast<int>(scene.pictures.width),
-                              static_cast<int>(scene.pictures.height), static_cast<int>(samples),
+bool Album::State::films_all() const {
+    return scene.pictures.video && !beside.empty() && scene.seconds <= longest_film;
+}
+
+render::Image Album::State::draw(const Shot& shot, uint32_t samples, bool small) {
+    const PictureChoice& choice = scene.pictures;
+    const float width = choice.hair_width > 0.0f
+                            ? choice.hair_width
+                            : render::default_width(shot.vertex_count.size()) * figure.size;
+    const render::Hair hair{shot.positions, shot.vertex_count, shot.row, width};
+    // The head's pose is that of the step's end, and so must be the hands'.
+    const float end = shot.time + 1.0f / static_cast<float>(scene.rate);
+    const render::Mesh solids{figure.posed_solids(shot.head, end), figure.solids.triangles,
+                              figure.solids.scalp};
+    const auto side = [&](uint32_t pixels) {
+        return static_cast<int>(small ? pixels * film_share / film_divisor : pixels);
+    };
+    const render::Frame frame{side(choice.width), side(choice.height), static_cast<int>(samples),
                               0};
-    return renderer.draw(hair, head, camera, look, frame);
+    return renderer.draw(hair, solids, camera, look, frame);
 }
 
 std::string Album::State::setting() const {
@@ -183,6 +206,37 @@ void Album::State::write_comparison(std::vector<std::string>& files) const {
     files.push_back(path("ab.png"));
 }
 
+// The columns that are whole: after Ctrl-C only the run's.
+void Album::State::write_film(std::vector<std::string>& files) {
+    if (film.empty())
+        return;
+    std::vector<const std::vector<render::Image>*> columns_of_film;
+    std::vector<std::string> labels;
+    for (size_t i = 0; i < beside.size(); ++i)
+        if (beside_film[i].size() == film.size()) {
+            columns_of_film.push_back(&beside_film[i]);
+            labels.push_back(short_label_of(beside[i].sim));
+        }
+    columns_of_film.push_back(&film);
+    labels.push_back(short_label_of(scene.sim));
+    std::unique_ptr<Video> out;
+    for (size_t frame = 0; frame < film.size(); ++frame) {
+        std::vector<render::Cell> side;
+        for (size_t i = 0; i < columns_of_film.size(); ++i)
+            side.push_back({(*columns_of_film[i])[frame],
+                            std::string(1, static_cast<char>('A' + i)) + ": " + labels[i]});
+        if (side.size() == 1)
+            side[0].caption = labels[0];
+        const render::Image image = render::side_by_side(side);
+        if (!out)
+            out = std::make_unique<Video>(path("motion"), image.width, image.height,
+                                          static_cast<double>(scene.rate) / video_every);
+        out->add(image);
+    }
+    if (out->close())
+        files.push_back(out->path());
+}
+
 std::string Album::why_not() {
     return "";
 }
@@ -193,24 +247,33 @@ Album::~Album() = default;
 
 bool Album::wants(uint32_t frame) const {
     return state_->sheet_frames.contains(frame) || state_->compared_frames.contains(frame) ||
-           (state_->video && frame % state_->video_every == 0);
+           (state_->scene.pictures.video && state_->in_film(frame));
 }
 
 void Album::take(const Shot& shot) {
+    const PictureChoice& choice = state_->scene.pictures;
     if (state_->sheet_frames.contains(shot.frame) || state_->compared_frames.contains(shot.frame))
-        state_->cells[shot.frame] = {state_->draw(shot, state_->scene.pictures.samples),
-                                     caption(shot)};
-    if (state_->video && shot.frame % state_->video_every == 0)
-        state_->video->add(state_->draw(shot, state_->scene.pictures.video_samples));
+        state_->cells[shot.frame] = {state_->draw(shot, choice.samples), caption(shot)};
+    if (!choice.video || !state_->in_film(shot.frame))
+        return;
+    if (state_->video)
+        state_->video->add(state_->draw(shot, choice.video_samples));
+    else
+        state_->film.push_back(state_->draw(shot, choice.video_samples, true));
 }
 
 bool Album::wants_beside(uint32_t frame) const {
-    return state_->compared_frames.contains(frame);
+    return state_->compared_frames.contains(frame) ||
+           (state_->films_all() && state_->in_film(frame));
 }
 
 void Album::take_beside(size_t variant, const Shot& shot) {
-    state_->beside_cells[variant][shot.frame] = {state_->draw(shot, state_->scene.pictures.samples),
-                                                 caption(shot)};
+    const PictureChoice& choice = state_->scene.pictures;
+    if (state_->compared_frames.contains(shot.frame))
+        state_->beside_cells[variant][shot.frame] = {state_->draw(shot, choice.samples),
+                                                     caption(shot)};
+    if (state_->films_all() && state_->in_film(shot.frame))
+        state_->beside_film[variant].push_back(state_->draw(shot, choice.video_samples, true));
 }
 
 std::vector<std::string> Album::finish() {
@@ -218,7 +281,8 @@ std::vector<std::string> Album::finish() {
     state_->write_sheets(files);
     state_->write_comparison(files);
     if (state_->video && state_->video->close())
-        files.push_back(state_->path("motion.mp4"));
+        files.push_back(state_->video->path());
+    state_->write_film(files);
     return files;
 }
 

@@ -7,7 +7,8 @@ namespace simulate {
 namespace {
 
 bool has_thesis_step(const plait_sim_params& params) {
-    return params.interhair == PLAIT_INTERHAIR_SLOTS && params.slot_hash == PLAIT_HASH_THESIS &&
+    return params.interhair == PLAIT_INTERHAIR_SLOTS &&
+           params.slot_hash == PLAIT_SLOT_HASH_RULE_THESIS &&
            params.diffuse_rule == PLAIT_DIFFUSE_RULE_THESIS;
 }
 
@@ -21,7 +22,7 @@ plait_sim_desc tressfx_alone(plait_sim_desc sim) {
 plait_sim_desc tressfx_and_thesis(const plait_sim_desc& own) {
     plait_sim_desc sim = tressfx_alone(own);
     sim.params.interhair = PLAIT_INTERHAIR_SLOTS;
-    sim.params.slot_hash = PLAIT_HASH_THESIS;
+    sim.params.slot_hash = PLAIT_SLOT_HASH_RULE_THESIS;
     sim.params.diffuse_rule = PLAIT_DIFFUSE_RULE_THESIS;
     return sim;
 }
@@ -40,6 +41,11 @@ std::string label_of(const plait_sim_desc& sim) {
     if (has_thesis_step(sim.params))
         return label + " + inter-hair step of the thesis";
     return label + " + inter-hair step (" + interhair_names[sim.params.interhair] + ")";
+}
+
+std::string short_label_of(const plait_sim_desc& sim) {
+    const std::string model = sim.model == PLAIT_MODEL_TRESSFX ? "TressFX" : model_names[sim.model];
+    return has_thesis_step(sim.params) ? model + " + thesis's step" : model;
 }
 
 std::string tressfx_settings(const plait_sim_desc& sim) {

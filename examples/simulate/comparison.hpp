@@ -19,6 +19,9 @@ struct Variant {
 // "TressFX", "TressFX + inter-hair step of the thesis", "cosserat + inter-hair step (slots)"
 std::string label_of(const plait_sim_desc& sim);
 
+// The same in few letters, for films: "TressFX", "TressFX + thesis's step", "cosserat".
+std::string short_label_of(const plait_sim_desc& sim);
+
 // What the model TressFX is set to, in words: its stiffness and stretch are iteration counts.
 std::string tressfx_settings(const plait_sim_desc& sim);
 

@@ -1,4 +1,5 @@
 #include "figure.hpp"
+#include "loaded.hpp"
 
 #include <Eigen/Dense>
 
@@ -46,8 +47,8 @@ GroomHandle generate(const plait_generator::Style& style) {
 
 // `wanted` strands spread evenly over the order of the file. Skin and UV are left out.
 GroomHandle thin_out(const plait_groom* groom, uint32_t wanted) {
-    const auto positions = read_field<float>(groom, PLAIT_GROOM_POSITIONS);
-    const auto counts = read_field<uint32_t>(groom, PLAIT_GROOM_VERTEX_COUNTS);
+    const auto positions = read_field<float>(groom, PLAIT_GROOM_FIELD_POSITIONS);
+    const auto counts = read_field<uint32_t>(groom, PLAIT_GROOM_FIELD_VERTEX_COUNTS);
     std::vector<float> kept;
     std::vector<uint32_t> kept_counts;
     size_t first = 0;
@@ -89,10 +90,10 @@ GroomHandle load(const GroomChoice& choice, plait_groom_info& info) {
 }
 
 std::vector<Vector3f> roots_of(const plait_groom* groom) {
-    const auto positions = read_field<float>(groom, PLAIT_GROOM_POSITIONS);
+    const auto positions = read_field<float>(groom, PLAIT_GROOM_FIELD_POSITIONS);
     std::vector<Vector3f> roots;
     size_t vertex = 0;
-    for (const uint32_t count : read_field<uint32_t>(groom, PLAIT_GROOM_VERTEX_COUNTS)) {
+    for (const uint32_t count : read_field<uint32_t>(groom, PLAIT_GROOM_FIELD_VERTEX_COUNTS)) {
         roots.emplace_back(positions[3 * vertex], positions[3 * vertex + 1],
                            positions[3 * vertex + 2]);
         vertex += count;
@@ -124,7 +125,7 @@ std::vector<Collider> skull_under(const plait_groom* groom) {
     Vector3f centre;
     float radius = 0.0f;
     fit_sphere(roots_of(groom), centre, radius);
-    const auto positions = read_field<float>(groom, PLAIT_GROOM_POSITIONS);
+    const auto positions = read_field<float>(groom, PLAIT_GROOM_FIELD_POSITIONS);
     std::vector<float> distances;
     for (size_t v = 0; v < positions.size(); v += 3)
         distances.push_back(
@@ -170,25 +171,104 @@ HeadMesh make_head(const Scene& scene) {
     return scene.groom.generated ? mannequin() : HeadMesh{};
 }
 
+Vector3f mean_of(const std::vector<Vector3f>& points) {
+    Vector3f mean = Vector3f::Zero();
+    for (const Vector3f& point : points)
+        mean += point / static_cast<float>(points.size());
+    return mean;
+}
+
+// The square root of the area that points spread over, from their two greatest variances.
+float spread_of(const std::vector<Vector3f>& points) {
+    const Vector3f mean = mean_of(points);
+    Eigen::Matrix3f variance = Eigen::Matrix3f::Zero();
+    for (const Vector3f& point : points)
+        variance += (point - mean) * (point - mean).transpose() / static_cast<float>(points.size());
+    const Vector3f values =
+        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f>(variance).eigenvalues().cwiseMax(0.0f);
+    return std::pow(values[1] * values[2], 0.25f);
+}
+
+// What spread_of() is for the mannequin's scalp, m.
+constexpr float mannequin_spread = 0.0554f;
+
+// Of a tuft or a single strand, whose roots are in one place, its length says how large it is.
+float relative_size(const std::vector<Vector3f>& roots, float mean_length) {
+    constexpr float least_share = 0.02f; // of its length
+    return std::max(spread_of(roots), least_share * mean_length) / mannequin_spread;
+}
+
+// Hair that hangs behind the head, as a braid does, is seen from behind: from the side where it is,
+// off the middle.
+float best_azimuth(const plait_groom* groom, const std::vector<Vector3f>& roots) {
+    constexpr float from_front = 30.0f, from_behind = 145.0f, well_behind = 1.0f;
+    const auto positions = read_field<float>(groom, PLAIT_GROOM_FIELD_POSITIONS);
+    std::vector<Vector3f> vertices;
+    for (size_t v = 0; v < positions.size(); v += 3)
+        vertices.emplace_back(positions[v], positions[v + 1], positions[v + 2]);
+    const float behind = mean_of(roots).z() - mean_of(vertices).z();
+    return behind > well_behind * spread_of(roots) ? from_behind : from_front;
+}
+
+std::vector<Collider> colliders_for(const Scene& scene, const plait_groom* groom) {
+    std::vector<Collider> colliders = scene.colliders         ? *scene.colliders
+                                      : scene.groom.generated ? mannequin_colliders()
+                                                              : skull_under(groom);
+    colliders.insert(colliders.end(), scene.moving_colliders.begin(), scene.moving_colliders.end());
+    return colliders;
+}
+
+// Loaded twice where the size decides about the unit.
+void load_groom(Scene& scene, Figure& figure) {
+    GroomChoice& choice = scene.groom;
+    if (choice.generated) {
+        figure.groom = generate(choice.style);
+        figure.info = describe(figure.groom.get());
+        return;
+    }
+    figure.groom = load(choice, figure.info);
+    if (!choice.scale_by_size)
+        return;
+    const Eigen::AlignedBox3f box{Vector3f(figure.info.bounds_min),
+                                  Vector3f(figure.info.bounds_max)};
+    choice.scale = likely_scale(box.sizes().maxCoeff());
+    if (choice.scale != 1.0f)
+        figure.groom = load(choice, figure.info);
+}
+
+HeadMesh solids_of(const Figure& figure) {
+    HeadMesh all{{}, figure.head.triangles, figure.head.scalp};
+    auto first = static_cast<uint32_t>(figure.head.vertices.size());
+    for (const Hand& hand : figure.hands) {
+        for (const auto& [a, b, c] : hand.mesh().triangles)
+            all.triangles.push_back({first + a, first + b, first + c});
+        first += static_cast<uint32_t>(hand.mesh().vertices.size());
+    }
+    if (!all.scalp.empty())
+        all.scalp.resize(first, 0.0f);
+    return all;
+}
+
 } // namespace
 
-Figure make_figure(const Scene& scene) {
+Figure make_figure(Scene& scene) {
     Figure figure{};
     const bool generated = scene.groom.generated;
-    figure.groom = generated ? generate(scene.groom.style) : load(scene.groom, figure.info);
-    if (generated)
-        figure.info = describe(figure.groom.get());
+    load_groom(scene, figure);
     figure.head = make_head(scene);
-    if (scene.colliders)
-        figure.colliders = *scene.colliders;
-    else
-        figure.colliders = generated ? mannequin_colliders() : skull_under(figure.groom.get());
-    figure.pivot = generated ? Vector{} : pivot_under(roots_of(figure.groom.get()));
+    figure.colliders = colliders_for(scene, figure.groom.get());
+    for (const Collider& collider : scene.moving_colliders)
+        figure.hands.emplace_back(collider);
+    const std::vector<Vector3f> roots = roots_of(figure.groom.get());
+    figure.pivot = generated ? Vector{} : pivot_under(roots);
     figure.pivot = scene.head.pivot.value_or(figure.pivot);
     figure.neck = scene.head.neck;
     if (generated && scene.head.file.empty() && !figure.neck)
         figure.neck = mannequin_neck;
     figure.hair_bounds = {Vector3f(figure.info.bounds_min), Vector3f(figure.info.bounds_max)};
+    figure.azimuth = scene.camera.azimuth.value_or(best_azimuth(figure.groom.get(), roots));
+    figure.size = relative_size(roots, figure.info.mean_length);
+    figure.solids = solids_of(figure);
     return figure;
 }
 
@@ -204,6 +284,17 @@ std::vector<Vector3f> Figure::posed_head(const plait_pose& pose) const {
         const float smooth = share * share * (3.0f - 2.0f * share);
         const Eigen::Quaternionf part = Eigen::Quaternionf::Identity().slerp(smooth, turn);
         posed.push_back(part * (vertex - centre) + centre + smooth * offset);
+    }
+    return posed;
+}
+
+std::vector<Vector3f> Figure::posed_solids(const plait_pose& pose, float time) const {
+    std::vector<Vector3f> posed = posed_head(pose);
+    for (const Hand& hand : hands) {
+        const plait_pose place = hand.pose(time);
+        const Eigen::Quaternionf turn(place.q[3], place.q[0], place.q[1], place.q[2]);
+        for (const Vector3f& vertex : hand.mesh().vertices)
+            posed.push_back(turn * vertex + Vector3f(place.t));
     }
     return posed;
 }

@@ -1,6 +1,7 @@
 // Everything at rest: the groom, the head under it, and what the hair collides with.
 #pragma once
 
+#include "hand.hpp"
 #include "head_mesh.hpp"
 #include "scene.hpp"
 
@@ -15,14 +16,22 @@ struct Figure {
     plait_groom_info info;
     HeadMesh head; // may be empty
     std::vector<Collider> colliders;
+    std::vector<Hand> hands; // colliders with a motion of their own
     std::array<float, 3> pivot;
     std::optional<std::array<float, 2>> neck; // absent: the whole mesh turns
     Eigen::AlignedBox3f hair_bounds;          // at rest
+    float azimuth;                            // degrees: from where the hair is seen
+    float size; // of the scalp over the mannequin's, as a length: drawn hair is as much wider
 
     // The head's mesh when the head is at `pose`; below the neck it stays, in between it twists.
     std::vector<Eigen::Vector3f> posed_head(const plait_pose& pose) const;
+
+    // What is drawn beside the hair, the hands included: vertices now, the rest for ever.
+    std::vector<Eigen::Vector3f> posed_solids(const plait_pose& pose, float time) const;
+    HeadMesh solids;
 };
 
-Figure make_figure(const Scene& scene);
+// Sets the scene's scale where it is to be found out ("auto").
+Figure make_figure(Scene& scene);
 
 } // namespace simulate

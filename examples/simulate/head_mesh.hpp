@@ -13,6 +13,7 @@ namespace simulate {
 struct HeadMesh {
     std::vector<Eigen::Vector3f> vertices; // m
     std::vector<std::array<uint32_t, 3>> triangles;
+    std::vector<float> scalp; // [vertices]: 1 where hair grows, 0 where none does; or none
 };
 
 HeadMesh mannequin();

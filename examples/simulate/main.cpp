@@ -4,6 +4,7 @@
 #include "common/devices.hpp"
 #include "common/file.hpp"
 #include "common/progress.hpp"
+#include "loaded.hpp"
 #include "options.hpp"
 #include "report.hpp"
 
@@ -24,8 +25,16 @@ std::unique_ptr<Album> make_album(const Scene& scene, const Figure& figure,
     return std::make_unique<Album>(scene, figure, beside);
 }
 
-Measurements run_scene(const Scene& scene, const Figure& figure, Album* album) {
+void warn(const std::vector<std::string>& sentences, std::vector<std::string>& all) {
+    for (const std::string& sentence : sentences)
+        std::fprintf(stderr, "plait-simulate: warning: %s\n", sentence.c_str());
+    all.insert(all.end(), sentences.begin(), sentences.end());
+}
+
+Measurements run_scene(const Scene& scene, const Figure& figure, Album* album,
+                       std::vector<std::string>& warnings) {
     Simulation simulation(scene, figure);
+    warn(stiffening_warnings(scene, figure, simulation.stats()), warnings);
     std::vector<Watcher> watchers;
     std::unique_ptr<CacheWriter> cache;
     if (!scene.cache.empty()) {
@@ -65,12 +74,17 @@ void finish_report(Report& report, Album* album) {
     print_report(report);
 }
 
-void simulate_scene(const Scene& scene) {
+void simulate_scene(Scene& scene) {
     const Figure figure = make_figure(scene);
+    std::printf("%s\n", loaded_line(scene, figure).c_str());
+    std::fflush(stdout); // before the progress, also into a pipe
+    std::vector<std::string> warnings;
+    warn(size_warnings(scene, figure), warnings);
     make_folder(scene.out);
     const std::vector<Variant> beside = variants_beside(scene);
     const std::unique_ptr<Album> album = make_album(scene, figure, beside);
-    Report report{scene, figure, run_scene(scene, figure, album.get()), {}, false, {}};
+    Measurements run = run_scene(scene, figure, album.get(), warnings);
+    Report report{scene, figure, std::move(run), {}, std::move(warnings), false, {}};
     for (size_t i = 0; i < beside.size() && album && !interrupted(); ++i)
         report.beside.push_back(run_beside(scene, figure, beside[i], i, *album));
     finish_report(report, album.get());
@@ -104,7 +118,7 @@ Exit run(const CommandLine& line) {
         return Exit::ok;
     }
     watch_for_interrupt();
-    const Scene scene = make_scene(line.scene_file, line.keys);
+    Scene scene = make_scene(line.scene_file, line.keys);
     if (scene.replay.empty())
         simulate_scene(scene);
     else

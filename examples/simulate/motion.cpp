@@ -243,30 +243,39 @@ std::vector<Keyframe> read_json_keys(const std::string& file) {
     std::vector<Keyframe> keys;
     for (size_t i = 0; i < list->size(); ++i) {
         JsonReader in = top.element(*list, i, "keyframes");
-        Keyframe key{};
-        if (!in.number("time", key.time, 0, 1e6))
-            in.fail("time", "is missing");
-        for (size_t c = 0; c < channels.size(); ++c)
-            in.number(columns[c + 1], key.head.*channels[c], -1e6, 1e6);
-        in.finish();
-        keys.push_back(key);
+        keys.push_back(read_keyframe(in));
     }
     return keys;
 }
 
 std::vector<Keyframe> checked(std::vector<Keyframe> keys, const std::string& file) {
-    if (keys.empty())
-        throw Failure(file + ": no keyframes");
-    for (size_t i = 1; i < keys.size(); ++i)
-        if (!(keys[i].time > keys[i - 1].time))
-            throw Failure(file + ": keyframe " + std::to_string(i) + " at " +
-                          std::to_string(keys[i].time) +
-                          " s does not come after the one before, at " +
-                          std::to_string(keys[i - 1].time) + " s");
+    if (const std::string problem = keyframe_problem(keys); !problem.empty())
+        throw Failure(file + ": " + problem);
     return keys;
 }
 
 } // namespace
+
+Keyframe read_keyframe(JsonReader& in) {
+    Keyframe key{};
+    if (!in.number("time", key.time, 0, 1e6))
+        in.fail("time", "is missing");
+    for (size_t c = 0; c < channels.size(); ++c)
+        in.number(columns[c + 1], key.head.*channels[c], -1e6, 1e6);
+    in.finish();
+    return key;
+}
+
+std::string keyframe_problem(const std::vector<Keyframe>& keys) {
+    if (keys.empty())
+        return "no keyframes";
+    for (size_t i = 1; i < keys.size(); ++i)
+        if (!(keys[i].time > keys[i - 1].time))
+            return "keyframe " + std::to_string(i) + " at " + std::to_string(keys[i].time) +
+                   " s does not come after the one before, at " + std::to_string(keys[i - 1].time) +
+                   " s";
+    return "";
+}
 
 std::unique_ptr<Motion> make_keyframed(std::vector<Keyframe> keys) {
     return std::make_unique<KeyframedMotion>(std::move(keys));

@@ -1,6 +1,8 @@
 // How the head moves: named motions by formula, or keyframes from a file.
 #pragma once
 
+#include "common.hpp"
+
 #include <plait/plait.h>
 
 #include <array>
@@ -34,6 +36,12 @@ std::unique_ptr<Motion> make_motion(const std::string& name_or_file);
 
 // `keys` in increasing time; Catmull-Rom in between, held still before and after.
 std::unique_ptr<Motion> make_keyframed(std::vector<Keyframe> keys);
+
+// One of a list in JSON. Throws Failure.
+Keyframe read_keyframe(JsonReader& in);
+
+// "" if they can be followed; else what is wrong with them: "has no keyframes", ...
+std::string keyframe_problem(const std::vector<Keyframe>& keys);
 
 // p maps to R (p - pivot) + pivot + move, R = yaw * pitch * roll.
 plait_pose to_pose(const HeadState& head, const std::array<float, 3>& pivot);

@@ -2,16 +2,19 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cstdlib>
+
 namespace simulate {
 
 namespace {
 
-constexpr const char* footer = "Leaves in --out: sheet.png (the motion), ab.png (beside TressFX, "
-                               "and TressFX with the thesis's\n"
-                               "inter-hair step), motion.mp4 when ffmpeg is there, and stats.json. "
-                               "Ctrl-C ends early and keeps\n"
-                               "what there is.\n"
-                               "Exit codes: 0 done, 1 the input is at fault, 2 the device is.";
+constexpr const char* footer =
+    "Leaves in --out: sheet.png (the motion), ab.png (beside TressFX, "
+    "and TressFX with the thesis's\n"
+    "inter-hair step), the film motion.mp4, or motion.gif where there is "
+    "no ffmpeg, and\n"
+    "stats.json. Ctrl-C ends early and keeps what there is.\n"
+    "Exit codes: 0 done, 1 the input is at fault, 2 the device is.";
 
 // An option that becomes the scene-file key `key`.
 template <typename T>
@@ -22,9 +25,18 @@ void option(CLI::App& app, Json& keys, const char* flag, const char* key, const 
         ->type_name(type);
 }
 
+// "tressfx, chain, ... [the library's default]"
+std::string model_choices() {
+    std::string list;
+    for (const char* name : model_names)
+        list += (list.empty() ? "" : ", ") + std::string(name);
+    return list + " [" + model_names[static_cast<size_t>(Scene::default_sim().model)] + "]";
+}
+
 void add_options(CLI::App& app, CommandLine& line) {
     Json& keys = line.keys;
     const auto text = [&](auto... rest) { option<std::string>(app, keys, rest...); };
+    const std::string models = model_choices();
     const auto count = [&](auto... rest) { option<uint64_t>(app, keys, rest...); };
     app.add_option("--scene", line.scene_file, "scene file; options win over it")
         ->type_name("FILE.json");
@@ -32,18 +44,31 @@ void add_options(CLI::App& app, CommandLine& line) {
     count("--strands", "strands", "N",
           "strands; of a file, at most so many [10000, all of a file]");
     count("--vertices", "vertices", "V", "vertices per strand, 2..256 [16, as in the file]");
+    app.add_option_function<std::string>(
+           "--scale",
+           [&keys](const std::string& value) {
+               char* end = nullptr;
+               const double number = std::strtod(value.c_str(), &end);
+               if (!value.empty() && *end == 0)
+                   keys["scale"] = number;
+               else
+                   keys["scale"] = value;
+           },
+           "a file's unit in metres, or auto: the one that makes it as large as a head of hair [1]")
+        ->type_name("X|auto");
     text("--head", "head", "FILE", "mesh under the hair: .tfxmesh, or what assimp reads");
     text("--motion", "motion", "NAME|FILE",
          "still, shake, turn, nod, shake_and_turn, walk, or .csv .json keyframes");
     option<double>(app, keys, "--seconds", "seconds", "S", "length of the motion [4]");
     count("--rate", "rate", "HZ", "steps and frames a second [60]");
     count("--substeps", "substeps", "N", "per step [2]");
-    text("--model", "model", "NAME", "tressfx, chain, cosserat or rod [cosserat]");
+    text("--model", "model", "NAME", models.c_str());
     text("--sag-free", "sag_free", "NAME",
          "off, rest or stiffen: the groom as drawn is in balance with gravity [stiffen where it "
          "bends]");
     text("--interhair", "interhair", "NAME", "off, slots or exact [slots]");
-    text("--device", "device", "TEXT", "part of a device's or platform's name [the best]");
+    text("--device", "device", "TEXT",
+         "part of a device's, vendor's or platform's name, as pocl; cpu or gpu [the best]");
     text("--backend", "backend", "NAME", "opencl or reference [the best]");
     text("--out", "out", "FOLDER", "where the results go [out]");
     text("--cache", "cache", "FILE", "write the trajectory here");

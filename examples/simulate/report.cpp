@@ -31,6 +31,12 @@ Json measured(const Measurements& run) {
             {"stage_ms", stage_ms(run)},
             {"max_stretch", run.max_stretch},
             {"mean_stretch", run.mean_stretch},
+            {"worst_segment",
+             {{"frame", run.worst.frame},
+              {"strand", run.worst.strand},
+              {"segment", run.worst.segment}}},
+            {"stretched_frames", run.stretched_frames},
+            {"neighbour_speed", run.neighbour_speed},
             {"nonfinite", run.nonfinite},
             {"grid_outside", run.last.grid_outside},
             {"hash", hex(run.hash)}};
@@ -63,8 +69,9 @@ void print_sag(const plait_sim_stats& stats) {
 }
 
 void print_compared(const std::string& label, const Measurements& run) {
-    std::printf("%-50s %9.2f ms/frame, worst stretch %9.2f %%\n", label.c_str(), run.median_ms(),
-                100.0 * static_cast<double>(run.max_stretch));
+    std::printf("%-50s %9.2f ms/frame, worst stretch %9.2f %%, neighbours apart by %.3f m/s\n",
+                label.c_str(), run.median_ms(), 100.0 * static_cast<double>(run.max_stretch),
+                run.neighbour_speed);
 }
 
 void print_comparison(const Report& report) {
@@ -108,6 +115,13 @@ Json to_json(const Report& report) {
                        {"joints_stiffened", report.main.last.joints_stiffened},
                        {"worst_stiffening", report.main.last.worst_stiffening}};
     json["device_bytes"] = report.main.last.device_bytes;
+    json["groom_strands"] = report.figure.info.strands;
+    json["groom_vertices"] = report.figure.info.vertices;
+    json["bounds_min"] = report.figure.info.bounds_min;
+    json["bounds_max"] = report.figure.info.bounds_max;
+    json["mean_length"] = report.figure.info.mean_length;
+    json["scale"] = scene.groom.scale;
+    json["warnings"] = report.warnings;
     json["import_repairs"] = report.figure.info.repairs_total;
     json["first_repair"] = report.figure.info.first_repair;
     json["interrupted"] = report.interrupted;
@@ -129,6 +143,11 @@ void print_report(const Report& report) {
                 run.median_ms(), 100.0 * static_cast<double>(run.max_stretch),
                 100.0 * static_cast<double>(run.mean_stretch),
                 static_cast<unsigned long long>(run.nonfinite));
+    if (run.max_stretch > 0.0f)
+        std::printf(
+            "worst segment: %u of strand %u, in frame %u; frames with a segment off by more "
+            "than 10 %%: %u\n",
+            run.worst.segment, run.worst.strand, run.worst.frame, run.stretched_frames);
     if (report.scene.sim.sag_free != PLAIT_SAG_FREE_OFF)
         print_sag(run.last);
     print_comparison(report);

@@ -15,7 +15,8 @@ struct Report {
     const Scene& scene;
     const Figure& figure;
     Measurements main;
-    std::vector<Compared> beside; // what it is compared with
+    std::vector<Compared> beside;      // what it is compared with
+    std::vector<std::string> warnings; // printed before the run, or when it started
     bool interrupted = false;
     std::vector<std::string> files;
 };

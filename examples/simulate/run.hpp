@@ -3,6 +3,7 @@
 
 #include "figure.hpp"
 #include "motion.hpp"
+#include "neighbours.hpp"
 #include "shot.hpp"
 
 #include <functional>
@@ -21,6 +22,13 @@ struct Measurements {
     float max_stretch = 0.0f;
     float mean_stretch = 0.0f; // of the last frame
     uint64_t nonfinite = 0;
+    // Rms speed of a vertex relative to that of the nearest strand, m/s: what a step between hairs
+    // brakes.
+    double neighbour_speed = 0.0;
+    uint32_t stretched_frames = 0; // with a segment off by more than a tenth
+    struct {
+        uint32_t frame, strand, segment; // of max_stretch; segment 0 begins at the root
+    } worst{};
     uint64_t hash = 0;
     double median_ms() const;
 };
@@ -41,12 +49,14 @@ class Simulation {
 
     uint32_t row() const { return row_; }
     const std::vector<uint32_t>& vertex_count() const { return vertex_count_; }
+    plait_sim_stats stats() const;
 
   private:
     void add_colliders();
-    void pose_all(const plait_pose& head);
-    double step_ms(const plait_pose& head);
-    void measure(Measurements& measurements);
+    void pose_all(const plait_pose& head, float time);
+    double step_ms(const plait_pose& head, float time);
+    void measure(Measurements& measurements, uint32_t frame);
+    void find_worst(Measurements& measurements, uint32_t frame);
     void show(uint32_t frame, const plait_pose& head, const std::vector<Watcher>& watchers);
     void finish(Measurements& measurements);
 
@@ -54,8 +64,11 @@ class Simulation {
     const Figure& figure_;
     ContextHandle context_;
     SimHandle sim_;
-    std::vector<plait_collider_id> moving_;
+    std::vector<plait_collider_id> moving_; // with the head
+    std::vector<plait_collider_id> hands_;  // as figure.hands
     std::vector<float> positions_;
+    std::vector<float> rest_; // as positions_, before the first step
+    std::unique_ptr<Neighbours> neighbours_;
     std::vector<uint32_t> vertex_count_;
     uint32_t row_ = 0;
 };

@@ -48,12 +48,21 @@ void read_style(const JsonReader& top, const Json& value, Style& style) {
     in.finish();
 }
 
+// A number, or "auto" for files.
+void read_scale(JsonReader& top, GroomChoice& groom) {
+    const Json* value = top.value("scale");
+    groom.scale_by_size = value && *value == "auto";
+    if (value && value->is_string() && !groom.scale_by_size)
+        top.fail("scale", "is " + value->dump() + ", neither a number nor \"auto\"");
+    if (!groom.scale_by_size)
+        top.number("scale", groom.scale, 1e-6, 1e6);
+}
+
 void read_groom(JsonReader& top, const Origin& origin, Scene& scene) {
     GroomChoice& groom = scene.groom;
-    top.text("groom", groom.name);
     top.integer("strands", groom.strands, 1, 1000000);
     top.integer("vertices", groom.vertices, 2, 256);
-    top.number("scale", groom.scale, 1e-6, 1e6);
+    read_scale(top, groom);
     const Json* style = top.value("style");
     const auto known = std::find(style_names.begin(), style_names.end(), groom.name);
     groom.generated = known != style_names.end();
@@ -96,7 +105,7 @@ void read_head(JsonReader& top, const Origin& origin, HeadChoice& head) {
 void read_colliders(JsonReader& top, std::optional<std::vector<Collider>>& colliders) {
     std::vector<Collider> list;
     const bool given = top.each("colliders", [&](JsonReader in) {
-        Collider collider{read_capsule(in), true};
+        Collider collider{read_capsule(in), true, {}};
         in.flag("moves_with_head", collider.moves_with_head);
         in.finish();
         list.push_back(collider);
@@ -105,9 +114,23 @@ void read_colliders(JsonReader& top, std::optional<std::vector<Collider>>& colli
         colliders = std::move(list);
 }
 
+// Keyframes as a motion file has them: of the capsule about its middle, in its rest orientation.
+void read_moving_colliders(JsonReader& top, std::vector<Collider>& colliders) {
+    top.each("moving_colliders", [&](JsonReader in) {
+        Collider collider{read_capsule(in), false, {}};
+        in.each("keyframes",
+                [&](JsonReader key) { collider.keyframes.push_back(read_keyframe(key)); });
+        if (const std::string problem = keyframe_problem(collider.keyframes); !problem.empty())
+            in.fail("keyframes", problem);
+        in.finish();
+        colliders.push_back(std::move(collider));
+    });
+}
+
 void read_camera(const JsonReader& top, const Json& value, CameraChoice& camera) {
     JsonReader in = top.object(value, "camera");
-    in.number("azimuth", camera.azimuth, -360, 360);
+    if (float azimuth = 0; in.number("azimuth", azimuth, -360, 360))
+        camera.azimuth = azimuth;
     in.number("elevation", camera.elevation, -89, 89);
     in.number("zoom", camera.zoom, 0.01, 100);
     in.number("field_of_view", camera.field_of_view, 1, 120);
@@ -131,24 +154,32 @@ void read_pictures(const JsonReader& top, const Json& value, PictureChoice& pict
     in.finish();
 }
 
-// A strand here stands for a lock of hair, which is stiffer than a hair for its weight.
-constexpr float lock_stiffness = 10;
+// A strand here stands for a lock of hair, which is stiffer than a hair for its weight. Not so a
+// curl: as a spring of a hair's own stiffness it bounces at two to three hertz.
+float lock_stiffness(const std::string& groom) {
+    return groom == "curly" ? 2.0f : 10.0f;
+}
+
+bool bends(plait_model model) {
+    return model != PLAIT_MODEL_TRESSFX && model != PLAIT_MODEL_CHAIN;
+}
 
 // What models that bend need to keep a groom's shape under its weight.
-void keep_shape(plait_sim_desc& sim) {
-    if (sim.model != PLAIT_MODEL_COSSERAT && sim.model != PLAIT_MODEL_ROD)
+void keep_shape(const std::string& groom, plait_sim_desc& sim) {
+    if (!bends(sim.model))
         return;
     sim.sag_free = PLAIT_SAG_FREE_STIFFEN;
-    sim.params.bend_stiffness *= lock_stiffness;
+    sim.params.bend_stiffness *= lock_stiffness(groom);
 }
 
 void read_simulation(JsonReader& top, Scene& scene) {
+    top.text("groom", scene.groom.name);
     top.number("seconds", scene.seconds, 0.001, 3600);
     top.integer("rate", scene.rate, 1, 1000);
     top.integer("substeps", scene.substeps, 1, 1000);
     top.integer("seed", scene.seed);
     top.choice("model", scene.sim.model, model_names);
-    keep_shape(scene.sim);
+    keep_shape(scene.groom.name, scene.sim);
     top.choice("sag_free", scene.sim.sag_free, sag_free_names);
     top.integer("follows_per_guide", scene.sim.follows_per_guide, 0, 64);
     top.number("follow_radius", scene.sim.follow_radius, 0, 1);
@@ -205,6 +236,7 @@ Scene make_scene(const std::string& file, const Json& command_line) {
     read_groom(top, origin, scene);
     read_head(top, origin, scene.head);
     read_colliders(top, scene.colliders);
+    read_moving_colliders(top, scene.moving_colliders);
     if (top.text("motion", scene.motion) && scene.motion.find('.') != std::string::npos)
         scene.motion = resolve(scene.motion, "motion", origin);
     read_output(top, origin, scene);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "common.hpp"
+#include "motion.hpp"
 
 #include "generator/generator.hpp"
 
@@ -20,6 +21,8 @@ using Vector = std::array<float, 3>;
 struct Collider {
     plait_collider_desc shape;
     bool moves_with_head = true;
+    std::vector<Keyframe> keyframes =
+        {}; // of its own motion about its middle; then it is drawn, too
 };
 
 struct GroomChoice {
@@ -28,6 +31,7 @@ struct GroomChoice {
     uint32_t strands = 0;         // 0: 10,000 when generated, all of a file
     uint32_t vertices = 0;        // 0: 16 when generated, as in the file
     float scale = 1.0f;           // file units to metres
+    bool scale_by_size = false;   // "auto": as large as a head of hair
     bool generated = true;
 };
 
@@ -38,8 +42,8 @@ struct HeadChoice {
 };
 
 struct CameraChoice {
-    float azimuth = 30.0f;  // degrees from +z towards +x
-    float elevation = 4.0f; // degrees
+    std::optional<float> azimuth; // degrees from +z towards +x; absent: where the hair hangs
+    float elevation = 4.0f;       // degrees
     float zoom = 1.0f;
     float field_of_view = 28.0f;
     std::optional<Vector> eye, target; // m; absent: fitted to the groom and the head
@@ -51,7 +55,7 @@ struct PictureChoice {
     uint32_t width = 360, height = 450; // of one picture, pixels
     uint32_t samples = 16;              // per pixel of a sheet
     uint32_t video_samples = 4;
-    uint32_t video_rate = 20;                  // frames a second, at most `rate`
+    uint32_t video_rate = 15;                  // frames a second, at most `rate`
     uint32_t cells = 8;                        // pictures on the contact sheet
     float hair_width = 0.0f;                   // m; 0: by the number of strands
     std::optional<Vector> hair_root, hair_tip; // linear RGB
@@ -63,6 +67,7 @@ struct Scene {
     CameraChoice camera;
     PictureChoice pictures;
     std::optional<std::vector<Collider>> colliders; // absent: made for the groom
+    std::vector<Collider> moving_colliders;         // beside those
     std::string motion = "shake_and_turn";          // a name or a file
     float seconds = 4.0f;
     uint32_t rate = 60; // fixed steps and frames a second

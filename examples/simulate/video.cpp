@@ -1,6 +1,7 @@
 #include "video.hpp"
 
 #include <cstdlib>
+#include <filesystem>
 
 namespace simulate {
 
@@ -19,32 +20,56 @@ std::string command(const std::string& path, uint32_t width, uint32_t height, do
     return "exec setsid ffmpeg -v error -y -f rawvideo -pix_fmt rgb24 -s " + size + " -r " +
            std::to_string(rate) +
            " -i - -vf 'pad=ceil(iw/2)*2:ceil(ih/2)*2' -c:v libx264 "
-           "-pix_fmt yuv420p -crf 18 -movflags +faststart " +
+           "-pix_fmt yuv420p -crf 18 -movflags +faststart -f mp4 " +
            quoted(path);
+}
+
+bool ffmpeg_is_there() {
+    return std::system("command -v ffmpeg >/dev/null 2>&1") == 0;
 }
 
 } // namespace
 
-bool Video::possible() {
-    return std::system("command -v ffmpeg >/dev/null 2>&1") == 0;
+Video::Video(const std::string& stem, uint32_t width, uint32_t height, double rate) {
+    if (!ffmpeg_is_there()) {
+        path_ = stem + ".gif";
+        gif_ = std::make_unique<render::Gif>(path_, static_cast<int>(width),
+                                             static_cast<int>(height), rate);
+        return;
+    }
+    path_ = stem + ".mp4";
+    partial_ = path_ + ".part";
+    pipe_ = popen(command(partial_, width, height, rate).c_str(), "w");
+    good_ = pipe_ != nullptr;
 }
 
-Video::Video(const std::string& path, uint32_t width, uint32_t height, double rate)
-    : pipe_(popen(command(path, width, height, rate).c_str(), "w")), good_(pipe_ != nullptr) {}
-
 Video::~Video() {
-    close();
+    if (pipe_)
+        pclose(pipe_);
+    std::error_code error;
+    if (!partial_.empty())
+        std::filesystem::remove(partial_, error);
 }
 
 void Video::add(const render::Image& frame) {
-    good_ = good_ && std::fwrite(frame.rgb.data(), 1, frame.rgb.size(), pipe_) == frame.rgb.size();
+    if (gif_)
+        gif_->add(frame);
+    else
+        good_ =
+            good_ && std::fwrite(frame.rgb.data(), 1, frame.rgb.size(), pipe_) == frame.rgb.size();
 }
 
 bool Video::close() {
-    if (pipe_)
-        good_ = pclose(pipe_) == 0 && good_;
+    if (gif_)
+        return gif_->close();
+    if (!pipe_)
+        return false;
+    good_ = pclose(pipe_) == 0 && good_;
     pipe_ = nullptr;
-    return good_;
+    std::error_code error;
+    if (good_)
+        std::filesystem::rename(partial_, path_, error);
+    return good_ && !error;
 }
 
 } // namespace simulate

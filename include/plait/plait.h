@@ -17,8 +17,16 @@
  *            independent. Grooms are immutable and may be shared by threads and contexts.
  * Ownership: what a `_create` or `_load` returned is released by the `_destroy` of the same noun;
  *            destroying NULL does nothing. Arrays passed in are copied before the call returns.
+ * Names:     a function is plait_<object>_<verb>_<noun>, without the noun where the verb says all
+ *            (plait_sim_step, plait_sim_get_stats, plait_collider_set_pose); plait_devices_list and
+ *            the like list all of a kind; what has no object is named for what it returns
+ *            (plait_version, plait_last_error). A value of `enum plait_x_y` is PLAIT_X_Y_<VALUE>,
+ *            but of plait_result, PLAIT_<VALUE>. Every enum takes 32 bits (its _FORCE_32).
  * Structs:   begin with struct_size; fill them, also those that are written to, with their
- *            `plait_*_init` (or by value, `plait_*_defaults`) and then change fields.
+ *            `plait_*_init` (or by value, `plait_*_defaults`) and then change fields. A shorter one
+ *            (of an older plait.h) leaves the rest at its defaults. A longer one (of a newer) is
+ *            taken where all that this library does not know is zero, and refused with the first
+ *            byte that is not; none is longer than PLAIT_STRUCT_SIZE_MAX.
  *
  * @source  Each stage's formula, paper and equation: docs/stages. Models: docs/models.
  * @since   0.1.0, all of it.
@@ -48,6 +56,9 @@ extern "C" {
 #define PLAIT_VERSION_MAJOR 0
 #define PLAIT_VERSION_MINOR 1
 #define PLAIT_VERSION_PATCH 0
+
+/* Bytes, of any struct in any version: a struct_size beyond is a struct that nobody filled. */
+#define PLAIT_STRUCT_SIZE_MAX 4096
 
 /* ---- results -------------------------------------------------------------------------------- */
 
@@ -107,10 +118,11 @@ typedef struct plait_pose {
 } plait_pose;
 
 typedef enum plait_log_level {
-    PLAIT_LOG_DEBUG = 0,
-    PLAIT_LOG_INFO = 1,
-    PLAIT_LOG_WARNING = 2,
-    PLAIT_LOG_ERROR = 3
+    PLAIT_LOG_LEVEL_DEBUG = 0,
+    PLAIT_LOG_LEVEL_INFO = 1,
+    PLAIT_LOG_LEVEL_WARNING = 2,
+    PLAIT_LOG_LEVEL_ERROR = 3,
+    PLAIT_LOG_LEVEL_FORCE_32 = 0x7fffffff
 } plait_log_level;
 
 /* Called on the thread that makes the call being logged. `text` has no newline at its end. */
@@ -127,9 +139,10 @@ typedef struct plait_allocator {
 /* ---- devices and contexts ------------------------------------------------------------------- */
 
 typedef enum plait_device_type {
-    PLAIT_DEVICE_CPU = 0,
-    PLAIT_DEVICE_GPU = 1,
-    PLAIT_DEVICE_OTHER = 2
+    PLAIT_DEVICE_TYPE_CPU = 0,
+    PLAIT_DEVICE_TYPE_GPU = 1,
+    PLAIT_DEVICE_TYPE_OTHER = 2,
+    PLAIT_DEVICE_TYPE_FORCE_32 = 0x7fffffff
 } plait_device_type;
 
 typedef struct plait_device_info {
@@ -161,11 +174,12 @@ typedef struct plait_stage_source {
     const char* name;   /* file name for the compiler's messages; NULL: "<stage>" */
 } plait_stage_source;
 
-/* Texts are copied; `log_user` and what the allocator names must outlive the context. */
+/* Texts are copied; `log_user` and what the allocator names must outlive the context and its sims.
+ */
 typedef struct plait_context_desc {
     uint32_t struct_size;
     const char* backend; /* NULL: the best there is */
-    const char* device;  /* part of a device's or platform's name, any case; NULL: the best */
+    const char* device;  /* words of a device's, vendor's, platform's name, cpu, gpu; NULL: best */
     plait_log_fn log;    /* NULL: silent */
     void* log_user;
     plait_allocator allocator;
@@ -180,7 +194,9 @@ PLAIT_API void plait_context_desc_init(plait_context_desc* desc, size_t size);
 /* @errors NOT_FOUND (no such device; the message lists those there are), COMPILE, OUT_OF_MEMORY,
  * BACKEND. `desc` NULL: all defaults. */
 PLAIT_API plait_result plait_context_create(const plait_context_desc* desc, plait_context** out);
-PLAIT_API void plait_context_destroy(plait_context* context); /* after its sims */
+/* Its device and memory go with the last of its sims, or now; `context` itself is not used again.
+ * Sims that are left go on as they were. */
+PLAIT_API void plait_context_destroy(plait_context* context);
 /* The device it is on, and its `lanes`. */
 PLAIT_API plait_result plait_context_describe(const plait_context* context, plait_device_info* out);
 
@@ -188,8 +204,9 @@ PLAIT_API plait_result plait_context_describe(const plait_context* context, plai
 
 /* What to do with strands that cannot be simulated as they are. Nothing is mended silently. */
 typedef enum plait_repair_policy {
-    PLAIT_REPAIR_COUNT = 0, /* mend, count, report the first offender */
-    PLAIT_REPAIR_REFUSE = 1 /* fail with BAD_DATA at the first offender */
+    PLAIT_REPAIR_POLICY_MEND = 0,   /* mend, count, report the first offender */
+    PLAIT_REPAIR_POLICY_REFUSE = 1, /* fail with BAD_DATA at the first offender */
+    PLAIT_REPAIR_POLICY_FORCE_32 = 0x7fffffff
 } plait_repair_policy;
 
 typedef enum plait_repair {
@@ -199,7 +216,8 @@ typedef enum plait_repair {
     PLAIT_REPAIR_TINY_SEGMENT = 3,   /* shorter than min_segment of the strand's mean: likewise */
     PLAIT_REPAIR_DUPLICATE_ROOT = 4, /* same root position as an earlier strand: kept, counted */
     PLAIT_REPAIR_TOO_LONG = 5,       /* more than 256 vertices: resampled by arc length */
-    PLAIT_REPAIR_COUNT_ = 6
+    PLAIT_REPAIR_COUNT = 6,
+    PLAIT_REPAIR_FORCE_32 = 0x7fffffff
 } plait_repair;
 
 typedef struct plait_import_options {
@@ -238,9 +256,15 @@ typedef struct plait_groom_info {
     uint32_t bones;      /* highest bone index + 1; 0: no skin */
     float bounds_min[3]; /* m */
     float bounds_max[3];
-    float mean_length; /* m */
+    float min_length; /* m, of a strand */
+    float mean_length;
     float max_length;
-    uint64_t repairs[PLAIT_REPAIR_COUNT_]; /* strands or segments mended, by kind */
+    /* 1 where mean_length is that of hair, 5 mm to 2 m; else the plait_import_options.scale, on top
+       of the one given, by which it would be: 0.01 of a groom in centimetres, 1e-3 in millimetres,
+       100 or 1000 of one that was scaled down twice, else the power of ten that comes nearest. A
+       guess from the mean length alone */
+    float likely_scale;
+    uint64_t repairs[PLAIT_REPAIR_COUNT]; /* strands or segments mended, by kind */
     uint64_t repairs_total;
     char first_repair[192]; /* "strand 17, vertex 3: segment of 0 m ..." or "" */
 } plait_groom_info;
@@ -263,12 +287,13 @@ PLAIT_API void plait_groom_info_init(plait_groom_info* info, size_t size);
 PLAIT_API plait_result plait_groom_describe(const plait_groom* groom, plait_groom_info* out);
 
 typedef enum plait_groom_field {
-    PLAIT_GROOM_POSITIONS = 0,     /* float[3] [vertices] */
-    PLAIT_GROOM_VERTEX_COUNTS = 1, /* uint32_t [strands] */
-    PLAIT_GROOM_STRAND_UV = 2,     /* float[2] [strands] */
-    PLAIT_GROOM_THICKNESS = 3,     /* float [strands] */
-    PLAIT_GROOM_BONE_INDICES = 4,  /* uint32_t[4] [strands] */
-    PLAIT_GROOM_BONE_WEIGHTS = 5   /* float[4] [strands] */
+    PLAIT_GROOM_FIELD_POSITIONS = 0,     /* float[3] [vertices] */
+    PLAIT_GROOM_FIELD_VERTEX_COUNTS = 1, /* uint32_t [strands] */
+    PLAIT_GROOM_FIELD_STRAND_UV = 2,     /* float[2] [strands] */
+    PLAIT_GROOM_FIELD_THICKNESS = 3,     /* float [strands] */
+    PLAIT_GROOM_FIELD_BONE_INDICES = 4,  /* uint32_t[4] [strands] */
+    PLAIT_GROOM_FIELD_BONE_WEIGHTS = 5,  /* float[4] [strands] */
+    PLAIT_GROOM_FIELD_FORCE_32 = 0x7fffffff
 } plait_groom_field;
 
 /* After repairs. dst == NULL: writes the needed size in bytes to *size (0: the groom lacks it). */
@@ -282,49 +307,67 @@ typedef enum plait_model {
     PLAIT_MODEL_TRESSFX = 0,  /* parity with TressFX and the thesis; see docs/models/tressfx.md */
     PLAIT_MODEL_CHAIN = 1,    /* inextensible, no bending; see docs/models/chain.md */
     PLAIT_MODEL_COSSERAT = 2, /* Cosserat rod by alternating solves; see docs/models/cosserat.md */
-    PLAIT_MODEL_ROD = 3       /* Cosserat rod by direct Gauss-Newton; see docs/models/rod.md */
+    PLAIT_MODEL_ROD = 3,      /* Cosserat rod by direct Gauss-Newton; see docs/models/rod.md */
+    PLAIT_MODEL_ARTICULATED = 4, /* inextensible rod; see docs/models/articulated.md */
+    PLAIT_MODEL_FORCE_32 = 0x7fffffff
 } plait_model;
 
 #define PLAIT_ITERATIONS_OF_MODEL 0xffffffffu
+#define PLAIT_BDF2_OF_MODEL 0xffffffffu
 
 /* Forms of a formula: PUBLISHED and THRESHOLD as in TressFX 4, THESIS as in Ugurca 2015; the others
  * are our corrections. What each mends: docs/models/tressfx.md. */
 typedef enum plait_wind_form {
     PLAIT_WIND_FORM_PUBLISHED = 0,
-    PLAIT_WIND_FORM_DRAG = 1
+    PLAIT_WIND_FORM_DRAG = 1,
+    PLAIT_WIND_FORM_FORCE_32 = 0x7fffffff
 } plait_wind_form;
 typedef enum plait_follow_form {
     PLAIT_FOLLOW_FORM_PUBLISHED = 0,
-    PLAIT_FOLLOW_FORM_ROTATING = 1
+    PLAIT_FOLLOW_FORM_ROTATING = 1,
+    PLAIT_FOLLOW_FORM_FORCE_32 = 0x7fffffff
 } plait_follow_form;
 typedef enum plait_shock_form {
     PLAIT_SHOCK_FORM_THRESHOLD = 0,
-    PLAIT_SHOCK_FORM_CONTINUOUS = 1
+    PLAIT_SHOCK_FORM_CONTINUOUS = 1,
+    PLAIT_SHOCK_FORM_FORCE_32 = 0x7fffffff
 } plait_shock_form;
 typedef enum plait_stage_order {
-    PLAIT_ORDER_PUBLISHED = 0,
-    PLAIT_ORDER_SHOCK_BEFORE_GLOBAL = 1
+    PLAIT_STAGE_ORDER_PUBLISHED = 0,
+    PLAIT_STAGE_ORDER_SHOCK_BEFORE_GLOBAL = 1,
+    PLAIT_STAGE_ORDER_FORCE_32 = 0x7fffffff
 } plait_stage_order;
 typedef enum plait_interhair {
     PLAIT_INTERHAIR_OFF = 0,
     PLAIT_INTERHAIR_SLOTS = 1,
-    PLAIT_INTERHAIR_EXACT = 2
+    PLAIT_INTERHAIR_EXACT = 2,
+    PLAIT_INTERHAIR_FORCE_32 = 0x7fffffff
 } plait_interhair;
-typedef enum plait_slot_hash { PLAIT_HASH_THESIS = 0, PLAIT_HASH_PCG = 1 } plait_slot_hash;
-typedef enum plait_tent { PLAIT_TENT_FORM_VOXEL = 0, PLAIT_TENT_FORM_TRILINEAR = 1 } plait_tent;
+typedef enum plait_slot_hash_rule {
+    PLAIT_SLOT_HASH_RULE_THESIS = 0,
+    PLAIT_SLOT_HASH_RULE_PCG = 1,
+    PLAIT_SLOT_HASH_RULE_FORCE_32 = 0x7fffffff
+} plait_slot_hash_rule;
+typedef enum plait_tent_form {
+    PLAIT_TENT_FORM_VOXEL = 0,
+    PLAIT_TENT_FORM_TRILINEAR = 1,
+    PLAIT_TENT_FORM_FORCE_32 = 0x7fffffff
+} plait_tent_form;
 typedef enum plait_diffuse_rule {
     PLAIT_DIFFUSE_RULE_THESIS = 0,
-    PLAIT_DIFFUSE_RULE_FLOORED = 1
+    PLAIT_DIFFUSE_RULE_FLOORED = 1,
+    PLAIT_DIFFUSE_RULE_FORCE_32 = 0x7fffffff
 } plait_diffuse_rule;
 
 /* Whether the groom is the shape of strands without a load, so that they sag from it, or the shape
  * in which their own weight is in balance: lengths and rest rotations of the joints are then solved
  * for, in closed form, for gravity as it acts while the head stands unturned. Found anew when
- * plait_sim_set_params changes gravity or the material. What came of it: plait_sim_stats. */
+ * plait_sim_set_params changes gravity or the material. What came of it: plait_sim_describe. */
 typedef enum plait_sag_free {
     PLAIT_SAG_FREE_OFF = 0,
-    PLAIT_SAG_FREE_REST = 1,   /* joints too weak for the groom keep their stiffness, and sag */
-    PLAIT_SAG_FREE_STIFFEN = 2 /* they get the stiffness that holds it, stably */
+    PLAIT_SAG_FREE_REST = 1,    /* joints too weak for the groom keep their stiffness, and sag */
+    PLAIT_SAG_FREE_STIFFEN = 2, /* they get the stiffness that holds it, stably */
+    PLAIT_SAG_FREE_FORCE_32 = 0x7fffffff
 } plait_sag_free;
 
 /* Everything that may change between steps. plait_sim_set_params checks the ranges in brackets. */
@@ -348,26 +391,29 @@ typedef struct plait_sim_params {
     plait_shock_form shock_form;   /* default THRESHOLD */
     plait_stage_order order;       /* default PUBLISHED */
 
-    /* models chain, cosserat, rod: SI material of a strand */
-    uint32_t iterations; /* chain: length solves; cosserat: sweeps; rod: Newton steps; [0, 64], or
-                            PLAIT_ITERATIONS_OF_MODEL (default): 1, 3, 1 */
-    uint32_t bdf2;       /* 0: backward Euler; 1: BDF2, a quarter of the error and little damping */
-    float line_density;  /* rho A, kg/m, [1e-9, 1e3], default 5e-6 */
+    /* models chain, cosserat, rod, articulated: SI material of a strand */
+    uint32_t iterations; /* chain: length solves; cosserat: sweeps; rod, articulated: Newton steps;
+                            [0, 64], or PLAIT_ITERATIONS_OF_MODEL (default): 1, 3, 1, 1 */
+    uint32_t bdf2;      /* 0: backward Euler; 1: BDF2, a quarter of the error and little damping; or
+                           PLAIT_BDF2_OF_MODEL (default): 0, articulated 1 */
+    float line_density; /* rho A, kg/m, [1e-9, 1e3], default 5e-6 */
     float bend_stiffness;    /* EI, N m^2, [0, 1e3], default 4.7e-9 (a hair of 70 um at 4 GPa) */
     float stretch_stiffness; /* EA, N, [0, 1e9]; default 0: what lets a strand of its length give 1
-                               % at 10 g (the hair's own 15 N only slows the solve) */
-    float twist_stiffness; /* GJ, N m^2, [0, 1e3]; default 0: as bend_stiffness. Model rod; cosserat
-                              always twists as it bends */
-    float section_ratio;   /* EI2/EI of an elliptic section, [1e-3, 1e3], default 1: round. A strand
-                              curls about the axis of bend_stiffness. Model rod */
-    float tip_stiffness;   /* bend and twist stiffness at the tip / at the root, linear between, [0,
-                              100],   default 1 */
-    float tip_density;     /* line_density at the tip / at the root, linear between, [1e-3, 1e3],
-                              default 1 */
-    float drag;            /* 1/s, relative to the wind, [0, 1e4], default 1 */
+                                % at 10 g (the hair's own 15 N only slows the solve). Models
+                                cosserat and rod: the others cannot stretch */
+    float twist_stiffness;   /* GJ, N m^2, [0, 1e3]; default 0: as bend_stiffness. Models rod and
+                                articulated; cosserat always twists as it bends */
+    float section_ratio; /* EI2/EI of an elliptic section, [1e-3, 1e3], default 1: round. A strand
+                            curls about the axis of bend_stiffness. Models rod and articulated */
+    float tip_stiffness; /* bend and twist stiffness at the tip / at the root, linear between,
+                            [0, 100], default 1 */
+    float tip_density;   /* line_density at the tip / at the root, linear between, [1e-3, 1e3],
+                            default 1 */
+    float drag;          /* 1/s, relative to the wind, [0, 1e4], default 2: a swing halves its
+                            amplitude in 0.7 s */
 
     /* what artists may add to any model, once per substep */
-    uint32_t shape_constraints; /* chain, cosserat, rod: 1: also global_* and local_* above, after
+    uint32_t shape_constraints; /* all but tressfx: 1: also global_* and local_* above, after
                                    the solve; default 0. tressfx: always */
     float attachment; /* farthest from the root, as a share of the arc length, [0, 100]; default 0:
                          off; 1: no stretch of the strand as a whole */
@@ -375,7 +421,7 @@ typedef struct plait_sim_params {
     /* air */
     float wind[3];       /* m/s, each [-1e3, 1e3], default 0; with no drag: no wind stage */
     float air_with_head; /* [0, 1], share of the head's velocity that the air has, at the middle of
-                            the groom; 1: under a hat; default 0. chain, cosserat, rod */
+                            the groom; 1: under a hat; default 0. All but tressfx */
     float air_drag;      /* rho_air C_d d / (2 rho A), 1/m, [0, 1e6], default 0 */
     float wind_cone;     /* published form: its half angle, rad, [0, pi/2], default 0.7 */
 
@@ -383,8 +429,8 @@ typedef struct plait_sim_params {
     plait_interhair interhair;       /* default OFF */
     uint32_t grid_edge_count;        /* [1, 64], default 8 */
     uint32_t slot_capacity;          /* [1, 65536], default 1024 */
-    plait_slot_hash slot_hash;       /* default PCG */
-    plait_tent tent;                 /* default VOXEL (slots is always VOXEL) */
+    plait_slot_hash_rule slot_hash;  /* default PCG */
+    plait_tent_form tent;            /* default VOXEL (slots is always VOXEL) */
     plait_diffuse_rule diffuse_rule; /* default FLOORED */
     float diffuse_ratio;             /* [0, 1e6], default 2 */
     float diffuse_factor;            /* [0, 1], default 0.9 */
@@ -398,13 +444,15 @@ typedef struct plait_sim_params {
 PLAIT_API void plait_sim_params_init(plait_sim_params* params, size_t size);
 
 typedef enum plait_param_kind {
-    PLAIT_PARAM_FLOAT = 0,
-    PLAIT_PARAM_UINT = 1,
-    PLAIT_PARAM_CHOICE = 2 /* an enum */
+    PLAIT_PARAM_KIND_FLOAT = 0,
+    PLAIT_PARAM_KIND_UINT = 1,
+    PLAIT_PARAM_KIND_CHOICE = 2, /* an enum */
+    PLAIT_PARAM_KIND_FORCE_32 = 0x7fffffff
 } plait_param_kind;
 
 /* A field of plait_sim_params, for what reads, shows or binds all of them. Texts are static. Its
- * default: that of plait_sim_params_init. `iterations` may also be PLAIT_ITERATIONS_OF_MODEL. */
+ * default: that of plait_sim_params_init. `iterations` may also be PLAIT_ITERATIONS_OF_MODEL,
+ * `bdf2` PLAIT_BDF2_OF_MODEL. */
 typedef struct plait_param_info {
     uint32_t struct_size;
     plait_param_kind kind;
@@ -415,7 +463,7 @@ typedef struct plait_param_info {
     uint32_t count;             /* of components, 4 bytes each */
     double least, most;         /* of each */
     uint32_t least_excluded;    /* 1: greater than `least` */
-    uint32_t reserved;
+    uint32_t models;            /* that read it: bit 1u << plait_model */
 } plait_param_info;
 
 PLAIT_API void plait_param_info_init(plait_param_info* info, size_t size);
@@ -444,7 +492,7 @@ PLAIT_API plait_result plait_sim_params_set_fibre(plait_sim_params* params,
 
 typedef struct plait_sim_desc {
     uint32_t struct_size;
-    plait_model model;           /* of every strand, until plait_sim_set_models; default COSSERAT */
+    plait_model model;           /* of every strand, until plait_sim_set_models; default ARTICULATED */
     float step;                  /* fixed step, s, [1e-5, 1], default 1/60 */
     uint32_t substeps;           /* per fixed step, [1, 1000], default 1 */
     uint32_t max_steps_per_call; /* [1, 1000]; time beyond is dropped and counted, default 8 */
@@ -453,8 +501,8 @@ typedef struct plait_sim_desc {
     float follow_radius;         /* m, [0, 1], default 0.003 */
     uint64_t seed;               /* follow offsets and slot hash */
     plait_view strand_stiffness; /* float [guides] or empty: what scales each strand's bend and
-                                    twist stiffness, [0, 1e6]; cosserat, rod. Copied */
-    plait_sag_free sag_free;     /* models cosserat and rod; others refuse it. Default OFF */
+                                    twist stiffness, [0, 1e6]; not chain. Copied */
+    plait_sag_free sag_free;     /* cosserat, rod, articulated; others refuse it. Default OFF */
     plait_sim_params params;
 } plait_sim_desc;
 
@@ -462,7 +510,10 @@ PLAIT_API void plait_sim_desc_init(plait_sim_desc* desc, size_t size);
 
 /* Strands are stored [strands][V], V the groom's longest; shorter strands are padded with copies of
  * their tip. Guides come first, then follows, guide by guide. The head starts at the identity.
- * `desc` NULL: all defaults. The groom may go before the sim, the context not.
+ * `desc` NULL: all defaults. Context and groom may be destroyed before the sim.
+ * To the context's log go warnings: strands whose lengths are not hair's, a sag-free start that was
+ * not reached or took much stiffening (plait_sim_info.warning), and parameters away from their
+ * defaults that no strand's model reads; these also from plait_sim_set_params, of what it changes.
  * @errors UNSUPPORTED (tressfx: V beyond the device's work-group; the backend lacks a stage),
  *         COMPILE. */
 PLAIT_API plait_result plait_sim_create(plait_context* context, const plait_groom* groom,
@@ -473,16 +524,52 @@ PLAIT_API void plait_sim_destroy(plait_sim* sim);
  * not wait. */
 PLAIT_API plait_result plait_sim_reset(plait_sim* sim);
 
+/* What a sim is, what it has done, and what came of its sag-free start. */
+typedef struct plait_sim_info {
+    uint32_t struct_size;
+    plait_model model; /* that it was made with; now: plait_sim_get_models */
+    uint64_t guides;   /* strands that are simulated: those of the groom */
+    uint64_t strands;  /* guides and follows */
+    uint32_t follows_per_guide;
+    uint32_t vertices_per_strand; /* V, the row length */
+    float step;                   /* fixed step, s */
+    uint32_t substeps;            /* per fixed step */
+    uint64_t steps;               /* fixed steps done */
+    uint64_t steps_dropped;       /* beyond max_steps_per_call */
+    double time;                  /* s simulated */
+    uint64_t device_bytes;        /* buffers of this sim */
+    uint32_t colliders;
+
+    /* sag-free start, of guides; zeros (and a stiffening of 1) where it is OFF */
+    plait_sag_free sag_free;
+    uint64_t sag_joints;       /* that hold a load */
+    uint64_t joints_stiffened; /* of these, by STIFFEN */
+    uint64_t sag_unreached;    /* strands whose residual is above 1e-4: they sag, or creep */
+    uint64_t sag_unstable;     /* strands that cannot stay as groomed: they buckle */
+    uint64_t worst_residual_strand;
+    uint64_t worst_stiffening_strand;
+    float sag_residual; /* worst joint: moment it lacks / (weight x length of its strand), a limp
+                           level strand's .5; or force its strand lacks / its weight */
+    float worst_stiffening; /* of a joint: its bend stiffness / the material's; 1: none */
+    char warning[512];      /* what is likely wrong with the groom, its units or the material, as
+                               logged at creation and now; "" if nothing is */
+} plait_sim_info;
+
+PLAIT_API void plait_sim_info_init(plait_sim_info* info, size_t size);
+/* Does not wait, and leaves the device alone. */
+PLAIT_API plait_result plait_sim_describe(const plait_sim* sim, plait_sim_info* out);
+
 /* From the next step on; all or nothing. Waits for the device where material, sag or BDF2 change.
  * @errors UNSUPPORTED (the backend lacks a stage they ask for), COMPILE. */
 PLAIT_API plait_result plait_sim_set_params(plait_sim* sim, const plait_sim_params* params);
 PLAIT_API plait_result plait_sim_get_params(const plait_sim* sim, plait_sim_params* params);
 
-/* The model of every guide strand, `count` of them, from the next step on: chain, cosserat or rod,
- * in a sim that was made with one of these. Strands of one model are stepped together, whatever
- * their order. x and v stay; a strand that leaves chain gets orientations along its segments with
- * the least twist. Parameters are one set: of each the strand's model reads what it has. plait_sim_
- * reset and set_params keep the models, save and restore carry them. See docs/models/switching.md.
+/* The model of every guide strand, `count` of them, from the next step on: any but tressfx, in a
+ * sim that was made with one of these. Strands of one model are stepped together, whatever their
+ * order. x and v stay; a strand that leaves chain gets orientations along its segments with the
+ * least twist; one that enters articulated is taken to its lengths. Parameters are one set: of each
+ * the strand's model reads what it has. plait_sim_reset and set_params keep the models, save and
+ * restore carry them. See docs/models/switching.md.
  * @errors INVALID_STATE: the sim is of model tressfx; UNSUPPORTED: the backend lacks a stage.
  *         A call that fails changes nothing. */
 PLAIT_API plait_result plait_sim_set_models(plait_sim* sim, const plait_model* models,
@@ -490,8 +577,7 @@ PLAIT_API plait_result plait_sim_set_models(plait_sim* sim, const plait_model* m
 /* dst == NULL: writes the needed count, that of the guides; a *count below it is refused. */
 PLAIT_API plait_result plait_sim_get_models(const plait_sim* sim, plait_model* dst, size_t* count);
 
-/* Where the roots will be at the end of the next plait_sim_step; on the way they interpolate.
- * Setting root_poses or bones waits for the device; a head alone does not. */
+/* Where the roots will be at the end of the next plait_sim_step; on the way they interpolate. */
 typedef struct plait_roots {
     uint32_t struct_size;
     plait_pose head;
@@ -509,8 +595,7 @@ PLAIT_API plait_result plait_sim_set_roots(plait_sim* sim, const plait_roots* ro
 PLAIT_API plait_result plait_sim_teleport(plait_sim* sim, const plait_roots* roots);
 
 /* Advance by dt seconds, [0, 10]: enqueues the fixed steps that fit; the rest waits for the next
- * call. Returns before the device is done, except that a step in which a collider moves waits for
- * the one before it (docs/threading.md).
+ * call. Returns before the device is done, whatever moves (docs/threading.md).
  * Failures of the device may come with a later call, at the latest with one that waits. */
 PLAIT_API plait_result plait_sim_step(plait_sim* sim, double dt);
 
@@ -526,7 +611,9 @@ typedef enum plait_field {
     PLAIT_FIELD_GRID_DENSITY = 5,  /* float [nv^3], x fastest, then z, then y: y*nv^2 + z*nv + x */
     PLAIT_FIELD_GRID_VELOCITY = 6, /* float[4] [nv^3]: mean velocity, the grid's frame; rms speed */
     PLAIT_FIELD_POSITION_PREV = 7, /* float[4] [guides][V]: Verlet history */
-    PLAIT_FIELD_COUNT_ = 8
+    PLAIT_FIELD_FOLLOW_GUIDE = 8, /* uint32_t [follows]: the guide that strand guides + i follows */
+    PLAIT_FIELD_COUNT = 9,
+    PLAIT_FIELD_FORCE_32 = 0x7fffffff
 } plait_field;
 
 /* Waits. dst == NULL: writes the needed size in bytes.
@@ -534,7 +621,8 @@ typedef enum plait_field {
 PLAIT_API plait_result plait_sim_read(plait_sim* sim, plait_field field, void* dst, size_t* size);
 
 /* Overwrite POSITION (guides only, [guides][V]; w is kept), POSITION_PREV or VELOCITY (guides). The
- * size must match; of a non-finite value the call says the index, and writes nothing. Waits. */
+ * size must match; of a value outside [-1e6, 1e6] m or [-1e4, 1e4] m/s the call says the index, and
+ * writes nothing. Waits. */
 PLAIT_API plait_result plait_sim_write(plait_sim* sim, plait_field field, const void* src,
                                        size_t size);
 
@@ -553,18 +641,17 @@ typedef struct plait_sim_stats {
     uint64_t grid_outside; /* vertices outside the grid in the last inter-hair step */
     uint64_t device_bytes; /* buffers of this sim */
 
-    /* with sag_free; of guides */
-    float sag_residual;        /* worst joint: moment it lacks / (weight x length of its strand), a
-                                  limp level strand's .5; or force its strand lacks / its weight */
-    float worst_stiffening;    /* of a joint: its bend stiffness / the material's; 1: none */
-    uint64_t joints_stiffened; /* STIFFEN */
-    uint64_t sag_unstable;     /* strands that cannot stay as groomed: they buckle */
+    /* with sag_free, as in plait_sim_info */
+    float sag_residual;
+    float worst_stiffening;
+    uint64_t joints_stiffened;
+    uint64_t sag_unstable;
 } plait_sim_stats;
 
 PLAIT_API void plait_sim_stats_init(plait_sim_stats* stats, size_t size);
 
 /* Waits and measures. */
-PLAIT_API plait_result plait_sim_stats_get(plait_sim* sim, plait_sim_stats* out);
+PLAIT_API plait_result plait_sim_get_stats(plait_sim* sim, plait_sim_stats* out);
 
 typedef struct plait_stage_time {
     char stage[32];
@@ -573,13 +660,16 @@ typedef struct plait_stage_time {
 } plait_stage_time;
 
 /* Times since creation or the last call with `reset`: a list. */
-PLAIT_API plait_result plait_sim_stage_times(plait_sim* sim, plait_stage_time* dst, size_t* count,
-                                             uint32_t reset);
+PLAIT_API plait_result plait_sim_get_stage_times(plait_sim* sim, plait_stage_time* dst,
+                                                 size_t* count, uint32_t reset);
 
-/* The dynamic state (no parameters) as bytes that restore on any device, into a sim of as many
- * guides and vertices, the same model, step and substeps. dst == NULL: its size. Both wait.
- * @errors BAD_DATA (not a snapshot, truncated, a value out of range), UNSUPPORTED (its version).
- *         What is refused changes nothing. */
+/* The dynamic state (no parameters) as bytes that restore on any device, into a sim of
+ * the same groom, model, step and substeps. dst == NULL: its size. Both wait. It has a checksum of
+ * its bytes and a fingerprint of the groom's strands as imported; beyond these every value is held
+ * to its range, so that what restores is a state that the sim can go on from.
+ * @errors BAD_DATA (not a snapshot, damaged, cut, a value out of range), INVALID_ARGUMENT (of
+ * another groom, model or step), UNSUPPORTED (of another version). What is refused changes nothing.
+ */
 PLAIT_API plait_result plait_sim_save(plait_sim* sim, void* dst, size_t* size);
 PLAIT_API plait_result plait_sim_restore(plait_sim* sim, const void* src, size_t size);
 
@@ -606,6 +696,17 @@ PLAIT_API plait_result plait_collider_create(plait_sim* sim, const plait_collide
  * @errors NOT_FOUND (not of this sim, or destroyed) */
 PLAIT_API plait_result plait_collider_set_pose(plait_sim* sim, plait_collider_id collider,
                                                const plait_pose* pose);
+/* Shape and friction of `desc`, from the next fixed step on; hair that is inside then is pushed
+ * out. desc->pose is checked and not used. @errors NOT_FOUND */
+PLAIT_API plait_result plait_collider_set_shape(plait_sim* sim, plait_collider_id collider,
+                                                const plait_collider_desc* desc);
+/* As it was given: shape, friction, and the pose at the end of the next plait_sim_step. Does not
+ * wait. @errors NOT_FOUND */
+PLAIT_API plait_result plait_collider_describe(const plait_sim* sim, plait_collider_id collider,
+                                               plait_collider_desc* out);
+/* Those of a sim, restored ones too: a list. Does not wait. */
+PLAIT_API plait_result plait_colliders_list(const plait_sim* sim, plait_collider_id* dst,
+                                            size_t* count);
 /* Its id is never used again. @errors NOT_FOUND */
 PLAIT_API plait_result plait_collider_destroy(plait_sim* sim, plait_collider_id collider);
 
@@ -626,6 +727,7 @@ PLAIT_DEFAULTS(plait_param_info)
 PLAIT_DEFAULTS(plait_fibre)
 PLAIT_DEFAULTS(plait_sim_params)
 PLAIT_DEFAULTS(plait_sim_desc)
+PLAIT_DEFAULTS(plait_sim_info)
 PLAIT_DEFAULTS(plait_sim_stats)
 PLAIT_DEFAULTS(plait_roots)
 PLAIT_DEFAULTS(plait_collider_desc)

@@ -132,7 +132,7 @@ class Groom : public detail::Owner<plait_groom, plait_groom_destroy> {
     }
 };
 
-// Destroy it before its context.
+// Its context and its groom may go before it.
 class Sim : public detail::Owner<plait_sim, plait_sim_destroy> {
   public:
     Sim(const Context& context, const Groom& groom,
@@ -175,16 +175,21 @@ class Sim : public detail::Owner<plait_sim, plait_sim_destroy> {
         check(plait_sim_write(get(), field, values.data(), values.size() * sizeof(float)));
     }
 
+    plait_sim_info describe() const {
+        auto info = plait_sim_info_defaults();
+        check(plait_sim_describe(get(), &info));
+        return info;
+    }
     plait_sim_stats stats() const {
         auto stats = plait_sim_stats_defaults();
-        check(plait_sim_stats_get(get(), &stats));
+        check(plait_sim_get_stats(get(), &stats));
         return stats;
     }
     std::vector<plait_stage_time> stage_times(bool reset = false) {
         std::size_t count = 0;
-        check(plait_sim_stage_times(get(), nullptr, &count, 0));
+        check(plait_sim_get_stage_times(get(), nullptr, &count, 0));
         std::vector<plait_stage_time> times(count);
-        check(plait_sim_stage_times(get(), times.data(), &count, reset));
+        check(plait_sim_get_stage_times(get(), times.data(), &count, reset));
         times.resize(count);
         return times;
     }
@@ -212,6 +217,21 @@ class Sim : public detail::Owner<plait_sim, plait_sim_destroy> {
     }
     void set_collider_pose(plait_collider_id id, const plait_pose& pose) {
         check(plait_collider_set_pose(get(), id, &pose));
+    }
+    void set_collider_shape(plait_collider_id id, const plait_collider_desc& desc) {
+        check(plait_collider_set_shape(get(), id, &desc));
+    }
+    plait_collider_desc describe_collider(plait_collider_id id) const {
+        auto desc = plait_collider_desc_defaults();
+        check(plait_collider_describe(get(), id, &desc));
+        return desc;
+    }
+    std::vector<plait_collider_id> colliders() const {
+        std::size_t count = 0;
+        check(plait_colliders_list(get(), nullptr, &count));
+        std::vector<plait_collider_id> ids(count);
+        check(plait_colliders_list(get(), ids.data(), &count));
+        return ids;
     }
     void destroy_collider(plait_collider_id id) { check(plait_collider_destroy(get(), id)); }
 

@@ -23,7 +23,8 @@ extern "C" {
 typedef enum plait_stage {
 #define PLAIT_STAGE(name, space, params, summary) PLAIT_STAGE_##name,
 #include <plait/stages.def>
-    PLAIT_STAGE_COUNT
+    PLAIT_STAGE_COUNT,
+    PLAIT_STAGE_FORCE_32 = 0x7fffffff
 } plait_stage;
 
 typedef enum plait_space {
@@ -33,21 +34,24 @@ typedef enum plait_space {
     PLAIT_SPACE_WORD = 3,
     PLAIT_SPACE_STRAND_GROUP = 4, /* item_width work-items of one work-group per strand */
     PLAIT_SPACE_VOXEL_GROUP = 5,  /* item_width work-items of one work-group per voxel */
-    PLAIT_SPACE_LANES = 6 /* strands, `lanes` of them per work-item; the kernel is specialised */
+    PLAIT_SPACE_LANES = 6, /* strands, `lanes` of them per work-item; the kernel is specialised */
+    PLAIT_SPACE_FORCE_32 = 0x7fffffff
 } plait_space;
 
 typedef enum plait_element {
     PLAIT_ELEMENT_FLOAT = 0,
     PLAIT_ELEMENT_FLOAT4 = 1,
     PLAIT_ELEMENT_UINT = 2,
-    PLAIT_ELEMENT_REAL = 3 /* floats in the lane layout, [tile][V][components][tile strands] */
+    PLAIT_ELEMENT_REAL = 3, /* floats in the lane layout, [tile][V][components][tile strands] */
+    PLAIT_ELEMENT_FORCE_32 = 0x7fffffff
 } plait_element;
 
 typedef enum plait_access {
     PLAIT_ACCESS_READ = 0,
     PLAIT_ACCESS_WRITE = 1,
     PLAIT_ACCESS_READWRITE = 2,
-    PLAIT_ACCESS_LOCAL = 3 /* work-group memory, one element per work-item; no buffer */
+    PLAIT_ACCESS_LOCAL = 3, /* work-group memory, one element per work-item; no buffer */
+    PLAIT_ACCESS_FORCE_32 = 0x7fffffff
 } plait_access;
 
 typedef struct plait_stage_arg {
@@ -110,9 +114,13 @@ typedef struct plait_device_api {
     plait_result (*buffer_create)(plait_device*, const plait_buffer_desc*, plait_buffer**);
     /* Work submitted before may still use the buffer: its memory goes when that is done. */
     void (*buffer_destroy)(plait_device*, plait_buffer*);
-    /* Elements cross as float32/uint32 whatever the backend keeps inside. Both wait. */
+    /* Elements cross as float32/uint32 whatever the backend keeps inside. Write and read wait. */
     plait_result (*buffer_write)(plait_device*, plait_buffer*, size_t first, size_t count,
                                  const void* src);
+    /* The same without waiting: takes a copy of `src`, and writes it when what was submitted before
+     * is done. What fails later is reported by a later call. */
+    plait_result (*buffer_upload)(plait_device*, plait_buffer*, size_t first, size_t count,
+                                  const void* src);
     plait_result (*buffer_read)(plait_device*, plait_buffer*, size_t first, size_t count,
                                 void* dst);
     /* In order, as if each waited for the one before. Copies params before it returns. */

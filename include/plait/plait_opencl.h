@@ -1,4 +1,8 @@
-/* Interop with OpenCL: adopt the caller's context and queue, borrow a field's cl_mem. */
+/* Interop with OpenCL: adopt the caller's context and queue, borrow a field's cl_mem.
+ *
+ * What includes this file needs OpenCL's headers and, for the caller's own calls, links OpenCL
+ * (CMake: OpenCL::OpenCL; pkg-config: OpenCL) beside plait. What includes plait.h alone does not.
+ */
 #ifndef PLAIT_OPENCL_H
 #define PLAIT_OPENCL_H
 
@@ -7,7 +11,11 @@
 #ifndef CL_TARGET_OPENCL_VERSION
 #define CL_TARGET_OPENCL_VERSION 120
 #endif
+#ifdef __APPLE__
+#include <OpenCL/cl.h>
+#else
 #include <CL/cl.h>
+#endif
 
 #ifdef __cplusplus
 extern "C" {
@@ -28,13 +36,15 @@ PLAIT_API plait_result plait_opencl_context_create(const plait_opencl_handles* h
                                                    const plait_context_desc* desc,
                                                    plait_context** out);
 
-/* The buffer behind POSITION, TANGENT, REST, VERTEX_COUNT, GRID_DENSITY or GRID_VELOCITY, borrowed:
- * valid until the sim is destroyed or its grid is resized; read it on the context's queue.
+/* The buffer behind POSITION, TANGENT, REST, VERTEX_COUNT, GRID_DENSITY, GRID_VELOCITY or
+ * FOLLOW_GUIDE, borrowed: valid until the sim is destroyed or its grid is resized; read it on the
+ * context's queue.
  * @errors UNSUPPORTED (not an OpenCL context), INVALID_STATE (the field is off) */
-PLAIT_API plait_result plait_opencl_sim_field(plait_sim* sim, plait_field field, cl_mem* out);
+PLAIT_API plait_result plait_opencl_sim_get_field(plait_sim* sim, plait_field field, cl_mem* out);
 
 /* The queue plait enqueues on, borrowed. @errors UNSUPPORTED (not an OpenCL context) */
-PLAIT_API plait_result plait_opencl_context_queue(plait_context* context, cl_command_queue* out);
+PLAIT_API plait_result plait_opencl_context_get_queue(plait_context* context,
+                                                      cl_command_queue* out);
 
 #ifdef __cplusplus
 }

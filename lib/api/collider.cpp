@@ -15,6 +15,17 @@ plait_collider_desc default_collider() {
     return desc;
 }
 
+Result<plait_collider_desc> read_collider(const plait_collider_desc* desc) {
+    plait_collider_desc given = default_collider();
+    PLAIT_TRY(api::read_struct(desc, given, "desc"));
+    PLAIT_TRY(check_collider(given));
+    const auto pose = checked_pose(given.pose, "desc->pose");
+    if (!pose)
+        return pose.error();
+    given.pose = *pose;
+    return given;
+}
+
 } // namespace
 
 extern "C" {
@@ -28,14 +39,10 @@ plait_result plait_collider_create(plait_sim* sim, const plait_collider_desc* de
     return api::guard(__func__, [&]() -> Status {
         PLAIT_TRY(api::need(sim, "sim"));
         PLAIT_TRY(api::need(out, "out"));
-        plait_collider_desc given = default_collider();
-        PLAIT_TRY(api::read_struct(desc, given, "desc"));
-        PLAIT_TRY(check_collider(given));
-        const auto pose = checked_pose(given.pose, "desc->pose");
-        if (!pose)
-            return pose.error();
-        given.pose = *pose;
-        const auto id = sim->sim.create_collider(given);
+        const auto given = read_collider(desc);
+        if (!given)
+            return given.error();
+        const auto id = sim->sim.create_collider(*given);
         if (!id)
             return id.error();
         *out = *id;
@@ -52,6 +59,40 @@ plait_result plait_collider_set_pose(plait_sim* sim, plait_collider_id collider,
         if (!checked)
             return checked.error();
         return sim->sim.set_collider_pose(collider, *checked);
+    });
+}
+
+plait_result plait_collider_set_shape(plait_sim* sim, plait_collider_id collider,
+                                      const plait_collider_desc* desc) {
+    return api::guard(__func__, [&]() -> Status {
+        PLAIT_TRY(api::need(sim, "sim"));
+        const auto given = read_collider(desc);
+        if (!given)
+            return given.error();
+        return sim->sim.set_collider_shape(collider, *given);
+    });
+}
+
+plait_result plait_collider_describe(const plait_sim* sim, plait_collider_id collider,
+                                     plait_collider_desc* out) {
+    return api::guard(__func__, [&]() -> Status {
+        PLAIT_TRY(api::need(sim, "sim"));
+        PLAIT_TRY(api::check_output(out, "out"));
+        const auto desc = sim->sim.colliders().describe(collider);
+        if (!desc)
+            return desc.error();
+        api::write_struct(out, *desc);
+        return {};
+    });
+}
+
+plait_result plait_colliders_list(const plait_sim* sim, plait_collider_id* dst, size_t* count) {
+    return api::guard(__func__, [&]() -> Status {
+        PLAIT_TRY(api::need(sim, "sim"));
+        PLAIT_TRY(api::need(count, "count"));
+        const Colliders& colliders = sim->sim.colliders();
+        *count = dst ? colliders.list({dst, *count}) : colliders.count();
+        return {};
     });
 }
 

@@ -80,10 +80,8 @@ plait_result plait_devices_list(plait_device_info* dst, size_t* count) {
             return {};
         }
         const size_t number = std::min(*count, candidates.size());
-        for (size_t i = 0; i < number; ++i)
-            PLAIT_TRY(api::check_output(dst + i, "dst"));
-        for (size_t i = 0; i < number; ++i)
-            api::write_struct(dst + i, candidates[i].info);
+        PLAIT_TRY(
+            api::write_structs(dst, number, "dst", [&](size_t i) { return candidates[i].info; }));
         *count = number;
         return {};
     });
@@ -108,7 +106,9 @@ plait_result plait_context_create(const plait_context_desc* desc, plait_context*
 }
 
 void plait_context_destroy(plait_context* context) {
-    api::destroy(context);
+    if (context)
+        --context->users;
+    api::destroy_unused(context);
 }
 
 plait_result plait_context_describe(const plait_context* context, plait_device_info* out) {

@@ -2,6 +2,7 @@
 #include "api/objects.hpp"
 #include "api/structs.hpp"
 #include "api/view.hpp"
+#include "core/units.hpp"
 #include "io/io.hpp"
 
 #include <cmath>
@@ -24,7 +25,7 @@ Status read_options(const plait_import_options* given, plait_import_options& opt
     PLAIT_TRY(read_struct(given, options, "options"));
     uint32_t policy; // any number may come from C
     std::memcpy(&policy, &options.policy, sizeof policy);
-    if (policy > PLAIT_REPAIR_REFUSE)
+    if (policy > PLAIT_REPAIR_POLICY_REFUSE)
         return invalid(format("options->policy is %u, range is [0, 1]", policy));
     if (!(options.min_segment >= 0 && options.min_segment <= 0.5f))
         return invalid(
@@ -106,6 +107,12 @@ Status make_groom(const plait_import_options& options, plait_groom** out, const 
     return {};
 }
 
+plait_groom_info empty_info() {
+    plait_groom_info info{};
+    info.likely_scale = 1;
+    return info;
+}
+
 plait_groom_info describe(const Groom& groom) {
     const GroomShape& shape = groom.shape;
     plait_groom_info info{};
@@ -118,8 +125,10 @@ plait_groom_info describe(const Groom& groom) {
     info.bones = shape.bones;
     std::copy(shape.bounds_min.begin(), shape.bounds_min.end(), info.bounds_min);
     std::copy(shape.bounds_max.begin(), shape.bounds_max.end(), info.bounds_max);
+    info.min_length = static_cast<float>(shape.min_length);
     info.mean_length = static_cast<float>(shape.mean_length);
     info.max_length = static_cast<float>(shape.max_length);
+    info.likely_scale = static_cast<float>(likely_scale(shape.mean_length));
     std::copy(groom.repairs.count.begin(), groom.repairs.count.end(), info.repairs);
     info.repairs_total = groom.repairs.total();
     groom.repairs.first.copy(info.first_repair, sizeof info.first_repair - 1);
@@ -132,20 +141,22 @@ template <typename T> std::span<const std::byte> bytes_of(const std::pmr::vector
 
 Result<std::span<const std::byte>> field_bytes(const StrandSet& set, plait_groom_field field) {
     switch (field) {
-    case PLAIT_GROOM_POSITIONS:
+    case PLAIT_GROOM_FIELD_POSITIONS:
         return bytes_of(set.positions);
-    case PLAIT_GROOM_VERTEX_COUNTS:
+    case PLAIT_GROOM_FIELD_VERTEX_COUNTS:
         return bytes_of(set.vertex_counts);
-    case PLAIT_GROOM_STRAND_UV:
+    case PLAIT_GROOM_FIELD_STRAND_UV:
         return bytes_of(set.strand_uv);
-    case PLAIT_GROOM_THICKNESS:
+    case PLAIT_GROOM_FIELD_THICKNESS:
         return bytes_of(set.thickness);
-    case PLAIT_GROOM_BONE_INDICES:
+    case PLAIT_GROOM_FIELD_BONE_INDICES:
         return bytes_of(set.bone_indices);
-    case PLAIT_GROOM_BONE_WEIGHTS:
+    case PLAIT_GROOM_FIELD_BONE_WEIGHTS:
         return bytes_of(set.bone_weights);
+    default:
+        return invalid(
+            format("field is %d, range is [0, %d]", field, PLAIT_GROOM_FIELD_BONE_WEIGHTS));
     }
-    return invalid(format("field is %d, range is [0, %d]", field, PLAIT_GROOM_BONE_WEIGHTS));
 }
 
 } // namespace
@@ -164,7 +175,7 @@ void plait_groom_desc_init(plait_groom_desc* desc, size_t size) {
 }
 
 void plait_groom_info_init(plait_groom_info* info, size_t size) {
-    api::init_struct(info, size, plait_groom_info{});
+    api::init_struct(info, size, api::empty_info());
 }
 
 plait_result plait_groom_create(const plait_groom_desc* desc, const plait_import_options* options,

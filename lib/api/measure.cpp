@@ -69,7 +69,7 @@ void plait_sim_stats_init(plait_sim_stats* stats, size_t size) {
     api::init_struct(stats, size, plait_sim_stats{});
 }
 
-plait_result plait_sim_stats_get(plait_sim* sim, plait_sim_stats* out) {
+plait_result plait_sim_get_stats(plait_sim* sim, plait_sim_stats* out) {
     return api::guard(__func__, [&]() -> Status {
         PLAIT_TRY(api::need(sim, "sim"));
         PLAIT_TRY(api::check_output(out, "out"));
@@ -80,8 +80,8 @@ plait_result plait_sim_stats_get(plait_sim* sim, plait_sim_stats* out) {
     });
 }
 
-plait_result plait_sim_stage_times(plait_sim* sim, plait_stage_time* dst, size_t* count,
-                                   uint32_t reset) {
+plait_result plait_sim_get_stage_times(plait_sim* sim, plait_stage_time* dst, size_t* count,
+                                       uint32_t reset) {
     return api::guard(__func__, [&]() -> Status {
         PLAIT_TRY(api::need(sim, "sim"));
         PLAIT_TRY(api::need(count, "count"));

@@ -6,6 +6,7 @@
 
 struct plait_context {
     plait::Context context;
+    size_t users = 1; // its handle, until destroyed, and its sims
 
     plait_context(const plait::ContextRules& rules, plait::Device opened,
                   const plait_device_info& described)
@@ -24,9 +25,14 @@ struct plait_groom {
 
 struct plait_sim {
     plait::Sim sim;
+    plait_context& owner;
 
-    plait_sim(plait::Context& context, plait::SimParts parts) : sim(context, std::move(parts)) {}
-    plait::Memory& memory() { return sim.context().memory; }
+    plait_sim(plait_context& context, plait::SimParts parts)
+        : sim(context.context, std::move(parts)), owner(context) {
+        ++owner.users;
+    }
+    ~plait_sim() { --owner.users; }
+    plait::Memory& memory() { return owner.memory(); }
 };
 
 namespace plait::api {
@@ -37,6 +43,12 @@ template <typename Handle> void destroy(Handle* handle) {
         return;
     Memory memory(handle->memory().allocator());
     DeleteIn<Handle>{&memory}(handle);
+}
+
+// A context goes with its last user.
+inline void destroy_unused(plait_context* context) {
+    if (context && context->users == 0)
+        destroy(context);
 }
 
 } // namespace plait::api

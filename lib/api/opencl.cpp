@@ -25,7 +25,7 @@ Status check_lent(plait_field field) {
     if (field != PLAIT_FIELD_VELOCITY && field != PLAIT_FIELD_POSITION_PREV)
         return {};
     return invalid(format("field is %d; lent are POSITION, TANGENT, REST, VERTEX_COUNT, "
-                          "GRID_DENSITY and GRID_VELOCITY",
+                          "GRID_DENSITY, GRID_VELOCITY and FOLLOW_GUIDE",
                           field));
 }
 
@@ -55,7 +55,7 @@ plait_result plait_opencl_context_create(const plait_opencl_handles* handles,
     });
 }
 
-plait_result plait_opencl_sim_field(plait_sim* sim, plait_field field, cl_mem* out) {
+plait_result plait_opencl_sim_get_field(plait_sim* sim, plait_field field, cl_mem* out) {
     return api::guard(__func__, [&]() -> Status {
         PLAIT_TRY(api::need(sim, "sim"));
         PLAIT_TRY(api::need(out, "out"));
@@ -69,7 +69,7 @@ plait_result plait_opencl_sim_field(plait_sim* sim, plait_field field, cl_mem* o
     });
 }
 
-plait_result plait_opencl_context_queue(plait_context* context, cl_command_queue* out) {
+plait_result plait_opencl_context_get_queue(plait_context* context, cl_command_queue* out) {
     return api::guard(__func__, [&]() -> Status {
         PLAIT_TRY(api::need(context, "context"));
         PLAIT_TRY(api::need(out, "out"));

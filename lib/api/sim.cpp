@@ -107,10 +107,8 @@ plait_result plait_params_list(plait_param_info* dst, size_t* count) {
         PLAIT_TRY(api::need(count, "count"));
         const auto table = param_table();
         const size_t number = dst ? std::min(*count, table.size()) : table.size();
-        for (size_t i = 0; dst && i < number; ++i)
-            PLAIT_TRY(api::check_output(dst + i, "dst"));
-        for (size_t i = 0; dst && i < number; ++i)
-            api::write_struct(dst + i, table[i]);
+        if (dst)
+            PLAIT_TRY(api::write_structs(dst, number, "dst", [&](size_t i) { return table[i]; }));
         *count = number;
         return {};
     });
@@ -157,8 +155,7 @@ plait_result plait_sim_create(plait_context* context, const plait_groom* groom,
         auto parts = make_sim_parts(context->context, groom->groom, given, stiffness);
         if (!parts)
             return parts.error();
-        auto handle =
-            make_in<plait_sim>(&context->context.memory, context->context, std::move(*parts));
+        auto handle = make_in<plait_sim>(&context->context.memory, *context, std::move(*parts));
         PLAIT_TRY(handle->sim.start());
         *out = handle.release();
         return {};
@@ -166,7 +163,24 @@ plait_result plait_sim_create(plait_context* context, const plait_groom* groom,
 }
 
 void plait_sim_destroy(plait_sim* sim) {
+    plait_context* const owner = sim ? &sim->owner : nullptr;
     api::destroy(sim);
+    api::destroy_unused(owner);
+}
+
+void plait_sim_info_init(plait_sim_info* info, size_t size) {
+    plait_sim_info empty{};
+    empty.worst_stiffening = 1;
+    api::init_struct(info, size, empty);
+}
+
+plait_result plait_sim_describe(const plait_sim* sim, plait_sim_info* out) {
+    return api::guard(__func__, [&]() -> Status {
+        PLAIT_TRY(api::need(sim, "sim"));
+        PLAIT_TRY(api::check_output(out, "out"));
+        api::write_struct(out, sim->sim.describe());
+        return {};
+    });
 }
 
 plait_result plait_sim_reset(plait_sim* sim) {

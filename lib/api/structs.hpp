@@ -9,16 +9,20 @@
 
 namespace plait::api {
 
+template <typename T> bool is_struct_size(size_t size) {
+    return size >= alignof(T) && size <= PLAIT_STRUCT_SIZE_MAX && size % alignof(T) == 0;
+}
+
 // A known prefix is accepted (the rest keeps the defaults already in `out`); a longer struct only
 // if what this library does not know is zero.
 template <typename T> Status read_struct(const T* in, T& out, const char* name) {
-    static_assert(std::is_trivially_copyable_v<T>);
+    static_assert(std::is_trivially_copyable_v<T> && sizeof(T) <= PLAIT_STRUCT_SIZE_MAX);
     PLAIT_TRY(need(in, name));
     const size_t size = in->struct_size;
-    if (size < alignof(T) || size % alignof(T) != 0)
-        return invalid(format("%s->struct_size is %zu, range is [%zu, %zu] in steps of %zu: "
+    if (!is_struct_size<T>(size))
+        return invalid(format("%s->struct_size is %zu, range is [%zu, %d] in steps of %zu: "
                               "fill the struct with its _init",
-                              name, size, alignof(T), sizeof(T), alignof(T)));
+                              name, size, alignof(T), PLAIT_STRUCT_SIZE_MAX, alignof(T)));
     const auto* bytes = reinterpret_cast<const unsigned char*>(in);
     for (size_t i = sizeof(T); i < size; ++i)
         if (bytes[i] != 0)
@@ -39,10 +43,31 @@ template <typename T> void write_struct(T* out, const T& value) {
 
 template <typename T> Status check_output(const T* out, const char* name) {
     PLAIT_TRY(need(out, name));
-    if (out->struct_size >= alignof(T) && out->struct_size % alignof(T) == 0)
+    if (is_struct_size<T>(out->struct_size))
         return {};
-    return invalid(
-        format("%s->struct_size is %u: set it to sizeof *%s", name, out->struct_size, name));
+    return invalid(format("%s->struct_size is %u, range is [%zu, %d] in steps of %zu: set it to "
+                          "sizeof *%s",
+                          name, out->struct_size, alignof(T), PLAIT_STRUCT_SIZE_MAX, alignof(T),
+                          name));
+}
+
+// A list of structs: elements lie as far apart as the first one's struct_size says, and all have
+// the same. `at`(i): what element i becomes.
+template <typename T, typename At>
+Status write_structs(T* dst, size_t number, const char* name, const At& at) {
+    auto* const bytes = reinterpret_cast<unsigned char*>(dst);
+    const auto element = [&](size_t i) {
+        return reinterpret_cast<T*>(bytes + i * size_t{dst->struct_size});
+    };
+    if (number > 0)
+        PLAIT_TRY(check_output(dst, name));
+    for (size_t i = 1; i < number; ++i)
+        if (element(i)->struct_size != dst->struct_size)
+            return invalid(format("%s[%zu].struct_size is %u, that of the first is %u", name, i,
+                                  element(i)->struct_size, dst->struct_size));
+    for (size_t i = 0; i < number; ++i)
+        write_struct(element(i), at(i));
+    return {};
 }
 
 // plait_x_init: writes the defaults into a struct of `size` bytes, zeroes beyond them.

@@ -59,6 +59,12 @@ Status Device::write(const Buffer& buffer, size_t first, size_t count, const voi
                    [&] { return api_->buffer_write(handle_, buffer.handle(), first, count, src); });
 }
 
+Status Device::upload(const Buffer& buffer, size_t first, size_t count, const void* src) {
+    return perform(buffer.name(), [&] {
+        return api_->buffer_upload(handle_, buffer.handle(), first, count, src);
+    });
+}
+
 Status Device::read(const Buffer& buffer, size_t first, size_t count, void* dst) {
     return perform(buffer.name(),
                    [&] { return api_->buffer_read(handle_, buffer.handle(), first, count, dst); });

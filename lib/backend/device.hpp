@@ -67,6 +67,11 @@ class Device {
     Status write(const Buffer& buffer, const void* src) {
         return write(buffer, 0, buffer.count(), src);
     }
+    // Copies `src` and does not wait for the device.
+    Status upload(const Buffer& buffer, size_t first, size_t count, const void* src);
+    Status upload(const Buffer& buffer, const void* src) {
+        return upload(buffer, 0, buffer.count(), src);
+    }
     Status read(const Buffer& buffer, size_t first, size_t count, void* dst);
     Status read(const Buffer& buffer, void* dst) { return read(buffer, 0, buffer.count(), dst); }
 

@@ -1,9 +1,8 @@
 #include "backend/registry.hpp"
 
 #include "backend/builtin.hpp"
+#include "backend/module.hpp"
 #include "base/format.hpp"
-
-#include <dlfcn.h>
 
 #include <cstring>
 #include <initializer_list>
@@ -49,6 +48,7 @@ const char* missing_function(const plait_device_api& device) {
     PLAIT_NEED(buffer_create)
     PLAIT_NEED(buffer_destroy)
     PLAIT_NEED(buffer_write)
+    PLAIT_NEED(buffer_upload)
     PLAIT_NEED(buffer_read)
     PLAIT_NEED(submit)
     PLAIT_NEED(wait)
@@ -128,11 +128,10 @@ Status register_backend(const plait_backend_api* api) {
 
 // The module stays mapped even when it is refused: a driver it has loaded may have left threads.
 Status load_backend(const char* path) {
-    void* const module = dlopen(path, RTLD_NOW | RTLD_LOCAL);
-    if (!module)
-        return Error{PLAIT_NOT_FOUND, format("backend module %s: %s", path, dlerror())};
+    const auto module = open_module(path);
+    PLAIT_TRY(module);
     constexpr const char* symbol = "plait_backend_entry_v1";
-    const auto entry = reinterpret_cast<Provider>(dlsym(module, symbol));
+    const auto entry = reinterpret_cast<Provider>(find_symbol(*module, symbol));
     if (!entry)
         return Error{PLAIT_UNSUPPORTED, format("backend module %s has no %s", path, symbol)};
     if (auto status = register_backend(entry()); !status)

@@ -16,6 +16,14 @@ plait_collider_id make_id(size_t index, uint32_t generation) {
     return {(uint64_t{generation} << 32) | (index + 1)};
 }
 
+void take_shape(Colliders::Slot& slot, const plait_collider_desc& desc) {
+    std::copy_n(desc.a, 3, slot.a);
+    std::copy_n(desc.b, 3, slot.b);
+    slot.radius_a = desc.radius_a;
+    slot.radius_b = desc.radius_b;
+    slot.friction = desc.friction;
+}
+
 bool same(const plait_pose& a, const plait_pose& b) {
     return std::ranges::equal(a.q, b.q) && std::ranges::equal(a.t, b.t);
 }
@@ -38,11 +46,11 @@ float* pack(const Colliders::Slot& slot, const plait_pose& begin, const plait_po
 
 } // namespace
 
-Result<Colliders::Slot*> Colliders::find(plait_collider_id id) {
+Result<size_t> Colliders::find(plait_collider_id id) const {
     const uint64_t index = (id.value & 0xffffffffu) - 1;
     const auto generation = static_cast<uint32_t>(id.value >> 32);
     if (index < slots_.size() && slots_[index].alive && slots_[index].generation == generation)
-        return &slots_[index];
+        return static_cast<size_t>(index);
     return Error{PLAIT_NOT_FOUND, format("collider id 0x%llx is not in this sim",
                                          static_cast<unsigned long long>(id.value))};
 }
@@ -65,11 +73,7 @@ Result<plait_collider_id> Colliders::create(Device& device, const plait_collider
         slot = slots_.emplace(slots_.end());
     slot->generation += 1;
     slot->alive = 1;
-    std::copy_n(desc.a, 3, slot->a);
-    std::copy_n(desc.b, 3, slot->b);
-    slot->radius_a = desc.radius_a;
-    slot->radius_b = desc.radius_b;
-    slot->friction = desc.friction;
+    take_shape(*slot, desc);
     slot->at = slot->target = slot->from = slot->to = desc.pose;
     ++count_;
     uploaded_ = false;
@@ -77,20 +81,53 @@ Result<plait_collider_id> Colliders::create(Device& device, const plait_collider
 }
 
 Status Colliders::set_pose(plait_collider_id id, const plait_pose& pose) {
-    const auto slot = find(id);
-    if (!slot)
-        return slot.error();
-    (*slot)->target = pose;
+    const auto index = find(id);
+    if (!index)
+        return index.error();
+    slots_[*index].target = pose;
     return {};
 }
 
+Status Colliders::set_shape(plait_collider_id id, const plait_collider_desc& desc) {
+    const auto index = find(id);
+    if (!index)
+        return index.error();
+    take_shape(slots_[*index], desc);
+    uploaded_ = false;
+    return {};
+}
+
+Result<plait_collider_desc> Colliders::describe(plait_collider_id id) const {
+    const auto index = find(id);
+    if (!index)
+        return index.error();
+    const Slot& slot = slots_[*index];
+    plait_collider_desc desc{};
+    std::copy_n(slot.a, 3, desc.a);
+    std::copy_n(slot.b, 3, desc.b);
+    desc.radius_a = slot.radius_a;
+    desc.radius_b = slot.radius_b;
+    desc.friction = slot.friction;
+    desc.pose = slot.target;
+    return desc;
+}
+
+size_t Colliders::list(std::span<plait_collider_id> dst) const {
+    size_t number = 0;
+    for (size_t i = 0; i < slots_.size() && number < dst.size(); ++i)
+        if (slots_[i].alive)
+            dst[number++] = make_id(i, slots_[i].generation);
+    return number;
+}
+
 Status Colliders::destroy(plait_collider_id id) {
-    const auto slot = find(id);
-    if (!slot)
-        return slot.error();
-    const uint32_t generation = (*slot)->generation;
-    **slot = {}; // equal states have equal bytes
-    (*slot)->generation = generation;
+    const auto index = find(id);
+    if (!index)
+        return index.error();
+    Slot& slot = slots_[*index];
+    const uint32_t generation = slot.generation;
+    slot = {}; // equal states have equal bytes
+    slot.generation = generation;
     --count_;
     uploaded_ = false;
     return {};
@@ -112,7 +149,7 @@ Status Colliders::begin_step(Device& device, double end) {
             if (slot.alive)
                 out = pack(slot, interpolate(slot.from, slot.to, double(i) / substeps_),
                            interpolate(slot.from, slot.to, double(i + 1) / substeps_), out);
-    PLAIT_TRY(device.write(buffer_, 0, packed_.size() / 4, packed_.data()));
+    PLAIT_TRY(device.upload(buffer_, 0, packed_.size() / 4, packed_.data()));
     uploaded_ = true;
     return {};
 }

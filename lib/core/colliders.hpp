@@ -16,7 +16,12 @@ class Colliders {
 
     Result<plait_collider_id> create(Device& device, const plait_collider_desc& desc);
     Status set_pose(plait_collider_id id, const plait_pose& pose);
+    // Shape and friction of `desc`, its pose not.
+    Status set_shape(plait_collider_id id, const plait_collider_desc& desc);
     Status destroy(plait_collider_id id);
+
+    Result<plait_collider_desc> describe(plait_collider_id id) const; // at its target
+    size_t list(std::span<plait_collider_id> dst) const; // as many as fit; their number
 
     uint32_t count() const { return count_; }
     const Buffer& capsules() const { return buffer_; } // float4 [substeps][count][6]
@@ -41,7 +46,7 @@ class Colliders {
     Status assign(Device& device, std::span<const Slot> slots);
 
   private:
-    Result<Slot*> find(plait_collider_id id);
+    Result<size_t> find(plait_collider_id id) const; // index of its slot
     Status reserve(Device& device, size_t count);
     size_t capsules(size_t count) const { return count * substeps_; }
 

@@ -19,6 +19,23 @@ bool contains(std::string_view text, std::string_view part) {
     return std::search(text.begin(), text.end(), part.begin(), part.end(), same) != text.end();
 }
 
+// Whether these words name the device. PoCL calls its devices "pthread-" or "cpu-" and a processor,
+// and its platform by its long name: the short one, by which everyone knows it, stands nowhere.
+bool is_named(const plait_device_info& info, std::string_view words) {
+    const std::string_view type = info.type == PLAIT_DEVICE_TYPE_CPU   ? "cpu"
+                                  : info.type == PLAIT_DEVICE_TYPE_GPU ? "gpu"
+                                                                       : "";
+    const std::string_view short_name =
+        contains(info.platform, "Portable Computing Language") ? "pocl" : "";
+    for (const std::string_view whole : {type, short_name})
+        if (!whole.empty() && words.size() == whole.size() && contains(whole, words))
+            return true;
+    for (const char* text : {info.name, info.vendor, info.platform})
+        if (contains(text, words))
+            return true;
+    return false;
+}
+
 std::string describe(const Candidate& candidate) {
     return format("%s: %s (%s)", candidate.backend->name, candidate.info.name,
                   candidate.info.platform);
@@ -34,7 +51,7 @@ void append_devices(const plait_backend_api& backend, const Log& log,
     if (result == PLAIT_OK && count > 0)
         result = backend.enumerate(infos.data(), &count);
     if (result != PLAIT_OK || count == 0) {
-        log(PLAIT_LOG_DEBUG,
+        log(PLAIT_LOG_LEVEL_DEBUG,
             format("backend %s: no device: %s", backend.name,
                    result == PLAIT_OK ? "none found" : plait_result_string(result)));
         return;
@@ -50,8 +67,7 @@ void append_devices(const plait_backend_api& backend, const Log& log,
 std::string mismatch(const Candidate& candidate, const ContextRules& rules) {
     if (rules.backend && std::strcmp(rules.backend, candidate.backend->name) != 0)
         return format("backend \"%s\" was asked for", rules.backend);
-    if (rules.device && !contains(candidate.info.name, rules.device) &&
-        !contains(candidate.info.platform, rules.device))
+    if (rules.device && !is_named(candidate.info, rules.device))
         return format("device \"%s\" was asked for", rules.device);
     if (!rules.backend && !rules.device && candidate.score < 0)
         return "its backend is used only when it is asked for";
@@ -106,17 +122,18 @@ Result<Device> open_device(const ContextRules& rules) {
     std::optional<Error> first_failure;
     for (const Candidate& candidate : candidates) {
         if (const std::string why = mismatch(candidate, rules); !why.empty()) {
-            rules.log(PLAIT_LOG_DEBUG, describe(candidate) + ": passed over: " + why);
+            rules.log(PLAIT_LOG_LEVEL_DEBUG, describe(candidate) + ": passed over: " + why);
             continue;
         }
         auto device = open(candidate, rules);
         if (device) {
-            rules.log(PLAIT_LOG_INFO, describe(candidate) + ": opened");
+            rules.log(PLAIT_LOG_LEVEL_INFO, describe(candidate) + ": opened");
             return device;
         }
         if (caller_should_see(rules, device.error().code))
             return device.error();
-        rules.log(PLAIT_LOG_WARNING, describe(candidate) + ": rejected: " + device.error().message);
+        rules.log(PLAIT_LOG_LEVEL_WARNING,
+                  describe(candidate) + ": rejected: " + device.error().message);
         if (!first_failure)
             first_failure = device.error();
     }

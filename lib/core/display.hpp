@@ -32,6 +32,7 @@ class Display {
         return interpolates() ? position_out_ : state.position;
     }
     const Buffer& tangent() const { return tangent_; }
+    const Buffer& follow_guide() const { return follow_guide_; } // none without follows
     const Buffer& kept() const { return position_local_; }
     uint64_t device_bytes() const;
 

@@ -14,12 +14,18 @@ Error is_off(const char* what) {
     return {PLAIT_INVALID_STATE, format("%s is off", what)};
 }
 
-Status check_finite(const float* values, size_t count, const char* field) {
+// What the caller may write: as far as grooms and heads may be, and as fast as gravity may get hair
+// in a second.
+constexpr float farthest = 1e6f; // m
+constexpr float fastest = 1e4f;  // m/s
+
+// Of xyz; w is not read.
+Status check_vectors(const float* values, size_t count, const char* field, float most) {
     for (size_t i = 0; i < count; ++i)
-        if (!std::isfinite(values[i]))
+        if (i % 4 != 3 && !(std::abs(values[i]) <= most))
             return Error{PLAIT_INVALID_ARGUMENT,
-                         format("%s[%zu].%c is %g, it must be finite", field, i / 4, "xyzw"[i % 4],
-                                double(values[i]))};
+                         format("%s[%zu].%c is %g, range is [%g, %g]", field, i / 4, "xyz"[i % 4],
+                                double(values[i]), double(-most), double(most))};
     return {};
 }
 
@@ -44,9 +50,13 @@ Result<const Buffer*> Sim::field_buffer(plait_field field) const {
     case PLAIT_FIELD_POSITION_PREV:
     case PLAIT_FIELD_VELOCITY:
         return &state_.position_prev;
+    case PLAIT_FIELD_FOLLOW_GUIDE:
+        if (layout_.follows == 0)
+            return Error{PLAIT_INVALID_STATE, "follows_per_guide is 0: there are no follows"};
+        return &display_.follow_guide();
     default:
         return Error{PLAIT_INVALID_ARGUMENT,
-                     format("field is %d, range is [0, %d]", field, PLAIT_FIELD_COUNT_ - 1)};
+                     format("field is %d, range is [0, %d]", field, PLAIT_FIELD_COUNT - 1)};
     }
 }
 
@@ -96,9 +106,10 @@ Status Sim::write_velocity(const float* src) {
 Status Sim::write(plait_field field, const void* src) {
     const auto* values = static_cast<const float*>(src);
     const size_t vertices = layout_.guide_vertices();
-    const char* name = field == PLAIT_FIELD_VELOCITY ? "velocity" : "position";
-    PLAIT_TRY(check_finite(values, 4 * vertices, name));
-    if (field == PLAIT_FIELD_VELOCITY) {
+    const bool velocity = field == PLAIT_FIELD_VELOCITY;
+    PLAIT_TRY(check_vectors(values, 4 * vertices, velocity ? "velocity" : "position",
+                            velocity ? fastest : farthest));
+    if (velocity) {
         PLAIT_TRY(write_velocity(values));
         schedule_.clear();
         model_->adopt(schedule_, present());

@@ -1,6 +1,7 @@
 #include "core/groom.hpp"
 
 #include "base/format.hpp"
+#include "base/hash.hpp"
 #include "core/repair.hpp"
 
 #include <algorithm>
@@ -107,6 +108,7 @@ void add_strand(GroomShape& shape, const Points& strand, double length) {
     shape.min_vertices = first ? count : std::min(shape.min_vertices, count);
     shape.max_vertices = std::max(shape.max_vertices, count);
     shape.mean_length += (length - shape.mean_length) / double(++shape.strands);
+    shape.min_length = first ? length : std::min(shape.min_length, length);
     shape.max_length = std::max(shape.max_length, length);
     shape.vertices += count;
 }
@@ -121,6 +123,14 @@ uint32_t count_bones(const StrandSet& set) {
 
 uint64_t Repairs::total() const {
     return std::accumulate(count.begin(), count.end(), uint64_t{0});
+}
+
+uint64_t fingerprint(const Groom& groom) {
+    const StrandSet& strands = groom.strands;
+    Hash hash;
+    hash.add(strands.vertex_counts.data(), strands.vertex_counts.size() * sizeof(uint32_t));
+    hash.add(strands.positions.data(), strands.positions.size() * sizeof(float));
+    return hash.value();
 }
 
 Result<Groom> build_groom(const StrandSet& raw, const ImportRules& rules,

@@ -14,13 +14,13 @@
 namespace plait {
 
 struct ImportRules {
-    plait_repair_policy policy = PLAIT_REPAIR_COUNT;
+    plait_repair_policy policy = PLAIT_REPAIR_POLICY_MEND;
     float min_segment = 1e-3f; // share of the strand's mean segment
     uint32_t resample = 0;     // vertices per strand; 0: as they come
 };
 
 struct Repairs {
-    std::array<uint64_t, PLAIT_REPAIR_COUNT_> count{};
+    std::array<uint64_t, PLAIT_REPAIR_COUNT> count{};
     std::string first; // the first offender: strand, vertex, value
 
     uint64_t total() const;
@@ -34,7 +34,8 @@ struct GroomShape {
     uint32_t bones = 0; // 0: no skin
     std::array<float, 3> bounds_min{};
     std::array<float, 3> bounds_max{};
-    double mean_length = 0; // m
+    double min_length = 0; // m
+    double mean_length = 0;
     double max_length = 0;
 };
 
@@ -44,6 +45,9 @@ struct Groom {
     GroomShape shape;
     Repairs repairs;
 };
+
+// Equal for strands of the same shape in the same order.
+uint64_t fingerprint(const Groom& groom);
 
 // Mends `raw` by the rules. BAD_DATA: nothing left, policy REFUSE, or a per-strand value that
 // cannot be used. `memory` holds the groom's arrays.

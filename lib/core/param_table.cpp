@@ -1,7 +1,13 @@
 #include "core/param_table.hpp"
 
+#include "base/format.hpp"
+#include "core/params.hpp"
+
 #include <cstddef>
+#include <cstring>
+#include <iterator>
 #include <numbers>
+#include <string_view>
 
 namespace plait {
 namespace {
@@ -14,6 +20,19 @@ constexpr const char* interhairs[] = {"off", "slots", "exact"};
 constexpr const char* slot_hashes[] = {"thesis", "pcg"};
 constexpr const char* tents[] = {"voxel", "trilinear"};
 constexpr const char* diffuse_rules[] = {"thesis", "floored"};
+
+constexpr const char* models[] = {"tressfx", "chain", "cosserat", "rod", "articulated"};
+
+// Who reads a parameter.
+constexpr uint32_t bit(plait_model model) {
+    return 1u << model;
+}
+constexpr uint32_t tressfx = bit(PLAIT_MODEL_TRESSFX);
+constexpr uint32_t stretching = bit(PLAIT_MODEL_COSSERAT) | bit(PLAIT_MODEL_ROD);
+constexpr uint32_t twisting = bit(PLAIT_MODEL_ROD) | bit(PLAIT_MODEL_ARTICULATED);
+constexpr uint32_t rods = stretching | twisting;
+constexpr uint32_t strand_models = bit(PLAIT_MODEL_CHAIN) | rods;
+constexpr uint32_t every_model = tressfx | strand_models;
 
 struct Place {
     const char* name;
@@ -36,10 +55,10 @@ constexpr plait_param_info entry(plait_param_kind kind, const Place& at, const c
             least,
             most,
             0,
-            0};
+            every_model};
 }
 constexpr plait_param_info real(const Place& at, const char* unit, double least, double most) {
-    return entry(PLAIT_PARAM_FLOAT, at, unit, least, most);
+    return entry(PLAIT_PARAM_KIND_FLOAT, at, unit, least, most);
 }
 constexpr plait_param_info above(const Place& at, const char* unit, double least, double most) {
     plait_param_info info = real(at, unit, least, most);
@@ -47,51 +66,56 @@ constexpr plait_param_info above(const Place& at, const char* unit, double least
     return info;
 }
 constexpr plait_param_info whole(const Place& at, double least, double most) {
-    return entry(PLAIT_PARAM_UINT, at, "", least, most);
+    return entry(PLAIT_PARAM_KIND_UINT, at, "", least, most);
 }
 template <size_t N>
 constexpr plait_param_info choice(const Place& at, const char* const (&names)[N]) {
-    plait_param_info info = entry(PLAIT_PARAM_CHOICE, at, "", 0, N - 1);
+    plait_param_info info = entry(PLAIT_PARAM_KIND_CHOICE, at, "", 0, N - 1);
     info.choices = names;
+    return info;
+}
+
+constexpr plait_param_info of(uint32_t readers, plait_param_info info) {
+    info.models = readers;
     return info;
 }
 
 constexpr plait_param_info table[] = {
     real(AT(gravity), "m/s^2", -1e4, 1e4),
 
-    real(AT(damping), "", 0, 100),
+    of(tressfx, real(AT(damping), "", 0, 100)),
     real(AT(local_stiffness), "", 0, 1),
     whole(AT(local_iterations), 0, 64),
     real(AT(global_stiffness), "", 0, 1),
     real(AT(global_range), "", 0, 1),
-    whole(AT(length_iterations), 0, 256),
-    real(AT(vsp_coeff), "", 0, 1),
-    real(AT(vsp_accel_threshold), "m", 0, 1e6),
-    above(AT(max_displacement), "m", 0, 1e6),
+    of(tressfx, whole(AT(length_iterations), 0, 256)),
+    of(tressfx, real(AT(vsp_coeff), "", 0, 1)),
+    of(tressfx, real(AT(vsp_accel_threshold), "m", 0, 1e6)),
+    of(tressfx, above(AT(max_displacement), "m", 0, 1e6)),
     real(AT(tip_separation), "", 0, 100),
-    choice(AT(wind_form), wind_forms),
+    of(tressfx, choice(AT(wind_form), wind_forms)),
     choice(AT(follow_form), follow_forms),
-    choice(AT(shock_form), shock_forms),
-    choice(AT(order), orders),
+    of(tressfx, choice(AT(shock_form), shock_forms)),
+    of(tressfx, choice(AT(order), orders)),
 
-    whole(AT(iterations), 0, 64),
-    whole(AT(bdf2), 0, 1),
-    real(AT(line_density), "kg/m", 1e-9, 1e3),
-    real(AT(bend_stiffness), "N m^2", 0, 1e3),
-    real(AT(stretch_stiffness), "N", 0, 1e9),
-    real(AT(twist_stiffness), "N m^2", 0, 1e3),
-    real(AT(section_ratio), "", 1e-3, 1e3),
-    real(AT(tip_stiffness), "", 0, 100),
-    real(AT(tip_density), "", 1e-3, 1e3),
-    real(AT(drag), "1/s", 0, 1e4),
+    of(strand_models, whole(AT(iterations), 0, 64)),
+    of(strand_models, whole(AT(bdf2), 0, 1)),
+    of(rods, real(AT(line_density), "kg/m", 1e-9, 1e3)),
+    of(rods, real(AT(bend_stiffness), "N m^2", 0, 1e3)),
+    of(stretching, real(AT(stretch_stiffness), "N", 0, 1e9)),
+    of(twisting, real(AT(twist_stiffness), "N m^2", 0, 1e3)),
+    of(twisting, real(AT(section_ratio), "", 1e-3, 1e3)),
+    of(rods, real(AT(tip_stiffness), "", 0, 100)),
+    of(strand_models, real(AT(tip_density), "", 1e-3, 1e3)),
+    of(strand_models, real(AT(drag), "1/s", 0, 1e4)),
 
-    whole(AT(shape_constraints), 0, 1),
+    of(strand_models, whole(AT(shape_constraints), 0, 1)),
     real(AT(attachment), "", 0, 100),
 
     real(AT(wind), "m/s", -1e3, 1e3),
-    real(AT(air_with_head), "", 0, 1),
-    real(AT(air_drag), "1/m", 0, 1e6),
-    real(AT(wind_cone), "rad", 0, std::numbers::pi / 2),
+    of(strand_models, real(AT(air_with_head), "", 0, 1)),
+    of(tressfx, real(AT(air_drag), "1/m", 0, 1e6)),
+    of(tressfx, real(AT(wind_cone), "rad", 0, std::numbers::pi / 2)),
 
     choice(AT(interhair), interhairs),
     whole(AT(grid_edge_count), 1, 64),
@@ -107,10 +131,49 @@ constexpr plait_param_info table[] = {
     real(AT(grid_edge), "m", 0, 1e6),
 };
 
+// TressFX's shape constraints: strand models read these with shape_constraints only.
+bool is_of_shape(const plait_param_info& param) {
+    const std::string_view name = param.name;
+    return name.starts_with("local_") || name.starts_with("global_");
+}
+
+std::string names(uint32_t mask) {
+    std::string text;
+    for (size_t i = 0; i < std::size(models); ++i)
+        if (mask & (1u << i))
+            text += (text.empty() ? "" : ", ") + std::string(models[i]);
+    return text;
+}
+
+bool same(const plait_param_info& param, const plait_sim_params& a, const plait_sim_params& b) {
+    const auto at = [&](const plait_sim_params& params) {
+        return reinterpret_cast<const unsigned char*>(&params) + param.offset;
+    };
+    return std::memcmp(at(a), at(b), size_t{4} * param.count) == 0;
+}
+
 } // namespace
 
 std::span<const plait_param_info> param_table() {
     return table;
+}
+
+const char* model_name(plait_model model) {
+    const auto number = static_cast<uint32_t>(model);
+    return number < std::size(models) ? models[number] : "?";
+}
+
+std::string ignored_warning(const plait_param_info& param, const plait_sim_params& before,
+                            const plait_sim_params& now, uint32_t used) {
+    if (same(param, now, before) || same(param, now, default_params()))
+        return {};
+    if ((param.models & used) == 0)
+        return format("params: %s is set, and no strand's model (%s) reads it; those that do: %s",
+                      param.name, names(used).c_str(), names(param.models).c_str());
+    if (is_of_shape(param) && (used & tressfx) == 0 && now.shape_constraints == 0)
+        return format("params: %s is set, and model %s reads it with shape_constraints = 1 only",
+                      param.name, names(used).c_str());
+    return {};
 }
 
 } // namespace plait

@@ -5,10 +5,19 @@
 #include <plait/plait.h>
 
 #include <span>
+#include <string>
 
 namespace plait {
 
 // In the order of the struct.
 std::span<const plait_param_info> param_table();
+
+// "cosserat"; of none, "?".
+const char* model_name(plait_model model);
+
+// What is wrong with a parameter that has left its default since `before` while no model of `used`
+// (bits 1u << plait_model) reads it; "" if nothing is.
+std::string ignored_warning(const plait_param_info& param, const plait_sim_params& before,
+                            const plait_sim_params& now, uint32_t used);
 
 } // namespace plait

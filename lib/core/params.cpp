@@ -1,6 +1,7 @@
 #include "core/params.hpp"
 
 #include "base/format.hpp"
+#include "core/models/traits.hpp"
 #include "core/param_table.hpp"
 #include "core/pose.hpp"
 
@@ -43,11 +44,11 @@ Status check_vector(const char* field, const float (&vector)[3], double low, dou
 
 // A bound is what float32 makes of it: 1e-9 itself is inside [1e-9, 1e3].
 double bound(const plait_param_info& param, double value) {
-    return param.kind == PLAIT_PARAM_FLOAT ? double(static_cast<float>(value)) : value;
+    return param.kind == PLAIT_PARAM_KIND_FLOAT ? double(static_cast<float>(value)) : value;
 }
 
 double component(const plait_param_info& param, const unsigned char* at) {
-    if (param.kind == PLAIT_PARAM_FLOAT) {
+    if (param.kind == PLAIT_PARAM_KIND_FLOAT) {
         float number;
         std::memcpy(&number, at, sizeof number);
         return double(number);
@@ -55,7 +56,8 @@ double component(const plait_param_info& param, const unsigned char* at) {
     // C callers can put any number into an enum: a negative one is outside, too
     uint32_t number;
     std::memcpy(&number, at, sizeof number);
-    return param.kind == PLAIT_PARAM_UINT ? double(number) : double(static_cast<int32_t>(number));
+    return param.kind == PLAIT_PARAM_KIND_UINT ? double(number)
+                                               : double(static_cast<int32_t>(number));
 }
 
 Status check_param(const plait_param_info& param, const plait_sim_params& params) {
@@ -67,6 +69,18 @@ Status check_param(const plait_param_info& param, const plait_sim_params& params
                               param.least_excluded != 0));
     }
     return {};
+}
+
+// Values beside the range that leave a choice to the model.
+bool left_to_model(const plait_param_info& param, const plait_sim_params& params) {
+    switch (param.offset) {
+    case offsetof(plait_sim_params, iterations):
+        return params.iterations == PLAIT_ITERATIONS_OF_MODEL;
+    case offsetof(plait_sim_params, bdf2):
+        return params.bdf2 == PLAIT_BDF2_OF_MODEL;
+    default:
+        return false;
+    }
 }
 
 // Buffers are indexed with 32 bits.
@@ -92,18 +106,19 @@ plait_sim_params default_params() {
     p.vsp_accel_threshold = 1.4f;
     p.max_displacement = 1e6f;
     p.iterations = PLAIT_ITERATIONS_OF_MODEL;
+    p.bdf2 = PLAIT_BDF2_OF_MODEL;
     p.line_density = 5e-6f;
     p.bend_stiffness = 4.7e-9f;
     p.section_ratio = 1;
     p.tip_stiffness = 1;
     p.tip_density = 1;
-    p.drag = 1;
+    p.drag = 2;
     p.wind_form = PLAIT_WIND_FORM_DRAG;
     p.follow_form = PLAIT_FOLLOW_FORM_ROTATING;
     p.wind_cone = 0.7f;
     p.grid_edge_count = 8;
     p.slot_capacity = 1024;
-    p.slot_hash = PLAIT_HASH_PCG;
+    p.slot_hash = PLAIT_SLOT_HASH_RULE_PCG;
     p.diffuse_rule = PLAIT_DIFFUSE_RULE_FLOORED;
     p.diffuse_ratio = 2;
     p.diffuse_factor = 0.9f;
@@ -114,7 +129,7 @@ plait_sim_params default_params() {
 plait_sim_desc default_sim_desc() {
     plait_sim_desc desc{};
     desc.struct_size = sizeof desc;
-    desc.model = PLAIT_MODEL_COSSERAT;
+    desc.model = PLAIT_MODEL_ARTICULATED;
     desc.step = 1.0f / 60;
     desc.substeps = 1;
     desc.max_steps_per_call = 8;
@@ -125,14 +140,13 @@ plait_sim_desc default_sim_desc() {
 
 Status check_params(const plait_sim_params& params) {
     for (const plait_param_info& param : param_table())
-        if (param.offset != offsetof(plait_sim_params, iterations) ||
-            params.iterations != PLAIT_ITERATIONS_OF_MODEL)
+        if (!left_to_model(param, params))
             PLAIT_TRY(check_param(param, params));
     return check_slot_total(params);
 }
 
 Status check_sim_desc(const plait_sim_desc& s) {
-    PLAIT_RANGE_ENUM(model, PLAIT_MODEL_ROD);
+    PLAIT_RANGE_ENUM(model, last_model());
     PLAIT_RANGE(step, 1e-5f, 1);
     PLAIT_RANGE(substeps, 1, 1000);
     PLAIT_RANGE(max_steps_per_call, 1, 1000);
@@ -140,23 +154,21 @@ Status check_sim_desc(const plait_sim_desc& s) {
     PLAIT_RANGE(follows_per_guide, 0, 64);
     PLAIT_RANGE(follow_radius, 0, 1);
     PLAIT_RANGE_ENUM(sag_free, PLAIT_SAG_FREE_STIFFEN);
-    if (s.sag_free != PLAIT_SAG_FREE_OFF && s.model != PLAIT_MODEL_COSSERAT &&
-        s.model != PLAIT_MODEL_ROD)
-        return Error{
-            PLAIT_INVALID_ARGUMENT,
-            format("sag_free is %d: model %d has no bending that could hold a groom's shape, "
-                   "cosserat (%d) and rod (%d) have",
-                   s.sag_free, s.model, PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD)};
+    if (s.sag_free != PLAIT_SAG_FREE_OFF && !traits_of(s.model).bends)
+        return Error{PLAIT_INVALID_ARGUMENT,
+                     format("sag_free is %d: model %d has no bending that could hold a groom's "
+                            "shape, %s have",
+                            s.sag_free, s.model, list_models(&ModelTraits::bends).c_str())};
     return check_params(s.params);
 }
 
 Status check_strand_model(const plait_model& model, size_t strand) {
-    const double low = PLAIT_MODEL_CHAIN, high = PLAIT_MODEL_ROD;
+    const double low = PLAIT_MODEL_CHAIN, high = last_model();
     if (raw(model) >= low && raw(model) <= high)
         return {};
     return Error{PLAIT_INVALID_ARGUMENT,
-                 format("models[%zu] is %g, range is [%g, %g] (chain, cosserat, rod)", strand,
-                        raw(model), low, high)};
+                 format("models[%zu] is %g, range is [%g, %g]: %s", strand, raw(model), low, high,
+                        list_models(&ModelTraits::switches).c_str())};
 }
 
 Status check_strand_stiffness(std::span<const float> scales, size_t guides) {

@@ -50,7 +50,7 @@ size_t StrandMender::RootHash::operator()(const Point& p) const {
 
 Status StrandMender::note(plait_repair kind, size_t strand, const std::string& what) {
     const std::string sentence = format("strand %zu%s", strand, what.c_str());
-    if (rules_.policy == PLAIT_REPAIR_REFUSE)
+    if (rules_.policy == PLAIT_REPAIR_POLICY_REFUSE)
         return Error{PLAIT_BAD_DATA, sentence + " (policy: refuse)"};
     if (repairs_.total() == 0)
         repairs_.first = sentence;

@@ -38,7 +38,7 @@ Status Roots::make_buffers(Device& device) {
     for (Buffer& buffer : made) {
         PLAIT_TRY(
             device.create(buffer, PLAIT_ELEMENT_FLOAT4, size_t{2} * layout_.guides, "root_poses"));
-        PLAIT_TRY(device.write(buffer, identities.data()));
+        PLAIT_TRY(device.upload(buffer, identities.data()));
     }
     for (size_t i = 0; i < made.size(); ++i)
         places()[i]->poses = std::move(made[i]);
@@ -59,7 +59,7 @@ Status Roots::aim(Device& device, const plait_pose& head, std::span<const plait_
     if (at_.poses) {
         std::pmr::vector<PackedPose> packed(layout_.guides, pack(identity_pose), memory_);
         std::transform(own.begin(), own.end(), packed.begin(), pack);
-        PLAIT_TRY(device.write(target_.poses, packed.data()));
+        PLAIT_TRY(device.upload(target_.poses, packed.data()));
     }
     target_.head = head;
     target_.own = !own.empty();

@@ -49,6 +49,7 @@ class Roots {
         bool own = false; // false: the buffer, if there is one, holds identities
         Buffer poses;     // float4 [2*guides]
     };
+    std::array<const Place*, 4> places() const { return {&at_, &target_, &from_, &to_}; }
     std::array<Place*, 4> places() { return {&at_, &target_, &from_, &to_}; }
     Status make_buffers(Device& device);  // with identities; nothing if they are there
     Status clear_buffers(Device& device); // to identities

@@ -1,6 +1,7 @@
 #include "core/sim.hpp"
 
 #include "base/format.hpp"
+#include "core/models/traits.hpp"
 #include "core/params.hpp"
 
 #include <algorithm>
@@ -66,6 +67,8 @@ Result<SimParts> make_sim_parts(Context& context, const Groom& groom, const plai
         return display.error();
     return SimParts{layout,
                     desc,
+                    groom.shape.mean_length,
+                    fingerprint(groom),
                     cube_around(groom),
                     Skin(groom, &context.memory),
                     std::move(*model),
@@ -75,11 +78,11 @@ Result<SimParts> make_sim_parts(Context& context, const Groom& groom, const plai
 }
 
 Sim::Sim(Context& context, SimParts parts)
-    : context_(context), layout_(parts.layout), desc_(parts.desc), cube_(parts.cube),
-      skin_(std::move(parts.skin)), model_(std::move(parts.model)), state_(std::move(parts.state)),
-      grid_(std::move(parts.grid)), display_(std::move(parts.display)),
-      roots_(layout_, &context.memory), colliders_(desc_.substeps, &context.memory),
-      clock_(desc_.step, desc_.max_steps_per_call) {}
+    : context_(context), layout_(parts.layout), desc_(parts.desc), mean_length_(parts.mean_length),
+      groom_(parts.fingerprint), cube_(parts.cube), skin_(std::move(parts.skin)),
+      model_(std::move(parts.model)), state_(std::move(parts.state)), grid_(std::move(parts.grid)),
+      display_(std::move(parts.display)), roots_(layout_, &context.memory),
+      colliders_(desc_.substeps, &context.memory), clock_(desc_.step, desc_.max_steps_per_call) {}
 
 Sim::~Sim() {
     if (context_.measured == this)
@@ -90,7 +93,9 @@ Status Sim::start() {
     PLAIT_TRY(check_stages());
     model_->reset(schedule_, present());
     display_.keep(schedule_, layout_, state_);
-    return refresh();
+    PLAIT_TRY(refresh());
+    log_warnings(default_params(), "");
+    return {};
 }
 
 Status Sim::check_stages() {
@@ -200,6 +205,7 @@ Status Sim::set_params(const plait_sim_params& params) {
         grid = std::move(*made);
     }
     plait_sim_params next = params;
+    const std::string warned = context_.log.callback ? warning() : "";
     const auto exchange = [&] {
         model_->swap();
         std::swap(desc_.params, next);
@@ -210,6 +216,8 @@ Status Sim::set_params(const plait_sim_params& params) {
     Status status = check_stages();
     if (!status)
         exchange();
+    else
+        log_warnings(next, warned);
     return status;
 }
 
@@ -222,8 +230,9 @@ std::pmr::vector<plait_model> Sim::models() const {
 Status Sim::check_models(std::span<const plait_model> models) const {
     if (desc_.model == PLAIT_MODEL_TRESSFX)
         return Error{PLAIT_INVALID_STATE,
-                     "the sim is of model 0 (tressfx); strands of the models 1 (chain), 2 "
-                     "(cosserat) and 3 (rod) can be switched"};
+                     format("the sim is of model 0 (tressfx); strands of the models %s can be "
+                            "switched",
+                            list_models(&ModelTraits::switches).c_str())};
     if (models.size() != layout_.guides)
         return Error{PLAIT_INVALID_ARGUMENT,
                      format("count is %zu, the sim has %u guides", models.size(), layout_.guides)};

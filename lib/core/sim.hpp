@@ -25,6 +25,8 @@ struct RootsInput {
 struct SimParts {
     Layout layout;
     plait_sim_desc desc;
+    double mean_length;   // m, of the strands
+    uint64_t fingerprint; // of the groom's strands
     GridCube cube;
     Skin skin;
     std::unique_ptr<Model> model;
@@ -65,6 +67,10 @@ class Sim {
     Status set_collider_pose(plait_collider_id id, const plait_pose& pose) {
         return colliders_.set_pose(id, pose);
     }
+    Status set_collider_shape(plait_collider_id id, const plait_collider_desc& desc) {
+        return colliders_.set_shape(id, desc);
+    }
+    const Colliders& colliders() const { return colliders_; }
     Status destroy_collider(plait_collider_id id) { return colliders_.destroy(id); }
 
     // fields.cpp
@@ -72,6 +78,9 @@ class Sim {
     Status read(plait_field field, void* dst);
     Status write(plait_field field, const void* src);
     Result<const Buffer*> field_buffer(plait_field field) const; // INVALID_STATE: the field is off
+
+    // describe.cpp
+    plait_sim_info describe() const; // from the host alone
 
     // stats.cpp
     Status stats(plait_sim_stats& out);
@@ -103,21 +112,31 @@ class Sim {
     Result<std::pmr::vector<plait_pose>> own_poses(const RootsInput& input);
     Status check_stages();
     Status check_models(std::span<const plait_model> models) const;
-    uint64_t device_bytes();
+    uint64_t device_bytes() const;
+    uint32_t models_in_use() const; // bits 1u << plait_model
+    std::string warning() const;    // plait_sim_info.warning
+    // To the log: `warning()` unless it is `said`, and what parameters changed from `before` to
+    // what no strand's model reads.
+    void log_warnings(const plait_sim_params& before, const std::string& said) const;
     Status read_velocity(std::span<float> dst);
     Status write_velocity(const float* src);
-    // A run of float4 that a snapshot holds.
+    // A run of floats that a snapshot holds.
     struct Block {
+        enum class Of { vertices, histories, poses, motion, turns }; // what its values may be
         const Buffer* buffer;
         size_t floats;
+        Of of;
         LaneBuffer lanes; // no buffer: saved as it lies
     };
     std::pmr::vector<Block> blocks(bool kept, const std::array<bool, 4>& own_poses);
+    std::pmr::vector<Block> saved_blocks(const SnapshotHeader& header,
+                                         std::span<const plait_model> strands);
     SnapshotHeader snapshot_header();
-    size_t snapshot_bytes(const SnapshotHeader& header);
+    size_t snapshot_bytes(const SnapshotHeader& header) const;
     Status check_fits(const SnapshotHeader& header) const;
     Result<std::pmr::vector<plait_model>> saved_models(const SnapshotHeader& header,
                                                        const unsigned char* from) const;
+    Status check_block(const Block& block, const unsigned char* from) const;
     Status restore_roots(const SnapshotHeader& header);
     Status save_block(const Block& block, unsigned char* out);
     Status restore_block(const Block& block, const unsigned char* from);
@@ -126,6 +145,8 @@ class Sim {
     Context& context_;
     Layout layout_;
     plait_sim_desc desc_;
+    double mean_length_; // m, of the strands
+    uint64_t groom_;     // its fingerprint: snapshots are of one groom
     GridCube cube_;
     Skin skin_;
     std::unique_ptr<Model> model_;

@@ -1,19 +1,25 @@
 // The dynamic state as bytes: header, colliders, the model of every strand where they have been
-// switched, then runs of floats. Little-endian, float32
-// whatever the backend computes in, so that a snapshot of one device restores on another.
+// switched, then runs of floats. Little-endian, float32 whatever the backend computes in, so that a
+// snapshot of one device restores on another. The header has a checksum of all that follows it
+// there, which finds damage, and what a snapshot says is held to its range all the same: bytes that
+// somebody made up with a checksum of their own are refused or harmless, too.
 #include "base/format.hpp"
 #include "base/hash.hpp"
+#include "core/models/traits.hpp"
 #include "core/params.hpp"
 #include "core/sim.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace plait {
 
 struct SnapshotHeader {
     uint32_t magic;
     uint32_t version;
+    uint64_t checksum; // of every byte after it
+    uint64_t groom;    // its fingerprint
     uint32_t model;
     uint32_t guides;
     uint32_t row;
@@ -30,14 +36,18 @@ struct SnapshotHeader {
     uint32_t switched; // 1: strands are of other models than `model`
     uint32_t reserved;
 };
-static_assert(sizeof(SnapshotHeader) == 56 + 112 + 32);
+static_assert(sizeof(SnapshotHeader) == 72 + 112 + 32);
 static_assert(sizeof(Colliders::Slot) == sizeof(float) * (2 + 9 + 28),
               "no padding: slots are saved as bytes");
 
 namespace {
 
 constexpr uint32_t magic = 0x74696c70; // "plit"
-constexpr uint32_t version = 1;
+constexpr uint32_t version = 2;
+
+// Of a position (m) or a velocity (m/s): a head and a groom may be 1e6 m away each.
+constexpr float largest = 4e6f;
+constexpr double unit_error = 1e-2; // of a quaternion's square
 
 Error malformed(const std::string& what) {
     return {PLAIT_BAD_DATA, "snapshot: " + what};
@@ -48,13 +58,30 @@ Status check_pose(const plait_pose& pose, const char* name) {
     return checked ? Status{} : malformed(checked.error().message);
 }
 
-Status check_header(const SnapshotHeader& h) {
+uint64_t checksum_of(std::span<const unsigned char> bytes) {
+    constexpr size_t first = offsetof(SnapshotHeader, checksum) + sizeof(uint64_t);
+    Hash hash;
+    hash.add(bytes.data() + first, bytes.size() - first);
+    return hash.value();
+}
+
+// What can be told before anything in it is believed.
+Status check_whole(const SnapshotHeader& h, std::span<const unsigned char> bytes) {
     if (h.magic != magic)
         return malformed(format("begins with 0x%08x, not 0x%08x", h.magic, magic));
     if (h.version != version)
         return Error{
             PLAIT_UNSUPPORTED,
             format("snapshot: version %u, this library reads version %u", h.version, version)};
+    if (const uint64_t sum = checksum_of(bytes); sum != h.checksum)
+        return malformed(format("its checksum is 0x%016llx, that of its %zu bytes 0x%016llx: it is "
+                                "damaged or cut",
+                                static_cast<unsigned long long>(h.checksum), bytes.size(),
+                                static_cast<unsigned long long>(sum)));
+    return {};
+}
+
+Status check_header(const SnapshotHeader& h) {
     if (!(std::abs(h.waiting) <= 2))
         return malformed(format("%g s wait for a step, range is [-2, 2]", h.waiting));
     for (size_t i = 0; i < 4; ++i) {
@@ -71,8 +98,13 @@ Status check_header(const SnapshotHeader& h) {
 Status check_slot(const Colliders::Slot& slot, size_t index) {
     if (slot.alive > 1)
         return malformed(format("collider %zu: alive is %u, range is [0, 1]", index, slot.alive));
-    if (!slot.alive)
+    if (!slot.alive) {
+        Colliders::Slot gone{};
+        gone.generation = slot.generation;
+        if (std::memcmp(&gone, &slot, sizeof slot) != 0)
+            return malformed(format("collider %zu is gone, but not all of it is zero", index));
         return {};
+    }
     plait_collider_desc desc{};
     std::copy_n(slot.a, 3, desc.a);
     std::copy_n(slot.b, 3, desc.b);
@@ -97,14 +129,28 @@ saved_slots(const SnapshotHeader& h, const unsigned char* from, std::pmr::memory
     return slots;
 }
 
-Status check_finite(const unsigned char* bytes, size_t floats) {
-    for (size_t i = 0; i < floats; ++i) {
-        float value;
-        std::memcpy(&value, bytes + sizeof value * i, sizeof value);
-        if (!std::isfinite(value))
-            return malformed(
-                format("value %zu of its fields is %g, it must be finite", i, double(value)));
-    }
+float float_at(const unsigned char* bytes, size_t index) {
+    float value;
+    std::memcpy(&value, bytes + sizeof value * index, sizeof value);
+    return value;
+}
+
+Error outside(const char* name, size_t index, double value, const char* range) {
+    return malformed(format("%s[%zu] is %g, range is %s", name, index, value, range));
+}
+
+Status check_range(const unsigned char* bytes, size_t index, const char* name) {
+    if (const float value = float_at(bytes, index); !(std::abs(value) <= largest))
+        return outside(name, index, double(value), "[-4e6, 4e6]");
+    return {};
+}
+
+Status check_turn(const unsigned char* bytes, size_t first, const char* name) {
+    double square = 0;
+    for (size_t i = first; i < first + 4; ++i)
+        square += double(float_at(bytes, i)) * double(float_at(bytes, i));
+    if (!(std::abs(square - 1) <= unit_error))
+        return outside(name, first / 4, square, "1 +- 0.01 (square of a quaternion)");
     return {};
 }
 
@@ -118,27 +164,54 @@ std::array<bool, 4> owned(const SnapshotHeader& h) {
 std::pmr::vector<Sim::Block> Sim::blocks(bool kept, const std::array<bool, 4>& own_poses) {
     const size_t vertices = layout_.guide_vertices();
     std::pmr::vector<Block> list(&context_.memory);
-    list.push_back({&state_.position, 4 * vertices, {}});
-    list.push_back({&state_.position_prev, 4 * vertices, {}});
-    list.push_back({&state_.position_prev2, 4 * vertices, {}});
-    list.push_back({&state_.pose, 4 * state_.pose.count(), {}});
+    list.push_back({&state_.position, 4 * vertices, Block::Of::vertices, {}});
+    list.push_back({&state_.position_prev, 4 * vertices, Block::Of::histories, {}});
+    list.push_back({&state_.position_prev2, 4 * vertices, Block::Of::histories, {}});
+    list.push_back({&state_.pose, 4 * state_.pose.count(), Block::Of::poses, {}});
     std::pmr::vector<LaneBuffer> own(&context_.memory);
     model_->add_dynamic(own);
     for (const LaneBuffer& lanes : own)
         list.push_back({lanes.buffer,
-                        size_t{lanes.layout.strands} * lanes.layout.row * lanes.components, lanes});
+                        size_t{lanes.layout.strands} * lanes.layout.row * lanes.components,
+                        lanes.components == 4 ? Block::Of::turns : Block::Of::motion, lanes});
     if (kept)
-        list.push_back({&display_.kept(), 4 * vertices, {}});
+        list.push_back({&display_.kept(), 4 * vertices, Block::Of::histories, {}});
     for (size_t i = 0; i < own_poses.size(); ++i)
         if (own_poses[i])
-            list.push_back({&roots_.places()[i]->poses, size_t{8} * layout_.guides, {}});
+            list.push_back(
+                {&roots_.places()[i]->poses, size_t{8} * layout_.guides, Block::Of::poses, {}});
     return list;
+}
+
+// The blocks of a snapshot whose strands may be of other models than the sim's are now: those of
+// the lanes come model by model; first those that every model has, x, v, q and q before, then
+// BDF2's x and v where the model steps by it.
+std::pmr::vector<Sim::Block> Sim::saved_blocks(const SnapshotHeader& h,
+                                               std::span<const plait_model> strands) {
+    auto list = blocks(h.kept != 0, owned(h));
+    if (std::ranges::equal(strands, models()))
+        return list;
+    const auto is_lane = [](const Block& block) { return block.lanes.buffer != nullptr; };
+    const auto first = std::ranges::find_if(list, is_lane);
+    const auto last = std::find_if_not(first, list.end(), is_lane);
+    std::pmr::vector<Block> saved(list.begin(), first, &context_.memory);
+    for (const ModelTraits& traits : all_models()) {
+        const auto count = static_cast<size_t>(std::ranges::count(strands, traits.model));
+        const std::ptrdiff_t own = bdf2_of(traits, desc_.params) ? 6 : 4;
+        for (std::ptrdiff_t i = 0; count > 0 && i < own; ++i) {
+            saved.push_back(first[i % 4]);
+            saved.back().floats = count * layout_.row * saved.back().lanes.components;
+        }
+    }
+    saved.insert(saved.end(), last, list.end());
+    return saved;
 }
 
 SnapshotHeader Sim::snapshot_header() {
     SnapshotHeader h{};
     h.magic = magic;
     h.version = version;
+    h.groom = groom_;
     h.model = static_cast<uint32_t>(desc_.model);
     h.guides = layout_.guides;
     h.row = layout_.row;
@@ -161,17 +234,18 @@ SnapshotHeader Sim::snapshot_header() {
     return h;
 }
 
-size_t Sim::snapshot_bytes(const SnapshotHeader& h) {
-    size_t bytes = sizeof h + h.colliders * sizeof(Colliders::Slot);
-    if (h.switched)
-        bytes += layout_.guides * sizeof(uint32_t);
-    for (const Block& block : blocks(h.kept != 0, owned(h)))
-        bytes += block.floats * sizeof(float);
-    return bytes;
+// Of all that stands before the blocks.
+size_t Sim::snapshot_bytes(const SnapshotHeader& h) const {
+    const size_t bytes = sizeof h + h.colliders * sizeof(Colliders::Slot);
+    return h.switched ? bytes + layout_.guides * sizeof(uint32_t) : bytes;
 }
 
 size_t Sim::snapshot_size() {
-    return snapshot_bytes(snapshot_header());
+    const SnapshotHeader h = snapshot_header();
+    size_t bytes = snapshot_bytes(h);
+    for (const Block& block : blocks(h.kept != 0, owned(h)))
+        bytes += block.floats * sizeof(float);
+    return bytes;
 }
 
 Status Sim::save(std::span<unsigned char> dst) {
@@ -193,6 +267,8 @@ Status Sim::save(std::span<unsigned char> dst) {
         PLAIT_TRY(save_block(block, out));
         out += block.floats * sizeof(float);
     }
+    const uint64_t checksum = checksum_of(dst);
+    std::memcpy(dst.data() + offsetof(SnapshotHeader, checksum), &checksum, sizeof checksum);
     return {};
 }
 
@@ -206,9 +282,9 @@ Result<std::pmr::vector<plait_model>> Sim::saved_models(const SnapshotHeader& h,
     for (size_t i = 0; i < list.size(); ++i) {
         uint32_t number;
         std::memcpy(&number, from + i * sizeof number, sizeof number);
-        if (number < PLAIT_MODEL_CHAIN || number > PLAIT_MODEL_ROD)
+        if (number < PLAIT_MODEL_CHAIN || number > last_model())
             return malformed(format("the model of strand %zu is %u, range is [%d, %d]", i, number,
-                                    PLAIT_MODEL_CHAIN, PLAIT_MODEL_ROD));
+                                    PLAIT_MODEL_CHAIN, last_model()));
         list[i] = static_cast<plait_model>(number);
     }
     return list;
@@ -220,6 +296,13 @@ Status Sim::check_fits(const SnapshotHeader& h) const {
         return Error{PLAIT_INVALID_ARGUMENT,
                      format("the snapshot is of %u guides of %u vertices, the sim has %u of %u",
                             h.guides, h.row, layout_.guides, layout_.row)};
+    if (h.groom != groom_)
+        return Error{
+            PLAIT_INVALID_ARGUMENT,
+            format("the snapshot is of another groom: its fingerprint is 0x%016llx, that of "
+                   "the sim's 0x%016llx",
+                   static_cast<unsigned long long>(h.groom),
+                   static_cast<unsigned long long>(groom_))};
     if (h.model != static_cast<uint32_t>(desc_.model))
         return Error{PLAIT_INVALID_ARGUMENT,
                      format("the snapshot is of model %u, the sim's is %d", h.model, desc_.model)};
@@ -229,6 +312,27 @@ Status Sim::check_fits(const SnapshotHeader& h) const {
         return Error{PLAIT_INVALID_ARGUMENT,
                      format("the snapshot has steps of %g s in %u substeps, the sim %g s in %u",
                             double(h.step), h.substeps, double(desc_.step), desc_.substeps)};
+    return {};
+}
+
+// What a kernel can take: positions and velocities at hand, turns that are turns, masses as they
+// are.
+Status Sim::check_block(const Block& block, const unsigned char* from) const {
+    const char* name = block.buffer->name();
+    const bool poses = block.of == Block::Of::poses, turns = block.of == Block::Of::turns;
+    for (size_t i = 0; i < block.floats; i += 4) {
+        if (turns || (poses && i % 8 == 0)) {
+            PLAIT_TRY(check_turn(from, i, name));
+            continue;
+        }
+        for (size_t k = i; k < std::min(i + 4, block.floats); ++k)
+            PLAIT_TRY(check_range(from, k, name));
+        const auto vertex = static_cast<uint32_t>(i / 4 % layout_.row);
+        const float mass = vertex < model_->pinned_vertices() ? 0.0f : 1.0f;
+        if (block.of == Block::Of::vertices && float_at(from, i + 3) != mass)
+            return outside(name, i + 3, double(float_at(from, i + 3)),
+                           "the vertex' inverse mass, 0 at what the root holds, else 1");
+    }
     return {};
 }
 
@@ -288,10 +392,12 @@ Status Sim::restore(std::span<const unsigned char> src) {
     if (src.size() < sizeof h)
         return malformed(format("%zu bytes, the header takes %zu", src.size(), sizeof h));
     std::memcpy(&h, src.data(), sizeof h);
+    PLAIT_TRY(check_whole(h, src));
     PLAIT_TRY(check_header(h));
     PLAIT_TRY(check_fits(h));
-    if (src.size() != snapshot_bytes(h))
-        return malformed(format("%zu bytes, its header says %zu", src.size(), snapshot_bytes(h)));
+    if (src.size() < snapshot_bytes(h))
+        return malformed(
+            format("%zu bytes, its header says %zu and more", src.size(), snapshot_bytes(h)));
     const unsigned char* from = src.data() + sizeof h;
     const auto slots = saved_slots(h, from, &context_.memory);
     if (!slots)
@@ -301,7 +407,17 @@ Status Sim::restore(std::span<const unsigned char> src) {
     if (!strand_models)
         return strand_models.error();
     from += h.switched ? layout_.guides * sizeof(uint32_t) : 0;
-    PLAIT_TRY(check_finite(from, static_cast<size_t>(src.data() + src.size() - from) / 4));
+    const auto saved = saved_blocks(h, *strand_models);
+    size_t bytes = snapshot_bytes(h);
+    for (const Block& block : saved)
+        bytes += block.floats * sizeof(float);
+    if (src.size() != bytes)
+        return malformed(format("%zu bytes, its header says %zu", src.size(), bytes));
+    const unsigned char* at = from;
+    for (const Block& block : saved) {
+        PLAIT_TRY(check_block(block, at));
+        at += block.floats * sizeof(float);
+    }
     if (*strand_models != models())
         PLAIT_TRY(set_models(*strand_models));
     const auto list = blocks(h.kept != 0, owned(h));

@@ -58,7 +58,7 @@ Status Sim::stats(plait_sim_stats& out) {
     return {};
 }
 
-uint64_t Sim::device_bytes() {
+uint64_t Sim::device_bytes() const {
     uint64_t bytes = model_->device_bytes() + grid_.device_bytes() + display_.device_bytes() +
                      pose_spare_.bytes() + strand_stats_.bytes() + colliders_.capsules().bytes();
     for (const Buffer* buffer : state_.all())

@@ -9,6 +9,10 @@
 
 #if defined(__unix__) || defined(__APPLE__)
 #include <unistd.h>
+#elif defined(_WIN32)
+#include <fcntl.h>
+#include <io.h>
+#include <sys/stat.h>
 #endif
 
 namespace plait {
@@ -33,6 +37,8 @@ bool flush_to_disk(std::FILE* file) {
         return false;
 #if defined(__unix__) || defined(__APPLE__)
     return fsync(fileno(file)) == 0;
+#elif defined(_WIN32)
+    return _commit(_fileno(file)) == 0;
 #else
     return true;
 #endif
@@ -47,6 +53,17 @@ Status write_and_close(const std::string& path, std::FILE* opened,
     if (std::fclose(file.release()) != 0)
         return failure(path, "cannot write", errno);
     return {};
+}
+
+// A new file; an error where there is one of that name.
+std::FILE* open_new(const std::string& path) {
+#ifdef _WIN32 // whose older C library knows no mode "x"
+    const int made =
+        _open(path.c_str(), _O_CREAT | _O_EXCL | _O_BINARY | _O_WRONLY, _S_IREAD | _S_IWRITE);
+    return made < 0 ? nullptr : _fdopen(made, "wb");
+#else
+    return std::fopen(path.c_str(), "wbx");
+#endif
 }
 
 // A name in the same directory, hence on the same disk, that no other writer has.
@@ -89,7 +106,7 @@ Result<ByteVector> read_file(const std::string& path, std::pmr::memory_resource*
 
 Status write_file(const std::string& path, std::span<const std::byte> bytes) {
     const std::string temporary = temporary_name(path);
-    std::FILE* file = std::fopen(temporary.c_str(), "wbx");
+    std::FILE* file = open_new(temporary);
     if (!file)
         return failure(path, "cannot make a file beside it", errno);
     Status status = write_and_close(path, file, bytes);

@@ -23,7 +23,8 @@ double tilt_on_a_moving_head(const plait_sim_desc& desc) {
 class Air : public testing::TestWithParam<plait_model> {};
 
 INSTANTIATE_TEST_SUITE_P(Models, Air,
-                         testing::Values(PLAIT_MODEL_CHAIN, PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD));
+                         testing::Values(PLAIT_MODEL_CHAIN, PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD,
+                                         PLAIT_MODEL_ARTICULATED));
 
 TEST_P(Air, with_the_head_leaves_hair_hanging) {
     plait_sim_desc desc = plait_sim_desc_defaults();

@@ -137,9 +137,13 @@ TEST(Arguments, NullPointers) {
         {"groom is NULL", [](O&) { return plait_groom_describe(nullptr, nullptr); }},
         {"out is NULL", [](O& o) { return plait_groom_describe(o.groom, nullptr); }},
         {"groom is NULL",
-         [](O& o) { return plait_groom_read(nullptr, PLAIT_GROOM_POSITIONS, nullptr, &o.size); }},
+         [](O& o) {
+             return plait_groom_read(nullptr, PLAIT_GROOM_FIELD_POSITIONS, nullptr, &o.size);
+         }},
         {"size is NULL",
-         [](O& o) { return plait_groom_read(o.groom, PLAIT_GROOM_POSITIONS, nullptr, nullptr); }},
+         [](O& o) {
+             return plait_groom_read(o.groom, PLAIT_GROOM_FIELD_POSITIONS, nullptr, nullptr);
+         }},
         {"context is NULL",
          [](O& o) { return plait_sim_create(nullptr, o.groom, nullptr, &o.no_sim); }},
         {"groom is NULL",
@@ -165,10 +169,12 @@ TEST(Arguments, NullPointers) {
          [](O& o) { return plait_sim_write(nullptr, PLAIT_FIELD_POSITION, o.floats.data(), 4); }},
         {"src is NULL",
          [](O& o) { return plait_sim_write(o.sim, PLAIT_FIELD_POSITION, nullptr, 128); }},
-        {"sim is NULL", [](O&) { return plait_sim_stats_get(nullptr, nullptr); }},
-        {"out is NULL", [](O& o) { return plait_sim_stats_get(o.sim, nullptr); }},
-        {"sim is NULL", [](O& o) { return plait_sim_stage_times(nullptr, nullptr, &o.size, 0); }},
-        {"count is NULL", [](O& o) { return plait_sim_stage_times(o.sim, nullptr, nullptr, 0); }},
+        {"sim is NULL", [](O&) { return plait_sim_get_stats(nullptr, nullptr); }},
+        {"out is NULL", [](O& o) { return plait_sim_get_stats(o.sim, nullptr); }},
+        {"sim is NULL",
+         [](O& o) { return plait_sim_get_stage_times(nullptr, nullptr, &o.size, 0); }},
+        {"count is NULL",
+         [](O& o) { return plait_sim_get_stage_times(o.sim, nullptr, nullptr, 0); }},
         {"sim is NULL", [](O& o) { return plait_sim_save(nullptr, nullptr, &o.size); }},
         {"size is NULL", [](O& o) { return plait_sim_save(o.sim, nullptr, nullptr); }},
         {"sim is NULL", [](O& o) { return plait_sim_restore(nullptr, o.floats.data(), 4); }},
@@ -180,6 +186,14 @@ TEST(Arguments, NullPointers) {
         {"sim is NULL", [&](O&) { return plait_collider_set_pose(nullptr, {1}, &pose); }},
         {"pose is NULL", [](O& o) { return plait_collider_set_pose(o.sim, {1}, nullptr); }},
         {"sim is NULL", [](O&) { return plait_collider_destroy(nullptr, {1}); }},
+        {"sim is NULL", [&](O&) { return plait_collider_set_shape(nullptr, {1}, &collider); }},
+        {"desc is NULL", [](O& o) { return plait_collider_set_shape(o.sim, {1}, nullptr); }},
+        {"sim is NULL", [](O&) { return plait_collider_describe(nullptr, {1}, nullptr); }},
+        {"out is NULL", [](O& o) { return plait_collider_describe(o.sim, {1}, nullptr); }},
+        {"sim is NULL", [](O& o) { return plait_colliders_list(nullptr, nullptr, &o.size); }},
+        {"count is NULL", [](O& o) { return plait_colliders_list(o.sim, nullptr, nullptr); }},
+        {"sim is NULL", [](O&) { return plait_sim_describe(nullptr, nullptr); }},
+        {"out is NULL", [](O& o) { return plait_sim_describe(o.sim, nullptr); }},
         {"count is NULL", [](O&) { return plait_params_list(nullptr, nullptr); }},
         {"params is NULL", [&](O&) { return plait_sim_params_set_fibre(nullptr, &fibre); }},
         {"fibre is NULL",
@@ -212,16 +226,16 @@ TEST(Arguments, NullPointersOfInterop) {
         {"sim is NULL",
          [](O&) {
              cl_mem memory = nullptr;
-             return plait_opencl_sim_field(nullptr, PLAIT_FIELD_POSITION, &memory);
+             return plait_opencl_sim_get_field(nullptr, PLAIT_FIELD_POSITION, &memory);
          }},
         {"out is NULL",
-         [](O& o) { return plait_opencl_sim_field(o.sim, PLAIT_FIELD_POSITION, nullptr); }},
+         [](O& o) { return plait_opencl_sim_get_field(o.sim, PLAIT_FIELD_POSITION, nullptr); }},
         {"context is NULL",
          [](O&) {
              cl_command_queue queue = nullptr;
-             return plait_opencl_context_queue(nullptr, &queue);
+             return plait_opencl_context_get_queue(nullptr, &queue);
          }},
-        {"out is NULL", [](O& o) { return plait_opencl_context_queue(o.context, nullptr); }},
+        {"out is NULL", [](O& o) { return plait_opencl_context_get_queue(o.context, nullptr); }},
     });
     EXPECT_EQ(refused, declared("plait_opencl.h")) << "a function has no row above";
 }
@@ -377,8 +391,8 @@ TEST(Arguments, TheRest) {
         {"dt is nan, range is [0, 10]", [](O& o) { return plait_sim_step(o.sim, NAN); }},
         {"dt is -1", [](O& o) { return plait_sim_step(o.sim, -1); }},
         {"dt is 11", [](O& o) { return plait_sim_step(o.sim, 11); }},
-        {"field is 8",
-         [](O& o) { return plait_sim_read(o.sim, PLAIT_FIELD_COUNT_, nullptr, &o.size); }},
+        {"field is 9",
+         [](O& o) { return plait_sim_read(o.sim, PLAIT_FIELD_COUNT, nullptr, &o.size); }},
         {"interhair is off",
          [](O& o) { return plait_sim_read(o.sim, PLAIT_FIELD_GRID_DENSITY, nullptr, &o.size); },
          PLAIT_INVALID_STATE},
@@ -395,7 +409,7 @@ TEST(Arguments, TheRest) {
         {"*size is 4 bytes",
          [](O& o) {
              size_t size = 4;
-             return plait_groom_read(o.groom, PLAIT_GROOM_POSITIONS, o.floats.data(), &size);
+             return plait_groom_read(o.groom, PLAIT_GROOM_FIELD_POSITIONS, o.floats.data(), &size);
          }},
         {"field is 7",
          [](O& o) {
@@ -413,6 +427,12 @@ TEST(Arguments, TheRest) {
         collider("friction", [](C& c) { c.friction = 11; }),
         collider("a[1]", [](C& c) { c.a[1] = NAN; }),
         collider("desc->pose: quaternion", [](C& c) { c.pose.q[0] = 1; }),
+        {"radius_a is 0, range is (0, 1000]",
+         [](O& o) {
+             auto desc = plait_collider_desc_defaults();
+             desc.radius_a = 0;
+             return plait_collider_set_shape(o.sim, {1}, &desc);
+         }},
         {"profile is 2",
          [](O& o) {
              auto desc = plait_context_desc_defaults();
@@ -442,7 +462,7 @@ TEST(Structs, ASizeThatWasNeverSetIsRefused) {
     params.struct_size = 0;
     EXPECT_EQ(plait_sim_set_params(o.sim, &params), PLAIT_INVALID_ARGUMENT);
     plait_sim_stats stats{};
-    EXPECT_EQ(plait_sim_stats_get(o.sim, &stats), PLAIT_INVALID_ARGUMENT);
+    EXPECT_EQ(plait_sim_get_stats(o.sim, &stats), PLAIT_INVALID_ARGUMENT);
     EXPECT_NE(std::string(plait_last_error()).find("struct_size"), std::string::npos);
 }
 
@@ -457,6 +477,38 @@ TEST(Structs, AShorterStructKeepsTheDefaultsOfTheRest) {
     EXPECT_EQ(now.gravity[1], -1);
     EXPECT_EQ(now.damping, plait_sim_params_defaults().damping);
     EXPECT_EQ(now.slot_capacity, 1024u);
+}
+
+TEST(Structs, ASizeBeyondThatOfAnyStructIsRefusedUnread) {
+    Objects o;
+    plait_sim_params params = plait_sim_params_defaults();
+    params.struct_size = 0xcccccccc; // memory that nobody wrote
+    EXPECT_EQ(plait_sim_set_params(o.sim, &params), PLAIT_INVALID_ARGUMENT);
+    EXPECT_NE(std::string(plait_last_error()).find("3435973836, range is [4, 4096]"),
+              std::string::npos)
+        << plait_last_error();
+    auto info = plait_sim_info_defaults();
+    info.struct_size = PLAIT_STRUCT_SIZE_MAX + 8;
+    EXPECT_EQ(plait_sim_describe(o.sim, &info), PLAIT_INVALID_ARGUMENT);
+}
+
+struct LongerInfo {
+    plait_param_info known;
+    uint64_t unknown;
+};
+
+TEST(Structs, ElementsOfAListLieAsFarApartAsTheirSizeSays) {
+    std::vector<LongerInfo> list(3);
+    for (LongerInfo& info : list) {
+        plait_param_info_init(&info.known, sizeof info);
+        info.unknown = 77;
+    }
+    size_t count = list.size();
+    ASSERT_EQ(plait_params_list(&list[0].known, &count), PLAIT_OK) << plait_last_error();
+    EXPECT_STREQ(list[0].known.name, "gravity");
+    EXPECT_STREQ(list[2].known.name, "local_stiffness");
+    EXPECT_EQ(list[1].unknown, 77u);
+    EXPECT_EQ(list[1].known.struct_size, sizeof(LongerInfo));
 }
 
 struct Longer {
@@ -483,7 +535,7 @@ TEST(Structs, OutputsAreWrittenNoFurtherThanTheirSize) {
     plait_sim_stats stats;
     std::memset(&stats, 0x55, sizeof stats);
     stats.struct_size = offsetof(plait_sim_stats, strands);
-    ASSERT_EQ(plait_sim_stats_get(o.sim, &stats), PLAIT_OK);
+    ASSERT_EQ(plait_sim_get_stats(o.sim, &stats), PLAIT_OK);
     EXPECT_EQ(stats.guides, 2u);
     EXPECT_EQ(stats.strands, 0x5555555555555555u);
     EXPECT_EQ(stats.struct_size, offsetof(plait_sim_stats, strands));
@@ -494,7 +546,7 @@ TEST(Structs, SizesAreQueriedWithoutADestination) {
     size_t size = 0;
     EXPECT_EQ(plait_sim_read(o.sim, PLAIT_FIELD_TANGENT, nullptr, &size), PLAIT_OK);
     EXPECT_EQ(size, 2u * 4 * 16);
-    EXPECT_EQ(plait_groom_read(o.groom, PLAIT_GROOM_THICKNESS, nullptr, &size), PLAIT_OK);
+    EXPECT_EQ(plait_groom_read(o.groom, PLAIT_GROOM_FIELD_THICKNESS, nullptr, &size), PLAIT_OK);
     EXPECT_EQ(size, 0u);
     EXPECT_EQ(plait_sim_save(o.sim, nullptr, &size), PLAIT_OK);
     EXPECT_EQ(size, o.sim.save().size());

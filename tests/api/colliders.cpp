@@ -44,6 +44,72 @@ TEST_P(Colliders, IdsAreGenerational) {
     EXPECT_EQ(plait_collider_destroy(sim, second), PLAIT_OK);
 }
 
+TEST_P(Colliders, AreListedAndReadBack) {
+    plait::Sim sim(context, make_groom(tuft(1, 4)));
+    EXPECT_TRUE(sim.colliders().empty());
+    auto desc = plait_collider_desc_defaults();
+    std::vector<plait_collider_id> made;
+    for (int i = 0; i < 3; ++i) {
+        desc.radius_a = 0.1f + 0.01f * static_cast<float>(i);
+        desc.b[1] = 0.2f;
+        desc.friction = 0.25f;
+        desc.pose.t[2] = static_cast<float>(i);
+        made.push_back(sim.create_collider(desc));
+    }
+    sim.destroy_collider(made[1]);
+    const auto ids = sim.colliders();
+    ASSERT_EQ(ids.size(), 2u);
+    EXPECT_EQ(ids[0].value, made[0].value);
+    EXPECT_EQ(ids[1].value, made[2].value);
+    const auto back = sim.describe_collider(ids[1]);
+    EXPECT_EQ(back.struct_size, sizeof back);
+    EXPECT_EQ(back.radius_a, desc.radius_a);
+    EXPECT_EQ(back.b[1], 0.2f);
+    EXPECT_EQ(back.friction, 0.25f);
+    EXPECT_EQ(back.pose.t[2], 2);
+    desc.pose.t[2] = 5;
+    sim.set_collider_pose(ids[1], desc.pose);
+    EXPECT_EQ(sim.describe_collider(ids[1]).pose.t[2], 5) << "at the end of the next step";
+    plait_collider_id one{};
+    size_t count = 1;
+    ASSERT_EQ(plait_colliders_list(sim, &one, &count), PLAIT_OK);
+    EXPECT_EQ(count, 1u);
+    EXPECT_EQ(one.value, made[0].value);
+    auto out = plait_collider_desc_defaults();
+    EXPECT_EQ(plait_collider_describe(sim, made[1], &out), PLAIT_NOT_FOUND);
+    EXPECT_EQ(plait_collider_set_shape(sim, made[1], &desc), PLAIT_NOT_FOUND);
+}
+
+TEST_P(Colliders, ANewShapeIsThatOfAColliderMadeSo) {
+    const auto groom = make_groom(tuft(3, 8));
+    plait::Sim changed(context, groom), made(context, groom);
+    auto desc = plait_collider_desc_defaults();
+    desc.radius_a = desc.radius_b = 0.01f;
+    desc.pose.t[0] = 0.08f;
+    desc.pose.t[1] = -0.08f;
+    const auto id = changed.create_collider(desc);
+    desc.b[0] = 0.1f;
+    desc.radius_a = 0.07f;
+    desc.radius_b = 0.05f;
+    desc.friction = 0.5f;
+    auto elsewhere = desc; // its pose is not used
+    elsewhere.pose.t[0] = 9;
+    changed.set_collider_shape(id, elsewhere);
+    made.create_collider(desc);
+    run(changed, 12);
+    run(made, 12);
+    EXPECT_EQ(changed.read(PLAIT_FIELD_POSITION), made.read(PLAIT_FIELD_POSITION));
+    plait::Sim without(context, groom);
+    run(without, 12);
+    EXPECT_NE(changed.read(PLAIT_FIELD_POSITION), without.read(PLAIT_FIELD_POSITION));
+    // and while it runs: out of the way
+    desc.radius_a = desc.radius_b = 1e-3f;
+    changed.set_collider_shape(id, desc);
+    changed.step(frame);
+    made.step(frame);
+    EXPECT_NE(changed.read(PLAIT_FIELD_POSITION), made.read(PLAIT_FIELD_POSITION));
+}
+
 TEST_P(Colliders, ADestroyedColliderIsGone) {
     const auto groom = make_groom(tuft(2, 8));
     plait::Sim with(context, groom);

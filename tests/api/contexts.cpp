@@ -44,6 +44,34 @@ TEST(Contexts, DevicesAreFoundByPartOfTheirNameInAnyCase) {
     EXPECT_STREQ(plait::Context(desc).describe().backend, "reference");
 }
 
+// What opens for `words`, as "backend: platform".
+std::string opened_for(const char* words) {
+    auto desc = plait_context_desc_defaults();
+    desc.device = words;
+    plait_context* context = nullptr;
+    if (plait_context_create(&desc, &context) != PLAIT_OK)
+        return plait_last_error();
+    auto info = plait_device_info_defaults();
+    plait_context_describe(context, &info);
+    plait_context_destroy(context);
+    return std::string(info.backend) + ": " + info.platform;
+}
+
+// PoCL's devices are "pthread-..." or "cpu-...", and its platform has its long name.
+TEST(Contexts, DevicesAreFoundByWordsOfTheirPlatformAndByType) {
+    bool pocl = false, cpu = false;
+    for (const auto& info : plait::devices()) {
+        pocl |= std::strcmp(info.platform, "Portable Computing Language") == 0;
+        cpu |= info.type == PLAIT_DEVICE_TYPE_CPU;
+    }
+    ASSERT_TRUE(cpu) << "the reference is one";
+    EXPECT_EQ(opened_for("CPU").find("no device"), std::string::npos) << opened_for("CPU");
+    EXPECT_NE(opened_for("cpus").find("no device"), std::string::npos) << opened_for("cpus");
+    if (!pocl)
+        GTEST_SKIP() << "no PoCL here";
+    EXPECT_EQ(opened_for("pocl"), "opencl: Portable Computing Language");
+}
+
 TEST(Contexts, TheLogSaysWhichDeviceWasOpenedAndWhyOthersWereNot) {
     std::string log;
     auto desc = plait_context_desc_defaults();
@@ -58,6 +86,41 @@ TEST(Contexts, TheLogSaysWhichDeviceWasOpenedAndWhyOthersWereNot) {
         log.find("passed over: backend \"faulty\" was asked for", log.find("reference: "));
     ASSERT_NE(passed, std::string::npos) << log;
     EXPECT_GT(log.find("opened", log.find("faulty: ")), passed) << log;
+}
+
+TEST(Contexts, OneLivesUntilItsLastSimIsGone) {
+    Faults& faults = faulty();
+    const int devices = faults.live_devices;
+    auto context = std::make_unique<plait::Context>(make_context("faulty"));
+    const auto groom = make_groom(tuft(2, 5));
+    auto first = std::make_unique<plait::Sim>(*context, groom);
+    auto second = std::make_unique<plait::Sim>(*context, groom);
+    plait::Sim alone(make_context("faulty"), groom); // whose context goes at once
+    context.reset();
+    EXPECT_EQ(faults.live_devices, devices + 2);
+    run(*first, 3);
+    run(alone, 3);
+    EXPECT_EQ(first->hash(), alone.hash());
+    first.reset();
+    run(*second, 3);
+    EXPECT_EQ(second->hash(), alone.hash());
+    EXPECT_EQ(faults.live_devices, devices + 2);
+    second.reset();
+    EXPECT_EQ(faults.live_devices, devices + 1);
+}
+
+TEST(Contexts, AFailedSimLeavesItsContextToItsOwner) {
+    Faults& faults = faulty();
+    const int devices = faults.live_devices;
+    {
+        const auto context = make_context("faulty");
+        plait_sim* sim = nullptr;
+        faults.lose_after = 0;
+        EXPECT_EQ(plait_sim_create(context, make_groom(tuft(1, 3)), nullptr, &sim),
+                  PLAIT_DEVICE_LOST);
+        EXPECT_EQ(faults.live_devices, devices + 1);
+    }
+    EXPECT_EQ(faults.live_devices, devices);
 }
 
 class SideBySide : public OnBackend {};

@@ -106,8 +106,8 @@ TEST(Faults, ContainersOfASimAreInTheCallersMemory) {
     const auto groom = make_groom(tuft(3, 5));
     std::pmr::memory_resource* const usual =
         std::pmr::set_default_resource(std::pmr::null_memory_resource());
-    for (const plait_model model :
-         {PLAIT_MODEL_TRESSFX, PLAIT_MODEL_CHAIN, PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD}) {
+    for (const plait_model model : {PLAIT_MODEL_TRESSFX, PLAIT_MODEL_CHAIN, PLAIT_MODEL_COSSERAT,
+                                    PLAIT_MODEL_ROD, PLAIT_MODEL_ARTICULATED}) {
         SCOPED_TRACE(model);
         auto desc = plait_sim_desc_defaults();
         desc.model = model;
@@ -118,7 +118,7 @@ TEST(Faults, ContainersOfASimAreInTheCallersMemory) {
             sim.create_collider(plait_collider_desc_defaults());
             run(sim, 2);
             if (model != PLAIT_MODEL_TRESSFX)
-                sim.set_models({PLAIT_MODEL_CHAIN, PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD});
+                sim.set_models({PLAIT_MODEL_ARTICULATED, PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD});
             run(sim, 2);
             sim.restore(sim.save());
         });

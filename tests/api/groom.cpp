@@ -20,7 +20,7 @@ TEST(Groom, KeepsWhatNeedsNoMending) {
     EXPECT_EQ(info.max_vertices, 6u);
     EXPECT_EQ(info.repairs_total, 0u);
     EXPECT_STREQ(info.first_repair, "");
-    EXPECT_EQ(groom.read<float>(PLAIT_GROOM_POSITIONS), GroomArrays(strands).positions);
+    EXPECT_EQ(groom.read<float>(PLAIT_GROOM_FIELD_POSITIONS), GroomArrays(strands).positions);
 }
 
 TEST(Groom, MeasuresBoundsAndLengths) {
@@ -68,7 +68,7 @@ TEST(Groom, MovesVerticesOffZeroSegmentsAlongTheStrand) {
         const auto groom = make_groom(strands);
         const auto info = groom.describe();
         EXPECT_EQ(info.repairs[PLAIT_REPAIR_ZERO_SEGMENT], 1u);
-        const auto mended = groom.read<float>(PLAIT_GROOM_POSITIONS);
+        const auto mended = groom.read<float>(PLAIT_GROOM_FIELD_POSITIONS);
         EXPECT_GT(shortest(mended), 0.9e-3f * info.mean_length / 5);
         EXPECT_LT(largest_difference(mended, GroomArrays(strands).positions),
                   1.1e-3f * info.mean_length / 5);
@@ -100,7 +100,7 @@ TEST(Groom, ResamplesLongStrandsTo256) {
     EXPECT_EQ(info.max_vertices, 256u);
     EXPECT_EQ(info.repairs[PLAIT_REPAIR_TOO_LONG], 1u);
     EXPECT_EQ(info.repairs_total, 1u);
-    const auto p = groom.read<float>(PLAIT_GROOM_POSITIONS);
+    const auto p = groom.read<float>(PLAIT_GROOM_FIELD_POSITIONS);
     for (size_t i = 0; i < 256; ++i)
         EXPECT_NEAR(p[3 * i], 0.002 * static_cast<double>(i), 1e-6);
 }
@@ -111,13 +111,13 @@ TEST(Groom, ResamplesByArcLengthOnRequest) {
     options.resample = 5;
     const plait::Groom groom(arrays.desc(), options);
     const std::vector<float> expected = {0, 0, 0, 1, 0, 0, 2, 0, 0, 3, 0, 0, 4, 0, 0};
-    EXPECT_EQ(groom.read<float>(PLAIT_GROOM_POSITIONS), expected);
+    EXPECT_EQ(groom.read<float>(PLAIT_GROOM_FIELD_POSITIONS), expected);
     EXPECT_EQ(groom.describe().repairs_total, 0u);
 }
 
 TEST(Groom, RefusesInsteadOfMendingWhenAsked) {
     auto options = plait_import_options_defaults();
-    options.policy = PLAIT_REPAIR_REFUSE;
+    options.policy = PLAIT_REPAIR_POLICY_REFUSE;
     Strands strands = tuft(2, 5);
     strands[1][3] = strands[1][2];
     plait_groom* groom = nullptr;

@@ -8,7 +8,7 @@ plait_sim_desc thesis_desc() {
     auto desc = tressfx_desc();
     desc.params.gravity[1] = 0; // the hair stays where the grid is
     desc.params.interhair = PLAIT_INTERHAIR_SLOTS;
-    desc.params.slot_hash = PLAIT_HASH_THESIS;
+    desc.params.slot_hash = PLAIT_SLOT_HASH_RULE_THESIS;
     desc.params.diffuse_rule = PLAIT_DIFFUSE_RULE_THESIS;
     desc.params.slot_capacity = 16; // so few that vertices compete for them
     return desc;
@@ -74,7 +74,7 @@ TEST(ThesisStepOnReference, repeats_and_is_neither_the_other_hash_nor_the_other_
     plait_sim_desc desc = thesis_desc();
     const uint64_t hash = swung(context, desc).hash();
     EXPECT_EQ(swung(context, desc).hash(), hash);
-    desc.params.slot_hash = PLAIT_HASH_PCG;
+    desc.params.slot_hash = PLAIT_SLOT_HASH_RULE_PCG;
     EXPECT_NE(swung(context, desc).hash(), hash);
     desc = thesis_desc();
     desc.params.diffuse_rule = PLAIT_DIFFUSE_RULE_FLOORED;

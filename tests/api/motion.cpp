@@ -225,7 +225,7 @@ TEST_P(Motion, ShockBeforeGlobalTakesTheGlobalConstraintOutOfIntegration) {
     desc.params.global_stiffness = 0.2f;
     desc.params.global_range = 1;
     plait::Sim published(context, make_groom(tuft(2, 6)), desc);
-    desc.params.order = PLAIT_ORDER_SHOCK_BEFORE_GLOBAL;
+    desc.params.order = PLAIT_STAGE_ORDER_SHOCK_BEFORE_GLOBAL;
     plait::Sim ours(context, make_groom(tuft(2, 6)), desc);
     const auto has_global = [](const std::vector<std::string>& stages) {
         return std::find(stages.begin(), stages.end(), "global_shape") != stages.end();

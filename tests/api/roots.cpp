@@ -94,8 +94,8 @@ TEST_P(Roots, BonesBlendToTheClosestRotation) {
 }
 
 TEST_P(Roots, SeveralStepsInOneCallSpreadTheMotion) {
-    for (const plait_model model :
-         {PLAIT_MODEL_TRESSFX, PLAIT_MODEL_CHAIN, PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD}) {
+    for (const plait_model model : {PLAIT_MODEL_TRESSFX, PLAIT_MODEL_CHAIN, PLAIT_MODEL_COSSERAT,
+                                    PLAIT_MODEL_ROD, PLAIT_MODEL_ARTICULATED}) {
         auto desc = plait_sim_desc_defaults();
         desc.model = model;
         desc.substeps = 2;

@@ -1,7 +1,8 @@
 // Reading, writing, saving and restoring.
 #include "support.hpp"
 
-#include <cstring>
+#include <algorithm>
+#include <random>
 
 namespace {
 
@@ -50,22 +51,87 @@ TEST_P(State, RestoredStateHasTheSameHashAndTheSameFuture) {
               GetParam() == "opencl" ? 1e-30f : 1e-4f);
 }
 
-TEST_P(State, DamagedSnapshotsAreRefusedAndChangeNothing) {
+// Refused with a sentence, and nothing has changed.
+void expect_refused(plait::Sim& sim, const std::vector<unsigned char>& bytes,
+                    const std::string& what) {
+    const plait_result result = plait_sim_restore(sim, bytes.data(), bytes.size());
+    EXPECT_TRUE(result == PLAIT_BAD_DATA || result == PLAIT_UNSUPPORTED) << what << ": " << result;
+    EXPECT_EQ(std::string(plait_last_error()).rfind("plait_sim_restore: snapshot: ", 0), 0u)
+        << what << ": " << plait_last_error();
+}
+
+TEST_P(State, ASnapshotWithAnyByteDamagedIsRefused) {
     plait::Sim sim(context, make_groom(tuft(6, 7)), busy());
     stir(sim);
     const auto saved = sim.save();
     const uint64_t hash = sim.hash();
-    for (size_t size : {size_t{0}, size_t{3}, size_t{100}, saved.size() - 1})
-        EXPECT_EQ(plait_sim_restore(sim, saved.data(), size), PLAIT_BAD_DATA) << size;
-    for (size_t at = 0; at + 4 <= saved.size(); at += 4) { // a NaN in any place
-        auto damaged = saved;
-        std::memset(damaged.data() + at, 0xff, 4);
-        const plait_result result = plait_sim_restore(sim, damaged.data(), damaged.size());
-        if (result == PLAIT_OK) // counters and ids take any value
-            sim.restore(saved);
-    }
+    for (size_t at = 0; at < saved.size(); ++at)
+        for (const unsigned flip : {0x01u, 0x80u, 0xffu}) {
+            auto damaged = saved;
+            damaged[at] = static_cast<unsigned char>(damaged[at] ^ flip);
+            expect_refused(sim, damaged, "byte " + std::to_string(at));
+        }
     EXPECT_EQ(sim.hash(), hash);
     EXPECT_EQ(sim.stats().nonfinite, 0u);
+    sim.restore(saved);
+    EXPECT_EQ(sim.hash(), hash);
+}
+
+TEST_P(State, ASnapshotDamagedAnyHowIsRefused) {
+    plait::Sim sim(context, make_groom(tuft(6, 7)), busy());
+    stir(sim);
+    const auto saved = sim.save();
+    const uint64_t hash = sim.hash();
+    std::mt19937 random(7);
+    const auto below = [&](size_t end) { return random() % end; };
+    for (int i = 0; i < 5000; ++i) {
+        auto damaged = saved;
+        const size_t at = below(saved.size()), other = below(saved.size());
+        const size_t length = std::min(1 + below(64), saved.size() - std::max(at, other));
+        switch (i % 5) {
+        case 0: // cut
+            damaged.resize(at);
+            break;
+        case 1: // longer
+            damaged.insert(damaged.begin() + static_cast<long>(at), length, 0);
+            break;
+        case 2: // a run of it elsewhere
+            std::copy_n(saved.begin() + static_cast<long>(other), length,
+                        damaged.begin() + static_cast<long>(at));
+            break;
+        case 3: // a run of anything
+            for (size_t k = at; k < at + length; ++k)
+                damaged[k] = static_cast<unsigned char>(random());
+            break;
+        default: // two values exchanged
+            std::swap_ranges(damaged.begin() + static_cast<long>(at / 4 * 4),
+                             damaged.begin() + static_cast<long>(at / 4 * 4 + 4),
+                             damaged.begin() + static_cast<long>(other / 4 * 4));
+        }
+        if (damaged != saved)
+            expect_refused(sim, damaged, "round " + std::to_string(i));
+    }
+    EXPECT_EQ(sim.hash(), hash);
+}
+
+TEST_P(State, ASnapshotSaysWhatIsWrongWithIt) {
+    plait::Sim sim(context, make_groom(tuft(2, 4)));
+    const auto saved = sim.save();
+    const auto said = [&](std::vector<unsigned char> bytes, const char* part) {
+        EXPECT_NE(plait_sim_restore(sim, bytes.data(), bytes.size()), PLAIT_OK);
+        EXPECT_NE(std::string(plait_last_error()).find(part), std::string::npos)
+            << plait_last_error();
+    };
+    said({1, 2, 3}, "3 bytes, the header takes");
+    auto bytes = saved;
+    bytes[0] = 'x';
+    said(bytes, "begins with");
+    bytes = saved;
+    bytes[4] = 1;
+    said(bytes, "version 1, this library reads version 2");
+    bytes = saved;
+    bytes.back() ^= 1;
+    said(bytes, "damaged or cut");
 }
 
 TEST_P(State, SnapshotsOfAnotherGroomAreRefusedByName) {
@@ -76,6 +142,36 @@ TEST_P(State, SnapshotsOfAnotherGroomAreRefusedByName) {
     const std::string text = plait_last_error();
     EXPECT_NE(text.find("6 guides of 7"), std::string::npos) << text;
     EXPECT_NE(text.find("5 of 7"), std::string::npos) << text;
+}
+
+TEST_P(State, SnapshotsOfAnotherGroomOfAsManyStrandsAreRefused) {
+    Strands strands = tuft(6, 7);
+    plait::Sim one(context, make_groom(strands));
+    strands[4][6][2] += 0.001f;
+    plait::Sim other(context, make_groom(strands));
+    const auto saved = one.save();
+    const uint64_t hash = other.hash();
+    EXPECT_EQ(plait_sim_restore(other, saved.data(), saved.size()), PLAIT_INVALID_ARGUMENT);
+    EXPECT_NE(std::string(plait_last_error()).find("another groom"), std::string::npos)
+        << plait_last_error();
+    EXPECT_EQ(other.hash(), hash);
+}
+
+TEST_P(State, SnapshotsWithStrandsOfOtherModelsRestore) {
+    Strands strands = tuft(6, 7);
+    strands[2].resize(3);
+    const auto groom = make_groom(strands);
+    plait::Sim a(context, groom), b(context, groom);
+    run(a, 3);
+    a.set_models({PLAIT_MODEL_ROD, PLAIT_MODEL_CHAIN, PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD,
+                  PLAIT_MODEL_CHAIN, PLAIT_MODEL_ROD});
+    run(a, 3);
+    const auto saved = a.save(), plain = b.save();
+    b.restore(saved);
+    EXPECT_EQ(b.models(), a.models());
+    EXPECT_EQ(b.hash(), a.hash());
+    b.restore(plain);
+    EXPECT_EQ(b.save(), plain);
 }
 
 TEST_P(State, WrittenPositionsAreReadBackAndKeepTheirMass) {
@@ -99,14 +195,24 @@ TEST_P(State, WrittenVelocityIsReadBack) {
     EXPECT_LT(largest_difference(sim.read(PLAIT_FIELD_VELOCITY), v), 2e-5f);
 }
 
-TEST_P(State, NonFiniteValuesAreRefusedWithTheirIndex) {
+TEST_P(State, ValuesOutsideTheirRangeAreRefusedWithTheirIndex) {
     plait::Sim sim(context, make_groom(tuft(2, 4)));
     const uint64_t hash = sim.hash();
-    std::vector<float> p(2 * 4 * 4, 0.0f);
-    p[4 * 5 + 1] = NAN;
-    EXPECT_EQ(plait_sim_write(sim, PLAIT_FIELD_POSITION, p.data(), p.size() * 4),
-              PLAIT_INVALID_ARGUMENT);
-    EXPECT_NE(std::string(plait_last_error()).find("position[5].y"), std::string::npos);
+    const auto refused = [&](plait_field field, float value, const char* part) {
+        std::vector<float> p(2 * 4 * 4, 0.0f);
+        p[4 * 5 + 1] = value;
+        EXPECT_EQ(plait_sim_write(sim, field, p.data(), p.size() * 4), PLAIT_INVALID_ARGUMENT);
+        EXPECT_NE(std::string(plait_last_error()).find(part), std::string::npos)
+            << plait_last_error();
+    };
+    refused(PLAIT_FIELD_POSITION, NAN, "position[5].y is nan, range is [-1e+06, 1e+06]");
+    refused(PLAIT_FIELD_POSITION, 1.1e6f, "position[5].y");
+    refused(PLAIT_FIELD_POSITION_PREV, -INFINITY, "position[5].y is -inf");
+    refused(PLAIT_FIELD_VELOCITY, 1.1e4f, "velocity[5].y is 11000, range is [-10000, 10000]");
+    EXPECT_EQ(sim.hash(), hash);
+    std::vector<float> p = sim.read(PLAIT_FIELD_POSITION);
+    p[3] = NAN; // w is not read
+    sim.write(PLAIT_FIELD_POSITION, p);
     EXPECT_EQ(sim.hash(), hash);
 }
 

@@ -43,6 +43,7 @@ sources | xargs --no-run-if-empty grep -nE '^[[:space:]]*#[[:space:]]*include[[:
         if (name ~ /^(base|backend|core|io|api|assets)\//) { split(name, part, "/"); return part[1] }
         if (name ~ /^generator\//) return "assets"
         if (name ~ /^(Eigen|CL|CLI|assimp|nlohmann|benchmark)\//) { split(name, part, "/"); return part[1] }
+        if (name ~ /^OpenCL\//) return "CL"
         if (name ~ /^embree[34]\//) return "embree"
         if (name ~ /^cairo\.h$/) return "cairo"
         return ""

@@ -15,16 +15,18 @@ constexpr uint32_t strand_counts[] = {1000, 3000, 10000, 30000, 100000};
 struct Column {
     Interhair interhair;
     plait_interhair value;
-    plait_slot_hash hash;
+    plait_slot_hash_rule hash;
     plait_diffuse_rule rule;
     const char* name;
 };
-constexpr Column columns[] = {
-    {Interhair::off, PLAIT_INTERHAIR_OFF, PLAIT_HASH_PCG, PLAIT_DIFFUSE_RULE_FLOORED, "original"},
-    {Interhair::thesis, PLAIT_INTERHAIR_SLOTS, PLAIT_HASH_THESIS, PLAIT_DIFFUSE_RULE_THESIS,
-     "thesis"},
-    {Interhair::slots, PLAIT_INTERHAIR_SLOTS, PLAIT_HASH_PCG, PLAIT_DIFFUSE_RULE_FLOORED, "slots"},
-    {Interhair::exact, PLAIT_INTERHAIR_EXACT, PLAIT_HASH_PCG, PLAIT_DIFFUSE_RULE_FLOORED, "exact"}};
+constexpr Column columns[] = {{Interhair::off, PLAIT_INTERHAIR_OFF, PLAIT_SLOT_HASH_RULE_PCG,
+                               PLAIT_DIFFUSE_RULE_FLOORED, "original"},
+                              {Interhair::thesis, PLAIT_INTERHAIR_SLOTS,
+                               PLAIT_SLOT_HASH_RULE_THESIS, PLAIT_DIFFUSE_RULE_THESIS, "thesis"},
+                              {Interhair::slots, PLAIT_INTERHAIR_SLOTS, PLAIT_SLOT_HASH_RULE_PCG,
+                               PLAIT_DIFFUSE_RULE_FLOORED, "slots"},
+                              {Interhair::exact, PLAIT_INTERHAIR_EXACT, PLAIT_SLOT_HASH_RULE_PCG,
+                               PLAIT_DIFFUSE_RULE_FLOORED, "exact"}};
 
 struct NamedModel {
     plait_model model;
@@ -33,7 +35,8 @@ struct NamedModel {
 constexpr NamedModel models[] = {{PLAIT_MODEL_TRESSFX, "tressfx"},
                                  {PLAIT_MODEL_CHAIN, "chain"},
                                  {PLAIT_MODEL_COSSERAT, "cosserat"},
-                                 {PLAIT_MODEL_ROD, "rod"}};
+                                 {PLAIT_MODEL_ROD, "rod"},
+                                 {PLAIT_MODEL_ARTICULATED, "articulated"}};
 
 void check(plait_result result) {
     if (result != PLAIT_OK)

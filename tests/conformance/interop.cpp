@@ -3,6 +3,10 @@
 
 #include <plait/plait_opencl.h>
 
+#include <atomic>
+#include <chrono>
+#include <thread>
+
 namespace plait::opencl {
 namespace {
 
@@ -65,7 +69,7 @@ INSTANTIATE_TEST_SUITE_P(Devices, Interop, ::testing::ValuesIn(device_indices())
 TEST_P(Interop, works_on_the_callers_queue) {
     const OwnContext context = adopt();
     cl_command_queue queue = nullptr;
-    ASSERT_EQ(plait_opencl_context_queue(context.get(), &queue), PLAIT_OK);
+    ASSERT_EQ(plait_opencl_context_get_queue(context.get(), &queue), PLAIT_OK);
     EXPECT_EQ(queue, queue_.get());
 }
 
@@ -76,7 +80,7 @@ TEST_P(Interop, lends_what_read_gives) {
 
     // No plait_sim_wait: the queue's order is enough.
     cl_mem memory = nullptr;
-    ASSERT_EQ(plait_opencl_sim_field(sim.get(), PLAIT_FIELD_POSITION, &memory), PLAIT_OK);
+    ASSERT_EQ(plait_opencl_sim_get_field(sim.get(), PLAIT_FIELD_POSITION, &memory), PLAIT_OK);
     std::vector<float> borrowed(size_t{4} * 2 * vertices), read(borrowed.size());
     size_t size = read.size() * sizeof(float);
     ASSERT_EQ(clEnqueueReadBuffer(queue_.get(), memory, CL_TRUE, 0, size, borrowed.data(), 0,
@@ -104,13 +108,82 @@ TEST_P(Interop, waits_for_what_was_flushed) {
     EXPECT_EQ(status, CL_COMPLETE);
 }
 
+// Nothing after it runs before it opens: by itself after a minute, else a call that waits would
+// wait for ever.
+class Gate {
+  public:
+    Gate(cl_context context, cl_command_queue queue) {
+        cl_int code = CL_SUCCESS;
+        event_ = Event(clCreateUserEvent(context, &code));
+        EXPECT_EQ(code, CL_SUCCESS);
+        cl_event event = event_.get();
+        EXPECT_EQ(clEnqueueBarrierWithWaitList(queue, 1, &event, nullptr), CL_SUCCESS);
+        EXPECT_EQ(clFlush(queue), CL_SUCCESS);
+        opener_ = std::thread([this] {
+            for (int i = 0; i < 6000 && !opened_; ++i)
+                std::this_thread::sleep_for(std::chrono::milliseconds(10));
+            if (!opened_.exchange(true)) {
+                late_ = true;
+                clSetUserEventStatus(event_.get(), CL_COMPLETE);
+            }
+        });
+    }
+    ~Gate() { open(); }
+
+    // True: nobody had waited for it.
+    bool open() {
+        if (!opened_.exchange(true))
+            clSetUserEventStatus(event_.get(), CL_COMPLETE);
+        if (opener_.joinable())
+            opener_.join();
+        return !late_;
+    }
+
+  private:
+    Event event_;
+    std::atomic<bool> opened_ = false, late_ = false;
+    std::thread opener_;
+};
+
+// What moves may be moved while the device has done nothing of the step before.
+TEST_P(Interop, steps_while_the_device_is_held_up) {
+    const OwnContext context = adopt();
+    const OwnSim sim = make_sim(context.get());
+    plait_collider_desc desc = plait_collider_desc_defaults();
+    desc.a[0] = desc.b[0] = 0.5f;
+    desc.radius_a = desc.radius_b = 0.1f;
+    plait_collider_id collider{};
+    ASSERT_EQ(plait_collider_create(sim.get(), &desc, &collider), PLAIT_OK) << plait_last_error();
+    ASSERT_EQ(plait_sim_wait(sim.get()), PLAIT_OK) << plait_last_error();
+
+    Gate gate(context_.get(), queue_.get());
+    for (int frame = 1; frame <= 20; ++frame) {
+        const float x = 0.001f * static_cast<float>(frame);
+        std::vector<plait_pose> own = {{{0, 0, 0, 1}, {x, 0, 0}}, {{0, 0, 0, 1}, {0, x, 0}}};
+        plait_roots roots = plait_roots_defaults();
+        roots.root_poses = {own.data(), own.size(), 0};
+        ASSERT_EQ(plait_sim_set_roots(sim.get(), &roots), PLAIT_OK) << plait_last_error();
+        own.assign(2, plait_pose{{0, 0, 0, 1}, {99, 99, 99}}); // the caller's array is free again
+        const plait_pose pose = {{0, 0, 0, 1}, {-x, 0, 0}};
+        ASSERT_EQ(plait_collider_set_pose(sim.get(), collider, &pose), PLAIT_OK);
+        ASSERT_EQ(plait_sim_step(sim.get(), 1.0 / 60), PLAIT_OK) << plait_last_error();
+    }
+    EXPECT_TRUE(gate.open()) << "a call waited for the device";
+
+    std::vector<float> position(size_t{4} * 2 * vertices);
+    size_t size = position.size() * sizeof(float);
+    ASSERT_EQ(plait_sim_read(sim.get(), PLAIT_FIELD_POSITION, position.data(), &size), PLAIT_OK);
+    EXPECT_NEAR(position[0], 0.02f, 1e-6f); // each upload came in its turn
+    EXPECT_NEAR(position[size_t{4} * vertices + 1], 0.02f, 1e-6f);
+}
+
 TEST_P(Interop, says_which_fields_are_off_or_not_lent) {
     const OwnContext context = adopt();
     const OwnSim sim = make_sim(context.get());
     cl_mem memory = nullptr;
-    EXPECT_EQ(plait_opencl_sim_field(sim.get(), PLAIT_FIELD_GRID_DENSITY, &memory),
+    EXPECT_EQ(plait_opencl_sim_get_field(sim.get(), PLAIT_FIELD_GRID_DENSITY, &memory),
               PLAIT_INVALID_STATE);
-    EXPECT_EQ(plait_opencl_sim_field(sim.get(), PLAIT_FIELD_VELOCITY, &memory),
+    EXPECT_EQ(plait_opencl_sim_get_field(sim.get(), PLAIT_FIELD_VELOCITY, &memory),
               PLAIT_INVALID_ARGUMENT);
     EXPECT_EQ(memory, nullptr);
 }
@@ -122,7 +195,7 @@ TEST(InteropElsewhere, is_unsupported) {
     ASSERT_EQ(plait_context_create(&desc, &made), PLAIT_OK) << plait_last_error();
     const OwnContext context(made);
     cl_command_queue queue = nullptr;
-    EXPECT_EQ(plait_opencl_context_queue(context.get(), &queue), PLAIT_UNSUPPORTED);
+    EXPECT_EQ(plait_opencl_context_get_queue(context.get(), &queue), PLAIT_UNSUPPORTED);
 }
 
 } // namespace

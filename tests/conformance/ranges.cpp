@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdio>
+
 namespace plait::opencl {
 namespace {
 
@@ -35,14 +37,28 @@ TEST(Ranges, short_strands_share_a_group) {
 }
 
 TEST(Ranges, a_long_strand_may_exceed_the_kernels_advice) {
-    expect_range(spread(PLAIT_STAGE_length, 5, 256, {1024, 32, 32768}), 1280, 256);
-    expect_range(spread(PLAIT_STAGE_length, 5, 16, {1024, 32, 32768}), 96, 32);
+    const GroupLimits advised{1024, 32, 32768, 1, 1, true};
+    expect_range(spread(PLAIT_STAGE_length, 5, 256, advised), 1280, 256);
+    expect_range(spread(PLAIT_STAGE_length, 5, 16, advised), 96, 32);
+}
+
+TEST(Ranges, one_driver_gives_advice_for_a_limit) {
+    const auto advises = [](const char* platform, const char* driver) {
+        plait_device_info info{};
+        std::snprintf(info.platform, sizeof info.platform, "%s", platform);
+        std::snprintf(info.driver, sizeof info.driver, "%s", driver);
+        return gives_advice_for_limit(info);
+    };
+    EXPECT_TRUE(advises("rusticl", "22.3.6"));
+    EXPECT_FALSE(advises("rusticl", "25.0.7"));
+    EXPECT_FALSE(advises("Portable Computing Language", "3.1"));
 }
 
 TEST(Ranges, a_strand_that_fits_no_group_is_refused) {
     const plait_dispatch dispatch{PLAIT_STAGE_length, 5, 256, nullptr, 0, 0, nullptr};
     const auto& stage = *plait_stage_describe(PLAIT_STAGE_length);
-    for (const GroupLimits& limits : {GroupLimits{128, 128, 32768}, GroupLimits{256, 256, 2048}}) {
+    for (const GroupLimits& limits : {GroupLimits{128, 128, 32768}, GroupLimits{256, 256, 2048},
+                                      GroupLimits{256, 128, 32768}}) {
         const auto range = work_range(stage, dispatch, limits);
         ASSERT_FALSE(range.ok());
         EXPECT_EQ(range.error().code, PLAIT_UNSUPPORTED);

@@ -87,6 +87,17 @@ TEST_P(Sources, a_wrong_argument_is_named_with_expected_and_found) {
     expect_holds(access.message, "found `__global const uint* words`");
 }
 
+// PoCL tells an alias's own name, others the type behind it: neither is a reason to refuse.
+TEST_P(Sources, an_alias_for_a_type_is_taken) {
+    const std::string source = replaced(replaced(good, "__global uint* w", "__global word* w"),
+                                        "__kernel", "typedef uint word;\n__kernel");
+    const auto device = open_device(
+        GetParam(), {.sources = {{"grid_clear", source.c_str(), "mine.cl"}}, .log = &log_});
+    ASSERT_TRUE(device.ok()) << device.error().message;
+    const bool told = log_.find("found `__global word* words`") != log_.npos;
+    EXPECT_EQ(told, log_.find("the driver may spell") != log_.npos) << log_;
+}
+
 TEST_P(Sources, a_wrong_number_of_arguments_is_refused) {
     const Error error =
         refusal("grid_clear", replaced(good, "uint* words)", "uint* words, uint more)"));

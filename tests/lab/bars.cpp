@@ -15,7 +15,14 @@ namespace lab {
 namespace {
 
 constexpr const char* table = PLAIT_SCENES "/accuracy.json";
-const char* const model_names[] = {"chain", "cosserat", "rod"};
+// The library's own; of tressfx, which has no modulus, nothing is asked.
+std::vector<std::string> model_names() {
+    std::vector<std::string> names;
+    for (const Model& model : models())
+        if (!model.baseline() && model.model != PLAIT_MODEL_TRESSFX)
+            names.push_back(model.label);
+    return names;
+}
 
 struct Case {
     std::string row, model, backend;
@@ -28,18 +35,27 @@ void PrintTo(const Case& c, std::ostream* out) {
 // Under three seconds on an idle core, on the reference under half a second: the sanitizers slow it
 // most.
 bool quick(const std::string& row, const std::string& backend) {
-    static const std::set<std::string> long_on_opencl{"2", "8", "20"};
-    static const std::set<std::string> quick_on_reference{
-        "4", "5", "6a", "6b", "7a", "7b", "9a", "9b", "9c", "10", "12", "17", "27a", "28"};
+    static const std::set<std::string> long_on_opencl{"2",   "8",   "16a", "16b", "17b",
+                                                      "17c", "18a", "18b", "20",  "29a",
+                                                      "29b", "30a", "30b", "30c", "30d"};
+    static const std::set<std::string> quick_on_reference{"4",   "5",  "6a",  "6b",  "7a", "7b",
+                                                          "9a",  "9b", "9c",  "10",  "12", "17a",
+                                                          "27a", "28", "34a", "34b", "34c"};
     return backend == "opencl" ? !long_on_opencl.contains(row) : quick_on_reference.contains(row);
+}
+
+// Rows that `plait-lab accuracy` measures and no bar holds yet: converged runs of many strands take
+// minutes (29), and of all that miss not every value is on record.
+bool held(const std::string& row) {
+    return row != "29a" && row != "29b" && row != "36";
 }
 
 std::vector<Case> cases(bool quick_ones) {
     std::vector<Case> all;
     for (const char* backend : {"opencl", "reference"})
         for (const Row& row : read_rows(table))
-            for (const char* model : model_names)
-                if (why_not(row, *find_model(model)).empty() &&
+            for (const std::string& model : model_names())
+                if (held(row.id) && why_not(row, *find_model(model)).empty() &&
                     quick(row.id, backend) == quick_ones)
                     all.push_back({row.id, model, backend});
     return all;
@@ -57,8 +73,9 @@ const KnownMiss* find_miss(const Result& result) {
     return nullptr;
 }
 
-// By how many times the value may be worse than recorded: other devices round otherwise.
-constexpr double leeway = 1.15;
+// By how many times the value may be worse than recorded, besides what `rounding` allows where
+// machines do not agree.
+constexpr double leeway = 1.05;
 
 // Of what misses its mark. A row without a largest value asks for a large one.
 void expect_as_recorded(const Result& result, double recorded, double rounding) {
@@ -120,8 +137,7 @@ TEST(KnownMisses, are_of_what_is_measured) {
     std::set<std::string> measured;
     for (const Row& row : read_rows(table))
         for (const Variant& variant : row.variants)
-            for (const Method& method :
-                 methods_of({std::begin(model_names), std::end(model_names)}, false, false))
+            for (const Method& method : methods_of(model_names(), false, false))
                 if (why_not(row, *method.model).empty())
                     measured.insert(row.id + "|" + (row.spread ? "all" : variant.name) + "|" +
                                     method.label());

@@ -1,6 +1,8 @@
 // The grid between strands as the laboratory measures it.
 #include "grid/grid.hpp"
 
+#include "simulate/support.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -38,6 +40,60 @@ TEST_P(LabGrid, slots_scatter_within_three_standard_errors) {
         if (row.mark) {
             EXPECT_TRUE(row.passes()) << row.title << ": " << row.value << ", " << row.note;
         }
+}
+
+// Any number of vertices, of slots and of voxels, odd ones too, and where no two share a slot.
+TEST_P(LabGrid, slots_scatter_so_whatever_is_asked_for) {
+    const lab::grid::SlotOptions all[] = {{{1, 101}, 16, 1, {}}, {{333}, 64, 3, {}}};
+    for (const auto& options : all) {
+        const auto rows = slot_rows(device, options);
+        ASSERT_EQ(rows.size(), 4 * options.counts.size());
+        for (const auto& row : rows)
+            if (row.mark) {
+                EXPECT_LE(std::abs(row.value), 4) << row.title << ": " << row.note;
+            }
+    }
+}
+
+// Half of the vertices in one corner: what is expected is of each voxel's own number.
+TEST_P(LabGrid, slots_of_given_positions) {
+    lab::grid::SlotOptions options{{}, 32, 4, {}};
+    for (int i = 0; i < 120; ++i)
+        options.positions.emplace_back(i % 2 ? 0.5 : 0.03 * i + 0.2, i % 2 ? 0.5 : 3.2,
+                                       i % 2 ? 0.5 : 1.7);
+    const auto rows = slot_rows(device, options);
+    ASSERT_EQ(rows.size(), 4u);
+    for (const auto& row : rows)
+        if (row.mark) {
+            EXPECT_LE(std::abs(row.value), 4) << row.title << ": " << row.note;
+        }
+    EXPECT_NE(rows[0].title.find("120 in 4³ voxels of 32"), std::string::npos) << rows[0].title;
+}
+
+class LabGridPositions : public TemporaryFolder {};
+
+TEST_F(LabGridPositions, are_fitted_into_the_voxels) {
+    const auto x =
+        lab::grid::read_positions(write("p.csv", "# a comment\n1, 2, 3\n\n1.5 2 3\n1,2.25,3\n"), 8);
+    ASSERT_EQ(x.size(), 3u);
+    EXPECT_NEAR(x[0].x(), 0, 2e-3);
+    EXPECT_NEAR(x[1].x(), 8, 2e-3);
+    EXPECT_NEAR(x[2].y(), 4, 1e-9);
+}
+
+TEST_F(LabGridPositions, say_what_is_wrong) {
+    for (const char* line : {"1,2", "1,2,x", "1,2,3,4", "1,2,nan"}) {
+        const std::string why = refusal_of(
+            [&] { lab::grid::read_positions(write("p.csv", std::string("0,0,0\n") + line), 8); });
+        EXPECT_NE(why.find("p.csv:2: \""), std::string::npos) << why;
+        EXPECT_NE(why.find("is not x, y, z"), std::string::npos) << why;
+    }
+    EXPECT_NE(refusal_of([&] {
+                  lab::grid::read_positions(write("p.csv", "# none\n"), 8);
+              }).find("has no points"),
+              std::string::npos);
+    EXPECT_NE(refusal_of([&] { lab::grid::read_positions(path("nowhere"), 8); }).find("opened"),
+              std::string::npos);
 }
 
 // Nodes are voxel centres: between them a linear field is met, voxel by voxel only its steps are.

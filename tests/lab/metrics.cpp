@@ -260,14 +260,14 @@ TEST_F(LabRecording, nothing_is_said_of_what_is_not_finite) {
 
 TEST(LabVerdict, is_by_model_or_for_all) {
     lab::Measure measure;
-    EXPECT_EQ(judge(measure, "rod", {1, ""}), lab::Verdict::none);
+    EXPECT_EQ(judge(measure, {lab::find_model("rod"), {}}, {1, ""}), lab::Verdict::none);
     measure.pass = {{"", 0.1}, {"rod", 0.01}};
-    EXPECT_EQ(judge(measure, "chain", {-0.05, ""}), lab::Verdict::pass);
-    EXPECT_EQ(judge(measure, "rod", {-0.05, ""}), lab::Verdict::fail);
-    EXPECT_EQ(judge(measure, "chain", {NAN, ""}), lab::Verdict::fail);
+    EXPECT_EQ(judge(measure, {lab::find_model("chain"), {}}, {-0.05, ""}), lab::Verdict::pass);
+    EXPECT_EQ(judge(measure, {lab::find_model("rod"), {}}, {-0.05, ""}), lab::Verdict::fail);
+    EXPECT_EQ(judge(measure, {lab::find_model("chain"), {}}, {NAN, ""}), lab::Verdict::fail);
     measure.at_least = 3;
-    EXPECT_EQ(judge(measure, "chain", {2.9, ""}), lab::Verdict::fail);
-    EXPECT_EQ(judge(measure, "chain", {3.1, ""}), lab::Verdict::pass);
+    EXPECT_EQ(judge(measure, {lab::find_model("chain"), {}}, {2.9, ""}), lab::Verdict::fail);
+    EXPECT_EQ(judge(measure, {lab::find_model("chain"), {}}, {3.1, ""}), lab::Verdict::pass);
 }
 
 } // namespace

@@ -93,6 +93,32 @@ TEST_F(LabProgram, tables_are_chosen_from_and_printed_as_json_and_csv) {
     }
 }
 
+// Row 24 alone, of what is asked for.
+TEST_F(LabProgram, draws_slots_as_told) {
+    const Outcome drawn =
+        lab("grid --counts 16,65 --capacity 64 --edge-count 2 --backend opencl", false);
+    EXPECT_EQ(drawn.code, 0);
+    EXPECT_THAT(drawn.text, HasSubstr("65 in 2³ voxels of 64: occupied share"));
+    EXPECT_EQ(std::count(drawn.text.begin(), drawn.text.end(), '\n'), 8);
+    const std::string file = write("p.csv", "0,0,0\n0.1,0,0\n0,0.1,0.1\n");
+    const Outcome given = lab("grid --backend opencl --positions " + file, false);
+    EXPECT_EQ(given.code, 0);
+    EXPECT_THAT(given.text, HasSubstr("3 in 1³ voxels of 256"));
+    const std::pair<const char*, const char*> bad[] = {
+        {"--counts 0", "--counts"},
+        {"--counts many", "--counts"},
+        {"--capacity 65537", "--capacity"},
+        {"--edge-count 65", "--edge-count"},
+        {"--edge-count 64 --capacity 65536", "more than 67108864"},
+        {"--positions nowhere.csv", "nowhere.csv: cannot be opened"},
+        {"--positions nowhere.csv --counts 3", "--counts"}};
+    for (const auto& [arguments, word] : bad) {
+        const Outcome refused = lab(std::string("grid ") + arguments, true);
+        EXPECT_EQ(refused.code, 1) << arguments;
+        EXPECT_THAT(refused.text, HasSubstr(word)) << arguments;
+    }
+}
+
 TEST_F(LabProgram, says_what_is_wrong) {
     const Outcome bad = lab("run " + scene() + " --set strand.segments=0", true);
     EXPECT_EQ(bad.code, 1);

@@ -65,9 +65,9 @@ TEST_F(LabScene, overrides_win) {
 
 TEST_F(LabScene, any_clamp_helix_and_number_of_segments) {
     for (const uint32_t segments : {1u, 2u, 17u, 255u}) {
-        const Scene scene =
-            read(R"({"strand": {"segments": )" + std::to_string(segments) +
-                 R"(, "length": 0.5, "angle": -37, "curvature": 9, "torsion": 4}})");
+        const Scene scene = read(
+            R"({"strand": {"segments": )" + std::to_string(segments) +
+            R"(, "length": 0.5, "angle": -37, "curvature": 9, "torsion": 4, "aim": "segment"}})");
         const auto x = rest_shape(scene.strands[0], 1, true);
         ASSERT_EQ(x.size(), segments + 1);
         const Vec3 first = (x[1] - x[0]).normalized();
@@ -98,6 +98,31 @@ TEST_F(LabScene, curls_bend_where_they_are_told) {
     const auto x = rest_shape(scene.strands[0], 1, true);
     EXPECT_GT(x[3].y(), 1e-4);
     EXPECT_NEAR(x.back().z(), 0, 1e-12);
+}
+
+// The first chord of a bent strand is half a segment along the curve, and so turned by half of what
+// a segment bends: however many segments, the clamp stays where it is.
+TEST_F(LabScene, tangents_are_the_curves_where_it_begins) {
+    for (const uint32_t segments : {4u, 32u})
+        for (const std::string towards : {"", R"(, "towards": [0, 1, 0])"}) {
+            const std::string strand =
+                R"({"strand": {"length": 0.5, "angle": 0, "curvature": 6, "segments": )" +
+                std::to_string(segments) + towards;
+            const auto x = rest_shape(read(strand + "}}").strands[0], 1, true);
+            const Vec3 first = (x[1] - x[0]).normalized();
+            EXPECT_NEAR(std::acos(first.x()), 0.5 * 6 * 0.5 / segments, 1e-7) << segments;
+            if (!towards.empty()) {
+                EXPECT_GT(first.y(), 0);
+                EXPECT_NEAR(first.z(), 0, 1e-12);
+            }
+            const auto y = rest_shape(read(strand + R"(, "aim": "segment"}})").strands[0], 1, true);
+            EXPECT_NEAR((y[1] - y[0]).normalized().x(), 1, 1e-12);
+        }
+    // A helix: its tangent makes the same angle with the axis everywhere.
+    const Scene scene = read(R"({"strand": {"segments": 200, "length": 1, "direction": [1, 0, 0],
+        "towards": [0, 1, 0], "curvature": 18, "torsion": 5}})");
+    const auto x = rest_shape(scene.strands[0], 1, true);
+    EXPECT_LT(((x[1] - x[0]).normalized() - Vec3(1, 0.5 * 18 / 200, 0)).norm(), 2e-3);
 }
 
 TEST_F(LabScene, motions_add_up) {

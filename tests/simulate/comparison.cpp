@@ -23,7 +23,7 @@ void expect_thesis(const plait_sim_desc& sim) {
     EXPECT_EQ(sim.model, PLAIT_MODEL_TRESSFX);
     EXPECT_EQ(sim.sag_free, PLAIT_SAG_FREE_OFF);
     EXPECT_EQ(sim.params.interhair, PLAIT_INTERHAIR_SLOTS);
-    EXPECT_EQ(sim.params.slot_hash, PLAIT_HASH_THESIS);
+    EXPECT_EQ(sim.params.slot_hash, PLAIT_SLOT_HASH_RULE_THESIS);
     EXPECT_EQ(sim.params.diffuse_rule, PLAIT_DIFFUSE_RULE_THESIS);
 }
 
@@ -43,7 +43,7 @@ TEST_F(Comparison, is_with_tressfx_and_with_the_thesis) {
 // By itself `slots` is plait's: its hash and its rule.
 TEST_F(Comparison, leaves_the_run_as_it_is) {
     const plait_sim_desc sim = read(R"({"model": "tressfx", "interhair": "slots"})").sim;
-    EXPECT_EQ(sim.params.slot_hash, PLAIT_HASH_PCG);
+    EXPECT_EQ(sim.params.slot_hash, PLAIT_SLOT_HASH_RULE_PCG);
     EXPECT_EQ(sim.params.diffuse_rule, PLAIT_DIFFUSE_RULE_FLOORED);
     EXPECT_EQ(simulate::label_of(sim), "TressFX + inter-hair step (slots)");
 }

@@ -1,4 +1,5 @@
 // The renderer: hair is there, where it should be, lit, the same every time.
+#include "render/gif.hpp"
 #include "render/render.hpp"
 #include "render/sheet.hpp"
 #include "support.hpp"
@@ -94,6 +95,135 @@ TEST_F(Sheets, hold_their_pictures) {
                 sheet.pixel(24 + 32, y + 32)[2] == image.pixel(32, 32)[2];
     EXPECT_TRUE(found);
     EXPECT_THROW(write_png(image, path("no/such/folder.png")), std::runtime_error);
+}
+
+// ---- films
+
+// Reads the frames of a .gif as viewers do, by the format's specification.
+class GifReader {
+  public:
+    explicit GifReader(const std::string& path) {
+        std::ifstream stream(path, std::ios::binary);
+        bytes_.assign(std::istreambuf_iterator<char>(stream), {});
+        width = word(6), height = word(8);
+        palette_ = 13;
+        at_ = palette_ + 3 * 256;
+        screen_ = Image(width, height);
+        while (at_ < bytes_.size() && bytes_[at_] != 0x3b)
+            bytes_[at_] == 0x21 ? skip_extension() : read_frame();
+    }
+    bool whole() const { return at_ + 1 == bytes_.size() && bytes_[at_] == 0x3b; }
+
+    int width, height;
+    std::vector<Image> frames;
+
+  private:
+    int word(size_t at) const { return bytes_.at(at) | bytes_.at(at + 1) << 8; }
+
+    std::vector<uint8_t> blocks() {
+        std::vector<uint8_t> data;
+        for (uint8_t size = 0; (size = bytes_.at(at_++)) != 0; at_ += size)
+            data.insert(data.end(), bytes_.begin() + static_cast<ptrdiff_t>(at_),
+                        bytes_.begin() + static_cast<ptrdiff_t>(at_ + size));
+        return data;
+    }
+    void skip_extension() {
+        at_ += 2;
+        blocks();
+    }
+    void read_frame() {
+        const int left = word(at_ + 1), top = word(at_ + 3), wide = word(at_ + 5);
+        at_ += 11;
+        const std::vector<uint8_t> indices = unpack(blocks());
+        ASSERT_EQ(indices.size() % static_cast<size_t>(wide), 0u);
+        for (size_t i = 0; i < indices.size(); ++i)
+            if (indices[i] != 255) // transparent
+                for (size_t channel = 0; channel < 3; ++channel)
+                    screen_.pixel(left + static_cast<int>(i) % wide,
+                                  top + static_cast<int>(i) / wide)[channel] =
+                        bytes_[palette_ + 3u * indices[i] + channel];
+        frames.push_back(screen_);
+    }
+    static std::vector<uint8_t> unpack(const std::vector<uint8_t>& data) {
+        std::vector<std::vector<uint8_t>> words;
+        std::vector<uint8_t> out, before;
+        int length = 9;
+        for (size_t bit = 0; bit + static_cast<size_t>(length) <= 8 * data.size();) {
+            uint32_t code = 0;
+            for (int i = 0; i < length; ++i, ++bit)
+                code |= static_cast<uint32_t>(data[bit / 8] >> (bit % 8) & 1) << i;
+            if (code == 257)
+                return out;
+            if (code == 256) {
+                words.clear();
+                before.clear();
+                length = 9;
+                continue;
+            }
+            std::vector<uint8_t> word;
+            if (code < 256)
+                word = {static_cast<uint8_t>(code)};
+            else if (code - 258 < words.size())
+                word = words[code - 258];
+            else {
+                word = before;
+                word.push_back(before.at(0));
+            }
+            out.insert(out.end(), word.begin(), word.end());
+            if (!before.empty() && words.size() + 258 < 4096) {
+                before.push_back(word[0]);
+                words.push_back(before);
+            }
+            if (words.size() + 258 == 1u << length && length < 12)
+                ++length;
+            before = word;
+        }
+        ADD_FAILURE() << "no end code";
+        return out;
+    }
+
+    std::vector<uint8_t> bytes_;
+    size_t palette_ = 0, at_ = 0;
+    Image screen_;
+};
+
+// Noise, so that the table of words fills and is begun anew several times.
+TEST_F(Sheets, films_are_read_back_as_they_were) {
+    Image first(310, 190);
+    for (size_t i = 0; i < first.rgb.size(); ++i)
+        first.rgb[i] = static_cast<uint8_t>(60 + (i / 3 * 2654435761u >> 20) % 120);
+    Image second = first;
+    for (int y = 50; y < 90; ++y)
+        for (int x = 100; x < 180; ++x)
+            second.pixel(x, y)[0] = second.pixel(x, y)[1] = second.pixel(x, y)[2] = 90;
+    {
+        render::Gif gif(path("a.gif"), 310, 190, 15);
+        for (const Image* image : {&first, &second, &second})
+            gif.add(*image);
+        EXPECT_FALSE(std::filesystem::exists(path("a.gif"))) << "not before it is whole";
+        EXPECT_TRUE(gif.close());
+    }
+    const GifReader read(path("a.gif"));
+    EXPECT_TRUE(read.whole());
+    ASSERT_EQ(read.frames.size(), 3u);
+    for (const auto& [image, frame] : {std::pair{&first, 0u}, {&second, 1u}, {&second, 2u}}) {
+        int worst = 0;
+        for (size_t i = 0; i < image->rgb.size(); ++i)
+            worst = std::max(worst, std::abs(image->rgb[i] - read.frames[frame].rgb[i]));
+        EXPECT_LE(worst, 12) << "frame " << frame; // dither of 4, and 255 colours
+    }
+    EXPECT_THROW(render::Gif(path("b.gif"), 5, 5, 15).add(first), std::runtime_error);
+    EXPECT_FALSE(std::filesystem::exists(path("b.gif.part"))) << "nobody wanted it";
+    EXPECT_FALSE(render::Gif(path("no/such/c.gif"), 5, 5, 15).close());
+}
+
+TEST_F(Sheets, columns_of_a_film_are_of_even_size) {
+    const Image image(33, 21);
+    const Image both = render::side_by_side({{image, "A"}, {image, "B"}});
+    EXPECT_EQ(both.width % 2, 0);
+    EXPECT_EQ(both.height % 2, 0);
+    EXPECT_GE(both.width, 66);
+    EXPECT_GT(both.height, 21);
 }
 
 } // namespace

@@ -78,6 +78,46 @@ TEST_F(SceneFile, unknown_keys_name_the_nearest) {
                 AllOf(HasSubstr("colliders[0].frction"), HasSubstr("\"friction\"")));
 }
 
+// The parser would keep the last and say nothing.
+TEST_F(SceneFile, a_key_stands_once_in_its_object) {
+    EXPECT_THAT(refusal("{\"rate\": 60,\n \"seconds\": 1,\n \"rate\": 30}"),
+                HasSubstr("scene.json:3: rate stands here again, after line 1"));
+    EXPECT_THAT(refusal("{\"params\": {\"drag\": 1,\n \"drag\": 1}}"),
+                HasSubstr("scene.json:2: params.drag stands here again, after line 1"));
+    EXPECT_THAT(refusal(R"({"colliders": [{"a": [0, 0, 0], "radius_a": 1},
+        {"a": [0, 0, 0], "a": [0, 0, 0], "radius_a": 1}]})"),
+                HasSubstr("scene.json:2: colliders[1].a stands here again"));
+    EXPECT_EQ(read(R"({"colliders": [{"a": [0, 0, 0], "radius_a": 1}, {"a": [0, 0, 0],
+        "radius_a": 2}]})")
+                  .colliders->size(),
+              2u);
+}
+
+TEST_F(SceneFile, scale_is_a_number_or_auto) {
+    EXPECT_FLOAT_EQ(read(R"({"scale": 0.01})").groom.scale, 0.01f);
+    EXPECT_TRUE(read(R"({"scale": "auto"})").groom.scale_by_size);
+    EXPECT_THAT(refusal(R"({"scale": "cm"})"), HasSubstr("neither a number nor \"auto\""));
+    EXPECT_THAT(refusal(R"({"scale": 0})"), HasSubstr("scale is 0"));
+}
+
+TEST_F(SceneFile, the_model_is_the_librarys_default) {
+    EXPECT_EQ(read("{}").sim.model, plait_sim_desc_defaults().model);
+}
+
+TEST_F(SceneFile, moving_colliders_have_keyframes) {
+    const Scene scene = read(R"({"moving_colliders": [{"a": [0, 1, 0], "radius_a": 0.03,
+        "keyframes": [{"time": 0, "x": 1}, {"time": 0.5, "y": 2, "yaw": 90}]}]})");
+    ASSERT_EQ(scene.moving_colliders.size(), 1u);
+    EXPECT_FALSE(scene.colliders.has_value()) << "they come beside the others";
+    ASSERT_EQ(scene.moving_colliders[0].keyframes.size(), 2u);
+    EXPECT_FLOAT_EQ(scene.moving_colliders[0].keyframes[1].head.yaw, 90.0f);
+    EXPECT_THAT(refusal(R"({"moving_colliders": [{"a": [0, 1, 0], "radius_a": 0.03}]})"),
+                HasSubstr("moving_colliders[0].keyframes no keyframes"));
+    EXPECT_THAT(refusal(R"({"moving_colliders": [{"a": [0, 1, 0], "radius_a": 0.03,
+        "keyframes": [{"time": 1}, {"time": 1}]}]})"),
+                HasSubstr("does not come after"));
+}
+
 TEST_F(SceneFile, values_are_refused_with_place_value_and_range) {
     EXPECT_THAT(refusal(R"({"substeps": 0})"),
                 AllOf(HasSubstr("scene.json:1: substeps is 0"), HasSubstr("[1,1000]")));

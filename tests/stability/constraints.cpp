@@ -10,7 +10,7 @@ namespace {
 constexpr StrandShape level{17, 0.3f, {1.0f, 0.0f, 0.0f}};
 constexpr StrandShape hanging{17, 0.3f, {0.0f, -1.0f, 0.0f}};
 
-constexpr const char* names[] = {"tressfx", "chain", "cosserat", "rod"};
+constexpr const char* names[] = {"tressfx", "chain", "cosserat", "rod", "articulated"};
 
 class Constraints : public testing::TestWithParam<plait_model> {
   protected:
@@ -23,14 +23,16 @@ class Constraints : public testing::TestWithParam<plait_model> {
 
 INSTANTIATE_TEST_SUITE_P(Models, Constraints,
                          testing::Values(PLAIT_MODEL_TRESSFX, PLAIT_MODEL_CHAIN,
-                                         PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD),
+                                         PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD,
+                                         PLAIT_MODEL_ARTICULATED),
                          [](const auto& model) { return std::string(names[model.param]); });
 
 // TressFX always has shape constraints; see tressfx.cpp.
 class ShapeOptions : public Constraints {};
 
 INSTANTIATE_TEST_SUITE_P(Models, ShapeOptions,
-                         testing::Values(PLAIT_MODEL_CHAIN, PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD),
+                         testing::Values(PLAIT_MODEL_CHAIN, PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD,
+                                         PLAIT_MODEL_ARTICULATED),
                          [](const auto& model) { return std::string(names[model.param]); });
 
 float farthest_from_root(const OneStrand& strand) {
@@ -111,11 +113,11 @@ std::set<std::string> stages_of(const plait_sim_desc& desc) {
     OneStrand strand(level, desc);
     strand.step();
     size_t count = 0;
-    PLAIT_EXPECT(plait_sim_stage_times(strand.sim(), nullptr, &count, 1)); // forgets the start
+    PLAIT_EXPECT(plait_sim_get_stage_times(strand.sim(), nullptr, &count, 1)); // forgets the start
     strand.step();
-    PLAIT_EXPECT(plait_sim_stage_times(strand.sim(), nullptr, &count, 0));
+    PLAIT_EXPECT(plait_sim_get_stage_times(strand.sim(), nullptr, &count, 0));
     std::vector<plait_stage_time> times(count);
-    PLAIT_EXPECT(plait_sim_stage_times(strand.sim(), times.data(), &count, 0));
+    PLAIT_EXPECT(plait_sim_get_stage_times(strand.sim(), times.data(), &count, 0));
     std::set<std::string> stages;
     for (const plait_stage_time& time : times)
         if (time.calls > 0)

@@ -102,7 +102,7 @@ class OneStrand {
     plait_sim_stats stats() const {
         plait_sim_stats stats{};
         stats.struct_size = sizeof stats;
-        PLAIT_EXPECT(plait_sim_stats_get(sim_.get(), &stats));
+        PLAIT_EXPECT(plait_sim_get_stats(sim_.get(), &stats));
         return stats;
     }
     plait_groom_info groom_info() const {

@@ -41,7 +41,7 @@ class Hair {
 
     plait_sim_stats stats() const {
         plait_sim_stats stats = plait_sim_stats_defaults();
-        PLAIT_EXPECT(plait_sim_stats_get(sim_.get(), &stats));
+        PLAIT_EXPECT(plait_sim_get_stats(sim_.get(), &stats));
         return stats;
     }
     void run(double seconds) {

@@ -33,21 +33,22 @@ float worst_distance(const std::vector<std::array<float, 4>>& a,
 
 class StrandModel : public testing::TestWithParam<plait_model> {
   public:
-    static constexpr const char* names[] = {"tressfx", "chain", "cosserat", "rod"};
+    static constexpr const char* names[] = {"tressfx", "chain", "cosserat", "rod", "articulated"};
 
   protected:
     plait_sim_desc desc(float hz = 60.0f) const { return desc_of(GetParam(), hz); }
     // In lengths, after ten steps: the acceleration of cosserat's cut-short solve amplifies
     // rounding.
-    float rounding() const { return by_model(1e-5f, 3e-4f, 2e-4f); }
-    // One of the values of chain, cosserat and rod.
-    float by_model(float chain, float cosserat, float rod) const {
-        return std::array{0.0f, chain, cosserat, rod}[GetParam()];
+    float rounding() const { return by_model(1e-5f, 3e-4f, 2e-4f, 2e-4f); }
+    // The value of its model.
+    float by_model(float chain, float cosserat, float rod, float articulated) const {
+        return std::array{0.0f, chain, cosserat, rod, articulated}[GetParam()];
     }
 };
 
 INSTANTIATE_TEST_SUITE_P(Models, StrandModel,
-                         testing::Values(PLAIT_MODEL_CHAIN, PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD),
+                         testing::Values(PLAIT_MODEL_CHAIN, PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD,
+                                         PLAIT_MODEL_ARTICULATED),
                          [](const auto& model) {
                              return std::string(StrandModel::names[model.param]);
                          });
@@ -107,7 +108,7 @@ TEST_P(StrandModel, survives_a_jump) {
 TEST_P(StrandModel, shaken_root_hardly_stretches) {
     OneStrand strand(hanging, desc());
     // one Newton step a substep: 15 % measured
-    EXPECT_LT(stretch_when_shaken(strand).worst, by_model(0.01f, 0.07f, 0.17f));
+    EXPECT_LT(stretch_when_shaken(strand).worst, by_model(0.01f, 0.07f, 0.17f, 1e-4f));
 }
 
 TEST_P(StrandModel, wind_blows_with_the_wind) {
@@ -124,7 +125,7 @@ TEST_P(StrandModel, jittering_frames_do_not_reach_the_solver) {
     // With 40 other jitters chain and rod are within 0.4 %, cosserat within 5 % in the median and
     // 12 % at worst: how far its sweeps get hangs on the step.
     EXPECT_NEAR(peak_speed_when_swayed({level, desc()}, true), even,
-                by_model(0.01f, 0.07f, 0.01f) * even);
+                by_model(0.01f, 0.07f, 0.01f, 0.01f) * even);
 }
 
 TEST_P(StrandModel, zero_length_segment_stays_finite) {
@@ -151,7 +152,8 @@ float flicker(const plait_sim_desc& desc, uint32_t vertices) {
 }
 
 TEST_P(StrandModel, settled_strand_does_not_flicker) {
-    EXPECT_LT(flicker(desc(), 17), by_model(1e-6f, 1e-5f, 1e-6f)); // cosserat 2e-6
+    // cosserat 2e-6; BDF2 swings on for as long as the drag of 1/s lets it, e^-10 after 20 s
+    EXPECT_LT(flicker(desc(), 17), by_model(1e-6f, 1e-5f, 1e-6f, 1e-5f));
 }
 
 TEST(CosseratRest, many_short_segments_do_not_flicker) {

@@ -103,7 +103,8 @@ std::string name_of(const testing::TestParamInfo<Case>& c) {
 std::vector<Case> models_on(const char* backend) {
     return {{"chain", PLAIT_MODEL_CHAIN, 1, 1, false, backend},
             {"cosserat", PLAIT_MODEL_COSSERAT, 1, 3, false, backend},
-            {"rod", PLAIT_MODEL_ROD, 1, 1, false, backend}};
+            {"rod", PLAIT_MODEL_ROD, 1, 1, false, backend},
+            {"articulated", PLAIT_MODEL_ARTICULATED, 1, 1, true, backend}};
 }
 
 std::vector<Case> with_bdf2(const char* backend) {
@@ -114,6 +115,8 @@ std::vector<Case> with_bdf2(const char* backend) {
     cases.push_back({"cosserat_4_bdf2", PLAIT_MODEL_COSSERAT, 4, 2, true, backend});
     cases.push_back({"rod_bdf2", PLAIT_MODEL_ROD, 1, 1, true, backend});
     cases.push_back({"rod_2_bdf2", PLAIT_MODEL_ROD, 2, 1, true, backend});
+    cases.push_back({"articulated_be", PLAIT_MODEL_ARTICULATED, 1, 1, false, backend});
+    cases.push_back({"articulated_2_bdf2", PLAIT_MODEL_ARTICULATED, 2, 1, true, backend});
     return cases;
 }
 

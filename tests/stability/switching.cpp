@@ -8,10 +8,10 @@ namespace {
 using Points = std::vector<std::array<float, 4>>;
 
 constexpr plait_model chain = PLAIT_MODEL_CHAIN, cosserat = PLAIT_MODEL_COSSERAT,
-                      rod = PLAIT_MODEL_ROD;
+                      rod = PLAIT_MODEL_ROD, articulated = PLAIT_MODEL_ARTICULATED;
 constexpr StrandShape level{17, 0.3f, {1.0f, 0.0f, 0.0f}};
 constexpr float g = 9.81f;
-constexpr const char* names[] = {"tressfx", "chain", "cosserat", "rod"};
+constexpr const char* names[] = {"tressfx", "chain", "cosserat", "rod", "articulated"};
 
 // A curl of 1 cm that hangs, 0.25 m along the hair.
 std::vector<Vec3> curl() {
@@ -68,22 +68,26 @@ float peak_acceleration(OneStrand& strand, int steps) {
 class Switch : public testing::TestWithParam<std::pair<plait_model, plait_model>> {
   protected:
     plait_model from = GetParam().first, to = GetParam().second;
-    // What is known of where the model settles, in lengths.
-    float accuracy() const { return to == cosserat ? 3e-4f : 1e-5f; }
+    // What is known of where the model settles, in lengths; a swing of BDF2 is damped by the drag
+    // alone, e^-10 in 20 s.
+    float accuracy() const { return to == cosserat || to == articulated ? 3e-4f : 1e-5f; }
 };
 
-INSTANTIATE_TEST_SUITE_P(Models, Switch,
-                         testing::Values(std::pair{chain, cosserat}, std::pair{chain, rod},
-                                         std::pair{cosserat, chain}, std::pair{cosserat, rod},
-                                         std::pair{rod, chain}, std::pair{rod, cosserat}),
-                         [](const auto& pair) {
-                             return std::string(names[pair.param.first]) + "_to_" +
-                                    names[pair.param.second];
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    Models, Switch,
+    testing::Values(std::pair{chain, cosserat}, std::pair{chain, rod}, std::pair{cosserat, chain},
+                    std::pair{cosserat, rod}, std::pair{rod, chain}, std::pair{rod, cosserat},
+                    std::pair{chain, articulated}, std::pair{articulated, chain},
+                    std::pair{cosserat, articulated}, std::pair{articulated, cosserat},
+                    std::pair{rod, articulated}, std::pair{articulated, rod}),
+    [](const auto& pair) {
+        return std::string(names[pair.param.first]) + "_to_" + names[pair.param.second];
+    });
 
 // In the fall and at rest. Bending that a chain did not have pulls at once; what it does to a hair
 // limp as a thread is the most: measured 40 m/s^2 straight, 104 curled, where a chain that goes on
-// falling as it was sees 85.
+// falling as it was sees 85. `articulated`, which solves what pulls in one step instead of in some,
+// 266 curled.
 TEST_P(Switch, has_no_spike) {
     for (const auto& points : {straight(level), curl()})
         for (const double at : {0.2, 0.5, 20.0}) {
@@ -92,7 +96,9 @@ TEST_P(Switch, has_no_spike) {
             const Points before = strand.read(PLAIT_FIELD_POSITION);
             become(strand, to);
             EXPECT_EQ(strand.read(PLAIT_FIELD_POSITION), before);
-            EXPECT_LT(peak_acceleration(strand, 10), 12 * g) << "after " << at << " s";
+            const bool at_once = from == chain && to == articulated;
+            EXPECT_LT(peak_acceleration(strand, 10), (at_once ? 28 : 12) * g)
+                << "after " << at << " s";
         }
 }
 
@@ -112,13 +118,17 @@ TEST_P(Switch, settles_where_a_strand_of_the_model_does) {
 }
 
 TEST(Switching, rods_at_rest_stay_at_rest) {
-    for (const auto& [from, to] : {std::pair{cosserat, rod}, std::pair{rod, cosserat}})
+    for (const auto& [from, to] :
+         {std::pair{cosserat, rod}, std::pair{rod, cosserat}, std::pair{cosserat, articulated},
+          std::pair{articulated, rod}, std::pair{rod, articulated}})
         for (const auto& points : {straight(level), curl()}) {
             OneStrand strand(points, desc_of(from));
             strand.run(20);
             const Points before = strand.read(PLAIT_FIELD_POSITION);
             become(strand, to);
-            EXPECT_LT(peak_acceleration(strand, 10), 0.005f * g);
+            // the weight's stretch, .9 per mille, is given to `articulated` and taken from it
+            const bool length_changes = from == articulated || to == articulated;
+            EXPECT_LT(peak_acceleration(strand, 10), (length_changes ? 0.051f : 0.005f) * g);
             for (int second = 0; second < 5; ++second) {
                 strand.run(1);
                 EXPECT_LT(worst_distance(strand.read(PLAIT_FIELD_POSITION), before),
@@ -149,6 +159,25 @@ TEST(Switching, a_groom_in_balance_stays_so_and_comes_back) {
     EXPECT_LT(off(), 1e-3f);
 }
 
+// Stretched by a tenth as by a jerk of the head, in either integrator: lengths are there after one
+// step, and no velocity comes of it.
+TEST(Switching, what_was_stretched_gets_its_lengths_and_no_velocity) {
+    for (const uint32_t bdf2 : {0u, 1u, PLAIT_BDF2_OF_MODEL}) {
+        plait_sim_desc desc = desc_of(cosserat);
+        desc.params.bdf2 = bdf2;
+        desc.params.stretch_stiffness = 3e-5f; // twice its weight
+        desc.params.drag = 20;
+        OneStrand strand(straight({17, 0.3f, {0.0f, -1.0f, 0.0f}}), desc);
+        strand.run(5);
+        EXPECT_GT(strand.stats().max_stretch, 0.1f);
+        become(strand, articulated);
+        strand.step();
+        EXPECT_LT(strand.stats().max_stretch, 1e-5f);
+        EXPECT_LT(strand.stats().max_speed, 0.05f) << "bdf2 " << bdf2; // 10 % at once: 1.8 m/s
+        EXPECT_LT(peak_acceleration(strand, 20), g);
+    }
+}
+
 // As a far hero that is looked at in passing, ten times; then as one that flickers.
 TEST(Switching, there_and_back_is_calm) {
     for (const int every : {6, 1}) {
@@ -157,7 +186,7 @@ TEST(Switching, there_and_back_is_calm) {
         float speed = 0;
         for (int i = 0; i < 300; ++i) {
             if (i % every == 0)
-                become(strand, std::array{rod, chain, cosserat}[(i / every) % 3]);
+                become(strand, std::array{rod, articulated, chain, cosserat}[(i / every) % 4]);
             strand.step();
             const plait_sim_stats stats = strand.stats();
             EXPECT_EQ(stats.nonfinite, 0u);

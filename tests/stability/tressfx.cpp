@@ -123,7 +123,7 @@ TEST(TressfxFailure, jump_of_the_head_tears_the_published_order) {
 
 TEST(TressfxFix, shock_before_global_survives_a_jump) {
     plait_sim_desc desc = mohawk();
-    desc.params.order = PLAIT_ORDER_SHOCK_BEFORE_GLOBAL;
+    desc.params.order = PLAIT_STAGE_ORDER_SHOCK_BEFORE_GLOBAL;
     desc.params.shock_form = PLAIT_SHOCK_FORM_CONTINUOUS;
     OneStrand strand(hanging, desc);
     strand.run(1.0);

@@ -10,7 +10,7 @@
 #ifndef PLAIT_PARAMS_H
 #define PLAIT_PARAMS_H
 
-#ifdef __OPENCL_VERSION__
+#ifdef __OPENCL_C_VERSION__
 typedef uint plait_u32;
 #else
 #include <stdint.h>
@@ -175,12 +175,12 @@ typedef struct plait_grid_params {
     float diffuse_floor;    /* PLAIT_DIFFUSE_FLOORED: share of the voxel's rms speed */
 } plait_grid_params;
 
-/* chain, cosserat, rod: one substep of a strand model over lanes. */
+/* chain, cosserat, rod, articulated: one substep of a strand model over lanes. */
 typedef struct plait_lane_params {
     plait_u32 vertex_stride;
     plait_u32 tile;       /* strands per tile of the lane layout */
     float h;              /* s */
-    plait_u32 iterations; /* chain: length solves; cosserat: sweeps; rod: Newton steps */
+    plait_u32 iterations; /* chain: length solves; cosserat: sweeps; rod, articulated: Newton steps */
     plait_u32 bdf2;       /* 0: backward Euler; 1: BDF2, needs the step before */
     float drag;           /* c, 1/s, relative to the air */
     float gravity[3];     /* m/s^2 */
@@ -205,6 +205,14 @@ typedef struct plait_lane_layout_params {
     float h; /* s: position_prev = position - h v; the step before is h ago (lane_orient) */
 } plait_lane_layout_params;
 
+/* lane_fit. */
+typedef struct plait_lane_fit_params {
+    plait_u32 vertex_stride;
+    plait_u32 tile;
+    float h;           /* s: the step before is h ago */
+    plait_u32 history; /* 1: BDF2's step before is kept; 0: lane_x_before, lane_v_before are null */
+} plait_lane_fit_params;
+
 /* lane_move. */
 typedef struct plait_lane_move_params {
     plait_u32 vertex_stride;
@@ -214,10 +222,10 @@ typedef struct plait_lane_move_params {
 
 /* lane_material: per vertex row, components of the lane layout. */
 #define PLAIT_LANE_LENGTH 0  /* l_i of the segment after vertex i, m; 0 past the tip */
-#define PLAIT_LANE_STRETCH 1 /* EA_i/l_i, N/m; 0 past the tip */
+#define PLAIT_LANE_STRETCH 1 /* EA_i/l_i, N/m; 0 past the tip; chain, articulated: bounds friction alone */
 #define PLAIT_LANE_BEND 2    /* 4EI/lbar of the joint before segment i, N m; 0 past the tip */
 #define PLAIT_LANE_MASS 3    /* m_i, kg; 1 past the tip */
-/* Only `rod` reads these; 0 where a strand is round and twists as it bends. The joint's axes are
+/* Only `rod` and `articulated` read these; 0 where a strand is round and twists as it bends. The joint's axes are
  * those of q_(i-1) r_i: x along the segment, about y a strand bends by EI, about z by EI2. */
 #define PLAIT_LANE_TWIST 4 /* 4(GJ - EI)/lbar of the joint before segment i, N m */
 #define PLAIT_LANE_CROSS 5 /* 4(EI2 - EI)/lbar, N m */

@@ -8,7 +8,7 @@
 #define SPRING_LAG 1e-4f /* s */
 #include "mass_spring.clh"
 
-inline void spring_advance(const spring_strand* s, float h, vec3* x, vec3* v) {
+static inline void spring_advance(const spring_strand* s, float h, vec3* x, vec3* v) {
     vec3 a[PLAIT_VERTICES];
     spring_accelerations(s, x, v, a);
     for (int i = 1; i <= s->step->segments; ++i) {

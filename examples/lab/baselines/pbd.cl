@@ -9,7 +9,7 @@
 #include "collide.clh"
 #include "common/lane_step.clh"
 
-inline void pbd_sweep(const lane_step* step, vec3* x) {
+static inline void pbd_sweep(const lane_step* step, vec3* x) {
     real w0 = (real)(0.0f); /* the root is pinned */
     for (int i = 0; i < step->segments; ++i) {
         const real rest = lane_material_at(step, i, PLAIT_LANE_LENGTH);

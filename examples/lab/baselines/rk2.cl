@@ -7,7 +7,7 @@
 #pragma OPENCL FP_CONTRACT OFF
 #include "mass_spring.clh"
 
-inline void spring_advance(const spring_strand* s, float h, vec3* x, vec3* v) {
+static inline void spring_advance(const spring_strand* s, float h, vec3* x, vec3* v) {
     vec3 middle_x[PLAIT_VERTICES], middle_v[PLAIT_VERTICES], a[PLAIT_VERTICES];
     spring_accelerations(s, x, v, a);
     middle_x[0] = x[0];

@@ -6,7 +6,7 @@
 #pragma OPENCL FP_CONTRACT OFF
 #include "mass_spring.clh"
 
-inline void spring_advance(const spring_strand* s, float h, vec3* x, vec3* v) {
+static inline void spring_advance(const spring_strand* s, float h, vec3* x, vec3* v) {
     vec3 stage_x[PLAIT_VERTICES], stage_v[PLAIT_VERTICES], a[PLAIT_VERTICES];
     vec3 next_x[PLAIT_VERTICES], next_v[PLAIT_VERTICES];
     for (int i = 0; i <= s->step->segments; ++i) {

@@ -20,7 +20,22 @@ struct GridRow {
 };
 
 std::vector<GridRow> exact_rows(Device& device); // 23, 25
-std::vector<GridRow> slot_rows(Device& device);  // 24
+
+// Row 24: how many vertices fall into so many voxels of so many slots, drawn evenly, or as given.
+struct SlotOptions {
+    std::vector<uint32_t> counts; // of vertices; empty: C/4, C and 4 C
+    uint32_t capacity = 256;      // C, slots of a voxel
+    uint32_t edge_count = 1;      // voxels along an edge
+    std::vector<Vec3> positions;  // instead of `counts`, in voxels
+
+    bool operator==(const SlotOptions&) const = default;
+};
+std::vector<GridRow> slot_rows(Device& device, const SlotOptions& options = {});
+
+// Points of a file, "x, y, z" a line, m, into the smallest cube of so many voxels that holds them.
+// Throws Failure.
+std::vector<Vec3> read_positions(const std::string& file, uint32_t edge_count);
+
 Figure grid_figure(const plait_device_info& which, Device& device, const CostOptions& options);
 
 struct GridRun {

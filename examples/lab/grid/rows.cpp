@@ -53,70 +53,180 @@ Vec3 total(const std::vector<Vec3>& v) {
     return std::accumulate(v.begin(), v.end(), Vec3(Vec3::Zero()));
 }
 
-// ---- slots: n vertices in one voxel of C
+// ---- slots: n vertices in voxels of C
 
+// What is seen and what is expected of it, each a mean over frames, with its standard error.
 struct Sampled {
-    double occupied = 0;                    // share of slots, mean over frames
-    double density = 0, density_error = 0;  // of the exact one, and the mean's standard error
-    double spread = 0, expected_spread = 0; // of V, in standard deviations of v
-    double order_bias = 0;                  // of V where v = index/n
+    double value = 0, expected = 0, error = 0;
+
+    // A statistic that cannot scatter has to be met.
+    double off() const {
+        const double by = value - expected;
+        if (error > 1e-12)
+            return by / error;
+        return std::abs(by) < 1e-6 ? 0 : std::numeric_limits<double>::infinity();
+    }
+};
+
+struct Seen {
+    Sampled occupied, density; // share of slots; of the exact density
+    Sampled spread;            // of V, in standard deviations of v
+    double order_bias = 0;     // of V where v = index/n
 };
 
 constexpr uint32_t frames = 400;
 
-// Velocities anew each frame, so that who wins a slot says nothing about them.
-Sampled sample(Device& device, uint32_t capacity, uint32_t n) {
-    std::mt19937 random(7);
-    std::uniform_real_distribution<double> within(0.01, 0.99);
-    std::normal_distribution<double> normal;
-    Stages stages(device, params_of(1, 1, capacity), n, 2);
-    Sampled seen;
-    double squares = 0;
-    for (uint32_t& frame = stages.params.frame; frame < frames; ++frame) {
-        std::vector<Vertex> vertices(n);
-        for (Vertex& vertex : vertices)
-            vertex = {Vec3(within(random), within(random), within(random)), Vec3::Zero()};
-        stages.place(vertices);
-        stages.slots();
-        const double sampled = stages.density()[0];
-        seen.occupied += static_cast<double>(stages.occupied()) / capacity / frames;
-        stages.exact();
-        const double ratio = sampled / stages.density()[0];
-        seen.density += ratio / frames;
-        squares += ratio * ratio / frames;
-        // At the centre all tents are 1: V is the mean of k of n, with variance S^2 (1/k - 1/n).
-        Vec3 mean = Vec3::Zero();
-        for (Vertex& vertex : vertices) {
-            vertex = {Vec3::Constant(0.5), Vec3(normal(random), normal(random), normal(random))};
-            mean += vertex.v / n;
-        }
-        stages.place(vertices);
-        stages.slots();
-        const double k = static_cast<double>(stages.occupied());
-        seen.spread += (stages.velocity()[0] - mean).squaredNorm() / (3 * frames);
-        seen.expected_spread += (1 / k - 1.0 / n) / frames;
-        for (uint32_t i = 0; i < n; ++i)
-            vertices[i].v = Vec3(static_cast<double>(i) / n, 0, 0);
-        stages.place(vertices);
-        stages.slots();
-        seen.order_bias += (stages.velocity()[0].x() - 0.5 * (n - 1) / n) / frames;
-    }
-    seen.spread = std::sqrt(seen.spread);
-    seen.expected_spread = std::sqrt(seen.expected_spread);
-    seen.density_error = std::sqrt((squares - seen.density * seen.density) / frames);
-    return seen;
-}
-
-// Of the share of C slots that n throws fill: mean, and standard deviation in a frame.
+// Of the share of C slots that n throws fill: mean, and variance in a frame.
 double share(double n, double capacity) {
     return 1 - std::pow(1 - 1 / capacity, n);
 }
 
-double share_deviation(double n, double capacity) {
+double share_variance(double n, double capacity) {
     const double empty = std::pow(1 - 1 / capacity, n);
     const double two_empty = std::pow(1 - 2 / capacity, n);
-    return std::sqrt((capacity - 1) * two_empty / capacity + empty / capacity - empty * empty);
+    return std::max(0.0, (capacity - 1) * two_empty / capacity + empty / capacity - empty * empty);
 }
+
+// The voxel of a position in voxels, as the device finds it.
+size_t voxel_of(const Vec3& x, uint32_t edge_count) {
+    const auto cell = [](double c) { return static_cast<size_t>(static_cast<float>(c)); };
+    return (cell(x.y()) * edge_count + cell(x.z())) * edge_count + cell(x.x());
+}
+
+// One number of vertices, wherever they are drawn or given.
+class Sampling {
+  public:
+    Sampling(Device& device, const SlotOptions& options, uint32_t n)
+        : options_(options), n_(n),
+          stages_(device, params_of(options.edge_count, 1, options.capacity), n + n % 2, 2) {}
+
+    Seen all() {
+        for (uint32_t& frame = stages_.params.frame; frame < frames; ++frame) {
+            throw_vertices();
+            see_shares();
+            see_velocities();
+            see_order();
+        }
+        const double slots = 1.0 * options_.capacity * static_cast<double>(voxels_.size());
+        seen_.occupied.value /= slots;
+        seen_.occupied.expected /= static_cast<double>(voxels_.size());
+        seen_.occupied.error =
+            std::sqrt(seen_.occupied.error / frames) / static_cast<double>(voxels_.size());
+        seen_.density.error = std::sqrt(seen_.density.error / frames);
+        finish_spread();
+        return seen_;
+    }
+
+  private:
+    // Anywhere, but for those that are given. Strands have two: an odd one lies outside the grid,
+    // where nothing sees it.
+    void throw_vertices() {
+        vertices_.assign(n_ + n_ % 2, {Vec3::Constant(-10), Vec3::Zero()});
+        for (uint32_t i = 0; i < n_; ++i)
+            vertices_[i] = {options_.positions.empty()
+                                ? options_.edge_count *
+                                      Vec3(within_(random_), within_(random_), within_(random_))
+                                : options_.positions[i],
+                            Vec3::Zero()};
+        const size_t edge = options_.edge_count;
+        voxels_.assign(edge * edge * edge, {});
+        for (uint32_t i = 0; i < n_; ++i)
+            voxels_[voxel_of(vertices_[i].x, options_.edge_count)].push_back(i);
+    }
+
+    void see_shares() {
+        stages_.place(vertices_);
+        stages_.slots();
+        const auto sampled = stages_.density();
+        seen_.occupied.value += static_cast<double>(stages_.occupied()) / frames;
+        stages_.exact();
+        const auto exact = stages_.density();
+        double whole = 0, got = 0, expected = 0;
+        for (size_t v = 0; v < voxels_.size(); ++v) {
+            const double n = static_cast<double>(voxels_[v].size()), filled = share(n, capacity());
+            seen_.occupied.expected += filled / frames;
+            seen_.occupied.error += share_variance(n, capacity()) / frames;
+            whole += exact[v];
+            got += sampled[v];
+            expected += n > 0 ? exact[v] * filled * capacity() / n : 0;
+        }
+        seen_.density.value += got / whole / frames;
+        seen_.density.expected += expected / whole / frames;
+        const double by = (got - expected) / whole;
+        seen_.density.error += by * by / frames;
+    }
+
+    // At the centre of a voxel all tents are 1: V is the mean of k of n, with variance
+    // S^2 (1/k - 1/n).
+    void see_velocities() {
+        std::vector<Vec3> mean(voxels_.size(), Vec3::Zero());
+        for (size_t v = 0; v < voxels_.size(); ++v)
+            for (const uint32_t i : voxels_[v]) {
+                const Vec3 centre =
+                    vertices_[i].x.cast<float>().array().floor().cast<double>() + 0.5;
+                vertices_[i] = {centre, Vec3(normal_(random_), normal_(random_), normal_(random_))};
+                mean[v] += vertices_[i].v / static_cast<double>(voxels_[v].size());
+            }
+        stages_.place(vertices_);
+        stages_.slots();
+        const auto velocity = stages_.velocity();
+        const auto sampled = stages_.density();
+        const double one = density_of_one();
+        for (size_t v = 0; v < voxels_.size(); ++v) {
+            const double n = static_cast<double>(voxels_[v].size());
+            const double k = std::round(sampled[v] / one);
+            if (k == 0)
+                continue;
+            const double square = 1 / k - 1 / n;
+            spread_ += (velocity[v] - mean[v]).squaredNorm() / 3;
+            expected_ += square;
+            fourths_ += square * square;
+        }
+    }
+
+    // Of a vertex at the centre of its voxel.
+    double density_of_one() {
+        if (one_ == 0) {
+            stages_.exact();
+            const auto exact = stages_.density();
+            one_ = std::accumulate(exact.begin(), exact.end(), 0.0) / n_;
+        }
+        return one_;
+    }
+
+    // Where velocity goes with the index, the mean is biased by who writes last.
+    void see_order() {
+        for (uint32_t i = 0; i < n_; ++i)
+            vertices_[i].v = Vec3(static_cast<double>(i) / n_, 0, 0);
+        stages_.place(vertices_);
+        stages_.slots();
+        const auto velocity = stages_.velocity();
+        for (size_t v = 0; v < voxels_.size(); ++v)
+            for (const uint32_t i : voxels_[v])
+                seen_.order_bias += (velocity[v].x() - static_cast<double>(i) / n_) / n_ / frames;
+    }
+
+    // Of a mean of squares of normal deviates, three a voxel, each with a variance of its own.
+    void finish_spread() {
+        if (!(expected_ > 0))
+            return;
+        seen_.spread = {std::sqrt(spread_ / expected_), 1,
+                        0.5 * std::sqrt(2.0 / 3 * fourths_) / expected_};
+    }
+
+    double capacity() const { return options_.capacity; }
+
+    const SlotOptions& options_;
+    uint32_t n_;
+    Stages stages_;
+    std::mt19937 random_{7};
+    std::uniform_real_distribution<double> within_{0.01, 0.99};
+    std::normal_distribution<double> normal_;
+    std::vector<Vertex> vertices_;
+    std::vector<std::vector<uint32_t>> voxels_; // the vertices of each
+    double one_ = 0, spread_ = 0, expected_ = 0, fourths_ = 0;
+    Seen seen_;
+};
 
 // A pattern may leave the second out.
 std::string number_of(const char* pattern, double a, double b) {
@@ -184,30 +294,47 @@ std::vector<GridRow> exact_rows(Device& device) {
              "the step brakes what outruns its neighbours and hands nothing over"}};
 }
 
-std::vector<GridRow> slot_rows(Device& device) {
-    constexpr uint32_t capacity = 256;
+namespace {
+
+std::string head_of(const SlotOptions& options, uint32_t n) {
+    const std::string voxels = std::to_string(options.edge_count);
+    if (options.edge_count == 1 && options.positions.empty())
+        return "slots, n = " + number_of("%g C: ", 1.0 * n / options.capacity, 0);
+    return "slots, " + std::to_string(n) + " in " + voxels + "³ voxels of " +
+           std::to_string(options.capacity) + ": ";
+}
+
+GridRow row_of(const std::string& title, const Sampled& sampled) {
+    return {"24", title,         "standard errors",
+            3.0,  sampled.off(), number_of("%.4f, expected %.4f", sampled.value, sampled.expected)};
+}
+
+// Of one voxel, where the table has it.
+std::string order_note(const SlotOptions& options, uint32_t n) {
+    for (const auto& row : load_table("slot_statistics.csv").rows)
+        if (options.edge_count == 1 && row[0] == options.capacity && row[1] == n)
+            return number_of("%+.3f if later writers always win", row.back(), 0);
+    return "";
+}
+
+} // namespace
+
+std::vector<GridRow> slot_rows(Device& device, const SlotOptions& options) {
+    const uint32_t capacity = options.capacity;
+    std::vector<uint32_t> counts = options.counts;
+    if (!options.positions.empty())
+        counts = {static_cast<uint32_t>(options.positions.size())};
+    else if (counts.empty())
+        counts = {std::max(1u, capacity / 4), capacity, 4 * capacity};
     std::vector<GridRow> rows;
-    for (const uint32_t n : {capacity / 4, capacity, 4 * capacity}) {
-        const std::string head = "slots, n = " + number_of("%g C: ", 1.0 * n / capacity, 0);
-        const Sampled seen = sample(device, capacity, n);
-        const double filled = share(n, capacity), survival = filled * capacity / n;
-        const double spread_error = 1 / std::sqrt(2.0 * 3 * frames);
-        double order = std::numeric_limits<double>::quiet_NaN();
-        for (const auto& row : load_table("slot_statistics.csv").rows)
-            if (row[0] == capacity && row[1] == n)
-                order = row.back();
-        rows.push_back(
-            {"24", head + "occupied share", "standard errors", 3.0,
-             (seen.occupied - filled) / (share_deviation(n, capacity) / std::sqrt(frames)),
-             number_of("%.4f, expected %.4f", seen.occupied, filled)});
-        rows.push_back({"24", head + "density over the exact one", "standard errors", 3.0,
-                        (seen.density - survival) / seen.density_error,
-                        number_of("%.4f, expected %.4f", seen.density, survival)});
-        rows.push_back({"24", head + "spread of V", "standard errors", 3.0,
-                        (seen.spread / seen.expected_spread - 1) / spread_error,
-                        number_of("%.4f, expected %.4f", seen.spread, seen.expected_spread)});
+    for (const uint32_t n : counts) {
+        const std::string head = head_of(options, n);
+        const Seen seen = Sampling(device, options, n).all();
+        rows.push_back(row_of(head + "occupied share", seen.occupied));
+        rows.push_back(row_of(head + "density over the exact one", seen.density));
+        rows.push_back(row_of(head + "spread of V over what it should be", seen.spread));
         rows.push_back({"24", head + "bias of V where v = index/n", "", std::nullopt,
-                        seen.order_bias, number_of("%+.3f if later writers always win", order, 0)});
+                        seen.order_bias, order_note(options, n)});
     }
     return rows;
 }

@@ -16,7 +16,7 @@ bool is_map(const Row& row) {
 
 bool bends(const std::string& label) {
     const Model* model = find_model(label);
-    return model && (model->model == PLAIT_MODEL_COSSERAT || model->model == PLAIT_MODEL_ROD);
+    return model && model->bends && model->model != PLAIT_MODEL_TRESSFX;
 }
 
 const Shake& shake_of(const Row& row) {

@@ -249,6 +249,81 @@ void add_colliders(Points& points) {
                           }});
 }
 
+// A hand on the head (assets/lab/hand.json): a capsule of 3 cm comes at 0.9 m/s, strokes a skull of
+// 8.8 cm at 0.36 m/s, `room` above it, and leaves. About the skull's centre.
+constexpr double skull = 0.088, hand = 0.03, comes = 0.3, comes_at = 0.9, strokes_at = 0.36;
+
+Point hand_at(double time, double room) {
+    const double away = skull + room + hand, from = 0.034; // rad, of where it strokes
+    const double arrives = comes / comes_at;
+    const double strokes = (pi - 2 * from) * away / strokes_at;
+    const double along = std::clamp((time - arrives) / strokes, 0.0, 1.0);
+    const double angle = from + (pi - 2 * from) * along;
+    const double out = std::clamp(arrives - time, 0.0, arrives) +
+                       std::clamp(time - arrives - strokes, 0.0, arrives);
+    return (away + comes_at * out) * Point(-std::cos(angle), std::sin(angle), 0);
+}
+
+TrialCollider hand_of(double room) {
+    TrialCollider collider{plait_collider_desc_defaults(), {}};
+    collider.shape.a[2] = -0.06f;
+    collider.shape.b[2] = 0.06f;
+    collider.shape.radius_a = collider.shape.radius_b = static_cast<float>(hand);
+    collider.shape.friction = 0.3f;
+    collider.pose = [room](double time) {
+        const Point at = hand_at(time, room);
+        plait_pose pose = pose_at(at.x());
+        pose.t[1] = static_cast<float>(at.y());
+        return pose;
+    };
+    return collider;
+}
+
+TrialCollider skull_at_origin() {
+    TrialCollider collider{plait_collider_desc_defaults(), {}};
+    collider.shape.radius_a = collider.shape.radius_b = static_cast<float>(skull);
+    collider.shape.friction = 0.3f;
+    collider.pose = [](double) { return pose_at(0); };
+    return collider;
+}
+
+// Roots on the skull where the hand goes, hair that leaves it slantwise.
+Trial stroked(const Subject& subject) {
+    Trial trial = base_trial(subject);
+    const std::vector<TrialStrand> shapes = std::move(trial.strands);
+    trial.strands.clear();
+    for (const double degrees : {-60.0, 0.0, 60.0})
+        for (const TrialStrand& shape : shapes) {
+            const double angle = degrees * pi / 180;
+            const Point normal(std::sin(angle), std::cos(angle), 0);
+            const Point aside(0.3 * std::cos(angle), -0.3 * std::sin(angle), 0.6);
+            const auto turn = Eigen::Quaterniond::FromTwoVectors(Point::UnitX(), normal + aside);
+            TrialStrand strand;
+            for (const Point& x : shape.rest)
+                strand.rest.push_back((skull + 1e-4) * normal + turn * (x - shape.rest[0]));
+            strand.root = [](double) { return pose_at(0); };
+            strand.root_speed = comes_at;
+            strand.stir = 0;
+            trial.strands.push_back(strand);
+        }
+    return trial;
+}
+
+void add_hands(Points& points) {
+    points.push_back({"hand", "alone", [](const Subject& subject) {
+                          Trial trial = stroked(subject);
+                          trial.colliders = {hand_of(0.012)};
+                          return trial;
+                      }});
+    for (const double room : {0.012, -0.008})
+        points.push_back(
+            {"hand on a head (mm of room)", text(1e3 * room), [room](const Subject& subject) {
+                 Trial trial = stroked(subject);
+                 trial.colliders = {skull_at_origin(), hand_of(room)};
+                 return trial;
+             }});
+}
+
 } // namespace
 
 const std::vector<Shake>& shakes() {
@@ -290,6 +365,7 @@ std::vector<AxisPoint> axis_points() {
     add_twists(points);
     add_frames(points);
     add_colliders(points);
+    add_hands(points);
     return points;
 }
 

@@ -16,7 +16,10 @@ struct Subject {
     bool bdf2 = false;
     plait_context* context = nullptr;
 
-    bool bends() const { return model == PLAIT_MODEL_COSSERAT || model == PLAIT_MODEL_ROD; }
+    bool bends() const {
+        return model == PLAIT_MODEL_COSSERAT || model == PLAIT_MODEL_ROD ||
+               model == PLAIT_MODEL_ARTICULATED;
+    }
 };
 
 // One place of the map; its strands' motions are its columns.

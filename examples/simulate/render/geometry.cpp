@@ -4,7 +4,15 @@ namespace render {
 
 namespace {
 
-constexpr float tip_taper = 0.35f; // radius of the tip / radius of the root
+constexpr float tip_taper = 0.15f;  // radius of the tip / radius of the middle
+constexpr float root_taper = 0.45f; // of the root, so that hair does not begin as a row of pegs
+constexpr float root_share = 0.06f; // of the strand, over which it grows from that
+
+// The drawn radius over that of the middle; `along` 0 at the root, 1 at the tip.
+float taper(float along) {
+    const float root = std::min(1.0f, along / root_share), tip = along * along * along;
+    return (root_taper + (1.0f - root_taper) * root) * (1.0f + (tip_taper - 1.0f) * tip);
+}
 
 // A buffer that Embree reads from our vector; Eigen::Vector4f and the like are plain floats.
 template <typename T>
@@ -50,8 +58,7 @@ void Geometry::add_strand(const float* row, uint32_t vertices, uint32_t strand, 
     const auto point = [&](uint32_t v) {
         const float along = static_cast<float>(v) / static_cast<float>(vertices - 1);
         const float* const at = row + size_t{4} * v;
-        return Eigen::Vector4f(at[0], at[1], at[2],
-                               radius * (1.0f + (tip_taper - 1.0f) * along * along));
+        return Eigen::Vector4f(at[0], at[1], at[2], radius * taper(along));
     };
     const auto mirrored = [](const Eigen::Vector4f& end, const Eigen::Vector4f& next) {
         Eigen::Vector4f control = 2.0f * end - next;
@@ -92,6 +99,7 @@ void Geometry::add_mesh(RTCDevice device, const Mesh& mesh) {
         return;
     mesh_points_ = mesh.vertices;
     mesh_triangles_ = mesh.triangles;
+    mesh_scalp_ = mesh.scalp;
     mesh_normals_ = smooth_normals(mesh_points_, mesh_triangles_);
     mesh_points_.reserve(mesh_points_.size() + 1); // Embree reads 16 bytes at the last vertex
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
@@ -128,6 +136,8 @@ Surfel Geometry::skin_hit(const RTCRayHit& query) const {
     surfel.normal =
         ((1.0f - u - v) * mesh_normals_[a] + u * mesh_normals_[b] + v * mesh_normals_[c])
             .normalized();
+    if (!mesh_scalp_.empty())
+        surfel.scalp = (1.0f - u - v) * mesh_scalp_[a] + u * mesh_scalp_[b] + v * mesh_scalp_[c];
     if (surfel.normal.dot(view) > 0.0f)
         surfel.normal = -surfel.normal;
     return surfel;

@@ -16,6 +16,7 @@ struct Surfel {
     Eigen::Vector3f tangent; // hair: unit, towards the tip
     float along = 0.0f;      // hair: 0 at the root, 1 at the tip
     float radius = 0.0f;     // hair: m
+    float scalp = 0.0f;      // skin: share of the hair's root colour
     uint32_t strand = 0;
 };
 
@@ -46,6 +47,7 @@ class Geometry {
     std::vector<std::array<float, 2>> curve_along_;
     std::vector<Eigen::Vector3f> mesh_points_;
     std::vector<Eigen::Vector3f> mesh_normals_;
+    std::vector<float> mesh_scalp_; // [mesh points] or none
     std::vector<std::array<uint32_t, 3>> mesh_triangles_;
 };
 

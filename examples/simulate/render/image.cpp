@@ -1,6 +1,7 @@
 #include "image.hpp"
 #include "surface.hpp"
 
+#include <filesystem>
 #include <stdexcept>
 
 namespace render {
@@ -37,17 +38,26 @@ Surface to_surface(const Image& image) {
     return surface;
 }
 
+// Beside its place, then renamed: a picture is whole or not there.
 void write_png(const Surface& surface, const std::string& path) {
-    check(cairo_surface_write_to_png(surface.get(), path.c_str()), path);
+    const std::string partial = path + ".part";
+    const cairo_status_t status = cairo_surface_write_to_png(surface.get(), partial.c_str());
+    std::error_code error;
+    if (status == CAIRO_STATUS_SUCCESS)
+        std::filesystem::rename(partial, path, error);
+    else
+        std::filesystem::remove(partial, error);
+    check(status, path);
+    if (error)
+        throw std::runtime_error(path + ": " + error.message());
 }
 
 void write_png(const Image& image, const std::string& path) {
     write_png(to_surface(image), path);
 }
 
-Image read_png(const std::string& path) {
-    Surface surface(cairo_image_surface_create_from_png(path.c_str()));
-    check(cairo_surface_status(surface.get()), path);
+Image to_image(const Surface& surface) {
+    cairo_surface_flush(surface.get());
     Image image(cairo_image_surface_get_width(surface.get()),
                 cairo_image_surface_get_height(surface.get()));
     for (int y = 0; y < image.height; ++y)
@@ -56,6 +66,12 @@ Image read_png(const std::string& path) {
                 image.pixel(x, y)[channel] =
                     static_cast<uint8_t>(row_of(surface.get(), y)[x] >> (16 - 8 * channel));
     return image;
+}
+
+Image read_png(const std::string& path) {
+    Surface surface(cairo_image_surface_create_from_png(path.c_str()));
+    check(cairo_surface_status(surface.get()), path);
+    return to_image(surface);
 }
 
 } // namespace render

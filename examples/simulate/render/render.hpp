@@ -31,6 +31,7 @@ float default_width(size_t strands);
 struct Mesh {
     std::vector<Eigen::Vector3f> vertices; // m
     std::vector<std::array<uint32_t, 3>> triangles;
+    std::vector<float> scalp; // [vertices]: share of the hair's root colour in the skin's; or none
 };
 
 // A pinhole.
@@ -48,9 +49,9 @@ struct Light {
 
 // Colours are linear RGB.
 struct Look {
-    Eigen::Vector3f hair_root{0.040f, 0.017f, 0.008f};
-    Eigen::Vector3f hair_tip{0.200f, 0.088f, 0.034f};
-    float colour_variation = 0.35f; // of a strand's brightness, +-
+    Eigen::Vector3f hair_root{0.046f, 0.022f, 0.011f};
+    Eigen::Vector3f hair_tip{0.092f, 0.046f, 0.023f};
+    float colour_variation = 0.25f; // of a strand's brightness, +-
     float highlight = 0.13f;        // angular width of the first highlight, radians
     Eigen::Vector3f skin{0.44f, 0.37f, 0.33f};
     Light key{Eigen::Vector3f(-0.55f, 0.80f, 0.55f).normalized(), {2.7f, 2.55f, 2.35f}};

@@ -96,7 +96,7 @@ Vector3f hair_scatter(const Surfel& surfel, const Vector3f& light, const Vector3
         gaussian(half + 4.0f * tilt, 1.6f * width) * std::exp(6.0f * a.cos_phi - 6.2f);
     const Vector3f glow = colour.cwiseSqrt();
     const float wrap = 0.35f + 0.65f * std::max(0.0f, surfel.normal.dot(light));
-    return Vector3f::Constant(0.20f * r) + 0.30f * trt * glow + 0.22f * tt * glow +
+    return 0.13f * r * (0.5f * Vector3f::Ones() + glow) + 0.30f * trt * glow + 0.22f * tt * glow +
            colour * (a.cos_light * wrap / pi * 2.0f);
 }
 
@@ -122,6 +122,7 @@ Vector3f shade_hair(const Geometry& geometry, const Surfel& surfel, const Vector
 
 Vector3f shade_skin(const Geometry& geometry, const Surfel& surfel, const Vector3f& eye,
                     const Look& look, const Sample& sample) {
+    const Vector3f skin = look.skin + surfel.scalp * (look.hair_root - look.skin);
     Vector3f light = Vector3f::Zero();
     for (const Light& lamp : {look.key, look.rim}) {
         const Vector3f towards = jittered(lamp, sample[0], sample[1]);
@@ -130,12 +131,13 @@ Vector3f shade_skin(const Geometry& geometry, const Surfel& surfel, const Vector
             continue;
         const float shine =
             std::pow(std::max(0.0f, surfel.normal.dot((towards + eye).normalized())), 24.0f);
-        light += (look.skin / pi * facing + Vector3f::Constant(0.04f * shine * facing))
+        light += (skin / pi * facing +
+                  Vector3f::Constant(0.04f * (1.0f - surfel.scalp) * shine * facing))
                      .cwiseProduct(lamp.colour)
                      .cwiseProduct(visible(geometry, surfel, towards, far_away, look.hair_tip));
     }
     const Vector3f out = (on_sphere(sample[2], sample[3]) + surfel.normal).normalized();
-    return light + look.skin.cwiseProduct(sky_light(out, look))
+    return light + skin.cwiseProduct(sky_light(out, look))
                        .cwiseProduct(visible(geometry, surfel, out, sky_reach, look.hair_tip));
 }
 

@@ -65,6 +65,33 @@ void draw_row(cairo_t* context, const SheetRow& row, int y) {
 
 } // namespace
 
+Image side_by_side(const std::vector<Cell>& cells) {
+    constexpr int space = 4;
+    int width = -space, tallest = 0, top = 0;
+    for (const Cell& cell : cells) {
+        width += cell.image.width + space;
+        tallest = std::max(tallest, cell.image.height);
+        top = cell.caption.empty() ? top : caption_height;
+    }
+    width += width % 2;
+    const int height = top + tallest + (top + tallest) % 2;
+    const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height));
+    const Context context(cairo_create(surface.get()));
+    cairo_set_source_rgb(context.get(), 0.97, 0.97, 0.96);
+    cairo_paint(context.get());
+    cairo_select_font_face(context.get(), "sans-serif", CAIRO_FONT_SLANT_NORMAL,
+                           CAIRO_FONT_WEIGHT_NORMAL);
+    int x = 0;
+    for (const Cell& cell : cells) {
+        const Surface picture = to_surface(cell.image);
+        cairo_set_source_surface(context.get(), picture.get(), x, top);
+        cairo_paint(context.get());
+        text(context.get(), x + 4, 18, 14, 0.15, cell.caption);
+        x += cell.image.width + space;
+    }
+    return to_image(surface);
+}
+
 void write_sheet(const Sheet& sheet, const std::string& path) {
     const Size size = size_of(sheet);
     const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, size.width, size.height));

@@ -24,4 +24,8 @@ struct Sheet {
 // Throws std::runtime_error when the file cannot be written.
 void write_sheet(const Sheet& sheet, const std::string& path);
 
+// Cells beside each other with their captions above, of even width and height, as films want.
+// "": no room for captions.
+Image side_by_side(const std::vector<Cell>& cells);
+
 } // namespace render

@@ -19,6 +19,7 @@ using Surface = std::unique_ptr<cairo_surface_t, SurfaceRelease>;
 using Context = std::unique_ptr<cairo_t, ContextRelease>;
 
 Surface to_surface(const Image& image);
+Image to_image(const Surface& surface);
 void write_png(const Surface& surface, const std::string& path);
 
 } // namespace render

@@ -11,11 +11,31 @@
 
 namespace plait::opencl {
 
-// As they are written in OpenCL C: "__global const float4* position".
-std::vector<std::string> expected_arguments(const plait_stage_info& stage);
+struct Argument {
+    std::string address; // "__global const " with the qualifiers of what it points to, or ""
+    std::string type;    // "float4*"
+    std::string name;
 
-// COMPILE names the first argument that differs, what was expected and what was found. UNSUPPORTED
-// if the driver keeps no argument information; then only their number was compared.
-Status check_arguments(cl_kernel kernel, const plait_stage_info& stage, const std::string& file);
+    std::string text() const { return address + type + " " + name; }
+};
+
+std::vector<Argument> expected_arguments(const plait_stage_info& stage);
+
+enum class Match {
+    same,
+    spelled, // alike but for a type's name that no stage uses: an alias that the driver looked
+             // through
+    other
+};
+
+// A driver may tell the type that an alias stands for (`float16*` for `real*`). A name that another
+// argument of the table could have is another type.
+Match match(const Argument& expected, const Argument& found);
+
+// What could not be checked, a sentence each: types that a driver spells in its own way, or
+// everything but the number of arguments where it keeps no argument information.
+// @errors COMPILE: the first argument that differs, what was expected and what was found
+Result<std::vector<std::string>> check_arguments(cl_kernel kernel, const plait_stage_info& stage,
+                                                 const std::string& file);
 
 } // namespace plait::opencl

@@ -105,6 +105,12 @@ plait_result buffer_write(plait_device* device, plait_buffer* buffer, size_t fir
                    [&](Device& self) { return self.write(unwrap(buffer), first, count, src); });
 }
 
+plait_result buffer_upload(plait_device* device, plait_buffer* buffer, size_t first, size_t count,
+                           const void* src) {
+    return perform(device,
+                   [&](Device& self) { return self.upload(unwrap(buffer), first, count, src); });
+}
+
 plait_result buffer_read(plait_device* device, plait_buffer* buffer, size_t first, size_t count,
                          void* dst) {
     return perform(device,
@@ -143,6 +149,7 @@ constexpr plait_device_api device_functions = {
     .buffer_create = buffer_create,
     .buffer_destroy = buffer_destroy,
     .buffer_write = buffer_write,
+    .buffer_upload = buffer_upload,
     .buffer_read = buffer_read,
     .submit = submit,
     .wait = wait,

@@ -37,7 +37,7 @@ Result<Program> build_program(cl_context context, const Candidate& device, const
                             device.info.name, options.c_str(), error_name(code).c_str(),
                             messages.c_str())};
     if (!messages.empty())
-        log(PLAIT_LOG_DEBUG, format("%s: %s", source.files[0].c_str(), messages.c_str()));
+        log(PLAIT_LOG_LEVEL_DEBUG, format("%s: %s", source.files[0].c_str(), messages.c_str()));
     return program;
 }
 
@@ -62,11 +62,10 @@ Result<StageKernel> build(cl_context context, const Candidate& device,
     PLAIT_TRY(program);
     auto kernel = find_kernel(program->get(), stage, text.name);
     PLAIT_TRY(kernel);
-    const Status checked = check_arguments(kernel->get(), stage, text.name);
-    if (!checked.ok() && checked.error().code != PLAIT_UNSUPPORTED)
-        return checked.error();
-    if (!checked.ok())
-        log(PLAIT_LOG_WARNING, checked.error().message);
+    const auto unchecked = check_arguments(kernel->get(), stage, text.name);
+    PLAIT_TRY(unchecked);
+    for (const std::string& sentence : *unchecked)
+        log(PLAIT_LOG_LEVEL_WARNING, sentence);
     StageKernel built{std::move(*kernel)};
     const cl_int code =
         clGetKernelWorkGroupInfo(built.kernel.get(), device.device, CL_KERNEL_WORK_GROUP_SIZE,
@@ -98,10 +97,10 @@ Result<StageKernel> build_stage(cl_context context, const Candidate& device,
     if (!built.ok()) {
         Error error = built.error();
         error.message = format("stage %s: %s", stage.name, error.message.c_str());
-        log(PLAIT_LOG_ERROR, error.message);
+        log(PLAIT_LOG_LEVEL_ERROR, error.message);
         return error;
     }
-    log(PLAIT_LOG_DEBUG, format("stage %s: built from %s", stage.name, text.name.c_str()));
+    log(PLAIT_LOG_LEVEL_DEBUG, format("stage %s: built from %s", stage.name, text.name.c_str()));
     return built;
 }
 

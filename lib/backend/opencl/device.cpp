@@ -18,7 +18,8 @@ Status check_part(const Buffer& buffer, size_t first, size_t count, const char* 
 } // namespace
 
 Device::Device(Session session, Log log, const Calls& calls)
-    : session_(std::move(session)), log_(log), calls_(calls) {
+    : session_(std::move(session)), log_(log), calls_(calls),
+      staging_(session_.context, session_.candidate.device, calls) {
     for (int stage = 0; stage < PLAIT_STAGE_COUNT; ++stage) {
         const std::string name = plait_stage_describe(static_cast<plait_stage>(stage))->name;
         const std::string_view text = stage_text(name);
@@ -76,6 +77,14 @@ Status Device::write(const Buffer& buffer, size_t first, size_t count, const voi
     if (code != CL_SUCCESS)
         return late_failure(code, "write to buffer " + buffer.name);
     return flight_.collect(session_.profile);
+}
+
+Status Device::upload(const Buffer& buffer, size_t first, size_t count, const void* src) {
+    PLAIT_TRY(check_part(buffer, first, count, "write to"));
+    if (count == 0)
+        return {};
+    return staging_.upload(queue(), buffer.memory.get(), first * buffer.element_bytes,
+                           count * buffer.element_bytes, src, "write to buffer " + buffer.name);
 }
 
 Status Device::read(const Buffer& buffer, size_t first, size_t count, void* dst) {

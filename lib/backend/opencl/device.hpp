@@ -5,6 +5,7 @@
 #include "backend/opencl/enumerate.hpp"
 #include "backend/opencl/flight.hpp"
 #include "backend/opencl/range.hpp"
+#include "backend/opencl/staging.hpp"
 
 #include <array>
 #include <map>
@@ -40,6 +41,8 @@ class Device {
 
     Result<std::unique_ptr<Buffer>> create(const plait_buffer_desc& desc);
     Status write(const Buffer& buffer, size_t first, size_t count, const void* src);
+    // Does not wait, unless uploads under way take more than Staging::most_bytes.
+    Status upload(const Buffer& buffer, size_t first, size_t count, const void* src);
     Status read(const Buffer& buffer, size_t first, size_t count, void* dst);
 
     Status submit(std::span<const plait_dispatch> list);
@@ -64,6 +67,7 @@ class Device {
     Log log_;
     Calls calls_;
     Flight flight_;
+    Staging staging_;
     std::array<std::optional<StageText>, PLAIT_STAGE_COUNT> texts_;
     std::map<std::pair<plait_stage, uint32_t>, StageKernel> kernels_;
     std::optional<Error> lost_;

@@ -19,6 +19,13 @@ Status set_lanes(plait_device_info& info, uint32_t lanes) {
     return {};
 }
 
+// A software rasteriser that poses as an OpenCL CPU device reports no clock and so comes last.
+Rank rank_of(const plait_device_info& info, bool unified, uint32_t clock) {
+    if (info.type == PLAIT_DEVICE_TYPE_CPU)
+        return {0, false, 0, double(clock) * info.compute_units * std::max(1u, info.float_width)};
+    return {info.type == PLAIT_DEVICE_TYPE_GPU ? 2 : 1, !unified, info.memory_bytes, 0};
+}
+
 namespace {
 
 template <typename T> T query(cl_device_id device, cl_device_info what) {
@@ -50,13 +57,13 @@ template <size_t size> void copy_text(char (&to)[size], const std::string& from)
 
 plait_device_type device_type(cl_device_type type) {
     if (type & CL_DEVICE_TYPE_GPU)
-        return PLAIT_DEVICE_GPU;
-    return type & CL_DEVICE_TYPE_CPU ? PLAIT_DEVICE_CPU : PLAIT_DEVICE_OTHER;
+        return PLAIT_DEVICE_TYPE_GPU;
+    return type & CL_DEVICE_TYPE_CPU ? PLAIT_DEVICE_TYPE_CPU : PLAIT_DEVICE_TYPE_OTHER;
 }
 
 // A CPU's registers full of strands; on a GPU every work-item has its own.
 uint32_t usual_lanes(const plait_device_info& info) {
-    if (info.type == PLAIT_DEVICE_GPU || info.float_width < 4)
+    if (info.type == PLAIT_DEVICE_TYPE_GPU || info.float_width < 4)
         return 1;
     return info.float_width >= 16 ? 16 : info.float_width >= 8 ? 8 : 4;
 }
@@ -96,16 +103,6 @@ const char* missing_ability(cl_device_id device) {
     return nullptr;
 }
 
-// GPUs before CPUs, then by the arithmetic they could do. A software rasteriser that poses as an
-// OpenCL CPU device reports no clock and so comes last.
-double rank(cl_device_id device, const plait_device_info& info) {
-    const double kind = info.type == PLAIT_DEVICE_GPU     ? 2e9
-                        : info.type == PLAIT_DEVICE_OTHER ? 1e9
-                                                          : 0;
-    const double clock = query<cl_uint>(device, CL_DEVICE_MAX_CLOCK_FREQUENCY); // MHz
-    return kind + std::min(1e9 - 1, clock * info.compute_units * std::max(1u, info.float_width));
-}
-
 void examine_platform(cl_platform_id platform, Candidates& found) {
     const std::string name = query_text(clGetPlatformInfo, platform, CL_PLATFORM_NAME);
     cl_uint count = 0;
@@ -130,9 +127,11 @@ void examine_platform(cl_platform_id platform, Candidates& found) {
 } // namespace
 
 Result<Candidate> examine_device(cl_device_id device) {
-    Candidate candidate{platform_of(device), device, {}, 0};
+    Candidate candidate{platform_of(device), device, {}, {}};
     candidate.info = describe(candidate.platform, device);
-    candidate.rank = rank(device, candidate.info);
+    candidate.rank =
+        rank_of(candidate.info, query<cl_bool>(device, CL_DEVICE_HOST_UNIFIED_MEMORY) != CL_FALSE,
+                query<cl_uint>(device, CL_DEVICE_MAX_CLOCK_FREQUENCY));
     if (const char* missing = missing_ability(device))
         return Error{PLAIT_UNSUPPORTED, format("device %s of platform %s: %s", candidate.info.name,
                                                candidate.info.platform, missing)};

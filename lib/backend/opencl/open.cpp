@@ -13,7 +13,7 @@ namespace {
 Result<Session> own_session(const plait_open_info& info, const Log& log) {
     const Candidates found = find_devices();
     for (const std::string& reason : found.rejected)
-        log(PLAIT_LOG_INFO, "opencl: passed over " + reason);
+        log(PLAIT_LOG_LEVEL_INFO, "opencl: passed over " + reason);
     if (info.device_index >= found.usable.size())
         return Error{PLAIT_NOT_FOUND, format("device %u: there are %zu OpenCL devices",
                                              info.device_index, found.usable.size())};
@@ -64,7 +64,7 @@ Result<Session> adopted_session(const plait_open_info& info, const Log& log) {
     PLAIT_TRY(candidate);
     const bool can_profile = *properties & CL_QUEUE_PROFILING_ENABLE;
     if (info.profile && !can_profile)
-        log(PLAIT_LOG_WARNING,
+        log(PLAIT_LOG_LEVEL_WARNING,
             "opencl: the adopted queue was made without CL_QUEUE_PROFILING_ENABLE: "
             "stage times will be 0");
     return Session{*candidate, Context::share(handles.context), Queue::share(handles.queue),
@@ -117,7 +117,7 @@ Result<std::unique_ptr<Device>> Device::open(const plait_open_info& info, const 
         PLAIT_TRY(set_lanes(session->candidate.info, info.lanes));
     std::unique_ptr<Device> device(new Device(std::move(*session), log, calls));
     PLAIT_TRY(device->take_sources({info.stage_sources, info.stage_source_count}));
-    log(PLAIT_LOG_INFO,
+    log(PLAIT_LOG_LEVEL_INFO,
         format("opencl: opened %s (%s), driver %s%s", device->info().name, device->info().platform,
                device->info().driver, info.native ? ", on the caller's queue" : ""));
     return device;

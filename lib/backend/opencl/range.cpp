@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <span>
+#include <string_view>
 
 namespace plait::opencl {
 namespace {
@@ -32,7 +33,9 @@ WorkRange ranges_of(size_t groups, size_t local) {
 Result<WorkRange> strand_groups(const plait_stage_info& stage, const plait_dispatch& dispatch,
                                 const GroupLimits& limits) {
     const size_t width = dispatch.item_width;
-    const size_t most = std::min(limits.device_items, items_in_memory(stage, limits));
+    const size_t kernel_items = limits.advice ? SIZE_MAX : limits.kernel_items;
+    const size_t most =
+        std::min({limits.device_items, kernel_items, items_in_memory(stage, limits)});
     if (width > most)
         return Error{PLAIT_UNSUPPORTED,
                      format("stage %s: strands of %zu vertices need work-groups of %zu work-items; "
@@ -63,6 +66,11 @@ WorkRange lane_items(const plait_dispatch& dispatch, const GroupLimits& limits) 
 }
 
 } // namespace
+
+bool gives_advice_for_limit(const plait_device_info& info) {
+    return std::string_view(info.platform) == "rusticl" &&
+           std::string_view(info.driver).starts_with("22.3");
+}
 
 size_t element_size(plait_element element) {
     return element == PLAIT_ELEMENT_FLOAT4 ? 4 * sizeof(float) : sizeof(float);

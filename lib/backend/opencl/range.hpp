@@ -11,11 +11,16 @@ namespace plait::opencl {
 
 struct GroupLimits {
     size_t device_items;   // CL_DEVICE_MAX_WORK_GROUP_SIZE
-    size_t kernel_items;   // CL_KERNEL_WORK_GROUP_SIZE: advice; rusticl 22.3 says 32 and runs 1024
+    size_t kernel_items;   // CL_KERNEL_WORK_GROUP_SIZE
     uint64_t local_memory; // CL_DEVICE_LOCAL_MEM_SIZE, bytes
     size_t lanes = 1;      // strands per work-item, and per tile, of the stages over lanes
     size_t tile = 1;
+    bool advice = false; // kernel_items is only what the driver likes best
 };
+
+// CL_KERNEL_WORK_GROUP_SIZE is a limit by the standard. The rusticl of Mesa 22.3 (Debian 12) gives
+// its favourite multiple instead, 32, and runs groups of 1024.
+bool gives_advice_for_limit(const plait_device_info& info);
 
 struct WorkRange {
     size_t global;

@@ -74,8 +74,9 @@ Status Device::enqueue(const plait_dispatch& dispatch, bool last) {
     auto found = kernel(*stage, dispatch.item_width);
     PLAIT_TRY(found);
     const StageKernel& built = **found;
-    const GroupLimits limits{info().max_group_size, built.group_limit, info().local_memory_bytes,
-                             info().lanes, info().tile};
+    const GroupLimits limits{
+        info().max_group_size, built.group_limit, info().local_memory_bytes,
+        info().lanes,          info().tile,       gives_advice_for_limit(info())};
     const auto range = work_range(*stage, dispatch, limits);
     PLAIT_TRY(range);
     PLAIT_TRY(set_arguments(built.kernel.get(), *stage, dispatch, (*range).local));

@@ -137,6 +137,7 @@ constexpr plait_device_api device_api = {
     buffer_create,
     buffer_destroy,
     buffer_write,
+    buffer_write, // upload: there is nothing to wait for
     buffer_read,
     submit,
     wait,

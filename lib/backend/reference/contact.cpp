@@ -136,6 +136,16 @@ bool Contacts::slides(const Contact& before, const Contact& now, const Vec3& u,
     return before.friction * before.push * u.norm() / slip > now.friction * now.push;
 }
 
+// The direction in which the vertex slid along the surface, if it was pressed to it.
+Vec3 Contacts::slid_before(size_t vertex, const Touch& found) const {
+    if (solved_ || !slides_on_ || !(found.start < 0))
+        return Vec3::Zero();
+    const Vec3 surface = found.anchor - motion_.start[vertex];
+    const Vec3 way = motion_.whole * motion_.v[vertex] - surface;
+    const Vec3 along = way - found.normal * found.normal.dot(way);
+    return along.norm() > params_.contact_slip ? Vec3(along.normalized()) : Vec3::Zero();
+}
+
 Contacts::Contact Contacts::renewed(size_t vertex, const Vec3& x) const {
     const Contact& before = at_[vertex];
     const auto found = nearest(vertex, x);
@@ -174,6 +184,8 @@ Contacts::Contact Contacts::renewed(size_t vertex, const Vec3& x) const {
     const Vec3 u = slip_of(now, x);
     if (slides(solved_ ? before : Contact{}, now, u, motion_.h * motion_.h / mass_[vertex]))
         now.slide = u.normalized();
+    if (const Vec3 slid = slid_before(vertex, *found); !slid.isZero(0))
+        now.slide = slid;
     return now;
 }
 

@@ -20,6 +20,8 @@ class Contacts {
              const Motion& motion, std::vector<double> length, std::vector<double> stretch,
              std::vector<double> mass);
 
+    // What slid in the substep before slides on in the first solve; else it begins as if it stuck.
+    void slide_on() { slides_on_ = true; }
     // Look for the contacts of vertices at x again.
     void renew(const std::vector<Vec3>& x);
     bool touching() const; // any vertex now
@@ -65,6 +67,7 @@ class Contacts {
     std::optional<Touch> nearest(size_t vertex, const Vec3& x) const;
     Contact renewed(size_t vertex, const Vec3& x) const;
     bool slides(const Contact& before, const Contact& now, const Vec3& u, double mobility) const;
+    Vec3 slid_before(size_t vertex, const Touch& found) const;
     Vec3 slip_of(const Contact& at, const Vec3& x) const;
     double depth_allowed(size_t vertex) const;
     double released(size_t vertex, const Vec3& x, double begin) const;
@@ -74,7 +77,7 @@ class Contacts {
     const Motion& motion_;
     std::vector<double> length_, stretch_, mass_, arc_; // arc_[i]: from the root to vertex i
     std::vector<Contact> at_;
-    bool solved_ = false, touched_ = false;
+    bool solved_ = false, touched_ = false, slides_on_ = false;
 };
 
 } // namespace plait::reference

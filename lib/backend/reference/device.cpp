@@ -35,7 +35,7 @@ plait_device_info device_info() {
     std::snprintf(info.vendor, sizeof info.vendor, "plait");
     std::snprintf(info.driver, sizeof info.driver, "%d.%d.%d", PLAIT_VERSION_MAJOR,
                   PLAIT_VERSION_MINOR, PLAIT_VERSION_PATCH);
-    info.type = PLAIT_DEVICE_CPU;
+    info.type = PLAIT_DEVICE_TYPE_CPU;
     info.compute_units = 1;
     info.float_width = 1;
     info.lanes = 1;

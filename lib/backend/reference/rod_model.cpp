@@ -1,5 +1,7 @@
 #include "backend/reference/rod_model.hpp"
 
+#include <algorithm>
+
 namespace plait::reference {
 namespace {
 
@@ -8,18 +10,24 @@ double repeated(const plait_lane_params& params) {
     return params.bdf2 ? 0.97 : 0.99;
 }
 
+// m/s^2: most that a strand in contact is stretched or compressed by is what this pull of all its
+// mass does, nine times its weight on Earth.
+constexpr double pull = 9 * 9.80665;
+constexpr double least_limit = 1e-3; // nor is any held closer
+
 double dot(const Quat& a, const Quat& b) {
     return a.coeffs().dot(b.coeffs());
 }
 
 } // namespace
 
-RodModel::RodModel(const RodBuffers& buffers, const plait_lane_params& params, size_t slot)
-    : RodModel(buffers, params, slot, strand_of(buffers.lane_strand, slot)) {}
+RodModel::RodModel(const RodBuffers& buffers, const plait_lane_params& params, size_t slot,
+                   bool inextensible)
+    : RodModel(buffers, params, slot, strand_of(buffers.lane_strand, slot), inextensible) {}
 
 RodModel::RodModel(const RodBuffers& buffers, const plait_lane_params& params, size_t slot,
-                   size_t strand)
-    : params_(&params), lane_(slot, params.vertex_stride, params.tile),
+                   size_t strand, bool inextensible)
+    : inextensible_(inextensible), params_(&params), lane_(slot, params.vertex_stride, params.tile),
       motion_(lane_, params, buffers.state,
               root_of(buffers.rest, pose_of(buffers.pose, strand), strand, params.vertex_stride)),
       inertia_((1 + params.drag * motion_.h) / (motion_.h * motion_.h)),
@@ -47,12 +55,22 @@ RodModel::RodModel(const RodBuffers& buffers, const plait_lane_params& params, s
     }
     length_before_.assign(1, 0.0);
     length_before_.insert(length_before_.end(), length_.begin(), length_.end());
-    if (params.collider_count == 0)
-        return;
     std::vector<double> stretch_before(1, 0.0);
     stretch_before.insert(stretch_before.end(), stretch_.begin(), stretch_.end());
+    if (inextensible)
+        leave_out_stretch();
+    if (params.collider_count == 0)
+        return;
     contacts_ = std::make_shared<Contacts>(params, buffers.capsules, motion_, length_before_,
                                            stretch_before, mass_);
+}
+
+// Vertices past the tip lie on it: nothing may pull there.
+void RodModel::leave_out_stretch() {
+    std::fill(stretch_.begin(), stretch_.end(), 0.0);
+    for (size_t i = 1; i < mass_.size(); ++i)
+        if (length_before_[i] == 0)
+            mass_[i] = 0;
 }
 
 void RodModel::renew_contacts() {
@@ -68,13 +86,42 @@ void RodModel::shorten(double share) {
         x[i] = start[i] + share * (x[i] - start[i]);
     for (size_t i = 0; i < segments(); ++i)
         q[i] = Quat(Vec4((1 - share) * q_start_[i].coeffs() + share * q[i].coeffs())).normalized();
+    if (inextensible_)
+        rebuild();
+}
+
+double RodModel::strain_limit() const {
+    double mass = 0;
+    for (size_t i = 1; i < mass_.size(); ++i)
+        mass += length_before_[i] > 0 ? mass_[i] : 0; // none past the tip
+    return std::max(pull * mass / (stretch_[0] * length_[0]), least_limit);
+}
+
+// Planes are stiffer than EA, and a solve that is cut short does not let what they push run to the
+// root; so lengths go before depth. What is moved keeps its depth where the sphere around the
+// vertex before it allows it. Orientations stay: the next solve turns them.
+void RodModel::hold_lengths() {
+    const double limit = strain_limit();
+    for (size_t i = 0; i < segments(); ++i) {
+        const Vec3 solved = x[i + 1], edge = solved - x[i];
+        const double size = edge.norm();
+        const double held = std::clamp(size, (1 - limit) * length_[i], (1 + limit) * length_[i]);
+        if (length_[i] > 0 && held != size)
+            x[i + 1] = contacts_->keep_off(i + 1, x[i], held, solved,
+                                           x[i] + held * reference::direction(edge));
+    }
 }
 
 void RodModel::store(const RodBuffers& buffers) {
     double given = 0;
     if (contacts_) {
         given = contacts_->work(x);
-        contacts_->clip(x);
+        if (inextensible_)
+            renew_contacts(); // where there is no room, depth gives way, not length
+        else
+            contacts_->clip(x);
+        if (touched() && holds_)
+            hold_lengths();
         given += contacts_->work_of_new(x);
     }
     std::vector<Vec3> v = motion_.velocities(x);

@@ -1,4 +1,5 @@
-// The discrete Cosserat rod as an energy over dense vectors: what `cosserat` and `rod` minimise.
+// The discrete Cosserat rod as an energy over dense vectors: what `cosserat`, `rod` and, without
+// stretch, `articulated` minimise.
 //   E = sum_i m_i (1 + c h)/(2 h^2) |x_i - y_i|^2             inertia and drag
 //     + sum_i ks_i/2 |x_{i+1} - x_i - l_i t_i|^2              stretch and shear, t_i = q_i e_x
 //     + sum_i kb_i (1 - |<q_i, q_{i-1} r_i>|)                 bend and twist; q_{-1} is the root
@@ -17,7 +18,7 @@
 
 namespace plait::reference {
 
-// The buffers `cosserat` and `rod` have in common.
+// The buffers they have in common.
 struct RodBuffers {
     const View<const uint32_t>& lane_strand;
     const View<const Vec4>& rest;
@@ -32,7 +33,9 @@ struct RodBuffers {
 
 class RodModel {
   public:
-    RodModel(const RodBuffers& buffers, const plait_lane_params& params, size_t slot);
+    // `inextensible`: no energy of stretch; segments keep their lengths.
+    RodModel(const RodBuffers& buffers, const plait_lane_params& params, size_t slot,
+             bool inextensible = false);
     RodModel(const RodModel&) = default; // shares the contacts
     RodModel& operator=(const RodModel&) = default;
     void store(const RodBuffers& buffers);
@@ -49,18 +52,25 @@ class RodModel {
     void alternate(uint32_t count, bool renew = true);
     // One damped Gauss-Newton step, see rod.cpp.
     void newton();
+    // One substep of an inextensible rod in `steps` Newton steps, see articulated.cpp.
+    void articulate(uint32_t steps);
     // Contacts of the end of the step; did anything touch in it?
     void renew_contacts();
+    // What touches ends the substep with its lengths.
+    void hold_lengths_in_contact() { holds_ = true; }
     bool touched() const { return contacts_ && contacts_->touched(); }
 
     std::vector<Vec3> x; // relative to the root
     std::vector<Quat> q;
 
   private:
-    RodModel(const RodBuffers& buffers, const plait_lane_params& params, size_t slot,
-             size_t strand);
+    RodModel(const RodBuffers& buffers, const plait_lane_params& params, size_t slot, size_t strand,
+             bool inextensible);
     // Only this share of the way: the potential is convex along it.
     void shorten(double share);
+    // Segments of a strand in contact back within the limit, root to tip.
+    void hold_lengths();
+    double strain_limit() const;
     Quat expected(size_t segment) const; // q_{i-1} r_i
     Vec3 strain(size_t segment) const;   // x_{i+1} - x_i - l_i t_i
     // Elastic energy, J, since the substep's begin.
@@ -77,7 +87,20 @@ class RodModel {
     Quat bent(size_t segment) const { return expected(segment).conjugate() * q[segment]; }
     Vec3 director(size_t segment) const { return q[segment] * Vec3::UnitX(); }
     Eigen::VectorXd direction() const;
+    // Of articulated.cpp.
+    void leave_out_stretch();
+    void rebuild(); // vertices from orientations
+    void load();
+    void follow_target();
+    void add_vertices(Eigen::MatrixXd& H, Eigen::VectorXd& g) const;
+    void add_joints(Eigen::MatrixXd& H, Eigen::VectorXd& g) const;
+    Eigen::VectorXd turns() const;
+    void follow_turns(const RodModel& from, const Eigen::VectorXd& w);
+    void turn_segments();
+    bool deep() const; // any vertex, deeper than pull and push balance
 
+    bool inextensible_;
+    bool holds_ = false; // lengths, of a strand that touched
     const plait_lane_params* params_;
     Lane lane_;
     Motion motion_;
@@ -94,7 +117,7 @@ class RodModel {
 // Steps every strand of a dispatch with `solve`.
 template <typename Args, typename Solve>
 void step_rods(uint32_t item_count, const plait_lane_params& params, const Args& args,
-               const Solve& solve) {
+               const Solve& solve, bool inextensible = false) {
     const RodBuffers buffers{args.lane_strand,
                              args.rest,
                              args.pose,
@@ -105,7 +128,7 @@ void step_rods(uint32_t item_count, const plait_lane_params& params, const Args&
                              args.lane_q_before,
                              {args.lane_x, args.lane_v, args.lane_x_before, args.lane_v_before}};
     for (size_t slot = 0; slot < item_count; ++slot) {
-        RodModel rod(buffers, params, slot);
+        RodModel rod(buffers, params, slot, inextensible);
         solve(rod);
         rod.store(buffers);
     }

@@ -2,23 +2,30 @@
 
 #include "core/groom.hpp"
 
+#include <cmath>
+
 namespace plait {
 namespace {
 
-struct Solver {
-    plait_stage stage;
-    uint32_t iterations; // by default
-};
+// Contact, in strand lengths.
+constexpr float contact_stiffness = 1e5f;  // a weight sinks 1/so deep
+constexpr float least_gravity = 1.0f;      // m/s^2, where there is none
+constexpr float steps_of_contact = 100.0f; // least rate, 1/h^2
+constexpr float contact_creep = 5e-4f;     // 1/s
+constexpr float rounding = 1e-6f;
 
-Solver solver_of(plait_model model) {
-    switch (model) {
-    case PLAIT_MODEL_CHAIN:
-        return {PLAIT_STAGE_chain, 1};
-    case PLAIT_MODEL_ROD:
-        return {PLAIT_STAGE_rod, 1};
-    default:
-        return {PLAIT_STAGE_cosserat, 3};
-    }
+// A contact under a vertex' own weight is a hundred-thousandth of a strand deep, less than float32
+// loses at a metre from the origin; in short substeps stiff enough that nothing bounces. 1/s^2.
+float contact_rate(const float (&gravity)[3], float h, uint32_t bdf2, float length) {
+    const float g = std::hypot(gravity[0], gravity[1], gravity[2]);
+    const float step = bdf2 ? h * 2.0f / 3.0f : h;
+    return std::max(contact_stiffness * std::max(g, least_gravity) / length,
+                    steps_of_contact / (step * step));
+}
+
+// Held hair creeps by so much in a substep, m; below a millionth of its length is rounding.
+float contact_slip(float h, float length) {
+    return length * std::max(contact_creep * h, rounding);
 }
 
 } // namespace
@@ -31,7 +38,7 @@ LaneSource::LaneSource(const ModelInput& input)
                                 {input.stiffness.begin(), input.stiffness.end(), input.memory}} {}
 
 LanePart::LanePart(const LaneSource& source, plait_model model, Members members)
-    : source_(source), model_(model),
+    : source_(source), traits_(traits_of(model)),
       members_(std::move(members)), lanes_{static_cast<uint32_t>(members_.size()),
                                            source.layout.row, source.tile} {}
 
@@ -52,16 +59,16 @@ Status LanePart::open(Device& device) {
 }
 
 Material LanePart::material_of(const plait_sim_params& params) const {
-    Material material{params.line_density,  params.bend_stiffness,      params.stretch_stiffness,
-                      params.tip_stiffness, params.tip_density,         params.twist_stiffness,
-                      params.section_ratio, model_ == PLAIT_MODEL_CHAIN};
-    if (model_ != PLAIT_MODEL_ROD)
+    Material material{params.line_density,  params.bend_stiffness, params.stretch_stiffness,
+                      params.tip_stiffness, params.tip_density,    params.twist_stiffness,
+                      params.section_ratio, !traits_.halves_tip,   !traits_.stretches};
+    if (!traits_.twists)
         material.twist_stiffness = 0, material.section_ratio = 1;
     return material;
 }
 
 RestLoad LanePart::load_of(const plait_sim_params& params) const {
-    if (source_.sag_free == PLAIT_SAG_FREE_OFF || model_ == PLAIT_MODEL_CHAIN)
+    if (source_.sag_free == PLAIT_SAG_FREE_OFF || !traits_.bends)
         return {};
     return {source_.sag_free, {params.gravity[0], params.gravity[1], params.gravity[2]}};
 }
@@ -90,8 +97,9 @@ Status LanePart::make_fill(Device& device, Fill& fill, const Members& members,
 // As if the strands had been where they are. At creation, where the state is not filled yet, reset
 // fills both.
 Status LanePart::prepare_history(Device& device, const plait_sim_params& params) {
-    has_next_history_ = bool(history_.x) != (params.bdf2 != 0);
-    if (!has_next_history_ || !params.bdf2)
+    const bool needed = bdf2_of(traits_, params) != 0;
+    has_next_history_ = bool(history_.x) != needed;
+    if (!has_next_history_ || !needed)
         return {};
     PLAIT_TRY(make(device, next_history_.x, 3, "lane_x_before"));
     PLAIT_TRY(make(device, next_history_.v, 3, "lane_v_before"));
@@ -125,16 +133,14 @@ void LanePart::discard() {
     has_next_fill_ = has_next_history_ = false;
 }
 
-void LanePart::substep(Schedule& schedule, const Substep& at, const Contact& contact) {
+void LanePart::substep(Schedule& schedule, const Substep& at, float mean_length) {
     const plait_sim_params& p = at.params;
-    const Solver solver = solver_of(model_);
     plait_lane_params params{};
     params.vertex_stride = lanes_.row;
     params.tile = lanes_.tile;
     params.h = at.h;
-    params.iterations =
-        p.iterations == PLAIT_ITERATIONS_OF_MODEL ? solver.iterations : p.iterations;
-    params.bdf2 = p.bdf2;
+    params.iterations = iterations_of(traits_, p);
+    params.bdf2 = bdf2_of(traits_, p);
     params.drag = p.drag;
     for (size_t i = 0; i < 3; ++i) {
         params.gravity[i] = p.gravity[i];
@@ -142,15 +148,15 @@ void LanePart::substep(Schedule& schedule, const Substep& at, const Contact& con
     }
     params.collider_count = at.collider_count;
     params.collider_first = at.collider_first;
-    params.contact_rate = contact.rate;
-    params.contact_slip = contact.slip;
-    if (model_ == PLAIT_MODEL_CHAIN)
-        schedule.add(solver.stage, lanes_.strands, params,
+    params.contact_rate = contact_rate(p.gravity, at.h, params.bdf2, mean_length);
+    params.contact_slip = contact_slip(at.h, mean_length);
+    if (!traits_.bends)
+        schedule.add(traits_.stage, lanes_.strands, params,
                      {&lane_strand_, &at.state.rest, &at.state.pose, &fill_.material, &at.capsules,
                       &x_, &v_, &history_.x, &history_.v},
                      lanes_.row);
     else
-        schedule.add(solver.stage, lanes_.strands, params,
+        schedule.add(traits_.stage, lanes_.strands, params,
                      {&lane_strand_, &at.state.rest, &at.state.pose, &fill_.material, &fill_.rest,
                       &at.capsules, &x_, &v_, &q_, &q_before_, &history_.x, &history_.v},
                      lanes_.row);

@@ -6,6 +6,7 @@
 
 #include "core/model.hpp"
 #include "core/models/material.hpp"
+#include "core/models/traits.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -23,11 +24,6 @@ struct LaneSource {
     RestStrands strands; // for when the material changes
 };
 
-struct Contact {
-    float rate; // 1/s^2
-    float slip; // m
-};
-
 class LanePart;
 
 // Where a strand is: in which part, and there in which lane.
@@ -43,7 +39,7 @@ class LanePart {
     // `members`: the strand of each lane.
     LanePart(const LaneSource& source, plait_model model, Members members);
 
-    plait_model model() const { return model_; }
+    plait_model model() const { return traits_.model; }
     const Members& members() const { return members_; }
 
     // Makes the buffers that do not depend on parameters.
@@ -53,7 +49,8 @@ class LanePart {
     void swap() noexcept;
     void discard(); // what swap() would take
 
-    void substep(Schedule& schedule, const Substep& at, const Contact& contact);
+    // `mean_length`: m, of all strands of the sim.
+    void substep(Schedule& schedule, const Substep& at, float mean_length);
     void publish(Schedule& schedule, const Substep& at) const;
     void adopt(Schedule& schedule, const Substep& at) const;
     void reset(Schedule& schedule, const Substep& at);
@@ -99,6 +96,8 @@ class LanePart {
     Status fill_arrivals(Device& device, Schedule& schedule, std::span<const LanePlace> from);
     Status move_from(Device& device, Schedule& schedule, const Substep& at, const LanePart& other,
                      std::span<const LanePlace> from);
+    void fit(Schedule& schedule, const Substep& at, const Moves& moves,
+             const LanePart& other) const;
     // The strand of a lane; those that fill up the last tile repeat the last strand.
     uint32_t member(size_t lane) const { return members_[std::min(lane, members_.size() - 1)]; }
     plait_lane_layout_params layout_params(const Substep& at) const {
@@ -109,7 +108,7 @@ class LanePart {
     }
 
     const LaneSource& source_;
-    plait_model model_;
+    const ModelTraits& traits_;
     Members members_;
     LaneLayout lanes_;
     Fill fill_, next_fill_;

@@ -1,6 +1,7 @@
 // Strands that change their model: a part of the new model takes them over from the parts they are
 // in, on the device and bit by bit. x and v stay as they are, and so does q between the rods; a
-// strand that was a chain has had none, and gets those of least turn in every joint.
+// strand that was a chain has had none, and gets those of least turn in every joint. What stretched
+// and becomes an articulated strand is taken to its lengths.
 #include "core/models/lane_part.hpp"
 
 namespace plait {
@@ -8,7 +9,7 @@ namespace plait {
 // Material and rest shape of a strand do not depend on which others are there; a sag-free part's
 // are found anew, with the report on all of them.
 bool LanePart::keeps_fill_of(const LanePart& other) const {
-    return other.model_ == model_ && fill_.load.mode == PLAIT_SAG_FREE_OFF;
+    return other.model() == model() && fill_.load.mode == PLAIT_SAG_FREE_OFF;
 }
 
 // The lanes here whose strand has a place, place(strand, lane&), to come from.
@@ -80,16 +81,28 @@ Status LanePart::move_from(Device& device, Schedule& schedule, const Substep& at
     move(schedule, *moves, 3, other.v_, v_);
     move(schedule, *moves, 4, other.q_, q_);
     move(schedule, *moves, 4, other.q_before_, q_before_);
-    if (history_.x) {
+    if (history_.x && other.history_.x) {
         move(schedule, *moves, 3, other.history_.x, history_.x);
         move(schedule, *moves, 3, other.history_.v, history_.v);
     }
-    if (other.model_ == PLAIT_MODEL_CHAIN && model_ != PLAIT_MODEL_CHAIN) {
+    if (!other.traits_.bends && traits_.bends) {
         schedule.add(
             PLAIT_STAGE_lane_orient, moves->count, layout_params(at),
             {&moves->list, &lane_strand_, &at.state.pose, &fill_.rest, &x_, &v_, &q_, &q_before_});
     }
+    fit(schedule, at, *moves, other);
     return schedule.submit(device);
+}
+
+// The first solve of what cannot stretch takes its velocities from strands that have not; BDF2 has
+// a step before also of those that came without.
+void LanePart::fit(Schedule& schedule, const Substep& at, const Moves& moves,
+                   const LanePart& other) const {
+    const bool stretched = other.traits_.stretches && !traits_.stretches && traits_.bends;
+    if (stretched || (history_.x && !other.history_.x))
+        schedule.add(PLAIT_STAGE_lane_fit, moves.count,
+                     plait_lane_fit_params{lanes_.row, lanes_.tile, at.h, history_.x ? 1u : 0u},
+                     {&moves.list, &fill_.material, &v_, &x_, &history_.x, &history_.v});
 }
 
 Status LanePart::take_over(Device& device, Schedule& schedule, const Substep& at,
@@ -101,7 +114,7 @@ Status LanePart::take_over(Device& device, Schedule& schedule, const Substep& at
     PLAIT_TRY(make(device, fill_.rest, 4, "lane_rest"));
     if (fill_.load.mode != PLAIT_SAG_FREE_OFF)
         PLAIT_TRY(make(device, fill_.start, 4, "lane_start"));
-    if (at.params.bdf2) {
+    if (bdf2_of(traits_, at.params)) {
         PLAIT_TRY(make(device, history_.x, 3, "lane_x_before"));
         PLAIT_TRY(make(device, history_.v, 3, "lane_v_before"));
     }

@@ -1,24 +1,15 @@
-// The strand models over lanes: chain, cosserat, rod, each strand of one of them. They keep their
-// own state in the lane layout and publish it to position and its history, which display, the
-// inter-hair step and interop read.
+// The strand models over lanes: chain, cosserat, rod, articulated, each strand of one of them. They
+// keep their own state in the lane layout and publish it to position and its history, which
+// display, the inter-hair step and interop read.
 #include "core/groom.hpp"
 #include "core/models/constraints.hpp"
 #include "core/models/lane_part.hpp"
 #include "core/models/strand_order.hpp"
 
-#include <cmath>
-
 namespace plait {
 namespace {
 
 constexpr uint32_t pinned = 1; // the root; the clamp is a joint
-
-// Contact, in strand lengths.
-constexpr float contact_stiffness = 1e5f;  // a weight sinks 1/so deep
-constexpr float least_gravity = 1.0f;      // m/s^2, where there is none
-constexpr float steps_of_contact = 100.0f; // least rate, 1/h^2
-constexpr float contact_creep = 5e-4f;     // 1/s
-constexpr float rounding = 1e-6f;
 
 bool constrains(const plait_sim_params& p) {
     return has_attachment(p) ||
@@ -57,8 +48,6 @@ class LaneModel final : public Model {
     PartPtr find_part(plait_model model, const LanePart::Members& members) const;
     std::pmr::vector<LanePlace> places() const;
     void constrain(Schedule& schedule, const Substep& at) const;
-    float contact_rate(const plait_sim_params& params, float h) const;
-    float contact_slip(float h) const;
 
     LaneSource source_;
     LanePart::Members order_; // of all strands
@@ -107,16 +96,16 @@ std::pmr::vector<LanePlace> LaneModel::places() const {
 Status LaneModel::prepare_models(Device& device, Schedule& schedule, const Substep& at,
                                  std::span<const plait_model> models) {
     const auto from = places();
-    for (const plait_model model : {PLAIT_MODEL_CHAIN, PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD}) {
+    for (const ModelTraits& traits : all_models()) {
         LanePart::Members members(source_.memory);
         for (const uint32_t strand : order_)
-            if (models[strand] == model)
+            if (models[strand] == traits.model)
                 members.push_back(strand);
         if (members.empty())
             continue;
-        PartPtr part = find_part(model, members);
+        PartPtr part = find_part(traits.model, members);
         if (!part) {
-            part = make_part(model, std::move(members));
+            part = make_part(traits.model, std::move(members));
             PLAIT_TRY(part->take_over(device, schedule, at, from));
         }
         next_parts_.push_back(std::move(part));
@@ -140,24 +129,9 @@ void LaneModel::discard() {
         part->discard();
 }
 
-// A contact under a vertex' own weight is a hundred-thousandth of a strand deep, less than float32
-// loses at a metre from the origin; in short substeps stiff enough that nothing bounces.
-float LaneModel::contact_rate(const plait_sim_params& params, float h) const {
-    const float g = std::hypot(params.gravity[0], params.gravity[1], params.gravity[2]);
-    const float step = params.bdf2 ? h * 2.0f / 3.0f : h;
-    return std::max(contact_stiffness * std::max(g, least_gravity) / length_,
-                    steps_of_contact / (step * step));
-}
-
-// Held hair creeps by so much in a substep; below a millionth of its length is rounding.
-float LaneModel::contact_slip(float h) const {
-    return length_ * std::max(contact_creep * h, rounding);
-}
-
 void LaneModel::substep(Schedule& schedule, const Substep& at) {
-    const Contact contact = {contact_rate(at.params, at.h), contact_slip(at.h)};
     for (const PartPtr& part : parts_)
-        part->substep(schedule, at, contact);
+        part->substep(schedule, at, length_);
     if (constrains(at.params))
         constrain(schedule, at);
 }

@@ -89,7 +89,7 @@ LaneRows lane_rows(const RestStrands& strands, std::span<const uint32_t> members
         RestStrand s(positions.subspan(3 * first[strand], size_t{3} * strands.counts[strand]), own,
                      memory);
         if (loaded)
-            rows.sag.add(remove_sag(s, gravity, load.mode));
+            rows.sag.add(remove_sag(s, gravity, load.mode), strand);
         writer.strand(lane, s);
     }
     return rows;

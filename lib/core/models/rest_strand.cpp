@@ -23,8 +23,8 @@ double stretch_stiffness(const Material& material, double length) {
 
 RestStrand::RestStrand(std::span<const float> positions, const Material& material,
                        std::pmr::memory_resource* memory)
-    : x(memory), length(memory), stretch(memory), bend(memory), frame(memory), rest(memory),
-      mass(memory) {
+    : x(memory), inextensible(material.inextensible), length(memory), stretch(memory), bend(memory),
+      frame(memory), rest(memory), mass(memory) {
     for (size_t i = 0; i < positions.size(); i += 3)
         x.emplace_back(positions[i], positions[i + 1], positions[i + 2]);
     for (size_t i = 0; i + 1 < x.size(); ++i) {

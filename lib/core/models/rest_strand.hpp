@@ -23,6 +23,7 @@ struct Material {
     float twist_stiffness;   // N m^2; 0: as bend_stiffness
     float section_ratio;
     bool equal_masses; // a limp chain's; a rod has half a mass at the tip
+    bool inextensible;
 
     void scale(float stiffness) {
         bend_stiffness *= stiffness;
@@ -49,6 +50,7 @@ struct RestStrand {
     double whole = 0;         // length as groomed, m
     double twist = 1;         // GJ/EI
     double cross = 1;         // EI2/EI
+    bool inextensible;        // EA bears every load
     double roll = 0;          // about itself, of the first frame, rad
     // Per segment; the joint of segment i is the one before it, the first one the clamp.
     std::pmr::vector<double> length;  // m

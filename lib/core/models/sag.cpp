@@ -5,6 +5,7 @@
 //   M_i = -g(u_i)/2 in the joint's axes               the rest rotations: (u, w) is the turn from
 //                                                      q_{i-1} r_i to q_i and
 //   g(u) = kb (u + w d u + u x d u), d = diag(GJ/EI - 1, 0, EI2/EI - 1).
+// An inextensible strand is EA without bound: l_i and t_i stay as they are.
 // What remains is E(q) = sum of the joints' energies - l_i T_i.t_i(q_i), exactly: the equilibrium
 // is stable where its Hessian in rotation vectors is positive definite,
 //   segment:  l (T.t I - (t T' + T t')/2)
@@ -197,8 +198,9 @@ double residual(const RestStrand& s, const Vec3& gravity) {
     Vec3 tension = Vec3::Zero(), moment = Vec3::Zero(); // of all that follows
     Vec3 stretch_after = Vec3::Zero(), bend_after = Vec3::Zero();
     for (size_t i = s.segments(); i-- > 0;) {
-        const Vec3 stretch = stretch_force(s, i), bend = bend_moment(s, i);
         mass += s.mass[i + 1];
+        const Vec3 stretch = s.inextensible ? Vec3(-mass * gravity) : stretch_force(s, i);
+        const Vec3 bend = bend_moment(s, i);
         tension += s.mass[i + 1] * gravity + stretch - stretch_after;
         moment += bend - bend_after - s.length[i] * (s.frame[i] * Vec3::UnitX()).cross(stretch);
         force = std::max(force, tension.norm());
@@ -212,20 +214,37 @@ double residual(const RestStrand& s, const Vec3& gravity) {
 
 } // namespace
 
-void SagReport::add(const SagReport& strand) {
-    residual = std::max(residual, strand.residual);
-    unstable += strand.unstable;
-    stiffened += strand.stiffened;
-    stiffening = std::max(stiffening, strand.stiffening);
+void SagReport::add(const SagReport& other) {
+    // what is not a number is the worst
+    if (other.residual > residual || std::isnan(other.residual)) {
+        residual = other.residual;
+        residual_strand = other.residual_strand;
+    }
+    if (other.stiffening > stiffening) {
+        stiffening = other.stiffening;
+        stiffening_strand = other.stiffening_strand;
+    }
+    unreached += other.unreached;
+    unstable += other.unstable;
+    joints += other.joints;
+    stiffened += other.stiffened;
+}
+
+void SagReport::add(SagReport of_one, uint64_t strand) {
+    of_one.residual_strand = of_one.stiffening_strand = strand;
+    of_one.unreached = !(of_one.residual <= reached);
+    add(of_one);
 }
 
 SagReport remove_sag(RestStrand& strand, const Vec3& gravity, plait_sag_free mode) {
     const std::pmr::vector<Vec3> T = tensions(strand, gravity);
-    unstretch(strand, T);
+    if (!strand.inextensible)
+        unstretch(strand, T);
     Joints joints(strand, mode == PLAIT_SAG_FREE_STIFFEN);
     for (size_t i = strand.segments(); i-- > 0;)
         joints.hold(i, T[i]);
     joints.report.residual = residual(strand, gravity);
+    joints.report.joints = strand.segments();
     return joints.report;
 }
 

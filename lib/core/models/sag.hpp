@@ -8,8 +8,8 @@
 
 namespace plait {
 
-// Changes lengths and rest rotations of `strand`, and with PLAIT_SAG_FREE_STIFFEN the stiffness of
-// joints that could not hold it.
+// Changes lengths, unless `strand` is inextensible, and rest rotations of `strand`, and with
+// PLAIT_SAG_FREE_STIFFEN the stiffness of joints that could not hold it.
 SagReport remove_sag(RestStrand& strand, const Vec3& gravity, plait_sag_free mode);
 
 } // namespace plait

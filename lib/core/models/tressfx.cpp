@@ -138,7 +138,7 @@ void TressFx::teleport(Schedule& schedule, const Substep& at, const Buffer& pose
 }
 
 void TressFx::substep(Schedule& schedule, const Substep& at) {
-    if (at.params.order == PLAIT_ORDER_SHOCK_BEFORE_GLOBAL) {
+    if (at.params.order == PLAIT_STAGE_ORDER_SHOCK_BEFORE_GLOBAL) {
         integrate(schedule, at, 0);
         shock(schedule, at);
         add_global_shape(schedule, at);

@@ -278,6 +278,10 @@ void rod_gives_no_energy(Bench& bench) {
     no_substep_gives_energy(bench, PLAIT_STAGE_rod, 0, true, true);
     no_contact_gives_energy(bench, PLAIT_STAGE_rod, 0, true, true);
 }
+void articulated_gives_no_energy(Bench& bench) {
+    no_substep_gives_energy(bench, PLAIT_STAGE_articulated, 0, true, true);
+    no_contact_gives_energy(bench, PLAIT_STAGE_articulated, 0, true, true);
+}
 
 // One iteration more, from the same state.
 void no_iteration_raises_the_potential(Bench& bench, plait_stage stage, bool sections) {
@@ -312,6 +316,7 @@ const std::vector<ClosedForm>& energy_closed_forms() {
         PLAIT_CLOSED_FORM(chain_gives_no_energy),
         PLAIT_CLOSED_FORM(cosserat_gives_no_energy),
         PLAIT_CLOSED_FORM(rod_gives_no_energy),
+        PLAIT_CLOSED_FORM(articulated_gives_no_energy),
         PLAIT_CLOSED_FORM(cosserat_never_raises_its_potential),
         PLAIT_CLOSED_FORM(rod_never_raises_its_potential),
     };

@@ -1,0 +1,81 @@
+/* articulated: one substep of an inextensible rod.
+ *
+ * Items   strands, over lanes.
+ * Reads   lane_strand, rest, pose, lane_material, lane_rest, capsule.
+ * Moves   lane_x, lane_v, lane_q, and the steps before.
+ * Source  common/articulated.clh: the potential, the recursion, and what of both is ours.
+ */
+#pragma OPENCL FP_CONTRACT ON
+#include "common/articulated.clh"
+
+/* Newton steps of a strand that touches something: planes, pushes and what slips are renewed
+ * between them. Fewer hold a hair that should slip: the bound of friction lags by a step. */
+#define ARTICULATED_CONTACT_STEPS 5
+/* Of one that is still deep then: a collider that moves by several of its radii turns hair by more
+ * than Newton's method sees in five steps. */
+#define ARTICULATED_DEEP_STEPS 10
+#define ARTICULATED_DEEP 0.1f /* segments: what is deeper is no balance of pull and push */
+
+/* Lanes with a vertex deeper than that, unless it is let out gently. */
+static inline mask articulated_deep(const rod_problem* rod, const rod_state* s) {
+    mask deep = (real)(0.0f) > (real)(0.0f);
+    for (int i = 1; i <= rod->step->segments; ++i)
+        deep |= contact_excess(rod->contacts, i, s->x[i]) >
+                (ARTICULATED_DEEP - CONTACT_CLIP) * articulated_length(rod, i - 1);
+    return deep;
+}
+
+/* Lanes that want Newton step `k`; no strand depends on those that share its work-item. */
+static inline mask articulated_wants(const rod_problem* rod, const rod_state* s, uint iterations,
+                                     uint k) {
+    const mask none = (real)(0.0f) > (real)(0.0f);
+    if (k < iterations)
+        return !none;
+    if (!rod->contacts || k >= ARTICULATED_DEEP_STEPS || !any_lane(rod->contacts->lanes))
+        return none;
+    return k < ARTICULATED_CONTACT_STEPS ? rod->contacts->lanes
+                                         : rod->contacts->lanes & articulated_deep(rod, s);
+}
+
+static inline void articulated_solve(const rod_problem* rod, rod_state* s, uint iterations) {
+    mask takes = (real)(0.0f) == (real)(0.0f);
+    for (uint k = 0;; ++k) {
+        if (rod->contacts)
+            contact_renew_lanes(rod->contacts, s->x, takes);
+        takes &= articulated_wants(rod, s, iterations, k);
+        if (!any_lane(takes))
+            return;
+        if (!any_lane(!takes)) {
+            articulated_newton(rod, s);
+            continue;
+        }
+        const rod_state others = *s;
+        articulated_newton(rod, s);
+        rod_pick(rod, !takes, s, &others);
+    }
+}
+
+__kernel void plait_articulated(const uint item_count, const plait_lane_params params,
+                                __global const uint* lane_strand, __global const float4* rest,
+                                __global const float4* pose, __global const real* lane_material,
+                                __global const real* lane_rest, __global const float4* capsule,
+                                __global real* lane_x, __global real* lane_v, __global real* lane_q,
+                                __global real* lane_q_before, __global real* lane_x_before,
+                                __global real* lane_v_before) {
+    lane_step step;
+    if (!lane_begin(&step, item_count, &params, lane_strand, rest, pose, lane_material))
+        return;
+    const lane_buffers state = {lane_x, lane_v, lane_x_before, lane_v_before};
+    rod_state s;
+    vec3 w[PLAIT_VERTICES];
+    lane_predict(&step, &params, state, s.y, w);
+    lane_contacts contacts;
+    contact_begin(&contacts, &step, &params, capsule, lane_x);
+    contacts.v = lane_v;
+    const rod_problem rod =
+        rod_problem_of(&step, lane_rest, params.collider_count > 0 ? &contacts : 0, 0);
+    articulated_load(&rod, &s, state, lane_q);
+    articulated_start(&rod, &s);
+    articulated_solve(&rod, &s, params.iterations);
+    rod_store(&rod, &params, state, &s, w, lane_q, lane_q_before, 0);
+}

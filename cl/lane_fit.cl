@@ -1,0 +1,55 @@
+/* lane_fit: takes every stretched segment of a strand to its length, its direction kept, and all
+ * that follows along; and the step before to where the velocities come from.
+ *
+ * Items   strands.
+ * Reads   lane_slot, lane_material, lane_v, lane_x.
+ * Writes  lane_x, lane_x_before, lane_v_before, of these strands.
+ * Source  ours: x_i += sum over segments j < i of (l_j - |e_j|) e_j/|e_j|, e the old edges;
+ * x_before = x - h v, both relative to the root, of which row 0 says where it is and how fast. A
+ * strand that is not stretched keeps its bits.
+ */
+#pragma OPENCL FP_CONTRACT OFF
+#include "common/lane_scalar.clh"
+#include "common/vec.clh"
+#include "plait/params.h"
+
+#define LANE_FIT_ROUNDING 1e-5f /* of a length: less is float32's */
+
+/* What an edge lacks of its length. */
+static inline float3 to_length(float3 edge, float length) {
+    const float now = length3(edge);
+    if (fabs(now - length) <= LANE_FIT_ROUNDING * length)
+        return (float3)(0.0f);
+    return length * normalize_or_zero(edge) - edge;
+}
+
+__kernel void plait_lane_fit(const uint item_count, const plait_lane_fit_params params,
+                             __global const uint* lane_slot, __global const float* lane_material,
+                             __global const float* lane_v, __global float* lane_x,
+                             __global float* lane_x_before, __global float* lane_v_before) {
+    const uint item = get_global_id(0), stride = params.vertex_stride, tile = params.tile;
+    if (item >= item_count)
+        return;
+    const uint lane = lane_slot[2 * item + 1];
+    const float3 root_v = lane_read(lane_v, lane_row(lane, 0, 3, stride, tile), tile);
+    float3 old = (float3)(0.0f), shift = old;
+    for (uint i = 0; i < stride; ++i) {
+        const size_t row = lane_row(lane, i, 3, stride, tile);
+        const float3 v = lane_read(lane_v, row, tile);
+        float3 x = lane_read(lane_x, row, tile), moved = v;
+        if (i > 0) {
+            const size_t before =
+                lane_row(lane, i - 1, PLAIT_LANE_MATERIAL_COMPONENTS, stride, tile);
+            const float length = lane_material[before + PLAIT_LANE_LENGTH * tile];
+            shift += to_length(x - old, length);
+            old = x;
+            x += shift;
+            moved = v - root_v;
+            lane_write(lane_x, row, tile, x);
+        }
+        if (params.history) {
+            lane_write(lane_x_before, row, tile, x - params.h * moved);
+            lane_write(lane_v_before, row, tile, v);
+        }
+    }
+}

@@ -1,0 +1,93 @@
+#include "loaded.hpp"
+
+#include <cmath>
+#include <cstdio>
+
+namespace simulate {
+
+namespace {
+
+constexpr float least_length = 0.005f, most_length = 2.0f; // m: of hair, on average
+constexpr float most_stiffening = 1000.0f;                 // of a joint, over its material
+constexpr float usual_extent = 0.4f;                       // m: of a head of hair
+
+std::string number(float value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.4g", static_cast<double>(value));
+    return text;
+}
+
+std::string colliders_of(const Scene& scene, const Figure& figure) {
+    if (figure.colliders.empty())
+        return "no colliders";
+    if (scene.colliders || scene.groom.generated)
+        return std::to_string(figure.colliders.size()) + " colliders of the " +
+               (scene.colliders ? "scene" : "mannequin");
+    const plait_collider_desc& skull = figure.colliders[0].shape;
+    std::string text = "collider: a sphere of " + number(skull.radius_a) +
+                       " m fitted under the roots, about (" + number(skull.a[0]) + ", " +
+                       number(skull.a[1]) + ", " + number(skull.a[2]) + ")";
+    if (figure.colliders.size() > 1)
+        text += ", and " + std::to_string(figure.colliders.size() - 1) + " that move";
+    return text;
+}
+
+// What to do about it: the scale that makes the groom as large as a head of hair.
+std::string advice(const Scene& scene, const Figure& figure) {
+    const float unit = likely_scale(figure.hair_bounds.sizes().maxCoeff() / scene.groom.scale);
+    if (scene.groom.generated || unit == scene.groom.scale)
+        return "";
+    return std::string("; if it is in ") +
+           (unit == 1.0f    ? "metres"
+            : unit == 0.01f ? "centimetres"
+                            : "millimetres") +
+           ", --scale " + number(unit) + " (or --scale auto) makes it " +
+           number(figure.info.mean_length / scene.groom.scale * unit) + " m";
+}
+
+} // namespace
+
+float likely_scale(float extent) {
+    float best = 1.0f;
+    for (const float unit : {0.01f, 0.001f})
+        if (std::abs(std::log(extent * unit / usual_extent)) <
+            std::abs(std::log(extent * best / usual_extent)))
+            best = unit;
+    return best;
+}
+
+std::string loaded_line(const Scene& scene, const Figure& figure) {
+    const plait_groom_info& info = figure.info;
+    const Eigen::Vector3f size = figure.hair_bounds.sizes();
+    std::string vertices = std::to_string(info.max_vertices);
+    if (info.min_vertices != info.max_vertices)
+        vertices = std::to_string(info.min_vertices) + " to " + vertices;
+    std::string text = scene.groom.name + ": " + std::to_string(info.strands) + " strands of " +
+                       vertices + " vertices, " + std::to_string(info.vertices) + " in all; " +
+                       number(size.x()) + " x " + number(size.y()) + " x " + number(size.z()) +
+                       " m, " + number(info.mean_length) + " m long on average";
+    if (scene.groom.scale != 1.0f)
+        text += ", at a scale of " + number(scene.groom.scale);
+    return text + "; " + colliders_of(scene, figure);
+}
+
+std::vector<std::string> size_warnings(const Scene& scene, const Figure& figure) {
+    const float length = figure.info.mean_length;
+    if (length >= least_length && length <= most_length)
+        return {};
+    return {scene.groom.name + ": strands are " + number(length) +
+            " m long on average, which is outside [" + number(least_length) + ", " +
+            number(most_length) + "]" + advice(scene, figure)};
+}
+
+std::vector<std::string> stiffening_warnings(const Scene& scene, const Figure& figure,
+                                             const plait_sim_stats& stats) {
+    if (!(stats.worst_stiffening > most_stiffening))
+        return {};
+    return {scene.groom.name + ": to stay as groomed under its weight, " +
+            std::to_string(stats.joints_stiffened) + " joints were stiffened, the worst " +
+            number(stats.worst_stiffening) + " times, which is beyond " + number(most_stiffening) +
+            ": the hair will hardly move" + advice(scene, figure)};
+}
+
+} // namespace simulate

@@ -1,0 +1,215 @@
+// articulated: Newton's method on the rod's potential over the turns w_i of the segments alone:
+// vertices are x_{i+1} = x_i + l_i t_i, so that lengths hold whatever the solve finds. Here the
+// system is assembled and solved densely,
+//   H = J' M J + joints + tension + eps I,   g = -J' f - moments,
+// J the derivative of the vertices by the turns, column i of vertex j > i being -l_i [t_i]x; M and
+// f inertia and contact of the vertices. A joint whose turn from q_i to p_i = q_{i-1} r_i has the
+// scalar part c0 and the vector part e adds, with N = c0 I + [e]x and k = kb/4,
+//   K to (i, i),  -K N' to (i, i-1),  N K N' + k e e' to (i-1, i-1),
+// K = k I + diag(kt, 0, kc)/4 in its axes. Of a round joint these are the second derivatives but
+// for (1 - c0) k on the diagonal, which keeps them positive. Tension: max(0, P.t) l (I - t t'), P
+// the force on all that hangs on the segment. Source: docs/models/articulated.md.
+#include "backend/reference/rod_model.hpp"
+
+#include <algorithm>
+
+namespace plait::reference {
+namespace {
+
+constexpr double least_twist = 1e-3;  // stiffness of a turn about itself, in mu l^2
+constexpr double noise = 1e-5;        // a potential that rises by a smaller share has not risen
+constexpr double shorter = 0.4;       // of a turn whose potential rose
+constexpr int trials = 3;             // of shorter turns
+constexpr double moved = 1e-9;        // squared chord from a director to its segment: no rounding
+constexpr uint32_t contact_steps = 5; // at least, of a strand that touches something
+constexpr uint32_t deep_steps = 10;   // at most, while it is deep
+constexpr double too_deep = 0.08;     // beyond what a solve may leave, in segments
+
+Mat3 cross_matrix(const Vec3& t) {
+    Mat3 m;
+    m << 0, -t.z(), t.y(), t.z(), 0, -t.x(), -t.y(), t.x(), 0;
+    return m;
+}
+
+Quat turned_towards(const Quat& q, const Vec3& direction) {
+    return (Quat::FromTwoVectors(q * Vec3::UnitX(), direction) * q).normalized();
+}
+
+// What Newton's step turns by need not be an exact rotation vector.
+Quat turned(const Quat& q, const Vec3& w) {
+    return (Quat(1, w.x() / 2, w.y() / 2, w.z() / 2) * q).normalized();
+}
+
+Vec3 unit_or(const Vec3& v, const Vec3& instead) {
+    const double length = v.norm();
+    return length > 1e-30 ? Vec3(v / length) : instead;
+}
+
+} // namespace
+
+void RodModel::rebuild() {
+    x[0].setZero();
+    for (size_t i = 0; i < segments(); ++i)
+        x[i + 1] = x[i] + length_[i] * director(i);
+}
+
+// The substep's begin as it is stored, where something else moved vertices along their segments.
+void RodModel::load() {
+    const std::vector<Vec3> start = motion_.relative_start();
+    q = q_start_;
+    for (size_t i = 0; i < segments(); ++i) {
+        const Vec3 along = unit_or(start[i + 1] - start[i], director(i));
+        if ((along - director(i)).squaredNorm() > moved)
+            q[i] = turned_towards(q[i], along);
+    }
+    rebuild();
+}
+
+// Every segment towards where inertia takes its end, if that is lower.
+void RodModel::follow_target() {
+    const double stays = energy();
+    const RodModel from = *this;
+    for (size_t i = 0; i < segments(); ++i) {
+        const Vec3 along = unit_or(motion_.y[i + 1] - x[i], director(i));
+        if (length_[i] > 0) // past the tip there is no direction
+            q[i] = turned_towards(q[i], along);
+        x[i + 1] = x[i] + length_[i] * along;
+    }
+    if (!(energy() <= stays * (1 + noise)))
+        *this = from;
+}
+
+// J' M J, -J' f and the tension; the force on what hangs on a segment comes from the tip on.
+void RodModel::add_vertices(Eigen::MatrixXd& H, Eigen::VectorXd& g) const {
+    const auto n = static_cast<Eigen::Index>(segments());
+    Eigen::MatrixXd J = Eigen::MatrixXd::Zero(3 * n, 3 * n), MJ = J;
+    Eigen::VectorXd f(3 * n);
+    for (Eigen::Index j = 0; j < n; ++j) { // of vertex j + 1
+        const auto vertex = static_cast<size_t>(j) + 1;
+        const double inertia = mass_[vertex] * inertia_;
+        Mat3 M = inertia * Mat3::Identity();
+        Vec3 force = inertia * (motion_.y[vertex] - x[vertex]);
+        if (contacts_) {
+            M += contacts_->hessian(vertex, x[vertex]);
+            force += contacts_->force(vertex, x[vertex]);
+        }
+        for (Eigen::Index i = 0; i <= j; ++i) {
+            const auto segment = static_cast<size_t>(i);
+            J.block<3, 3>(3 * j, 3 * i) = -length_[segment] * cross_matrix(director(segment));
+        }
+        MJ.middleRows<3>(3 * j) = M * J.middleRows<3>(3 * j);
+        f.segment<3>(3 * j) = force;
+    }
+    H += J.transpose() * MJ;
+    g -= J.transpose() * f;
+    Vec3 pull = Vec3::Zero();
+    for (Eigen::Index i = n - 1; i >= 0; --i) {
+        const auto segment = static_cast<size_t>(i);
+        pull += f.segment<3>(3 * i);
+        const Vec3 t = director(segment);
+        const double length = length_[segment];
+        H.block<3, 3>(3 * i, 3 * i) +=
+            std::max(0.0, pull.dot(t)) * length * (Mat3::Identity() - t * t.transpose());
+        H.block<3, 3>(3 * i, 3 * i) +=
+            least_twist * mass_[segment + 1] * inertia_ * length * length * Mat3::Identity();
+    }
+}
+
+void RodModel::add_joints(Eigen::MatrixXd& H, Eigen::VectorXd& g) const {
+    for (size_t segment = 0; segment < segments(); ++segment) {
+        const Eigen::Index i = 3 * static_cast<Eigen::Index>(segment), p = i - 3;
+        const Quat r = expected(segment) * q[segment].conjugate();
+        const double side = std::copysign(1.0, r.w()), c0 = side * r.w();
+        const Vec3 e = side * r.vec();
+        const double k = bend_[segment] / 4;
+        const Mat3 axes = expected(segment).toRotationMatrix();
+        const Mat3 K =
+            k * Mat3::Identity() + axes * section_[segment].asDiagonal() * axes.transpose() / 4;
+        const Mat3 N = c0 * Mat3::Identity() + cross_matrix(e);
+        // (u, u.w) turns from expected to q; the section's energy is u.ku/2.
+        const Quat u = bent(segment);
+        const Vec3 ku = section_[segment].cwiseProduct(u.vec());
+        const Vec3 moment = 2 * k * e - axes * (u.w() * ku + u.vec().cross(ku)) / 2;
+        H.block<3, 3>(i, i) += K;
+        g.segment<3>(i) -= moment;
+        if (segment == 0)
+            continue;
+        H.block<3, 3>(i, p) -= K * N.transpose();
+        H.block<3, 3>(p, i) -= N * K;
+        H.block<3, 3>(p, p) += N * K * N.transpose() + k * e * e.transpose();
+        g.segment<3>(p) += moment;
+    }
+}
+
+Eigen::VectorXd RodModel::turns() const {
+    const auto n = static_cast<Eigen::Index>(segments());
+    Eigen::MatrixXd H = Eigen::MatrixXd::Zero(3 * n, 3 * n);
+    Eigen::VectorXd g = Eigen::VectorXd::Zero(3 * n);
+    add_vertices(H, g);
+    add_joints(H, g);
+    for (Eigen::Index i = 0; i < 3 * n; ++i)
+        if (H(i, i) == 0) // past the tip
+            H(i, i) = 1;
+    return H.ldlt().solve(-g);
+}
+
+// Turns alone would leave errors of second order that add up along the strand as false velocity:
+// every segment goes along where the linear step puts its end.
+void RodModel::follow_turns(const RodModel& from, const Eigen::VectorXd& w) {
+    Vec3 d = Vec3::Zero();
+    for (size_t i = 0; i < segments(); ++i) {
+        const Vec3 turn = w.segment<3>(3 * static_cast<Eigen::Index>(i));
+        d += length_[i] * turn.cross(from.director(i));
+        q[i] = turned(from.q[i], turn);
+        const Vec3 along = unit_or(from.x[i + 1] + d - x[i], director(i));
+        if (length_[i] > 0)
+            q[i] = turned_towards(q[i], along);
+        x[i + 1] = x[i] + length_[i] * along;
+    }
+}
+
+void RodModel::turn_segments() {
+    const double before = energy(), limit = before + std::abs(before) * noise + 1e-20;
+    const RodModel from = *this;
+    const Eigen::VectorXd w = turns();
+    follow_turns(from, w);
+    double share = 1;
+    for (int trial = 0; trial < trials && !(energy() <= limit); ++trial) {
+        share *= shorter;
+        for (size_t i = 0; i < segments(); ++i)
+            q[i] = turned(from.q[i], share * w.segment<3>(3 * static_cast<Eigen::Index>(i)));
+        rebuild();
+    }
+    if (!(energy() <= limit))
+        *this = from;
+}
+
+bool RodModel::deep() const {
+    for (size_t i = 1; contacts_ && i < x.size(); ++i)
+        if (contacts_->excess(i, x[i]) > too_deep * length_before_[i])
+            return true;
+    return false;
+}
+
+void RodModel::articulate(uint32_t steps) {
+    load();
+    follow_target();
+    if (contacts_)
+        contacts_->slide_on();
+    for (uint32_t k = 0; k < std::max(steps, deep_steps); ++k) {
+        renew_contacts();
+        const bool enough = k >= std::max(steps, contact_steps) && !deep();
+        if (k >= steps && (enough || !touched()))
+            return;
+        turn_segments();
+    }
+}
+
+void articulated(uint32_t item_count, const plait_lane_params& params,
+                 const articulated_args& args) {
+    step_rods(
+        item_count, params, args, [&](RodModel& model) { model.articulate(params.iterations); },
+        true);
+}
+
+} // namespace plait::reference

@@ -1,0 +1,109 @@
+// What a sim says about itself without asking the device, and what it warns of.
+#include "core/param_table.hpp"
+#include "core/params.hpp"
+#include "core/sim.hpp"
+#include "core/units.hpp"
+
+#include "base/format.hpp"
+
+namespace plait {
+namespace {
+
+using Count = unsigned long long;
+
+// A strand that is held by joints so much stiffer than its material is hardly of that material, or
+// not of that size: what a joint holds grows with the cube of the unit.
+constexpr double much_stiffening = 1000;
+
+void append(std::string& text, const std::string& sentence) {
+    if (!text.empty() && !sentence.empty())
+        text += "; ";
+    text += sentence;
+}
+
+std::string residual_warning(const SagReport& sag, uint64_t guides, plait_sag_free mode) {
+    if (sag.unreached == 0)
+        return {};
+    return format(
+        "sag-free start: %llu of %llu strands are not in balance (residual above %g), the "
+        "worst, strand %llu, lacks %.2g of its weight x length%s",
+        Count(sag.unreached), Count(guides), SagReport::reached, Count(sag.residual_strand),
+        sag.residual,
+        mode == PLAIT_SAG_FREE_REST ? ": too weak, PLAIT_SAG_FREE_STIFFEN holds such" : "");
+}
+
+// `told`: that the lengths are wrong has been said.
+std::string stiffening_warning(const SagReport& sag, bool told) {
+    if (sag.stiffening <= much_stiffening)
+        return {};
+    return format("sag-free start: %llu of %llu joints were stiffened, the worst, of strand %llu, "
+                  "%.3g times: %s",
+                  Count(sag.stiffened), Count(sag.joints), Count(sag.stiffening_strand),
+                  sag.stiffening,
+                  told ? "as such lengths need"
+                       : "if the groom is in centimetres, import it with scale 0.01; if not, "
+                         "bend_stiffness is far from what holds this hairstyle");
+}
+
+} // namespace
+
+std::string Sim::warning() const {
+    const SagReport sag = model_->sag();
+    std::string text = length_warning(mean_length_);
+    const bool told = !text.empty();
+    append(text, residual_warning(sag, layout_.guides, desc_.sag_free));
+    append(text, stiffening_warning(sag, told));
+    return text;
+}
+
+uint32_t Sim::models_in_use() const {
+    uint32_t used = 0;
+    for (const plait_model model : models())
+        used |= 1u << model;
+    return used;
+}
+
+void Sim::log_warnings(const plait_sim_params& before, const std::string& said) const {
+    if (!context_.log.callback)
+        return;
+    const auto log = [&](const std::string& text) {
+        if (!text.empty())
+            context_.log(PLAIT_LOG_LEVEL_WARNING, "sim: " + text);
+    };
+    if (const std::string text = warning(); text != said)
+        log(text);
+    const uint32_t used = models_in_use();
+    for (const plait_param_info& param : param_table())
+        log(ignored_warning(param, before, desc_.params, used));
+}
+
+plait_sim_info Sim::describe() const {
+    plait_sim_info info{};
+    info.model = desc_.model;
+    info.guides = layout_.guides;
+    info.strands = layout_.strands();
+    info.follows_per_guide = desc_.follows_per_guide;
+    info.vertices_per_strand = layout_.row;
+    info.step = desc_.step;
+    info.substeps = desc_.substeps;
+    info.steps = clock_.steps;
+    info.steps_dropped = clock_.dropped;
+    info.time = clock_.time();
+    info.device_bytes = device_bytes();
+    info.colliders = colliders_.count();
+    info.sag_free = desc_.sag_free;
+    const SagReport sag = model_->sag();
+    info.sag_joints = sag.joints;
+    info.joints_stiffened = sag.stiffened;
+    info.sag_unreached = sag.unreached;
+    info.sag_unstable = sag.unstable;
+    info.worst_residual_strand = sag.residual_strand;
+    info.worst_stiffening_strand = sag.stiffening_strand;
+    info.sag_residual = static_cast<float>(sag.residual);
+    info.worst_stiffening = static_cast<float>(sag.stiffening);
+    const std::string text = warning();
+    text.copy(info.warning, sizeof info.warning - 1);
+    return info;
+}
+
+} // namespace plait

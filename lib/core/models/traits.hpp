@@ -1,0 +1,44 @@
+// What tells one strand model from another, a row for each.
+#pragma once
+
+#include <plait/plait.h>
+#include <plait/plait_backend.h>
+
+#include <span>
+#include <string>
+
+namespace plait {
+
+struct ModelTraits {
+    plait_model model;
+    const char* name;
+    plait_stage stage;   // of a substep; PLAIT_STAGE_COUNT: several (tressfx)
+    uint32_t iterations; // by default
+    uint32_t bdf2;       // by default
+    bool switches;       // strands over lanes, which may change to another such model
+    bool bends;          // has joints, orientations and a rest shape that gravity may be in
+    bool twists;         // with a stiffness of its own, and sections may be elliptic
+    bool stretches;      // by EA
+    bool halves_tip;     // half a mass at the tip; else equal masses, a limp chain's
+};
+
+// In the order of plait_model.
+std::span<const ModelTraits> all_models();
+inline const ModelTraits& traits_of(plait_model model) {
+    return all_models()[static_cast<size_t>(model)];
+}
+inline plait_model last_model() {
+    return all_models().back().model;
+}
+
+// "cosserat (2) and rod (3)": models of which `has` holds, for messages.
+std::string list_models(bool ModelTraits::*has);
+
+inline uint32_t iterations_of(const ModelTraits& traits, const plait_sim_params& params) {
+    return params.iterations == PLAIT_ITERATIONS_OF_MODEL ? traits.iterations : params.iterations;
+}
+inline uint32_t bdf2_of(const ModelTraits& traits, const plait_sim_params& params) {
+    return params.bdf2 == PLAIT_BDF2_OF_MODEL ? traits.bdf2 : params.bdf2;
+}
+
+} // namespace plait

@@ -1,0 +1,362 @@
+// What a sim and a groom say of themselves, and what they warn of: lengths that are not hair's,
+// sag-free starts that are not reached, parameters that nothing reads.
+#include "faulty.hpp"
+#include "support.hpp"
+
+#include <cstring>
+
+namespace {
+
+// A context whose log is kept.
+struct Logged {
+    explicit Logged(const char* backend = "reference") : context(create(backend)) {}
+
+    // Warnings since the last call.
+    std::string warnings() {
+        std::string taken;
+        taken.swap(text);
+        return taken;
+    }
+
+    std::string text;
+    plait::Context context;
+
+  private:
+    plait::Context create(const char* backend) {
+        auto desc = plait_context_desc_defaults();
+        desc.backend = backend;
+        desc.log = [](plait_log_level level, const char* line, void* user) {
+            if (level == PLAIT_LOG_LEVEL_WARNING)
+                *static_cast<std::string*>(user) += std::string(line) + "\n";
+        };
+        desc.log_user = &text;
+        return plait::Context(desc);
+    }
+};
+
+plait::Groom scaled(const Strands& strands, float scale) {
+    auto options = plait_import_options_defaults();
+    options.scale = scale;
+    return plait::Groom(GroomArrays(strands).desc(), options);
+}
+
+bool has(const std::string& text, const char* part) {
+    return text.find(part) != std::string::npos;
+}
+
+// ---- grooms -------------------------------------------------------------------------------------
+
+TEST(GroomUnits, TheLikelyScaleBringsTheMeanLengthToThatOfHair) {
+    const Strands strands = tuft(3, 11); // 0.19 m long
+    const auto likely = [&](float times) { return scaled(strands, times).describe().likely_scale; };
+    EXPECT_EQ(likely(1), 1);
+    EXPECT_EQ(likely(100), 0.01f);  // a file in centimetres
+    EXPECT_EQ(likely(1000), 0.01f); // 1.9 m: still hair
+    EXPECT_EQ(likely(2000), 0.001f);
+    EXPECT_EQ(likely(0.01f), 100);
+    EXPECT_EQ(likely(1e-4f), 1000);
+    EXPECT_EQ(likely(1e5f), 1e-5f);
+}
+
+TEST(GroomUnits, TheShortestTheMeanAndTheLongestStrandAreMeasured) {
+    const auto info =
+        make_groom({{{0, 0, 0}, {3, 0, 0}, {3, 4, 0}}, {{0, 0, 1}, {0, 0, 2}}}).describe();
+    EXPECT_FLOAT_EQ(info.min_length, 1);
+    EXPECT_FLOAT_EQ(info.mean_length, 4);
+    EXPECT_FLOAT_EQ(info.max_length, 7);
+    EXPECT_EQ(info.likely_scale, 0.01f);
+}
+
+TEST(GroomUnits, ASimOfSuchAGroomWarnsWithTheScale) {
+    Logged logged;
+    plait::Sim fine(logged.context, make_groom(tuft(3, 11)));
+    EXPECT_EQ(logged.warnings(), "");
+    EXPECT_STREQ(fine.describe().warning, "");
+    plait::Sim large(logged.context, scaled(tuft(3, 11), 100));
+    const std::string text = logged.warnings();
+    EXPECT_TRUE(has(text, "m long in the mean")) << text;
+    EXPECT_TRUE(has(text, "scale 0.01, as for a file in centimetres")) << text;
+    EXPECT_TRUE(has(text, large.describe().warning)) << text;
+}
+
+// ---- sims ---------------------------------------------------------------------------------------
+
+TEST(DescribeSim, SaysWhatItIsAndHasDone) {
+    auto desc = plait_sim_desc_defaults();
+    desc.model = PLAIT_MODEL_CHAIN;
+    desc.follows_per_guide = 3;
+    desc.substeps = 2;
+    plait::Sim sim(make_context("reference"), make_groom(tuft(4, 6)), desc);
+    sim.create_collider(plait_collider_desc_defaults());
+    run(sim, 5);
+    const auto info = sim.describe();
+    EXPECT_EQ(info.model, PLAIT_MODEL_CHAIN);
+    EXPECT_EQ(info.guides, 4u);
+    EXPECT_EQ(info.strands, 16u);
+    EXPECT_EQ(info.follows_per_guide, 3u);
+    EXPECT_EQ(info.vertices_per_strand, 6u);
+    EXPECT_EQ(info.substeps, 2u);
+    EXPECT_EQ(info.step, desc.step);
+    EXPECT_EQ(info.steps, 5u);
+    EXPECT_EQ(info.steps_dropped, 0u);
+    EXPECT_NEAR(info.time, 5 * frame, 1e-6);
+    EXPECT_EQ(info.colliders, 1u);
+    EXPECT_EQ(info.sag_free, PLAIT_SAG_FREE_OFF);
+    EXPECT_EQ(info.sag_joints, 0u);
+    EXPECT_EQ(info.worst_stiffening, 1);
+    const auto stats = sim.stats(); // makes a buffer of its own: 4 floats a guide
+    EXPECT_EQ(info.device_bytes + 4 * 16, stats.device_bytes);
+}
+
+TEST(DescribeSim, LeavesTheDeviceAlone) {
+    Faults& faults = faulty();
+    const auto context = make_context("faulty");
+    plait::Sim sim(context, make_groom(tuft(2, 4)));
+    run(sim, 2);
+    faults.lose_after = 0;
+    EXPECT_EQ(plait_sim_step(sim, frame), PLAIT_DEVICE_LOST);
+    EXPECT_EQ(sim.describe().steps, 2u);
+    auto stats = plait_sim_stats_defaults();
+    EXPECT_EQ(plait_sim_get_stats(sim, &stats), PLAIT_DEVICE_LOST);
+}
+
+// ---- sag-free start -----------------------------------------------------------------------------
+
+plait_sim_desc sag_free(plait_sag_free mode) {
+    auto desc = plait_sim_desc_defaults();
+    desc.sag_free = mode;
+    return desc;
+}
+
+TEST(SagReport, StiffenReachesBalanceAndSaysHowMuchItTook) {
+    Logged logged;
+    plait::Sim sim(logged.context, make_groom(tuft(3, 11)), sag_free(PLAIT_SAG_FREE_STIFFEN));
+    const auto info = sim.describe();
+    EXPECT_EQ(info.sag_free, PLAIT_SAG_FREE_STIFFEN);
+    EXPECT_EQ(info.sag_joints, 30u);
+    EXPECT_GT(info.joints_stiffened, 0u);
+    EXPECT_GT(info.worst_stiffening, 1);
+    EXPECT_LT(info.worst_stiffening, 1000);
+    EXPECT_LT(info.sag_residual, 1e-10f);
+    EXPECT_EQ(info.sag_unreached, 0u);
+    EXPECT_EQ(logged.warnings(), "");
+    EXPECT_EQ(info.worst_stiffening, sim.stats().worst_stiffening);
+}
+
+TEST(SagReport, RestSaysWhichStrandIsNotInBalance) {
+    Logged logged;
+    Strands strands = tuft(3, 11);
+    for (size_t i = 0; i < 11; ++i) { // hangs: in balance however limp
+        strands[0][i] = {0, -0.02f * static_cast<float>(i), 0};
+        strands[2][i] = {0.1f, -0.02f * static_cast<float>(i), 0};
+    }
+    auto desc = sag_free(PLAIT_SAG_FREE_REST);
+    desc.params.bend_stiffness = 1e-12f;
+    plait::Sim sim(logged.context, make_groom(strands), desc);
+    const auto info = sim.describe();
+    EXPECT_EQ(info.sag_unreached, 1u);
+    EXPECT_EQ(info.worst_residual_strand, 1u);
+    EXPECT_GT(info.sag_residual, 0.1f);
+    const std::string text = logged.warnings();
+    EXPECT_TRUE(has(text, "1 of 3 strands are not in balance")) << text;
+    EXPECT_TRUE(has(text, "strand 1")) << text;
+    EXPECT_TRUE(has(text, "PLAIT_SAG_FREE_STIFFEN")) << text;
+}
+
+TEST(SagReport, MuchStiffeningIsWarnedOfWithTheScale) {
+    Logged logged;
+    // fur of 1.5 cm in centimetres: 1.5 m is a length that hair has
+    plait::Sim sim(logged.context, scaled(tuft(3, 11), 8), sag_free(PLAIT_SAG_FREE_STIFFEN));
+    const auto info = sim.describe();
+    EXPECT_GT(info.worst_stiffening, 1000);
+    const std::string text = logged.warnings();
+    EXPECT_TRUE(has(text, "joints were stiffened")) << text;
+    EXPECT_TRUE(has(text, "scale 0.01")) << text;
+    // told once, and again when it changes
+    auto params = sim.params();
+    params.drag = 2;
+    sim.set_params(params);
+    EXPECT_EQ(logged.warnings(), "");
+    params.bend_stiffness *= 0.1f;
+    sim.set_params(params);
+    EXPECT_TRUE(has(logged.warnings(), "joints were stiffened"));
+}
+
+// ---- parameters that nothing reads --------------------------------------------------------------
+
+constexpr plait_model every_model[] = {PLAIT_MODEL_TRESSFX, PLAIT_MODEL_CHAIN, PLAIT_MODEL_COSSERAT,
+                                       PLAIT_MODEL_ROD, PLAIT_MODEL_ARTICULATED};
+
+// Everything that parameters steer is on: constraints, shock, wind, grid, follows, a moving head.
+plait_sim_desc busy(plait_model model) {
+    auto desc = plait_sim_desc_defaults();
+    desc.model = model;
+    desc.follows_per_guide = 1;
+    plait_sim_params& p = desc.params;
+    p.shape_constraints = 1;
+    p.global_stiffness = 0.2f;
+    p.global_range = 0.7f;
+    p.attachment = 0.9f;
+    p.vsp_accel_threshold = 0.003f;
+    p.tip_separation = 0.3f;
+    p.wind[0] = 2;
+    p.wind[2] = 1;
+    p.air_drag = 0.1f;
+    p.air_with_head = 0.5f;
+    p.drag = 1;
+    p.grid_edge_count = 4;
+    p.slot_capacity = 2;
+    p.grid_edge = 0.5f;
+    for (float& corner : p.grid_origin)
+        corner = -0.2f;
+    return desc;
+}
+
+// Another value of a parameter, inside its range.
+void change(plait_sim_desc& desc, const plait_param_info& info) {
+    auto* const at = reinterpret_cast<unsigned char*>(&desc.params) + info.offset;
+    if (info.kind == PLAIT_PARAM_KIND_FLOAT) {
+        float value;
+        std::memcpy(&value, at, sizeof value);
+        const std::string name = info.name;
+        if (name == "max_displacement")
+            value = 1e-3f; // a clamp that bites
+        else if (name == "stretch_stiffness")
+            value = 0.01f;
+        else if (name == "twist_stiffness")
+            value = 1e-9f;
+        else
+            value = value == 0 ? static_cast<float>(std::min(info.most, 0.5)) : value * 0.6f;
+        std::memcpy(at, &value, sizeof value);
+        return;
+    }
+    uint32_t value;
+    std::memcpy(&value, at, sizeof value);
+    if (std::string(info.name) == "bdf2") // the one that is not the model's
+        value = desc.model == PLAIT_MODEL_ARTICULATED ? 0 : 1;
+    else
+        value = value == PLAIT_ITERATIONS_OF_MODEL ? 5 : value > info.least ? value - 1 : value + 1;
+    std::memcpy(at, &value, sizeof value);
+}
+
+// Positions of guides and follows after a while.
+std::vector<float> motion(const plait::Context& context, const plait::Groom& groom,
+                          const plait_sim_desc& desc) {
+    plait::Sim sim(context, groom, desc);
+    auto collider = plait_collider_desc_defaults();
+    collider.radius_a = collider.radius_b = 0.03f;
+    collider.friction = 0.3f;
+    collider.pose.t[0] = 0.05f;
+    collider.pose.t[1] = -0.06f;
+    sim.create_collider(collider);
+    for (int i = 1; i <= 8; ++i) {
+        const float part = static_cast<float>(i) / 8, share = part * part; // accelerating
+        sim.set_roots(head_at({0, 0.03f * share, 0.08f * share},
+                              {0, std::sin(0.3f * share), 0, std::cos(0.3f * share)}));
+        sim.step(frame);
+    }
+    return sim.read(PLAIT_FIELD_POSITION);
+}
+
+// The scenes in which a parameter may show.
+std::vector<plait_sim_desc> scenes(plait_model model) {
+    std::vector<plait_sim_desc> list(4, busy(model));
+    list[0].params.interhair = PLAIT_INTERHAIR_EXACT;
+    list[0].params.shape_constraints = 0; // nothing but the model's own solve
+    list[1].params.interhair = PLAIT_INTERHAIR_SLOTS;
+    list[1].params.grid_edge_count = 2; // strands meet in a voxel
+    list[1].params.diffuse_ratio = 0.1f;
+    list[1].params.diffuse_floor = 0;
+    list[1].params.vsp_accel_threshold = 0.002f; // between once and twice: 2.7 mm a frame squared
+    list[2].params.wind_form = PLAIT_WIND_FORM_PUBLISHED;
+    list[2].params.interhair = PLAIT_INTERHAIR_EXACT;
+    list[2].params.diffuse_rule = PLAIT_DIFFUSE_RULE_THESIS;
+    list[3].params.follow_form = PLAIT_FOLLOW_FORM_PUBLISHED;
+    list[3].params.interhair = PLAIT_INTERHAIR_EXACT;
+    list[3].params.tent = PLAIT_TENT_FORM_TRILINEAR;
+    list[3].params.diffuse_ratio = 0.1f;
+    return list;
+}
+
+class WhoReads : public testing::TestWithParam<plait_model> {};
+INSTANTIATE_TEST_SUITE_P(Models, WhoReads, testing::ValuesIn(every_model));
+
+// m: of 1/line_density times line_density in `chain`, say.
+constexpr float rounding = 1e-7f;
+
+// The table says which models read a parameter: those whose hair moves otherwise with another
+// value, and no others.
+TEST_P(WhoReads, IsWhatTheTableSays) {
+    const auto context = make_context("reference");
+    const auto groom = make_groom(tuft(24, 7));
+    const auto list = scenes(GetParam());
+    std::vector<std::vector<float>> plain;
+    for (const plait_sim_desc& desc : list)
+        plain.push_back(motion(context, groom, desc));
+    for (const plait_param_info& info : plait::params_list()) {
+        bool moved = false;
+        for (size_t i = 0; i < list.size() && !moved; ++i) {
+            plait_sim_desc desc = list[i];
+            change(desc, info);
+            moved = largest_difference(motion(context, groom, desc), plain[i]) > rounding;
+        }
+        EXPECT_EQ(moved, (info.models & (1u << GetParam())) != 0) << info.name;
+    }
+}
+
+TEST(IgnoredParams, AreLoggedByNameOnceSet) {
+    Logged logged;
+    auto desc = plait_sim_desc_defaults();
+    desc.params.length_iterations = 5;
+    desc.params.drag = 2; // which every strand model reads
+    plait::Sim sim(logged.context, make_groom(tuft(2, 6)), desc);
+    std::string text = logged.warnings();
+    EXPECT_TRUE(has(text, "length_iterations is set, and no strand's model (articulated) reads it; "
+                          "those that do: tressfx"))
+        << text;
+    EXPECT_FALSE(has(text, "drag")) << text;
+    auto params = sim.params();
+    params.drag = 3;
+    sim.set_params(params);
+    EXPECT_EQ(logged.warnings(), "") << "said before";
+    params.stretch_stiffness = 0.1f;
+    params.global_stiffness = 0.5f;
+    sim.set_params(params);
+    text = logged.warnings();
+    EXPECT_TRUE(has(text, "stretch_stiffness")) << text;
+    EXPECT_TRUE(has(text, "global_stiffness is set, and model articulated reads it with "
+                          "shape_constraints = 1 only"))
+        << text;
+    sim.set_models({PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD});
+    params.stretch_stiffness = 0.2f;
+    sim.set_params(params);
+    EXPECT_EQ(logged.warnings(), "") << "both read it";
+}
+
+// ---- follows ------------------------------------------------------------------------------------
+
+TEST(FollowGuides, AreReadBackAsPositionsPlaceThem) {
+    auto desc = plait_sim_desc_defaults();
+    desc.follows_per_guide = 2;
+    desc.follow_radius = 0.001f;
+    plait::Sim sim(make_context("reference"), make_groom(tuft(3, 5)), desc);
+    const auto guide = sim.read<uint32_t>(PLAIT_FIELD_FOLLOW_GUIDE);
+    const auto p = sim.read(PLAIT_FIELD_POSITION);
+    ASSERT_EQ(guide.size(), 6u);
+    for (size_t i = 0; i < guide.size(); ++i) {
+        ASSERT_LT(guide[i], 3u);
+        const float* follow = &p[4 * 5 * (3 + i)];
+        const float* root = &p[size_t{4} * 5 * guide[i]];
+        EXPECT_LT(std::hypot(follow[0] - root[0], follow[1] - root[1], follow[2] - root[2]), 0.002f)
+            << "follow " << i;
+    }
+}
+
+TEST(FollowGuides, WithoutFollowsThereIsNoMap) {
+    plait::Sim sim(make_context("reference"), make_groom(tuft(3, 5)));
+    size_t size = 0;
+    EXPECT_EQ(plait_sim_read(sim, PLAIT_FIELD_FOLLOW_GUIDE, nullptr, &size), PLAIT_INVALID_STATE);
+    EXPECT_TRUE(has(plait_last_error(), "follows_per_guide is 0"));
+}
+
+} // namespace

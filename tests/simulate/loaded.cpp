@@ -1,0 +1,130 @@
+// What is said about a groom's size, and what follows from it.
+#include "loaded.hpp"
+#include "support.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+using simulate::Figure;
+using simulate::Json;
+using simulate::Scene;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+namespace {
+
+class Loaded : public TemporaryFolder {
+  protected:
+    // 40 strands of 5 vertices on a ball of 10 cm, 24 cm long, straight outwards; in `unit` metres.
+    std::string ball_of_hair(float unit, const std::string& name) const {
+        std::vector<float> positions;
+        for (int strand = 0; strand < 40; ++strand)
+            for (int vertex = 0; vertex < 5; ++vertex) {
+                const auto up = 1.0f - static_cast<float>(strand) / 60.0f;
+                const auto turn = 2.4f * static_cast<float>(strand);
+                const float out = std::sqrt(1.0f - up * up);
+                const float from_middle = 0.1f + 0.06f * static_cast<float>(vertex);
+                for (const float value : {out * std::cos(turn), up, out * std::sin(turn)})
+                    positions.push_back(from_middle * value / unit);
+            }
+        plait_groom_desc desc = plait_groom_desc_defaults();
+        desc.positions = {positions.data(), positions.size() / 3, 0};
+        desc.vertices_per_strand = 5;
+        plait_groom* groom = nullptr;
+        common::check(plait_groom_create(&desc, nullptr, &groom));
+        const common::GroomHandle handle(groom);
+        common::check(plait_groom_save(groom, path(name).c_str()));
+        return path(name);
+    }
+
+    static Scene scene_of(const Json& keys) { return simulate::make_scene("", keys); }
+};
+
+TEST_F(Loaded, says_what_is_there) {
+    Scene scene = scene_of({{"groom", ball_of_hair(1.0f, "metres.tfx")}});
+    const Figure figure = make_figure(scene);
+    const std::string line = loaded_line(scene, figure);
+    EXPECT_THAT(line, HasSubstr("40 strands of 5 vertices, 200 in all"));
+    EXPECT_THAT(line, HasSubstr("0.24 m long on average"));
+    EXPECT_THAT(line, HasSubstr("a sphere of 0.1 m fitted under the roots"));
+    EXPECT_THAT(size_warnings(scene, figure), IsEmpty());
+    EXPECT_THAT(loaded_line(scene, figure), testing::Not(HasSubstr("scale")));
+}
+
+TEST_F(Loaded, centimetres_are_noticed_and_named) {
+    const std::string file = ball_of_hair(0.01f, "centimetres.tfx");
+    Scene scene = scene_of({{"groom", file}});
+    const auto warnings = size_warnings(scene, make_figure(scene));
+    ASSERT_EQ(warnings.size(), 1u);
+    EXPECT_THAT(warnings[0], HasSubstr("24 m long on average"));
+    EXPECT_THAT(warnings[0], HasSubstr("[0.005, 2]"));
+    EXPECT_THAT(warnings[0], HasSubstr("centimetres, --scale 0.01"));
+    EXPECT_THAT(warnings[0], HasSubstr("makes it 0.24 m"));
+}
+
+TEST_F(Loaded, auto_finds_the_unit) {
+    for (const float unit : {1.0f, 0.01f, 0.001f}) {
+        Scene scene = scene_of({{"groom", ball_of_hair(unit, "hair.tfx")}, {"scale", "auto"}});
+        const Figure figure = make_figure(scene);
+        EXPECT_FLOAT_EQ(scene.groom.scale, unit);
+        EXPECT_NEAR(figure.info.mean_length, 0.24f, 1e-4f);
+        EXPECT_THAT(size_warnings(scene, figure), IsEmpty());
+    }
+}
+
+TEST_F(Loaded, drawn_hair_and_camera_follow_the_groom) {
+    Scene metres = scene_of({{"groom", ball_of_hair(1.0f, "a.tfx")}});
+    Scene centimetres = scene_of({{"groom", ball_of_hair(0.01f, "b.tfx")}});
+    const Figure small = make_figure(metres), large = make_figure(centimetres);
+    EXPECT_NEAR(large.size / small.size, 100.0f, 0.1f);
+    EXPECT_GT(small.size, 0.5f);
+    EXPECT_LT(small.size, 2.0f);
+
+    Scene loose = scene_of({{"strands", 400}}),
+          braid = scene_of({{"groom", "braid"}, {"strands", 400}});
+    const Figure front = make_figure(loose), back = make_figure(braid);
+    EXPECT_LT(std::abs(front.azimuth), 90.0f);
+    EXPECT_GT(std::abs(back.azimuth), 90.0f) << "a braid hangs behind";
+    EXPECT_NEAR(front.size, 1.0f, 0.05f);
+    Scene asked = scene_of({{"groom", "braid"}, {"strands", 400}, {"camera", {{"azimuth", 10}}}});
+    EXPECT_FLOAT_EQ(make_figure(asked).azimuth, 10.0f);
+}
+
+TEST_F(Loaded, stiffening_beyond_hair_is_noticed) {
+    Scene scene = scene_of({{"strands", 20}});
+    const Figure figure = make_figure(scene);
+    plait_sim_stats stats{};
+    stats.worst_stiffening = 999.0f;
+    EXPECT_THAT(stiffening_warnings(scene, figure, stats), IsEmpty());
+    stats.worst_stiffening = 4.9e7f;
+    stats.joints_stiffened = 7110;
+    const auto warnings = stiffening_warnings(scene, figure, stats);
+    ASSERT_EQ(warnings.size(), 1u);
+    EXPECT_THAT(warnings[0], HasSubstr("7110 joints were stiffened, the worst 4.9e+07 times"));
+}
+
+// A capsule that is moved 1 m along x and a quarter about its own middle.
+TEST(Hand, is_where_its_keyframes_put_it) {
+    simulate::Collider collider{plait_collider_desc_defaults(), false, {}};
+    collider.shape.a[1] = 1.0f, collider.shape.b[1] = 1.0f;
+    collider.shape.a[0] = -0.1f, collider.shape.b[0] = 0.1f;
+    collider.shape.radius_a = collider.shape.radius_b = 0.03f;
+    collider.keyframes = {{0.0f, {}}, {1.0f, {}}};
+    collider.keyframes[1].head.x = 1.0f;
+    collider.keyframes[1].head.yaw = 90.0f;
+    const simulate::Hand hand(collider);
+    EXPECT_EQ(hand.pose(0.0f).t[0], 0.0f);
+    const plait_pose end = hand.pose(1.0f);
+    // Its end a goes from (-0.1, 1, 0) to (1, 1, 0.1): yaw turns -x to +z.
+    EXPECT_NEAR(end.q[1], std::sqrt(0.5f), 1e-6f);
+    EXPECT_NEAR(end.q[3], std::sqrt(0.5f), 1e-6f);
+    EXPECT_NEAR(end.t[0], 1.0f, 1e-6f); // the middle lies on the axis of the turn
+    EXPECT_NEAR(end.t[1], 0.0f, 1e-6f);
+    for (const Eigen::Vector3f& p : hand.mesh().vertices) {
+        const float along = std::clamp(p.x(), -0.1f, 0.1f);
+        EXPECT_NEAR((p - Eigen::Vector3f(along, 1.0f, 0.0f)).norm(), 0.03f, 1e-5f);
+    }
+}
+
+} // namespace
