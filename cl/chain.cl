@@ -183,7 +183,10 @@ __kernel void plait_chain(const uint item_count, const plait_lane_params params,
             w[i] = axpy3((real)(-CHAIN_CORRECTION / step.h), sub3(x[i + 1], solved[i + 1]), w[i]);
     }
     lane_velocities(&step, x, y, w);
-    const real given = contacts ? energy_of_contacts(contacts, state, x) : (real)(0.0f);
+    real given = (real)(0.0f);
+    if (contacts) /* the sweep is exact in lengths alone: springs that it pressed give nothing */
+        given = energy_of_contacts(contacts, state, x) -
+                fmax(energy_of_springs(contacts, x), (real)(0.0f));
     const mask pairs = energy_pairs(&step, &params, state);
     const energy_limits limits = energy_limit(&step, &params, state, pairs, given, x, w);
     lane_store_root(&step, state);

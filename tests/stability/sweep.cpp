@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <ostream>
+#include <string>
 
 namespace lab::stability {
 namespace {
@@ -42,6 +43,12 @@ class Stability : public testing::TestWithParam<Case> {
 };
 
 constexpr double energy_bar = 0.05; // of m g L and what there was
+
+// docs/stability.md: in one step of backward Euler chain is carried up once by 0.32.
+double energy_bar_of(const Case& c, const std::string& axis) {
+    const bool one_step = c.model == PLAIT_MODEL_CHAIN && c.substeps == 1 && !c.bdf2;
+    return one_step && axis.starts_with("hand on a head") ? 0.35 : energy_bar;
+}
 
 void Stability::try_places(const std::vector<double>& rates, const std::vector<uint32_t>& segments,
                            const std::vector<double>& gammas) {
@@ -84,7 +91,8 @@ TEST_P(Stability, nothing_is_lost_on_any_axis) {
         for (const Outcome& outcome : run(subject_.context, point.trial(subject_))) {
             EXPECT_NE(outcome.grade, Grade::nonfinite) << point.axis << " " << point.value;
             EXPECT_LE(outcome.speed, 1.0) << point.axis << " " << point.value;
-            EXPECT_LE(outcome.energy, energy_bar) << point.axis << " " << point.value;
+            EXPECT_LE(outcome.energy, energy_bar_of(GetParam(), point.axis))
+                << point.axis << " " << point.value;
         }
     }
 }

@@ -197,8 +197,9 @@ void chain(uint32_t item_count, const plait_lane_params& params, const chain_arg
         for (size_t i = 1; i + 1 < x.size(); ++i)
             motion.w[i] -= (x[i + 1] - solved[i + 1]) / (2 * motion.h);
         std::vector<Vec3> v = motion.velocities(x);
-        const Limit limit =
-            limit_energy({params, motion, links.mass, before}, held ? held->work(x) : 0, x, v);
+        // The sweep is exact in lengths alone: springs that it pressed give nothing.
+        const double given = held ? held->work(x) - std::max(held->work_of_springs(x), 0.0) : 0;
+        const Limit limit = limit_energy({params, motion, links.mass, before}, given, x, v);
         if (held)
             held->store(lane, state, x, v);
         else

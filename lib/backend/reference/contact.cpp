@@ -284,6 +284,14 @@ double Contacts::work(const std::vector<Vec3>& x) const {
     return sum;
 }
 
+double Contacts::work_of_springs(const std::vector<Vec3>& x) const {
+    double sum = 0;
+    for (size_t i = 1; i < x.size(); ++i)
+        if (at_[i].stiffness > 0)
+            sum += released(i, x[i], at_[i].begin);
+    return sum;
+}
+
 double Contacts::work_of_new(const std::vector<Vec3>& x) const {
     double sum = 0;
     for (size_t i = 1; i < x.size(); ++i)

@@ -35,6 +35,8 @@ class Contacts {
     // At most, J, that contact gave vertices on their way to x: push and friction along the way of
     // the surface, and what the springs let go. Of the last solve, before `clip`.
     double work(const std::vector<Vec3>& x) const;
+    // Of these, what the springs let go, for a solve that presses vertices in without paying.
+    double work_of_springs(const std::vector<Vec3>& x) const;
     // Less what the springs hold that no solve has pushed yet, after `clip`.
     double work_of_new(const std::vector<Vec3>& x) const;
 
