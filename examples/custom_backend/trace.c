@@ -76,6 +76,9 @@ static plait_result trace_buffer_read(plait_device* device, plait_buffer* buffer
                                       size_t count, void* dst) {
     return SELF->buffer_read(INNER, buffer, first, count, dst);
 }
+static plait_result trace_prepare(plait_device* device, const plait_dispatch* list, size_t count) {
+    return SELF->prepare(INNER, list, count);
+}
 static plait_result trace_wait(plait_device* device) {
     return SELF->wait(INNER);
 }
@@ -105,6 +108,7 @@ static const plait_device_api device_api = {
     trace_buffer_upload,
     trace_buffer_read,
     trace_submit,
+    trace_prepare,
     trace_wait,
     trace_stage_costs,
     trace_last_error,

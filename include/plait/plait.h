@@ -187,12 +187,18 @@ typedef struct plait_context_desc {
     const plait_stage_source* stage_sources;
     size_t stage_source_count;
     uint32_t lanes; /* strands per work-item in the strand models: 1, 4, 8, 16; 0: the device's */
+    /* Folder, made where it is not there, in which built kernels are kept for later processes, a
+       file for each; what is damaged, or of another driver, is built anew and replaced. NULL: they
+       live as long as a context of the device in this process */
+    const char* program_folder;
 } plait_context_desc;
 
 PLAIT_API void plait_context_desc_init(plait_context_desc* desc, size_t size);
 
-/* @errors NOT_FOUND (no such device; the message lists those there are), COMPILE, OUT_OF_MEMORY,
- * BACKEND. `desc` NULL: all defaults. */
+/* What one context of a device has built, the others in the process share, whatever their threads;
+ * but for plait_opencl_context_create's, which build in the caller's.
+ * @errors NOT_FOUND (no such device; the message lists those there are), COMPILE, OUT_OF_MEMORY,
+ * BACKEND, IO (program_folder). `desc` NULL: all defaults. */
 PLAIT_API plait_result plait_context_create(const plait_context_desc* desc, plait_context** out);
 /* Its device and memory go with the last of its sims, or now; `context` itself is not used again.
  * Sims that are left go on as they were. */
@@ -497,6 +503,7 @@ typedef struct plait_sim_desc {
     uint32_t substeps;           /* per fixed step, [1, 1000], default 1 */
     uint32_t max_steps_per_call; /* [1, 1000]; time beyond is dropped and counted, default 8 */
     uint32_t interpolate_output; /* 1: positions follow dt, one fixed step late; default 0 */
+    uint32_t keep_last_frame;    /* 1: POSITION_LAST_FRAME is there; default 0 */
     uint32_t follows_per_guide;  /* [0, 64], default 0 */
     float follow_radius;         /* m, [0, 1], default 0.003 */
     uint64_t seed;               /* follow offsets and slot hash */
@@ -507,6 +514,14 @@ typedef struct plait_sim_desc {
 } plait_sim_desc;
 
 PLAIT_API void plait_sim_desc_init(plait_sim_desc* desc, size_t size);
+
+/* Builds now what sims and strands of the models `models`, `count` of them, will run, for strands of
+ * up to `vertices_per_strand` (a groom's max_vertices): for a loading screen. plait_sim_create builds
+ * what its sim runs by itself, and then finds it; the models that its strands are switched to later
+ * are what it cannot know. May take seconds, without leaving anything behind but programs.
+ * @errors UNSUPPORTED (the backend lacks a stage), COMPILE */
+PLAIT_API plait_result plait_context_prepare(plait_context* context, const plait_model* models,
+                                             size_t count, uint32_t vertices_per_strand);
 
 /* Strands are stored [strands][V], V the groom's longest; shorter strands are padded with copies of
  * their tip. Guides come first, then follows, guide by guide. The head starts at the identity.
@@ -583,12 +598,13 @@ typedef struct plait_roots {
     plait_pose head;
     plait_view root_poses; /* plait_pose [guides], applied before head; or empty */
     plait_view bones;      /* float[12], 3x4 row-major skinning matrices [bones], through the
-                              groom's skin (closest rotation of the blend) before head; or empty */
+                              groom's skin (closest rotation of the blend) before head; or empty.
+                              Blended on the device */
 } plait_roots;
 
 PLAIT_API void plait_roots_init(plait_roots* roots, size_t size);
 /* Copies; checks that counts are the guides' and at least the skin's bones, rotations of length 1
- * within 1e-3, translations within 1e6 m. A call that fails changes nothing. */
+ * within 1e-3, translations within 1e6 m, that bones are finite and map to more than a line. A call that fails changes nothing. */
 PLAIT_API plait_result plait_sim_set_roots(plait_sim* sim, const plait_roots* roots);
 
 /* Carry the hair rigidly to new roots, at once, without dynamics. Checked as in set_roots. */
@@ -612,7 +628,13 @@ typedef enum plait_field {
     PLAIT_FIELD_GRID_VELOCITY = 6, /* float[4] [nv^3]: mean velocity, the grid's frame; rms speed */
     PLAIT_FIELD_POSITION_PREV = 7, /* float[4] [guides][V]: Verlet history */
     PLAIT_FIELD_FOLLOW_GUIDE = 8, /* uint32_t [follows]: the guide that strand guides + i follows */
-    PLAIT_FIELD_COUNT = 9,
+    /* float[4] [strands][V]: POSITION before the last plait_sim_step, for motion vectors; after
+       creation, a teleport or a reset POSITION itself. With keep_last_frame */
+    PLAIT_FIELD_POSITION_LAST_FRAME = 9,
+    /* float[4] [2]: least and greatest x, y, z of POSITION, w 0; of what is finite, and if nothing
+       is, FLT_MAX and -FLT_MAX. Reckoned on the device when it is asked for */
+    PLAIT_FIELD_BOUNDS = 10,
+    PLAIT_FIELD_COUNT = 11,
     PLAIT_FIELD_FORCE_32 = 0x7fffffff
 } plait_field;
 

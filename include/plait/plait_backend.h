@@ -125,6 +125,10 @@ typedef struct plait_device_api {
                                 void* dst);
     /* In order, as if each waited for the one before. Copies params before it returns. */
     plait_result (*submit)(plait_device*, const plait_dispatch* list, size_t count);
+    /* Makes ready what submitting the list would first take time for. Of each entry `stage`,
+     * `item_width` and, about, item_count matter (0: unknown); params may be NULL, buffers are not
+     * looked at. No buffer changes and no cost is counted. @errors COMPILE */
+    plait_result (*prepare)(plait_device*, const plait_dispatch* list, size_t count);
     plait_result (*wait)(plait_device*);
     /* dst[PLAIT_STAGE_COUNT]; reset != 0 starts over. Seconds are 0 without profiling. */
     plait_result (*stage_costs)(plait_device*, plait_stage_cost* dst, int reset);
@@ -146,6 +150,7 @@ typedef struct plait_open_info {
     const plait_stage_source* stage_sources;
     size_t stage_source_count;
     uint32_t lanes;     /* as in plait_context_desc */
+    const char* program_folder; /* as in plait_context_desc; may be NULL, and may be ignored */
     const void* native; /* backend-specific handles to adopt; NULL: the backend makes its own */
 } plait_open_info;
 

@@ -36,11 +36,18 @@ PLAIT_API plait_result plait_opencl_context_create(const plait_opencl_handles* h
                                                    const plait_context_desc* desc,
                                                    plait_context** out);
 
-/* The buffer behind POSITION, TANGENT, REST, VERTEX_COUNT, GRID_DENSITY, GRID_VELOCITY or
- * FOLLOW_GUIDE, borrowed: valid until the sim is destroyed or its grid is resized; read it on the
+/* The buffer behind POSITION, TANGENT, REST, VERTEX_COUNT, GRID_DENSITY, GRID_VELOCITY, FOLLOW_GUIDE
+ * or POSITION_LAST_FRAME, borrowed: valid until the sim is destroyed or its grid is resized; read it on the
  * context's queue.
  * @errors UNSUPPORTED (not an OpenCL context), INVALID_STATE (the field is off) */
 PLAIT_API plait_result plait_opencl_sim_get_field(plait_sim* sim, plait_field field, cl_mem* out);
+
+/* Copies one of these fields, or BOUNDS, into the caller's buffer (of the queue's cl_context, with
+ * room for the bytes that plait_sim_read tells) from byte `offset` on; enqueued on the context's
+ * queue, so that it does not wait and later commands there find it done.
+ * @errors UNSUPPORTED (not an OpenCL context), INVALID_STATE (the field is off) */
+PLAIT_API plait_result plait_opencl_sim_copy_field(plait_sim* sim, plait_field field, cl_mem to,
+                                                   size_t offset);
 
 /* The queue plait enqueues on, borrowed. @errors UNSUPPORTED (not an OpenCL context) */
 PLAIT_API plait_result plait_opencl_context_get_queue(plait_context* context,

@@ -3,6 +3,10 @@
 
 #include "api/objects.hpp"
 #include "api/structs.hpp"
+#include "core/params.hpp"
+#include "core/prepare.hpp"
+
+#include <plait/params.h>
 
 namespace plait::api {
 namespace {
@@ -47,6 +51,7 @@ Result<ContextRules> context_rules(const plait_context_desc* given) {
     rules.stage_sources = desc.stage_sources;
     rules.stage_source_count = desc.stage_source_count;
     rules.lanes = desc.lanes;
+    rules.program_folder = desc.program_folder;
     return rules;
 }
 
@@ -109,6 +114,21 @@ void plait_context_destroy(plait_context* context) {
     if (context)
         --context->users;
     api::destroy_unused(context);
+}
+
+plait_result plait_context_prepare(plait_context* context, const plait_model* models, size_t count,
+                                   uint32_t vertices_per_strand) {
+    return api::guard(__func__, [&]() -> Status {
+        PLAIT_TRY(api::need(context, "context"));
+        PLAIT_TRY(api::need(models, "models"));
+        for (size_t i = 0; i < count; ++i)
+            PLAIT_TRY(check_model(models[i], i));
+        if (vertices_per_strand < PLAIT_MIN_VERTICES || vertices_per_strand > PLAIT_MAX_VERTICES)
+            return api::invalid(format("vertices_per_strand is %u, range is [%d, %d]",
+                                       vertices_per_strand, PLAIT_MIN_VERTICES,
+                                       PLAIT_MAX_VERTICES));
+        return prepare_models(context->context, {models, count}, vertices_per_strand);
+    });
 }
 
 plait_result plait_context_describe(const plait_context* context, plait_device_info* out) {

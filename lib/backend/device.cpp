@@ -74,6 +74,10 @@ Status Device::submit(std::span<const plait_dispatch> list) {
     return perform("submit", [&] { return api_->submit(handle_, list.data(), list.size()); });
 }
 
+Status Device::prepare(std::span<const plait_dispatch> list) {
+    return perform("prepare", [&] { return api_->prepare(handle_, list.data(), list.size()); });
+}
+
 Status Device::wait() {
     return perform("wait", [&] { return api_->wait(handle_); });
 }

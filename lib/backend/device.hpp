@@ -76,6 +76,7 @@ class Device {
     Status read(const Buffer& buffer, void* dst) { return read(buffer, 0, buffer.count(), dst); }
 
     Status submit(std::span<const plait_dispatch> list);
+    Status prepare(std::span<const plait_dispatch> list); // builds what the list needs
     Status wait();
     Status stage_costs(plait_stage_cost* dst, bool reset); // dst[PLAIT_STAGE_COUNT]
 

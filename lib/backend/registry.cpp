@@ -51,6 +51,7 @@ const char* missing_function(const plait_device_api& device) {
     PLAIT_NEED(buffer_upload)
     PLAIT_NEED(buffer_read)
     PLAIT_NEED(submit)
+    PLAIT_NEED(prepare)
     PLAIT_NEED(wait)
     PLAIT_NEED(stage_costs)
     PLAIT_NEED(last_error)

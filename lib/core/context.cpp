@@ -97,13 +97,14 @@ Result<Device> open(const Candidate& candidate, const ContextRules& rules) {
     info.stage_sources = rules.stage_sources;
     info.stage_source_count = rules.stage_source_count;
     info.lanes = rules.lanes;
+    info.program_folder = rules.program_folder;
     info.native = rules.native;
     return Device::open(*candidate.backend, info);
 }
 
 bool caller_should_see(const ContextRules& rules, plait_result code) {
-    return rules.backend || rules.device || rules.native || rules.stage_source_count > 0 ||
-           code == PLAIT_COMPILE || code == PLAIT_INTERNAL;
+    return rules.backend || rules.device || rules.native || rules.program_folder ||
+           rules.stage_source_count > 0 || code == PLAIT_COMPILE || code == PLAIT_INTERNAL;
 }
 
 } // namespace

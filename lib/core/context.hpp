@@ -30,6 +30,7 @@ struct ContextRules {
     const plait_stage_source* stage_sources = nullptr;
     size_t stage_source_count = 0;
     uint32_t lanes = 0;           // strands per work-item; 0: the device's own
+    const char* program_folder = nullptr;
     const void* native = nullptr; // the backend's own handles to adopt
 };
 

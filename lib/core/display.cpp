@@ -27,12 +27,14 @@ Float4 follow_offset(const float* guide, const FollowRules& rules, uint64_t foll
 } // namespace
 
 Result<Display> Display::create(Device& device, const Groom& groom, const Layout& layout,
-                                const FollowRules& follows, bool interpolate,
+                                const FollowRules& follows, const DisplayRules& rules,
                                 std::pmr::memory_resource* memory) {
     Display display;
     constexpr auto f4 = PLAIT_ELEMENT_FLOAT4;
     PLAIT_TRY(device.create(display.tangent_, f4, layout.vertices(), "tangent"));
-    if (interpolate) {
+    if (rules.keeps_last_frame)
+        PLAIT_TRY(device.create(display.last_frame_, f4, layout.vertices(), "position_last_frame"));
+    if (rules.interpolates) {
         const size_t guides = layout.guide_vertices();
         PLAIT_TRY(device.create(display.position_local_, f4, guides, "position_local"));
         PLAIT_TRY(device.create(display.position_out_, f4, layout.vertices(), "position_out"));
@@ -69,6 +71,12 @@ void Display::keep(Schedule& schedule, const Layout& layout, const State& state)
                      {&state.pose, &state.position, &position_local_});
 }
 
+void Display::keep_frame(Schedule& schedule, const Layout& layout, const State& state) const {
+    if (last_frame_)
+        schedule.add(PLAIT_STAGE_last_frame, layout.vertices(), plait_layout_params{layout.row},
+                     {&position(state), &last_frame_});
+}
+
 void Display::update(Schedule& schedule, const Layout& layout, const State& state,
                      const Roots& roots, const plait_sim_params& params, float remainder) const {
     const Buffer& shown = position(state);
@@ -92,7 +100,8 @@ void Display::update(Schedule& schedule, const Layout& layout, const State& stat
 uint64_t Display::device_bytes() const {
     uint64_t bytes = 0;
     for (const Buffer* buffer :
-         {&tangent_, &follow_guide_, &follow_offset_, &position_local_, &position_out_, &pose_now_})
+         {&tangent_, &follow_guide_, &follow_offset_, &last_frame_, &position_local_,
+          &position_out_, &pose_now_})
         bytes += buffer->bytes();
     return bytes;
 }

@@ -15,15 +15,22 @@ struct FollowRules {
     uint64_t seed = 0;
 };
 
+struct DisplayRules {
+    bool interpolates = false;
+    bool keeps_last_frame = false;
+};
+
 class Display {
   public:
     static Result<Display> create(Device& device, const Groom& groom, const Layout& layout,
-                                  const FollowRules& follows, bool interpolate,
+                                  const FollowRules& follows, const DisplayRules& rules,
                                   std::pmr::memory_resource* memory);
 
     bool interpolates() const { return static_cast<bool>(position_out_); }
     // Keeps the present step as the one before the last.
     void keep(Schedule& schedule, const Layout& layout, const State& state) const;
+    // Keeps what is shown as the frame before, if that is asked for.
+    void keep_frame(Schedule& schedule, const Layout& layout, const State& state) const;
     // Fills position and tangent; `remainder`: share of a step since the last one.
     void update(Schedule& schedule, const Layout& layout, const State& state, const Roots& roots,
                 const plait_sim_params& params, float remainder) const;
@@ -33,6 +40,7 @@ class Display {
     }
     const Buffer& tangent() const { return tangent_; }
     const Buffer& follow_guide() const { return follow_guide_; } // none without follows
+    const Buffer& last_frame() const { return last_frame_; } // none unless it is kept
     const Buffer& kept() const { return position_local_; }
     uint64_t device_bytes() const;
 
@@ -43,6 +51,7 @@ class Display {
     Buffer tangent_;       // float4 [strands*V]
     Buffer follow_guide_;  // uint [follows]
     Buffer follow_offset_; // float4 [follows]
+    Buffer last_frame_;    // float4 [strands*V]
     // With interpolation only.
     Buffer position_local_; // float4 [guides*V]: the step before the last, in its root frames
     Buffer position_out_;   // float4 [strands*V]

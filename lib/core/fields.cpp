@@ -54,13 +54,47 @@ Result<const Buffer*> Sim::field_buffer(plait_field field) const {
         if (layout_.follows == 0)
             return Error{PLAIT_INVALID_STATE, "follows_per_guide is 0: there are no follows"};
         return &display_.follow_guide();
+    case PLAIT_FIELD_POSITION_LAST_FRAME:
+        if (!display_.last_frame())
+            return is_off("keep_last_frame");
+        return &display_.last_frame();
     default:
         return Error{PLAIT_INVALID_ARGUMENT,
                      format("field is %d, range is [0, %d]", field, PLAIT_FIELD_COUNT - 1)};
     }
 }
 
+// A run of vertices to a work-item, and the runs' boxes to one: enough of them to fill a device.
+constexpr uint32_t runs = 1024;
+
+Status Sim::make_bounds() {
+    if (box_)
+        return {};
+    PLAIT_TRY(device().create(boxes_, PLAIT_ELEMENT_FLOAT4, size_t{2} * runs, "boxes"));
+    return device().create(box_, PLAIT_ELEMENT_FLOAT4, 2, "box");
+}
+
+void Sim::add_bounds() {
+    const uint32_t count = layout_.vertices(), share = (count - 1) / runs + 1;
+    const uint32_t used = (count - 1) / share + 1;
+    schedule_.add(PLAIT_STAGE_bounds, used, plait_bounds_params{count, share, 0},
+                  {&display_.position(state_), &boxes_});
+    schedule_.add(PLAIT_STAGE_bounds, 1, plait_bounds_params{used, used, 1}, {&boxes_, &box_});
+}
+
+Result<const Buffer*> Sim::filled_field(plait_field field) {
+    if (field != PLAIT_FIELD_BOUNDS)
+        return field_buffer(field);
+    PLAIT_TRY(make_bounds());
+    schedule_.clear();
+    add_bounds();
+    PLAIT_TRY(submit());
+    return &box_;
+}
+
 Result<size_t> Sim::field_bytes(plait_field field) const {
+    if (field == PLAIT_FIELD_BOUNDS)
+        return size_t{2} * sizeof(Float4);
     const auto buffer = field_buffer(field);
     if (!buffer)
         return buffer.error();
@@ -70,7 +104,7 @@ Result<size_t> Sim::field_bytes(plait_field field) const {
 Status Sim::read(plait_field field, void* dst) {
     if (field == PLAIT_FIELD_VELOCITY)
         return read_velocity({static_cast<float*>(dst), size_t{4} * layout_.guide_vertices()});
-    const auto buffer = field_buffer(field);
+    const auto buffer = filled_field(field);
     if (!buffer)
         return buffer.error();
     return device().read(**buffer, dst);

@@ -151,6 +151,7 @@ Status check_sim_desc(const plait_sim_desc& s) {
     PLAIT_RANGE(substeps, 1, 1000);
     PLAIT_RANGE(max_steps_per_call, 1, 1000);
     PLAIT_RANGE(interpolate_output, 0, 1);
+    PLAIT_RANGE(keep_last_frame, 0, 1);
     PLAIT_RANGE(follows_per_guide, 0, 64);
     PLAIT_RANGE(follow_radius, 0, 1);
     PLAIT_RANGE_ENUM(sag_free, PLAIT_SAG_FREE_STIFFEN);
@@ -169,6 +170,14 @@ Status check_strand_model(const plait_model& model, size_t strand) {
     return Error{PLAIT_INVALID_ARGUMENT,
                  format("models[%zu] is %g, range is [%g, %g]: %s", strand, raw(model), low, high,
                         list_models(&ModelTraits::switches).c_str())};
+}
+
+Status check_model(const plait_model& model, size_t index) {
+    const double high = last_model();
+    if (raw(model) >= 0 && raw(model) <= high)
+        return {};
+    return Error{PLAIT_INVALID_ARGUMENT,
+                 format("models[%zu] is %g, range is [0, %g]", index, raw(model), high)};
 }
 
 Status check_strand_stiffness(std::span<const float> scales, size_t guides) {

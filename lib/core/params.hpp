@@ -13,6 +13,7 @@ plait_sim_desc default_sim_desc();
 // INVALID_ARGUMENT names the field, its value and its range.
 Status check_params(const plait_sim_params& params);
 Status check_sim_desc(const plait_sim_desc& desc);
+Status check_model(const plait_model& model, size_t index);
 Status check_strand_model(const plait_model& model, size_t strand);
 Status check_strand_stiffness(std::span<const float> scales, size_t guides);
 plait_fibre default_fibre();

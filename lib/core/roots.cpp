@@ -67,6 +67,14 @@ Status Roots::aim(Device& device, const plait_pose& head, std::span<const plait_
     return {};
 }
 
+Result<const Buffer*> Roots::aim_skinned(Device& device, const plait_pose& head) {
+    PLAIT_TRY(make_buffers(device));
+    target_.head = head;
+    target_.own = true;
+    aimed = true;
+    return &target_.poses;
+}
+
 void Roots::add(Schedule& schedule, const Place& from, const Place& to, float alpha,
                 const Buffer& pose) const {
     const bool own = from.own || to.own;

@@ -60,9 +60,12 @@ Result<SimParts> make_sim_parts(Context& context, const Groom& groom, const plai
     auto grid = InterHair::create(device, desc.params);
     if (!grid)
         return grid.error();
+    auto skin = Skin::create(device, groom);
+    if (!skin)
+        return skin.error();
     auto display = Display::create(device, groom, layout,
                                    {desc.follows_per_guide, desc.follow_radius, desc.seed},
-                                   interpolate, &context.memory);
+                                   {interpolate, desc.keep_last_frame != 0}, &context.memory);
     if (!display)
         return display.error();
     return SimParts{layout,
@@ -70,7 +73,7 @@ Result<SimParts> make_sim_parts(Context& context, const Groom& groom, const plai
                     groom.shape.mean_length,
                     fingerprint(groom),
                     cube_around(groom),
-                    Skin(groom, &context.memory),
+                    std::move(*skin),
                     std::move(*model),
                     std::move(*state),
                     std::move(*grid),
@@ -91,9 +94,10 @@ Sim::~Sim() {
 
 Status Sim::start() {
     PLAIT_TRY(check_stages());
+    PLAIT_TRY(prepare_calls());
     model_->reset(schedule_, present());
     display_.keep(schedule_, layout_, state_);
-    PLAIT_TRY(refresh());
+    PLAIT_TRY(show_at_once());
     log_warnings(default_params(), "");
     return {};
 }
@@ -104,6 +108,23 @@ Status Sim::check_stages() {
     model_->publish(schedule_, present());
     add_interhair();
     Status status = check_supported(device(), schedule_.list());
+    if (status)
+        status = device().prepare(schedule_.list());
+    schedule_.clear();
+    return status;
+}
+
+// What steps do not take, but the calls around them.
+Status Sim::prepare_calls() {
+    model_->reset(schedule_, present());
+    display_.keep(schedule_, layout_, state_);
+    display_.keep_frame(schedule_, layout_, state_);
+    display_.update(schedule_, layout_, state_, roots_, desc_.params, 0);
+    model_->teleport(schedule_, present(), state_.pose);
+    skin_.append(schedule_, layout_, state_, state_.pose);
+    add_stats();
+    add_bounds();
+    Status status = device().prepare(schedule_.list());
     schedule_.clear();
     return status;
 }
@@ -127,15 +148,23 @@ Status Sim::refresh() {
     return submit();
 }
 
+// What jumped has moved on no way: the frame before is where it is now.
+Status Sim::show_at_once() {
+    PLAIT_TRY(refresh());
+    display_.keep_frame(schedule_, layout_, state_);
+    return submit();
+}
+
 Status Sim::step(double dt) {
     schedule_.clear(); // what a failed call may have left
+    display_.keep_frame(schedule_, layout_, state_);
     const Tick tick = clock_.advance(dt);
     for (uint32_t k = 0; k < tick.steps; ++k)
         PLAIT_TRY(fixed_step(tick.end_of(k), k + 1 == tick.steps));
     roots_.end_call();
     colliders_.end_call();
     const bool changed = tick.steps > 0 || display_.interpolates();
-    return changed ? refresh() : Status{};
+    return changed ? refresh() : submit();
 }
 
 Status Sim::fixed_step(double end, bool keep) {
@@ -255,29 +284,20 @@ Status Sim::set_models(std::span<const plait_model> models) {
     return status;
 }
 
-Result<std::pmr::vector<plait_pose>> Sim::own_poses(const RootsInput& input) {
-    std::pmr::vector<plait_pose> poses(input.own.begin(), input.own.end(), &context_.memory);
-    if (input.bones.empty())
-        return poses;
-    if (skin_.bones == 0)
-        return Error{PLAIT_INVALID_ARGUMENT, "bones are given, but the groom has no skin"};
-    if (input.bones.size() < skin_.bones)
-        return Error{PLAIT_INVALID_ARGUMENT, format("bones.count is %zu, the groom's skin needs %u",
-                                                    input.bones.size(), skin_.bones)};
-    poses.resize(layout_.guides);
-    PLAIT_TRY(skin_roots(skin_, input.bones, poses));
-    return poses;
-}
-
 Status Sim::set_roots(const RootsInput& input) {
     if (!input.own.empty() && input.own.size() != layout_.guides)
         return Error{PLAIT_INVALID_ARGUMENT,
                      format("root_poses.count is %zu, the sim has %u guides", input.own.size(),
                             layout_.guides)};
-    const auto own = own_poses(input);
-    if (!own)
-        return own.error();
-    return roots_.aim(device(), input.head, *own);
+    if (input.bones.empty())
+        return roots_.aim(device(), input.head, input.own);
+    PLAIT_TRY(skin_.check(input.bones));
+    const auto poses = roots_.aim_skinned(device(), input.head);
+    if (!poses)
+        return poses.error();
+    schedule_.clear();
+    PLAIT_TRY(skin_.append(device(), schedule_, layout_, state_, input.bones, **poses));
+    return submit();
 }
 
 Status Sim::prepare_teleport() {
@@ -296,7 +316,7 @@ Status Sim::teleport(const RootsInput& input) {
     roots_.pose_now(schedule_, pose_spare_);
     model_->teleport(schedule_, present(), pose_spare_);
     std::swap(state_.pose, pose_spare_);
-    return refresh();
+    return show_at_once();
 }
 
 Status Sim::reset() {
@@ -307,7 +327,7 @@ Status Sim::reset() {
     roots_.pose_now(schedule_, state_.pose);
     model_->reset(schedule_, present());
     display_.keep(schedule_, layout_, state_);
-    return refresh();
+    return show_at_once();
 }
 
 } // namespace plait

@@ -76,6 +76,8 @@ class Sim {
     // fields.cpp
     Result<size_t> field_bytes(plait_field field) const;
     Status read(plait_field field, void* dst);
+    // What field_buffer() gives, or for BOUNDS reckoned into a buffer now.
+    Result<const Buffer*> filled_field(plait_field field);
     Status write(plait_field field, const void* src);
     Result<const Buffer*> field_buffer(plait_field field) const; // INVALID_STATE: the field is off
 
@@ -108,9 +110,13 @@ class Sim {
     void add_substep(uint32_t index);
     void add_interhair();
     Status refresh();
+    Status show_at_once();
     Status prepare_teleport();
-    Result<std::pmr::vector<plait_pose>> own_poses(const RootsInput& input);
-    Status check_stages();
+    Status check_stages(); // and builds them
+    Status prepare_calls();
+    void add_stats();
+    void add_bounds();
+    Status make_bounds();
     Status check_models(std::span<const plait_model> models) const;
     uint64_t device_bytes() const;
     uint32_t models_in_use() const; // bits 1u << plait_model
@@ -159,6 +165,7 @@ class Sim {
     Schedule schedule_;
     Buffer pose_spare_;   // float4 [2*guides], from the first teleport on
     Buffer strand_stats_; // float4 [guides], from the first measurement on
+    Buffer boxes_, box_;  // float4 [2*runs], [2], from the first time on that bounds are asked for
     std::array<plait_stage_cost, PLAIT_STAGE_COUNT> costs_{};
 };
 

@@ -2,70 +2,64 @@
 
 #include "base/format.hpp"
 
-#include <Eigen/Geometry>
 #include <Eigen/SVD>
 
 namespace plait {
 namespace {
 
-using Blend = Eigen::Matrix<double, 3, 4, Eigen::RowMajor>;
-
-Blend blend(const Skin& skin, std::span<const BoneMatrix> bones, size_t strand) {
-    Blend sum = Blend::Zero();
-    for (size_t k = 4 * strand; k < 4 * strand + 4; ++k)
-        if (const float weight = skin.bone_weights[k]; weight > 0)
-            sum += weight * Eigen::Map<const Eigen::Matrix<float, 3, 4, Eigen::RowMajor>>(
-                                bones[skin.bone_indices[k]].data())
-                                .cast<double>();
-    return sum;
-}
-
-// The rotation nearest to `m` in the Frobenius norm: U diag(1, 1, det) V^T of its SVD (Kabsch
-// 1976). False: not unique.
-bool closest_rotation(const Eigen::Matrix3d& m, Eigen::Matrix3d& rotation) {
-    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(m, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    if (!(svd.singularValues()[1] > 1e-6 * svd.singularValues()[0]))
-        return false;
-    Eigen::Vector3d signs(1, 1, 1);
-    signs[2] = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1 : 1;
-    rotation = svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
-    return true;
-}
-
-plait_pose to_pose(const Eigen::Matrix3d& rotation, const Eigen::Vector3d& translation) {
-    const Eigen::Quaternionf q = Eigen::Quaterniond(rotation).normalized().cast<float>();
-    const Eigen::Vector3f t = translation.cast<float>();
-    return {{q.x(), q.y(), q.z(), q.w()}, {t[0], t[1], t[2]}};
+Status check_bone(const BoneMatrix& bone, size_t index) {
+    const Eigen::Matrix3d m =
+        Eigen::Map<const Eigen::Matrix<float, 3, 4, Eigen::RowMajor>>(bone.data())
+            .leftCols<3>()
+            .cast<double>();
+    const Eigen::Vector3d singular = Eigen::JacobiSVD<Eigen::Matrix3d>(m).singularValues();
+    if (!(singular[1] > 1e-6 * singular[0]))
+        return Error{PLAIT_INVALID_ARGUMENT,
+                     format("bones[%zu] has no closest rotation: it maps all to a line", index)};
+    return {};
 }
 
 } // namespace
 
-Skin::Skin(const Groom& groom, std::pmr::memory_resource* memory) : Skin(memory) {
-    bones = groom.shape.bones;
-    if (bones == 0)
-        return;
-    bone_indices = groom.strands.bone_indices;
-    bone_weights = groom.strands.bone_weights;
-    roots.reserve(3 * groom.shape.strands);
-    const float* vertex = groom.strands.positions.data();
-    for (const uint32_t count : groom.strands.vertex_counts) {
-        roots.insert(roots.end(), vertex, vertex + 3);
-        vertex += size_t{3} * count;
-    }
+Result<Skin> Skin::create(Device& device, const Groom& groom) {
+    Skin skin;
+    skin.bones_ = groom.shape.bones;
+    if (skin.bones_ == 0)
+        return skin;
+    const auto& strands = groom.strands;
+    PLAIT_TRY(device.create(skin.index_, PLAIT_ELEMENT_UINT, strands.bone_indices.size(),
+                            "bone_index"));
+    PLAIT_TRY(device.create(skin.weight_, PLAIT_ELEMENT_FLOAT, strands.bone_weights.size(),
+                            "bone_weight"));
+    PLAIT_TRY(device.create(skin.matrix_, PLAIT_ELEMENT_FLOAT4, size_t{3} * skin.bones_,
+                            "bone_matrix"));
+    PLAIT_TRY(device.write(skin.index_, strands.bone_indices.data()));
+    PLAIT_TRY(device.write(skin.weight_, strands.bone_weights.data()));
+    return skin;
 }
 
-Status skin_roots(const Skin& skin, std::span<const BoneMatrix> bones,
-                  std::span<plait_pose> poses) {
-    for (size_t strand = 0; strand < poses.size(); ++strand) {
-        const Blend m = blend(skin, bones, strand);
-        Eigen::Matrix3d rotation;
-        if (!m.allFinite() || !closest_rotation(m.leftCols<3>(), rotation))
-            return Error{PLAIT_INVALID_ARGUMENT,
-                         format("bones: the blend for strand %zu is no rotation", strand)};
-        const Eigen::Vector3d root =
-            Eigen::Map<const Eigen::Vector3f>(skin.roots.data() + 3 * strand).cast<double>();
-        poses[strand] = to_pose(rotation, m.leftCols<3>() * root + m.col(3) - rotation * root);
-    }
+Status Skin::check(std::span<const BoneMatrix> bones) const {
+    if (bones_ == 0)
+        return Error{PLAIT_INVALID_ARGUMENT, "bones are given, but the groom has no skin"};
+    if (bones.size() < bones_)
+        return Error{PLAIT_INVALID_ARGUMENT, format("bones.count is %zu, the groom's skin needs %u",
+                                                    bones.size(), bones_)};
+    for (size_t bone = 0; bone < bones_; ++bone)
+        PLAIT_TRY(check_bone(bones[bone], bone));
+    return {};
+}
+
+void Skin::append(Schedule& schedule, const Layout& layout, const State& state,
+                  const Buffer& poses) const {
+    if (bones_ > 0)
+        schedule.add(PLAIT_STAGE_skin, layout.guides, plait_layout_params{layout.row},
+                     {&matrix_, &index_, &weight_, &state.rest, &poses});
+}
+
+Status Skin::append(Device& device, Schedule& schedule, const Layout& layout, const State& state,
+                    std::span<const BoneMatrix> bones, const Buffer& poses) const {
+    PLAIT_TRY(device.upload(matrix_, bones.data()));
+    append(schedule, layout, state, poses);
     return {};
 }
 

@@ -1,7 +1,10 @@
-// Linear blend skinning of the roots: one rigid pose per strand from four weighted bones.
+// Linear blend skinning of the roots on the device: one rigid pose per strand from four weighted bones.
 #pragma once
 
 #include "core/groom.hpp"
+#include "core/layout.hpp"
+#include "core/schedule.hpp"
+#include "core/state.hpp"
 
 #include <span>
 
@@ -9,20 +12,27 @@ namespace plait {
 
 using BoneMatrix = std::array<float, 12>; // 3x4 row-major
 
-// What skinning needs of a groom, so that the groom itself may go.
-struct Skin {
-    explicit Skin(std::pmr::memory_resource* memory)
-        : roots(memory), bone_indices(memory), bone_weights(memory) {}
-    Skin(const Groom& groom, std::pmr::memory_resource* memory);
+class Skin {
+  public:
+    // Without buffers where the groom has no skin.
+    static Result<Skin> create(Device& device, const Groom& groom);
 
-    uint32_t bones = 0;                      // 0: no skin
-    std::pmr::vector<float> roots;           // xyz [strands], rest
-    std::pmr::vector<uint32_t> bone_indices; // 4 [strands]
-    std::pmr::vector<float> bone_weights;    // 4 [strands]
+    uint32_t bones() const { return bones_; } // 0: no skin
+    // INVALID_ARGUMENT: too few, or a matrix without a closest rotation (rank below two).
+    Status check(std::span<const BoneMatrix> bones) const;
+    // Uploads `bones`, and appends what makes the strands' poses of them.
+    Status append(Device& device, Schedule& schedule, const Layout& layout, const State& state,
+                  std::span<const BoneMatrix> bones, const Buffer& poses) const;
+    // Appends the same for what is uploaded, to be built.
+    void append(Schedule& schedule, const Layout& layout, const State& state,
+                const Buffer& poses) const;
+    uint64_t device_bytes() const { return index_.bytes() + weight_.bytes() + matrix_.bytes(); }
+
+  private:
+    uint32_t bones_ = 0;
+    Buffer index_;  // uint [4*guides]
+    Buffer weight_; // float [4*guides]
+    Buffer matrix_; // float4 [3*bones]
 };
-
-// The root itself follows the blend exactly; its frame turns by the rotation closest to the blend.
-// INVALID_ARGUMENT if the blend of a strand has no closest rotation (rank below two).
-Status skin_roots(const Skin& skin, std::span<const BoneMatrix> bones, std::span<plait_pose> poses);
 
 } // namespace plait

@@ -25,15 +25,19 @@ void reduce(std::span<const Float4> strands, plait_sim_stats& out) {
 
 } // namespace
 
+void Sim::add_stats() {
+    schedule_.add(PLAIT_STAGE_stats, layout_.guides, plait_layout_params{layout_.row},
+                  {&state_.rest_length, &state_.vertex_count, &state_.position,
+                   &state_.position_prev, &strand_stats_});
+}
+
 Status Sim::stats(plait_sim_stats& out) {
     out = {};
     if (!strand_stats_)
         PLAIT_TRY(
             device().create(strand_stats_, PLAIT_ELEMENT_FLOAT4, layout_.guides, "strand_stats"));
     schedule_.clear();
-    schedule_.add(PLAIT_STAGE_stats, layout_.guides, plait_layout_params{layout_.row},
-                  {&state_.rest_length, &state_.vertex_count, &state_.position,
-                   &state_.position_prev, &strand_stats_});
+    add_stats();
     PLAIT_TRY(submit());
     std::pmr::vector<Float4> strands(layout_.guides, &context_.memory);
     PLAIT_TRY(device().read(strand_stats_, strands.data()));
@@ -60,7 +64,8 @@ Status Sim::stats(plait_sim_stats& out) {
 
 uint64_t Sim::device_bytes() const {
     uint64_t bytes = model_->device_bytes() + grid_.device_bytes() + display_.device_bytes() +
-                     pose_spare_.bytes() + strand_stats_.bytes() + colliders_.capsules().bytes();
+                     skin_.device_bytes() + pose_spare_.bytes() + strand_stats_.bytes() +
+                     boxes_.bytes() + box_.bytes() + colliders_.capsules().bytes();
     for (const Buffer* buffer : state_.all())
         bytes += buffer->bytes();
     for (const Roots::Place* place : roots_.places())

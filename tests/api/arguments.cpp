@@ -128,6 +128,8 @@ TEST(Arguments, NullPointers) {
         {"out is NULL", [&](O&) { return plait_context_create(&context, nullptr); }},
         {"context is NULL", [](O&) { return plait_context_describe(nullptr, nullptr); }},
         {"out is NULL", [](O& o) { return plait_context_describe(o.context, nullptr); }},
+        {"context is NULL", [](O&) { return plait_context_prepare(nullptr, nullptr, 0, 16); }},
+        {"models is NULL", [](O& o) { return plait_context_prepare(o.context, nullptr, 0, 16); }},
         {"desc is NULL", [](O& o) { return plait_groom_create(nullptr, nullptr, &o.no_groom); }},
         {"out is NULL", [&](O&) { return plait_groom_create(&groom, nullptr, nullptr); }},
         {"path is NULL", [](O& o) { return plait_groom_load(nullptr, nullptr, &o.no_groom); }},
@@ -230,6 +232,10 @@ TEST(Arguments, NullPointersOfInterop) {
          }},
         {"out is NULL",
          [](O& o) { return plait_opencl_sim_get_field(o.sim, PLAIT_FIELD_POSITION, nullptr); }},
+        {"sim is NULL",
+         [](O&) { return plait_opencl_sim_copy_field(nullptr, PLAIT_FIELD_POSITION, nullptr, 0); }},
+        {"to is NULL",
+         [](O& o) { return plait_opencl_sim_copy_field(o.sim, PLAIT_FIELD_POSITION, nullptr, 0); }},
         {"context is NULL",
          [](O&) {
              cl_command_queue queue = nullptr;
@@ -299,6 +305,7 @@ TEST(Arguments, SimDescriptorsOutsideTheirRanges) {
         sim_desc("substeps", [](D& d) { d.substeps = 0; }),
         sim_desc("max_steps_per_call", [](D& d) { d.max_steps_per_call = 0; }),
         sim_desc("interpolate_output", [](D& d) { d.interpolate_output = 2; }),
+        sim_desc("keep_last_frame", [](D& d) { d.keep_last_frame = 2; }),
         sim_desc("follows_per_guide", [](D& d) { d.follows_per_guide = 65; }),
         sim_desc("strand_stiffness.count is 1, the groom has 2",
                  [](D& d) {
@@ -391,7 +398,7 @@ TEST(Arguments, TheRest) {
         {"dt is nan, range is [0, 10]", [](O& o) { return plait_sim_step(o.sim, NAN); }},
         {"dt is -1", [](O& o) { return plait_sim_step(o.sim, -1); }},
         {"dt is 11", [](O& o) { return plait_sim_step(o.sim, 11); }},
-        {"field is 9",
+        {"field is 11",
          [](O& o) { return plait_sim_read(o.sim, PLAIT_FIELD_COUNT, nullptr, &o.size); }},
         {"interhair is off",
          [](O& o) { return plait_sim_read(o.sim, PLAIT_FIELD_GRID_DENSITY, nullptr, &o.size); },

@@ -93,6 +93,26 @@ TEST_P(Roots, BonesBlendToTheClosestRotation) {
     EXPECT_NEAR(p[17], 0, 1e-6);
 }
 
+TEST_P(Roots, ABoneThatMapsAllToALineIsRefused) {
+    const GroomArrays arrays(tuft(2, 5));
+    const std::vector<uint32_t> indices = {0, 1, 0, 0, 1, 0, 0, 0};
+    const std::vector<float> weights = {0.5f, 0.5f, 0, 0, 1, 0, 0, 0};
+    auto desc = arrays.desc();
+    desc.bone_indices = plait::view(indices, 4);
+    desc.bone_weights = plait::view(weights, 4);
+    plait::Sim sim(context, plait::Groom(desc), tressfx_desc());
+    const std::vector<float> bones = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0,
+                                      1, 2, 3, 1, 2, 4, 6, 0, 0, 0, 0, 0};
+    auto roots = plait_roots_defaults();
+    roots.bones = plait::view(bones, 12);
+    EXPECT_EQ(plait_sim_set_roots(sim, &roots), PLAIT_INVALID_ARGUMENT);
+    EXPECT_NE(std::string(plait_last_error()).find("bones[1] has no closest rotation"),
+              std::string::npos)
+        << plait_last_error();
+    sim.step(frame);
+    EXPECT_EQ(sim.read(PLAIT_FIELD_POSITION)[0], 0) << "what is refused changes nothing";
+}
+
 TEST_P(Roots, SeveralStepsInOneCallSpreadTheMotion) {
     for (const plait_model model : {PLAIT_MODEL_TRESSFX, PLAIT_MODEL_CHAIN, PLAIT_MODEL_COSSERAT,
                                     PLAIT_MODEL_ROD, PLAIT_MODEL_ARTICULATED}) {

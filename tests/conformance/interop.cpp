@@ -6,6 +6,7 @@
 #include <atomic>
 #include <chrono>
 #include <thread>
+#include <tuple>
 
 namespace plait::opencl {
 namespace {
@@ -89,6 +90,55 @@ TEST_P(Interop, lends_what_read_gives) {
     ASSERT_EQ(plait_sim_read(sim.get(), PLAIT_FIELD_POSITION, read.data(), &size), PLAIT_OK);
     EXPECT_EQ(borrowed, read);
     EXPECT_NE(read[4 * (vertices - 1) + 1], -0.01f * (vertices - 1)) << "the tip has not moved";
+}
+
+std::vector<float> floats_of(cl_command_queue queue, cl_mem memory, size_t offset, size_t count) {
+    std::vector<float> values(count);
+    EXPECT_EQ(clEnqueueReadBuffer(queue, memory, CL_TRUE, offset, count * sizeof(float),
+                                  values.data(), 0, nullptr, nullptr),
+              CL_SUCCESS);
+    return values;
+}
+
+TEST_P(Interop, copies_into_the_callers_buffer) {
+    const OwnContext context = adopt();
+    const OwnSim sim = make_sim(context.get());
+    ASSERT_EQ(plait_sim_step(sim.get(), 0.1), PLAIT_OK) << plait_last_error();
+    constexpr size_t count = size_t{4} * 2 * vertices, bytes = count * sizeof(float);
+    cl_int code = CL_SUCCESS;
+    const Memory own(
+        clCreateBuffer(context_.get(), CL_MEM_READ_WRITE, bytes + 64, nullptr, &code));
+    ASSERT_EQ(code, CL_SUCCESS);
+    for (const auto& [field, at, floats] :
+         {std::tuple(PLAIT_FIELD_POSITION, size_t{64}, count),
+          std::tuple(PLAIT_FIELD_BOUNDS, size_t{16}, size_t{8})}) {
+        ASSERT_EQ(plait_opencl_sim_copy_field(sim.get(), field, own.get(), at), PLAIT_OK)
+            << plait_last_error();
+        std::vector<float> read(floats);
+        size_t size = floats * sizeof(float);
+        ASSERT_EQ(plait_sim_read(sim.get(), field, read.data(), &size), PLAIT_OK);
+        EXPECT_EQ(floats_of(queue_.get(), own.get(), at, floats), read);
+    }
+
+    EXPECT_EQ(plait_opencl_sim_copy_field(sim.get(), PLAIT_FIELD_POSITION, own.get(), 65),
+              PLAIT_INVALID_ARGUMENT);
+    EXPECT_NE(std::string(plait_last_error()).find("do not fit"), std::string::npos);
+    EXPECT_EQ(plait_opencl_sim_copy_field(sim.get(), PLAIT_FIELD_VELOCITY, own.get(), 0),
+              PLAIT_INVALID_ARGUMENT);
+    EXPECT_EQ(plait_opencl_sim_copy_field(sim.get(), PLAIT_FIELD_GRID_DENSITY, own.get(), 0),
+              PLAIT_INVALID_STATE);
+}
+
+// Every kernel runs once over nothing: none may look at a buffer before it looks at item_count.
+TEST_P(Interop, prepares_every_kernel) {
+    const OwnContext context = adopt();
+    std::vector<plait_model> models{PLAIT_MODEL_TRESSFX, PLAIT_MODEL_CHAIN, PLAIT_MODEL_COSSERAT,
+                                    PLAIT_MODEL_ARTICULATED};
+    if (find_devices().usable[GetParam()].info.platform != std::string("rusticl"))
+        models.push_back(PLAIT_MODEL_ROD); // there it takes minutes: docs/deviations.md
+    EXPECT_EQ(plait_context_prepare(context.get(), models.data(), models.size(), vertices),
+              PLAIT_OK)
+        << plait_last_error();
 }
 
 TEST_P(Interop, waits_for_what_was_flushed) {

@@ -21,12 +21,13 @@ TEST(Stages, all_have_embedded_source) {
 TEST_P(Kernels, build_with_the_arguments_of_the_table) {
     const Candidate candidate = find_devices().usable[GetParam()];
     cl_int code = CL_SUCCESS;
-    const Context context(clCreateContext(nullptr, 1, &candidate.device, nullptr, nullptr, &code));
+    Programs programs{
+        Context(clCreateContext(nullptr, 1, &candidate.device, nullptr, nullptr, &code))};
     ASSERT_EQ(code, CL_SUCCESS);
     for (int stage = 0; stage < PLAIT_STAGE_COUNT; ++stage) {
         const plait_stage_info& info = *plait_stage_describe(static_cast<plait_stage>(stage));
         const std::string name = std::string("cl/") + info.name + ".cl";
-        const auto built = build_stage(context.get(), candidate, info,
+        const auto built = build_stage(programs, candidate, info,
                                        {name, std::string(stage_text(info.name))}, Log{});
         EXPECT_TRUE(built.ok()) << built.error().message;
     }

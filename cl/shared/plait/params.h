@@ -70,7 +70,7 @@ typedef struct plait_roots_params {
     plait_u32 per_root; /* 0: root_from/root_to are null and not read */
 } plait_roots_params;
 
-/* reset, teleport, tangents, snapshot, stats: stages that need only the layout. */
+/* skin, reset, teleport, tangents, snapshot, last_frame, stats: stages that need only the layout. */
 typedef struct plait_layout_params {
     plait_u32 vertex_stride; /* V: vertices per strand row, 2..256 */
 } plait_layout_params;
@@ -204,6 +204,13 @@ typedef struct plait_lane_layout_params {
     plait_u32 tile;
     float h; /* s: position_prev = position - h v; the step before is h ago (lane_orient) */
 } plait_lane_layout_params;
+
+/* bounds: item i takes the elements [i*share, (i+1)*share) of `count`. */
+typedef struct plait_bounds_params {
+    plait_u32 count;
+    plait_u32 share;
+    plait_u32 boxes; /* 1: elements are boxes, two points each */
+} plait_bounds_params;
 
 /* lane_fit. */
 typedef struct plait_lane_fit_params {

@@ -121,6 +121,10 @@ plait_result submit(plait_device* device, const plait_dispatch* list, size_t cou
     return perform(device, [&](Device& self) { return self.submit({list, count}); });
 }
 
+plait_result prepare(plait_device* device, const plait_dispatch* list, size_t count) {
+    return perform(device, [&](Device& self) { return self.prepare({list, count}); });
+}
+
 plait_result wait(plait_device* device) {
     return perform(device, [](Device& self) { return self.wait(); });
 }
@@ -152,6 +156,7 @@ constexpr plait_device_api device_functions = {
     .buffer_upload = buffer_upload,
     .buffer_read = buffer_read,
     .submit = submit,
+    .prepare = prepare,
     .wait = wait,
     .stage_costs = stage_costs,
     .last_error = last_error,

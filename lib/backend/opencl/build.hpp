@@ -1,7 +1,7 @@
 // From a stage's source to a kernel that is known to have the stage's arguments.
 #pragma once
 
-#include "backend/opencl/enumerate.hpp"
+#include "backend/opencl/programs.hpp"
 #include "base/log.hpp"
 #include "base/result.hpp"
 
@@ -26,9 +26,10 @@ inline constexpr uint32_t usual_vertices = 16;
 
 // `vertices` per strand matter to the stages over lanes alone, which are built for one number.
 // @errors COMPILE with the compiler's whole log, or the argument that differs from stages.def
-Result<StageKernel> build_stage(cl_context context, const Candidate& device,
+Result<StageKernel> build_stage(Programs& programs, const Candidate& device,
                                 const plait_stage_info& stage, const StageText& text,
-                                const Log& log, uint32_t vertices = usual_vertices);
+                                const Log& log, const ProgramFolder& folder = {},
+                                uint32_t vertices = usual_vertices);
 
 // What kernels are built with. Contraction of a*b + c is left to each kernel (FP_CONTRACT); nothing
 // that trades accuracy for speed is on, and argument information is kept for the check. Kernels

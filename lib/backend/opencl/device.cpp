@@ -17,9 +17,9 @@ Status check_part(const Buffer& buffer, size_t first, size_t count, const char* 
 
 } // namespace
 
-Device::Device(Session session, Log log, const Calls& calls)
-    : session_(std::move(session)), log_(log), calls_(calls),
-      staging_(session_.context, session_.candidate.device, calls) {
+Device::Device(Session session, Log log, const Calls& calls, ProgramFolder folder)
+    : session_(std::move(session)), log_(log), folder_(std::move(folder)), calls_(calls),
+      staging_(Context::share(session_.programs->context()), session_.candidate.device, calls) {
     for (int stage = 0; stage < PLAIT_STAGE_COUNT; ++stage) {
         const std::string name = plait_stage_describe(static_cast<plait_stage>(stage))->name;
         const std::string_view text = stage_text(name);
@@ -40,8 +40,8 @@ Result<const StageKernel*> Device::kernel(const plait_stage_info& stage, uint32_
     if (found == kernels_.end()) {
         if (!texts_[stage.stage])
             return Error{PLAIT_UNSUPPORTED, format("stage %s has no kernel", stage.name)};
-        auto built = build_stage(session_.context.get(), session_.candidate, stage,
-                                 *texts_[stage.stage], log_, vertices);
+        auto built = build_stage(*session_.programs, session_.candidate, stage,
+                                 *texts_[stage.stage], log_, folder_, vertices);
         PLAIT_TRY(built);
         found = kernels_.emplace(key, std::move(*built)).first;
     }
@@ -58,7 +58,7 @@ Result<std::unique_ptr<Buffer>> Device::create(const plait_buffer_desc& desc) {
     if (desc.count > SIZE_MAX / element)
         return Error{PLAIT_OUT_OF_MEMORY, what + ": larger than the address space"};
     cl_int code = CL_SUCCESS;
-    Memory memory(calls_.create_buffer(session_.context.get(), CL_MEM_READ_WRITE,
+    Memory memory(calls_.create_buffer(session_.programs->context(), CL_MEM_READ_WRITE,
                                        desc.count * element, nullptr, &code));
     if (code == CL_OUT_OF_RESOURCES)
         code = CL_MEM_OBJECT_ALLOCATION_FAILURE; // the only resource asked for is memory
@@ -121,8 +121,10 @@ plait_result Device::report(const Status& status) {
     if (status.ok())
         return PLAIT_OK;
     const Error& error = status.error();
-    if (error.code == PLAIT_DEVICE_LOST && !lost_)
+    if (error.code == PLAIT_DEVICE_LOST && !lost_) {
         lost_ = error;
+        session_.programs->abandon();
+    }
     last_error_ = error.message;
     return error.code;
 }

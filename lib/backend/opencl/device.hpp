@@ -8,9 +8,11 @@
 #include "backend/opencl/staging.hpp"
 
 #include <array>
+#include <bitset>
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 
 namespace plait::opencl {
@@ -25,7 +27,7 @@ struct Buffer {
 // What a device is opened with, whoever made it.
 struct Session {
     Candidate candidate;
-    Context context;
+    std::shared_ptr<Programs> programs; // and the cl_context they are of
     Queue queue;
     bool profile;
 };
@@ -46,6 +48,7 @@ class Device {
     Status read(const Buffer& buffer, size_t first, size_t count, void* dst);
 
     Status submit(std::span<const plait_dispatch> list);
+    Status prepare(std::span<const plait_dispatch> list); // waits where there was something to do
     Status wait();
     Status costs(plait_stage_cost* dst, bool reset);
 
@@ -56,20 +59,28 @@ class Device {
     const std::string& last_error() const { return last_error_; }
 
   private:
-    Device(Session session, Log log, const Calls& calls);
+    Device(Session session, Log log, const Calls& calls, ProgramFolder folder);
 
     Status take_sources(std::span<const plait_stage_source> sources);
     // `vertices` per strand: of the stages over lanes, which are built once for each number.
     Result<const StageKernel*> kernel(const plait_stage_info& stage, uint32_t vertices);
+    Result<WorkRange> range_of(const plait_stage_info& stage, const plait_dispatch& dispatch,
+                               const StageKernel& built) const;
     Status enqueue(const plait_dispatch& dispatch, bool last);
+    Status launch(const plait_stage_info& stage, const StageKernel& built, const WorkRange& range,
+                  cl_event* event) const;
+    Status warm_up(const plait_dispatch& dispatch);
 
     Session session_;
     Log log_;
+    ProgramFolder folder_;
     Calls calls_;
     Flight flight_;
     Staging staging_;
     std::array<std::optional<StageText>, PLAIT_STAGE_COUNT> texts_;
+    std::bitset<PLAIT_STAGE_COUNT> own_texts_; // the user's
     std::map<std::pair<plait_stage, uint32_t>, StageKernel> kernels_;
+    std::set<std::pair<const StageKernel*, bool>> warm_; // and whether over a large grid
     std::optional<Error> lost_;
     std::string last_error_;
 };

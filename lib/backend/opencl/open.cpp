@@ -18,17 +18,14 @@ Result<Session> own_session(const plait_open_info& info, const Log& log) {
         return Error{PLAIT_NOT_FOUND, format("device %u: there are %zu OpenCL devices",
                                              info.device_index, found.usable.size())};
     const Candidate& candidate = found.usable[info.device_index];
-    const cl_context_properties properties[] = {
-        CL_CONTEXT_PLATFORM, reinterpret_cast<cl_context_properties>(candidate.platform), 0};
+    auto programs = Programs::of_device(candidate);
+    PLAIT_TRY(programs);
     cl_int code = CL_SUCCESS;
-    Context context(clCreateContext(properties, 1, &candidate.device, nullptr, nullptr, &code));
-    if (code != CL_SUCCESS)
-        return failure(code, format("clCreateContext on %s", candidate.info.name));
-    Queue queue(clCreateCommandQueue(context.get(), candidate.device,
+    Queue queue(clCreateCommandQueue((*programs)->context(), candidate.device,
                                      info.profile ? CL_QUEUE_PROFILING_ENABLE : 0, &code));
     if (code != CL_SUCCESS)
         return failure(code, format("clCreateCommandQueue on %s", candidate.info.name));
-    return Session{candidate, std::move(context), std::move(queue), info.profile != 0};
+    return Session{candidate, std::move(*programs), std::move(queue), info.profile != 0};
 }
 
 Result<cl_command_queue_properties> check_handles(const plait_opencl_handles& handles) {
@@ -67,8 +64,8 @@ Result<Session> adopted_session(const plait_open_info& info, const Log& log) {
         log(PLAIT_LOG_LEVEL_WARNING,
             "opencl: the adopted queue was made without CL_QUEUE_PROFILING_ENABLE: "
             "stage times will be 0");
-    return Session{*candidate, Context::share(handles.context), Queue::share(handles.queue),
-                   info.profile && can_profile};
+    return Session{*candidate, std::make_shared<Programs>(Context::share(handles.context)),
+                   Queue::share(handles.queue), info.profile && can_profile};
 }
 
 std::string stage_names() {
@@ -104,6 +101,7 @@ Status Device::take_sources(std::span<const plait_stage_source> sources) {
                                                         &source - sources.data(), stage->name)};
         texts_[stage->stage] = {source.name ? source.name : format("<%s>", stage->name),
                                 source.source};
+        own_texts_.set(stage->stage);
         PLAIT_TRY(kernel(*stage, usual_vertices));
     }
     return {};
@@ -115,7 +113,14 @@ Result<std::unique_ptr<Device>> Device::open(const plait_open_info& info, const 
     PLAIT_TRY(session);
     if (info.lanes != 0)
         PLAIT_TRY(set_lanes(session->candidate.info, info.lanes));
-    std::unique_ptr<Device> device(new Device(std::move(*session), log, calls));
+    ProgramFolder folder;
+    if (info.program_folder) {
+        auto opened = ProgramFolder::open(info.program_folder);
+        PLAIT_TRY(opened);
+        folder = std::move(*opened);
+    }
+    std::unique_ptr<Device> device(
+        new Device(std::move(*session), log, calls, std::move(folder)));
     PLAIT_TRY(device->take_sources({info.stage_sources, info.stage_source_count}));
     log(PLAIT_LOG_LEVEL_INFO,
         format("opencl: opened %s (%s), driver %s%s", device->info().name, device->info().platform,

@@ -3,8 +3,14 @@
 #include "backend/opencl/errors.hpp"
 #include "base/format.hpp"
 
+#include <cstdint>
+#include <vector>
+
 namespace plait::opencl {
 namespace {
+
+// Work-items from which on PoCL compiles a kernel anew, for ids that take more bits.
+constexpr size_t usual_grid = 65535;
 
 Status check(const plait_stage_info& stage, const plait_dispatch& dispatch) {
     if (dispatch.params_size != stage.params_size || !dispatch.params)
@@ -66,6 +72,13 @@ Status set_arguments(cl_kernel kernel, const plait_stage_info& stage,
 
 } // namespace
 
+Result<WorkRange> Device::range_of(const plait_stage_info& stage, const plait_dispatch& dispatch,
+                                   const StageKernel& built) const {
+    return work_range(stage, dispatch,
+                      {info().max_group_size, built.group_limit, info().local_memory_bytes,
+                       info().lanes, info().tile, gives_advice_for_limit(info())});
+}
+
 Status Device::enqueue(const plait_dispatch& dispatch, bool last) {
     const plait_stage_info* stage = plait_stage_describe(dispatch.stage);
     if (!stage)
@@ -74,27 +87,62 @@ Status Device::enqueue(const plait_dispatch& dispatch, bool last) {
     auto found = kernel(*stage, dispatch.item_width);
     PLAIT_TRY(found);
     const StageKernel& built = **found;
-    const GroupLimits limits{
-        info().max_group_size, built.group_limit, info().local_memory_bytes,
-        info().lanes,          info().tile,       gives_advice_for_limit(info())};
-    const auto range = work_range(*stage, dispatch, limits);
+    const auto range = range_of(*stage, dispatch, built);
     PLAIT_TRY(range);
     PLAIT_TRY(set_arguments(built.kernel.get(), *stage, dispatch, (*range).local));
 
     // Without profiling one event per list is enough to learn whether its commands failed.
     cl_event event = nullptr;
     const bool watch = session_.profile || last;
-    const cl_int code =
-        calls_.enqueue_kernel(queue(), built.kernel.get(), 1, nullptr, &(*range).global,
-                              &(*range).local, 0, nullptr, watch ? &event : nullptr);
-    if (code != CL_SUCCESS)
-        return failure(code, format("stage %s: clEnqueueNDRangeKernel of %zu work-items in groups "
-                                    "of %zu",
-                                    stage->name, (*range).global, (*range).local));
+    PLAIT_TRY(launch(*stage, built, *range, watch ? &event : nullptr));
     flight_.count(dispatch.stage);
     if (watch)
         flight_.add(Event(event), dispatch.stage);
     return {};
+}
+
+Status Device::launch(const plait_stage_info& stage, const StageKernel& built,
+                      const WorkRange& range, cl_event* event) const {
+    const cl_int code = calls_.enqueue_kernel(queue(), built.kernel.get(), 1, nullptr,
+                                              &range.global, &range.local, 0, nullptr, event);
+    if (code != CL_SUCCESS)
+        return failure(code, format("stage %s: clEnqueueNDRangeKernel of %zu work-items in groups "
+                                    "of %zu",
+                                    stage.name, range.global, range.local));
+    return {};
+}
+
+// Drivers compile for a work-group's size, and load, when a kernel is first enqueued: it is, over no
+// items, for the range that it will have. A kernel of the user's might not look at item_count.
+Status Device::warm_up(const plait_dispatch& dispatch) {
+    const plait_stage_info* stage = plait_stage_describe(dispatch.stage);
+    if (!stage)
+        return Error{PLAIT_INVALID_ARGUMENT, format("stage %d does not exist", dispatch.stage)};
+    const auto found = kernel(*stage, dispatch.item_width);
+    PLAIT_TRY(found);
+    if (dispatch.item_count == 0 || own_texts_.test(dispatch.stage))
+        return {};
+    const auto range = range_of(*stage, dispatch, **found);
+    PLAIT_TRY(range);
+    if (!warm_.emplace(*found, (*range).global > usual_grid).second)
+        return {};
+    const std::vector<plait_buffer*> none(stage->buffer_count, nullptr);
+    // kernels divide by counts before they look at item_count
+    const std::vector<uint32_t> ones(stage->params_size / sizeof(uint32_t), 1);
+    plait_dispatch empty = dispatch;
+    empty.item_count = 0;
+    empty.buffers = none.data();
+    empty.params = dispatch.params ? dispatch.params : ones.data();
+    empty.params_size = stage->params_size;
+    PLAIT_TRY(set_arguments((*found)->kernel.get(), *stage, empty, (*range).local));
+    return launch(*stage, **found, *range, nullptr);
+}
+
+Status Device::prepare(std::span<const plait_dispatch> list) {
+    const size_t before = warm_.size();
+    for (const plait_dispatch& dispatch : list)
+        PLAIT_TRY(warm_up(dispatch));
+    return warm_.size() == before ? Status{} : wait();
 }
 
 Status Device::submit(std::span<const plait_dispatch> list) {

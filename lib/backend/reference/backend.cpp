@@ -110,6 +110,10 @@ plait_result submit(plait_device* device, const plait_dispatch* list, size_t cou
     return guarded([&] { return device_of(device).report(device_of(device).submit(list, count)); });
 }
 
+plait_result prepare(plait_device*, const plait_dispatch*, size_t) {
+    return PLAIT_OK;
+} // nothing is built
+
 plait_result wait(plait_device*) {
     return PLAIT_OK;
 } // submit has done it all
@@ -140,6 +144,7 @@ constexpr plait_device_api device_api = {
     buffer_write, // upload: there is nothing to wait for
     buffer_read,
     submit,
+    prepare,
     wait,
     stage_costs,
     last_error,

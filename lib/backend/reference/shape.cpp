@@ -78,7 +78,7 @@ size_t Shape::elements(const char* argument) const {
     if (is("position"))
         return vertices_ + followers_ * stride_;
     if (is("rest", "rest_length", "position_prev", "position_prev2", "position_local",
-           "position_out", "tangent"))
+           "position_out", "position_last_frame", "tangent"))
         return vertices_;
     if (is("vertex_count", "strand_stats"))
         return strands_;
@@ -102,7 +102,13 @@ size_t Shape::elements(const char* argument) const {
         return tiled_vertices_ * PLAIT_LANE_MATERIAL_COMPONENTS;
     if (is("lane_slot"))
         return 2 * items_;
-    if (is("lane_strand", "lane_from", "lane_to"))
+    if (is("bone_index", "bone_weight"))
+        return 4 * strands_;
+    if (is("points"))
+        return points_;
+    if (is("box"))
+        return 2 * items_;
+    if (is("lane_strand", "lane_from", "lane_to", "bone_matrix"))
         return 0;
     if (is("words"))
         return items_;

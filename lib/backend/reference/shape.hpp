@@ -27,6 +27,8 @@ class Shape {
             history_ = params.bdf2 != 0;
         if constexpr (requires { params.history; })
             history_ = params.history != 0;
+        if constexpr (requires { params.boxes; })
+            points_ = size_t{params.count} * (params.boxes ? 2 : 1);
         set_rows(space);
         if constexpr (requires { params.tile; })
             set_tiles(params.tile);
@@ -55,6 +57,7 @@ class Shape {
     size_t followers_ = 0;
     size_t colliders_ = 0;
     size_t voxels_ = 0;
+    size_t points_ = 0; // of bounds
     size_t capacity_ = 0;
     size_t tiled_vertices_ = 0; // of whole tiles of strands
     bool per_root_ = false;

@@ -77,7 +77,8 @@ std::vector<plait_stage_arg> buffers_of(plait_stage stage) {
 size_t row_of(const Setup& setup, const Case& stage_case, const Component& component) {
     const bool strands = component.name.compare(0, 8, "position") == 0 ||
                          (component.name.compare(0, 5, "rest.") == 0 &&
-                          plait_stage_describe(stage_case.stage)->space != PLAIT_SPACE_LANES);
+                          plait_stage_describe(stage_case.stage)->space != PLAIT_SPACE_LANES &&
+                          stage_case.stage != PLAIT_STAGE_skin);
     uint32_t stride; // the first field of every parameter struct but two
     std::memcpy(&stride, setup.params.data(), sizeof stride);
     return strands ? size_t{4} * stride : 0;

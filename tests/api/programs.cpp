@@ -1,0 +1,163 @@
+// When kernels are built, who shares them, and where they are kept.
+#include "support.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+namespace {
+
+// What the log says of each stage's program: "built", "loaded", "shared".
+struct Log {
+    std::vector<std::string> lines;
+
+    static void add(plait_log_level, const char* text, void* user) {
+        static_cast<Log*>(user)->lines.emplace_back(text);
+    }
+    size_t count(const std::string& part) const {
+        return static_cast<size_t>(
+            std::count_if(lines.begin(), lines.end(), [&](const std::string& line) {
+                return line.find(part) != std::string::npos;
+            }));
+    }
+    size_t programs() const { return count(": built, ") + count(": loaded, ") + count(": shared, "); }
+};
+
+plait_context_desc logging(const std::string& backend, Log& log) {
+    auto desc = plait_context_desc_defaults();
+    desc.backend = backend.c_str();
+    desc.log = Log::add;
+    desc.log_user = &log;
+    return desc;
+}
+
+class Programs : public OnBackend {};
+ON_EVERY_BACKEND(Programs);
+
+TEST_P(Programs, AllThatASimRunsIsThereOnceItIs) {
+    Log log;
+    plait::Context own(logging(GetParam(), log));
+    for (const plait_model model : {PLAIT_MODEL_TRESSFX, PLAIT_MODEL_COSSERAT}) {
+        auto desc = plait_sim_desc_defaults();
+        desc.model = model;
+        desc.follows_per_guide = 1;
+        desc.interpolate_output = 1;
+        desc.keep_last_frame = 1;
+        desc.params.interhair = PLAIT_INTERHAIR_EXACT;
+        plait::Sim sim(own, make_groom(tuft(3, 7)), desc);
+        const size_t before = log.programs();
+        sim.set_roots(head_at({0.01f, 0, 0}));
+        run(sim, 3);
+        sim.stats();
+        sim.teleport(head_at({1, 0, 0}));
+        sim.reset();
+        sim.read(PLAIT_FIELD_BOUNDS);
+        EXPECT_EQ(log.programs(), before) << log.lines.back();
+    }
+}
+
+TEST_P(Programs, PreparedModelsAreThereWhenStrandsTakeThem) {
+    Log log;
+    plait::Context own(logging(GetParam(), log));
+    const std::vector<plait_model> models{PLAIT_MODEL_CHAIN, PLAIT_MODEL_ARTICULATED};
+    ASSERT_EQ(plait_context_prepare(own, models.data(), models.size(), 7), PLAIT_OK)
+        << plait_last_error();
+    const size_t before = log.programs();
+    auto desc = plait_sim_desc_defaults();
+    desc.model = PLAIT_MODEL_CHAIN;
+    plait::Sim sim(own, make_groom(tuft(3, 7)), desc);
+    run(sim, 2);
+    const std::vector<plait_model> next(3, PLAIT_MODEL_ARTICULATED);
+    ASSERT_EQ(plait_sim_set_models(sim, next.data(), 3), PLAIT_OK) << plait_last_error();
+    run(sim, 2);
+    EXPECT_EQ(log.programs(), before) << log.lines.back();
+}
+
+TEST_P(Programs, PreparingSaysWhatItCannot) {
+    const plait_model model = PLAIT_MODEL_CHAIN;
+    EXPECT_EQ(plait_context_prepare(context, nullptr, 1, 16), PLAIT_INVALID_ARGUMENT);
+    for (const uint32_t vertices : {0u, 1u, 257u}) {
+        EXPECT_EQ(plait_context_prepare(context, &model, 1, vertices), PLAIT_INVALID_ARGUMENT);
+        EXPECT_NE(std::string(plait_last_error()).find("range is [2, 256]"), std::string::npos);
+    }
+}
+
+#ifdef PLAIT_TEST_OPENCL
+TEST(Programs, ContextsOfADeviceShareThem) {
+    Log first_log, second_log;
+    plait::Context first(logging("opencl", first_log));
+    plait::Context second(logging("opencl", second_log));
+    const plait::Sim one(first, make_groom(tuft(3, 7)));
+    const plait::Sim two(second, make_groom(tuft(3, 7)));
+    EXPECT_EQ(second_log.count(": built, "), 0u);
+    EXPECT_EQ(second_log.count(": shared, "), second_log.programs());
+    EXPECT_GT(second_log.programs(), 3u);
+}
+
+class ProgramFolder : public testing::Test {
+  protected:
+    void SetUp() override { std::filesystem::remove_all(path_); }
+    void TearDown() override { std::filesystem::remove_all(path_); }
+
+    // A sim's positions after some steps, on a context that nobody else's programs are in.
+    std::vector<float> positions(Log& log) {
+        auto desc = logging("opencl", log);
+        desc.program_folder = path_.c_str();
+        plait::Context context(desc);
+        plait::Sim sim(context, make_groom(tuft(3, 7)));
+        run(sim, 3);
+        return sim.read(PLAIT_FIELD_POSITION);
+    }
+    size_t files() const {
+        return static_cast<size_t>(std::distance(std::filesystem::directory_iterator(path_),
+                                                 std::filesystem::directory_iterator()));
+    }
+
+    std::string path_ = testing::TempDir() + "plait_programs_" +
+                        std::to_string(testing::UnitTest::GetInstance()->random_seed()) + "/new";
+};
+
+TEST_F(ProgramFolder, KeepsWhatWasBuiltForTheNext) {
+    Log built, loaded;
+    const auto expected = positions(built);
+    EXPECT_EQ(built.count(": loaded, "), 0u);
+    EXPECT_EQ(files(), built.programs()) << "a file each, and none left aside";
+    EXPECT_EQ(positions(loaded), expected);
+    EXPECT_EQ(loaded.count(": loaded, "), loaded.programs());
+    EXPECT_EQ(loaded.programs(), built.programs());
+}
+
+TEST_F(ProgramFolder, WhatIsDamagedIsBuiltAnewAndReplaced) {
+    Log built, damaged, healed;
+    const auto expected = positions(built);
+    size_t kind = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(path_)) {
+        const auto size = std::filesystem::file_size(entry);
+        if (kind++ % 2 == 0) {
+            std::filesystem::resize_file(entry, size * (kind % 5) / 5); // cut, one to nothing
+        } else {
+            std::fstream file(entry.path(), std::ios::in | std::ios::out | std::ios::binary);
+            file.seekp(static_cast<std::streamoff>(size - 20));
+            file.write("damaged", 7);
+        }
+    }
+    EXPECT_EQ(positions(damaged), expected);
+    EXPECT_EQ(damaged.count(": loaded, "), 0u);
+    EXPECT_EQ(damaged.count("damaged, or of another program"), built.programs());
+    EXPECT_EQ(positions(healed), expected);
+    EXPECT_EQ(healed.count(": loaded, "), healed.programs());
+}
+
+TEST_F(ProgramFolder, ThatCannotBeMadeIsRefusedByName) {
+    std::filesystem::create_directories(std::filesystem::path(path_).parent_path());
+    std::ofstream(path_) << "a file";
+    auto desc = plait_context_desc_defaults();
+    desc.backend = "opencl";
+    desc.program_folder = path_.c_str();
+    plait_context* made = nullptr;
+    EXPECT_EQ(plait_context_create(&desc, &made), PLAIT_IO);
+    EXPECT_NE(std::string(plait_last_error()).find(path_), std::string::npos) << plait_last_error();
+}
+#endif
+
+} // namespace
