@@ -13,6 +13,7 @@ namespace bench {
 
 void register_stages(uint32_t device, Results& results);
 void register_steps(uint32_t device, Results& results);
+void register_characters(uint32_t device, Results& results);
 
 inline double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

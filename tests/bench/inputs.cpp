@@ -15,6 +15,8 @@ namespace {
 constexpr uint32_t grid_edge_count = 8; // as in Ugurca 2015
 constexpr uint32_t slot_capacity = 1024;
 constexpr uint32_t colliders = 4;
+constexpr uint32_t bones = 64;
+constexpr uint32_t most_runs = 1024; // of bounds
 constexpr uint32_t slots_in_parallel = 64;
 constexpr float step = 1.0f / 60.0f; // s
 constexpr float grid_size = 4 * (head_radius + strand_length);
@@ -96,6 +98,13 @@ void fill(plait_lane_layout_params& p, const Shape& shape) {
 }
 void fill(plait_lane_move_params& p, const Shape& shape) {
     p = {shape.vertices, shape.tile, 3};
+}
+void fill(plait_lane_fit_params& p, const Shape& shape) {
+    p = {shape.vertices, shape.tile, step, 1};
+}
+void fill(plait_bounds_params& p, const Shape& shape) {
+    const auto vertices = static_cast<uint32_t>(shape.total());
+    p = {vertices, (vertices - 1) / most_runs + 1, 0};
 }
 void fill(plait_output_params& p, const Shape& shape) {
     p = {shape.vertices, 0.5f};
@@ -245,6 +254,18 @@ Words lane_material(const Shape& shape) {
         shape, {l, stretch / l, 4 * bend / l, density * l, 0, 0});
 }
 
+// Turned a little further about y, bone by bone.
+Words bone_matrices() {
+    Words words;
+    for (uint32_t bone = 0; bone < bones; ++bone) {
+        const float turn = 0.01f * static_cast<float>(bone), c = std::cos(turn), s = std::sin(turn);
+        append(words, c, 0, s, 0.1f);
+        append(words, 0, 1, 0, 0);
+        append(words, -s, 0, c, 0);
+    }
+    return words;
+}
+
 using Maker = Words (*)(const Shape&);
 
 const std::map<std::string, Maker>& makers() {
@@ -264,6 +285,18 @@ const std::map<std::string, Maker>& makers() {
         {"position_prev2", moved_twice},
         {"position_local", moved},
         {"position_out", zeros},
+        {"position_last_frame", zeros},
+        {"points", still},
+        {"box", [](const Shape&) { return Words(size_t{8} * most_runs); }},
+        {"bone_matrix", [](const Shape&) { return bone_matrices(); }},
+        {"bone_index",
+         [](const Shape& s) {
+             Words words;
+             for (uint32_t i = 0; i < 4 * s.strands; ++i)
+                 words.push_back(i % bones);
+             return words;
+         }},
+        {"bone_weight", [](const Shape& s) { return vectors(s.strands, 0.4f, 0.3f, 0.2f, 0.1f); }},
         {"tangent", zeros},
         {"pose", poses},
         {"pose_from", poses},
@@ -338,6 +371,11 @@ std::vector<unsigned char> typical_params(plait_stage stage, const Shape& shape)
 }
 
 uint32_t item_count(plait_stage stage, const Shape& shape) {
+    if (stage == PLAIT_STAGE_bounds) {
+        plait_bounds_params params{};
+        fill(params, shape);
+        return (params.count - 1) / params.share + 1;
+    }
     switch (plait_stage_describe(stage)->space) {
     case PLAIT_SPACE_VERTEX:
         return static_cast<uint32_t>(shape.total());

@@ -67,6 +67,7 @@ int run(int argc, char** argv) {
                     devices[index].platform, devices[index].driver);
         register_stages(index, results);
         register_steps(index, results);
+        register_characters(index, results);
     }
     benchmark::RunSpecifiedBenchmarks();
     if (!results.options.write.empty())

@@ -3,6 +3,7 @@
 
 #include <plait/plait.h>
 
+#include <compare>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -27,11 +28,22 @@ struct StageRow {
 
 enum class Interhair { off, thesis, slots, exact };
 
+// What a frame of long hair on the mannequin has besides: nothing, its capsules, and the grid.
+enum class Scene { alone, bodies, everything };
+
+struct SceneKey {
+    uint32_t strands;
+    std::string model;
+    Scene scene;
+    auto operator<=>(const SceneKey&) const = default;
+};
+
 struct DeviceResults {
     plait_device_info device{};
     std::map<int, StageRow> stages;                                   // by plait_stage
     std::map<std::pair<uint32_t, Interhair>, double> step_seconds;    // of tressfx, by strands
     std::map<std::pair<uint32_t, std::string>, double> model_seconds; // by strands and model
+    std::map<SceneKey, double> character_seconds;
 };
 
 struct Results {

@@ -3,9 +3,7 @@
 // exact sums as they are by default. Of every model as it is by default, without.
 #include "bench.hpp"
 #include "inputs.hpp"
-
-#include <memory>
-#include <stdexcept>
+#include "sim.hpp"
 
 namespace bench {
 namespace {
@@ -28,37 +26,6 @@ constexpr Column columns[] = {{Interhair::off, PLAIT_INTERHAIR_OFF, PLAIT_SLOT_H
                               {Interhair::exact, PLAIT_INTERHAIR_EXACT, PLAIT_SLOT_HASH_RULE_PCG,
                                PLAIT_DIFFUSE_RULE_FLOORED, "exact"}};
 
-struct NamedModel {
-    plait_model model;
-    const char* name;
-};
-constexpr NamedModel models[] = {{PLAIT_MODEL_TRESSFX, "tressfx"},
-                                 {PLAIT_MODEL_CHAIN, "chain"},
-                                 {PLAIT_MODEL_COSSERAT, "cosserat"},
-                                 {PLAIT_MODEL_ROD, "rod"},
-                                 {PLAIT_MODEL_ARTICULATED, "articulated"}};
-
-void check(plait_result result) {
-    if (result != PLAIT_OK)
-        throw std::runtime_error(plait_last_error());
-}
-
-template <auto destroy> struct Destroy {
-    template <typename Object> void operator()(Object* object) const { destroy(object); }
-};
-using Context = std::unique_ptr<plait_context, Destroy<plait_context_destroy>>;
-using Groom = std::unique_ptr<plait_groom, Destroy<plait_groom_destroy>>;
-using Sim = std::unique_ptr<plait_sim, Destroy<plait_sim_destroy>>;
-
-Context make_context(const plait_device_info& device) {
-    plait_context_desc desc = plait_context_desc_defaults();
-    desc.backend = "opencl";
-    desc.device = device.name;
-    plait_context* context = nullptr;
-    check(plait_context_create(&desc, &context));
-    return Context(context);
-}
-
 Groom make_groom(const Shape& shape) {
     const auto roots = root_positions(shape.strands);
     std::vector<float> positions;
@@ -75,12 +42,6 @@ Groom make_groom(const Shape& shape) {
     plait_groom* groom = nullptr;
     check(plait_groom_create(&desc, nullptr, &groom));
     return Groom(groom);
-}
-
-Sim make_sim(plait_context* context, plait_groom* groom, const plait_sim_desc& desc) {
-    plait_sim* sim = nullptr;
-    check(plait_sim_create(context, groom, &desc, &sim));
-    return Sim(sim);
 }
 
 // The settings of TressFX's own demonstration hair (pipeline's "mohawk").

@@ -1,0 +1,32 @@
+// Sims as an application makes them, for the rows of whole steps.
+#pragma once
+
+#include <plait/plait.h>
+
+#include <memory>
+
+namespace bench {
+
+void check(plait_result result); // throws its sentence
+
+template <auto destroy> struct Destroy {
+    template <typename Object> void operator()(Object* object) const { destroy(object); }
+};
+using Context = std::unique_ptr<plait_context, Destroy<plait_context_destroy>>;
+using Groom = std::unique_ptr<plait_groom, Destroy<plait_groom_destroy>>;
+using Sim = std::unique_ptr<plait_sim, Destroy<plait_sim_destroy>>;
+
+Context make_context(const plait_device_info& device);
+Sim make_sim(plait_context* context, plait_groom* groom, const plait_sim_desc& desc);
+
+struct NamedModel {
+    plait_model model;
+    const char* name;
+};
+inline constexpr NamedModel models[] = {{PLAIT_MODEL_TRESSFX, "tressfx"},
+                                        {PLAIT_MODEL_CHAIN, "chain"},
+                                        {PLAIT_MODEL_COSSERAT, "cosserat"},
+                                        {PLAIT_MODEL_ROD, "rod"},
+                                        {PLAIT_MODEL_ARTICULATED, "articulated"}};
+
+} // namespace bench
