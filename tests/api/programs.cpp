@@ -23,9 +23,10 @@ struct Log {
     size_t programs() const { return count(": built, ") + count(": loaded, ") + count(": shared, "); }
 };
 
-plait_context_desc logging(const std::string& backend, Log& log) {
+// `backend` outlives what it returns.
+plait_context_desc logging(const char* backend, Log& log) {
     auto desc = plait_context_desc_defaults();
-    desc.backend = backend.c_str();
+    desc.backend = backend;
     desc.log = Log::add;
     desc.log_user = &log;
     return desc;
@@ -36,7 +37,7 @@ ON_EVERY_BACKEND(Programs);
 
 TEST_P(Programs, AllThatASimRunsIsThereOnceItIs) {
     Log log;
-    plait::Context own(logging(GetParam(), log));
+    plait::Context own(logging(GetParam().c_str(), log));
     for (const plait_model model : {PLAIT_MODEL_TRESSFX, PLAIT_MODEL_COSSERAT}) {
         auto desc = plait_sim_desc_defaults();
         desc.model = model;
@@ -58,7 +59,7 @@ TEST_P(Programs, AllThatASimRunsIsThereOnceItIs) {
 
 TEST_P(Programs, PreparedModelsAreThereWhenStrandsTakeThem) {
     Log log;
-    plait::Context own(logging(GetParam(), log));
+    plait::Context own(logging(GetParam().c_str(), log));
     const std::vector<plait_model> models{PLAIT_MODEL_CHAIN, PLAIT_MODEL_ARTICULATED};
     ASSERT_EQ(plait_context_prepare(own, models.data(), models.size(), 7), PLAIT_OK)
         << plait_last_error();
@@ -96,8 +97,10 @@ TEST(Programs, ContextsOfADeviceShareThem) {
 
 class ProgramFolder : public testing::Test {
   protected:
-    void SetUp() override { std::filesystem::remove_all(path_); }
-    void TearDown() override { std::filesystem::remove_all(path_); }
+    void SetUp() override { TearDown(); }
+    void TearDown() override {
+        std::filesystem::remove_all(std::filesystem::path(path_).parent_path());
+    }
 
     // A sim's positions after some steps, on a context that nobody else's programs are in.
     std::vector<float> positions(Log& log) {
@@ -113,8 +116,9 @@ class ProgramFolder : public testing::Test {
                                                  std::filesystem::directory_iterator()));
     }
 
+    // Each test's own: they may run side by side.
     std::string path_ = testing::TempDir() + "plait_programs_" +
-                        std::to_string(testing::UnitTest::GetInstance()->random_seed()) + "/new";
+                        testing::UnitTest::GetInstance()->current_test_info()->name() + "/new";
 };
 
 TEST_F(ProgramFolder, KeepsWhatWasBuiltForTheNext) {

@@ -18,7 +18,7 @@ face               face shared CL
 examples           face assets CL CLI Eigen nlohmann embree cairo assimp
 assets             face CLI
 cases              face shared
-bench              face shared benchmark
+bench              face shared assets benchmark
 '
 
 sources() { # the files that belong to a layer
