@@ -67,12 +67,15 @@ Status Roots::aim(Device& device, const plait_pose& head, std::span<const plait_
     return {};
 }
 
-Result<const Buffer*> Roots::aim_skinned(Device& device, const plait_pose& head) {
+Result<const Buffer*> Roots::target_poses(Device& device) {
     PLAIT_TRY(make_buffers(device));
+    return &target_.poses;
+}
+
+void Roots::aim_at_target_poses(const plait_pose& head) {
     target_.head = head;
     target_.own = true;
     aimed = true;
-    return &target_.poses;
 }
 
 void Roots::add(Schedule& schedule, const Place& from, const Place& to, float alpha,

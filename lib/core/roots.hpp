@@ -25,8 +25,9 @@ class Roots {
 
     // Sets the target of the next call. `own`: [guides] poses applied before the head, or empty.
     Status aim(Device& device, const plait_pose& head, std::span<const plait_pose> own);
-    // The same with poses that the caller then fills on the device: float4 [2*guides].
-    Result<const Buffer*> aim_skinned(Device& device, const plait_pose& head);
+    // The same with poses that the caller fills on the device, in between: float4 [2*guides].
+    Result<const Buffer*> target_poses(Device& device);
+    void aim_at_target_poses(const plait_pose& head);
 
     // Moves the step's path on: it ends at share `end` of the call.
     void begin_step(Schedule& schedule, double end);

@@ -124,7 +124,11 @@ Status Sim::prepare_calls() {
     skin_.append(schedule_, layout_, state_, state_.pose);
     add_stats();
     add_bounds();
-    Status status = device().prepare(schedule_.list());
+    std::pmr::vector<plait_dispatch> list(&context_.memory);
+    for (const plait_dispatch& dispatch : schedule_.list())
+        if (device().supports(dispatch.stage)) // else the call that wants it says so
+            list.push_back(dispatch);
+    Status status = device().prepare(list);
     schedule_.clear();
     return status;
 }
@@ -292,12 +296,14 @@ Status Sim::set_roots(const RootsInput& input) {
     if (input.bones.empty())
         return roots_.aim(device(), input.head, input.own);
     PLAIT_TRY(skin_.check(input.bones));
-    const auto poses = roots_.aim_skinned(device(), input.head);
+    const auto poses = roots_.target_poses(device());
     if (!poses)
         return poses.error();
     schedule_.clear();
     PLAIT_TRY(skin_.append(device(), schedule_, layout_, state_, input.bones, **poses));
-    return submit();
+    PLAIT_TRY(submit());
+    roots_.aim_at_target_poses(input.head);
+    return {};
 }
 
 Status Sim::prepare_teleport() {
