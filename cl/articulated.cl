@@ -8,8 +8,9 @@
 #pragma OPENCL FP_CONTRACT ON
 #include "common/articulated.clh"
 
-/* Newton steps of a strand that touches something: planes, pushes and what slips are renewed
- * between them. Fewer hold a hair that should slip: the bound of friction lags by a step. */
+/* Most Newton steps of a strand that touches something: planes, pushes and what slips are renewed
+ * between them, and the last is the one that changes neither. Fewer hold a hair that should slip:
+ * the bound of friction lags by a step. */
 #define ARTICULATED_CONTACT_STEPS 5
 /* Of one that is still deep then: a collider that moves by several of its radii turns hair by more
  * than Newton's method sees in five steps. */
@@ -27,30 +28,30 @@ static inline mask articulated_deep(const rod_problem* rod, const rod_state* s) 
 
 /* Lanes that want Newton step `k`; no strand depends on those that share its work-item. */
 static inline mask articulated_wants(const rod_problem* rod, const rod_state* s, uint iterations,
-                                     uint k) {
+                                     uint k, mask moved) {
     const mask none = (real)(0.0f) > (real)(0.0f);
     if (k < iterations)
         return !none;
     if (!rod->contacts || k >= ARTICULATED_DEEP_STEPS || !any_lane(rod->contacts->lanes))
         return none;
-    return k < ARTICULATED_CONTACT_STEPS ? rod->contacts->lanes
+    return k < ARTICULATED_CONTACT_STEPS ? rod->contacts->lanes & (moved | rod->contacts->changed)
                                          : rod->contacts->lanes & articulated_deep(rod, s);
 }
 
 static inline void articulated_solve(const rod_problem* rod, rod_state* s, uint iterations) {
-    mask takes = (real)(0.0f) == (real)(0.0f);
+    mask takes = (real)(0.0f) == (real)(0.0f), moved = takes;
     for (uint k = 0;; ++k) {
         if (rod->contacts)
             contact_renew_lanes(rod->contacts, s->x, takes);
-        takes &= articulated_wants(rod, s, iterations, k);
+        takes &= articulated_wants(rod, s, iterations, k, moved);
         if (!any_lane(takes))
             return;
         if (!any_lane(!takes)) {
-            articulated_newton(rod, s);
+            moved = articulated_newton(rod, s);
             continue;
         }
         const rod_state others = *s;
-        articulated_newton(rod, s);
+        moved = articulated_newton(rod, s);
         rod_pick(rod, !takes, s, &others);
     }
 }

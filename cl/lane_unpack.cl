@@ -1,33 +1,37 @@
 /* lane_unpack: lane state to positions in the world and their Verlet history, which display, the
  * inter-hair grid and interop read.
  *
- * Items   vertices of the lanes in use.
+ * Items   strands, over lanes.
  * Reads   lane_strand, vertex_count, lane_x, lane_v.
  * Writes  position, position_prev = position - h v; w 0 at the root, which is pinned, else 1.
  *         Strands lie in another order there than in lanes: to read w would be to wait for it.
  */
 #pragma OPENCL FP_CONTRACT OFF
-#include "common/lane_scalar.clh"
-#include "plait/params.h"
+#include "common/lane_step.clh"
 
 __kernel void plait_lane_unpack(const uint item_count, const plait_lane_layout_params params,
                                 __global const uint* lane_strand, __global const uint* vertex_count,
-                                __global const float* lane_x, __global const float* lane_v,
+                                __global const real* lane_x, __global const real* lane_v,
                                 __global float4* position, __global float4* position_prev) {
-    const uint item = get_global_id(0), stride = params.vertex_stride, tile = params.tile;
-    const uint lane = item / stride, row = item % stride;
-    if (item >= item_count)
+    const lane_place place = lane_place_of(get_global_id(0));
+    if (!lane_place_used(place, item_count))
         return;
-    const uint strand = lane_strand_of(lane_strand, lane);
-    if (row >= vertex_count[strand])
-        return;
-    const size_t vertex = (size_t)strand * stride + row;
-    const size_t here = lane_row(lane, row, 3, stride, tile);
-    float3 x = lane_read(lane_x, lane_row(lane, 0, 3, stride, tile), tile);
-    if (row > 0)
-        x += lane_read(lane_x, here, tile);
-    const float3 v = lane_read(lane_v, here, tile);
-    const float w = row == 0 ? 0.0f : 1.0f;
-    position[vertex] = (float4)(x, w);
-    position_prev[vertex] = (float4)(x - params.h * v, w);
+    const lane_strands strands = lane_strands_of(lane_strand, place, item_count);
+    const uint lanes = lane_place_strands(place, item_count);
+    const vec3 root = load3(lane_x, place, 0);
+    for (uint i = 0; i < PLAIT_VERTICES; ++i) {
+        const vec3 x = i > 0 ? add3(root, load3(lane_x, place, i)) : root;
+        const vec3 v = load3(lane_v, place, i);
+        const vec3 before =
+            vec3_of(x.x - params.h * v.x, x.y - params.h * v.y, x.z - params.h * v.z);
+        const float w = i == 0 ? 0.0f : 1.0f;
+        for (uint k = 0; k < lanes; ++k) {
+            if (i >= vertex_count[strands.at[k]])
+                continue;
+            const size_t vertex = (size_t)strands.at[k] * PLAIT_VERTICES + i;
+            position[vertex] = (float4)(LANE(x.x, k), LANE(x.y, k), LANE(x.z, k), w);
+            position_prev[vertex] =
+                (float4)(LANE(before.x, k), LANE(before.y, k), LANE(before.z, k), w);
+        }
+    }
 }

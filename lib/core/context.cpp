@@ -118,6 +118,16 @@ std::vector<Candidate> list_candidates(const Log& log) {
     return candidates;
 }
 
+std::bitset<PLAIT_STAGE_COUNT> replaced_stages(const ContextRules& rules) {
+    std::bitset<PLAIT_STAGE_COUNT> replaced;
+    for (int i = 0; i < PLAIT_STAGE_COUNT; ++i)
+        for (size_t k = 0; k < rules.stage_source_count; ++k)
+            if (std::strcmp(rules.stage_sources[k].stage,
+                            plait_stage_describe(static_cast<plait_stage>(i))->name) == 0)
+                replaced.set(static_cast<size_t>(i));
+    return replaced;
+}
+
 Result<Device> open_device(const ContextRules& rules) {
     const auto candidates = list_candidates(rules.log);
     std::optional<Error> first_failure;

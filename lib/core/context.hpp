@@ -5,6 +5,7 @@
 #include "base/log.hpp"
 #include "base/memory.hpp"
 
+#include <bitset>
 #include <optional>
 #include <vector>
 
@@ -29,7 +30,7 @@ struct ContextRules {
     bool profile = false;
     const plait_stage_source* stage_sources = nullptr;
     size_t stage_source_count = 0;
-    uint32_t lanes = 0;           // strands per work-item; 0: the device's own
+    uint32_t lanes = 0; // strands per work-item; 0: the device's own
     const char* program_folder = nullptr;
     const void* native = nullptr; // the backend's own handles to adopt
 };
@@ -38,16 +39,19 @@ struct ContextRules {
 // nothing and the failure is the machine's, never on one that the caller should see.
 Result<Device> open_device(const ContextRules& rules);
 
+std::bitset<PLAIT_STAGE_COUNT> replaced_stages(const ContextRules& rules);
+
 struct Context {
     Context(const ContextRules& rules, Device opened, const plait_device_info& described)
         : memory(rules.allocator), log(rules.log), profile(rules.profile),
-          device(std::move(opened)), info(described) {}
+          device(std::move(opened)), info(described), replaced(replaced_stages(rules)) {}
 
     Memory memory;
     Log log;
     bool profile;
     Device device;
     plait_device_info info;
+    std::bitset<PLAIT_STAGE_COUNT> replaced; // stages whose kernel is the caller's
     // Whose work the device's clock measures at present (profile only).
     Sim* measured = nullptr;
 };

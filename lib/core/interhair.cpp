@@ -129,6 +129,17 @@ void InterHair::append(Schedule& schedule, const Step& step) const {
                  {&s.vertex_count, &s.position, &density_, &velocity_, &s.position_prev});
 }
 
+void InterHair::append_over_lanes(Schedule& schedule, const Step& step, const Model& model,
+                                  const Substep& at) const {
+    const LaneGrid grid{grid_params(step), sums_, outside_, density_, velocity_};
+    clear(schedule, outside_, 0);
+    clear(schedule, sums_, 0);
+    model.splat(schedule, at, grid);
+    schedule.add(PLAIT_STAGE_grid_resolve, voxels(edge_count_), grid.params,
+                 {&sums_, &density_, &velocity_});
+    model.diffuse(schedule, at, grid);
+}
+
 uint64_t InterHair::device_bytes() const {
     return slots_.bytes() + sums_.bytes() + density_.bytes() + velocity_.bytes() + outside_.bytes();
 }

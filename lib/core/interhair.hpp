@@ -1,6 +1,7 @@
 // The inter-hair step: its grid's buffers and the stages it takes, once per fixed step.
 #pragma once
 
+#include "core/model.hpp"
 #include "core/schedule.hpp"
 #include "core/state.hpp"
 
@@ -32,7 +33,12 @@ class InterHair {
         uint64_t seed;
         const plait_device_info& device;
     };
+    // On positions and their history.
     void append(Schedule& schedule, const Step& step) const;
+    // The same on the model's lanes, with exact sums; the caller publishes them afterwards.
+    void append_over_lanes(Schedule& schedule, const Step& step, const Model& model,
+                           const Substep& at) const;
+    bool is_exact() const { return mode_ == PLAIT_INTERHAIR_EXACT; }
 
     const Buffer& density() const { return density_; }
     const Buffer& velocity() const { return velocity_; }

@@ -31,6 +31,12 @@ struct LaneBuffer {
     LaneLayout layout{};
 };
 
+// The inter-hair grid for strands over lanes.
+struct LaneGrid {
+    plait_grid_params params;
+    const Buffer &sums, &outside, &density, &velocity;
+};
+
 class Model {
   public:
     virtual ~Model() = default;
@@ -56,6 +62,10 @@ class Model {
     virtual void publish(Schedule&, const Substep&) const {}
     // Appends what takes them back after something else changed them.
     virtual void adopt(Schedule&, const Substep&) const {}
+    // Has velocities of its own, which the inter-hair step can read and brake where they are kept.
+    virtual bool has_lanes() const { return false; }
+    virtual void splat(Schedule&, const Substep&, const LaneGrid&) const {}
+    virtual void diffuse(Schedule&, const Substep&, const LaneGrid&) const {}
     // Appends putting every vertex at its rest position under state.pose.
     virtual void reset(Schedule& schedule, const Substep& at) = 0;
     // Appends carrying the state from state.pose to `pose`.

@@ -105,8 +105,7 @@ Status Sim::start() {
 Status Sim::check_stages() {
     schedule_.clear();
     add_substep(0);
-    model_->publish(schedule_, present());
-    add_interhair();
+    end_substeps();
     Status status = check_supported(device(), schedule_.list());
     if (status)
         status = device().prepare(schedule_.list());
@@ -180,8 +179,7 @@ Status Sim::fixed_step(double end, bool keep) {
         add_substep(i);
         PLAIT_TRY(submit());
     }
-    model_->publish(schedule_, present());
-    add_interhair();
+    end_substeps();
     PLAIT_TRY(submit());
     ++clock_.steps;
     return {};
@@ -218,11 +216,29 @@ void Sim::add_substep(uint32_t index) {
     model_->substep(schedule_, at(index));
 }
 
-void Sim::add_interhair() {
-    grid_.append(schedule_, {layout_, state_, desc_.params, cube_, roots_.step_head(),
-                             substep_length(), clock_.steps, desc_.seed, context_.info});
+// Positions from what the model keeps, and the inter-hair step: on the lanes where these fill a
+// CPU's registers, else, and where the caller has kernels of his own for it, on positions.
+void Sim::end_substeps() {
+    const InterHair::Step step{
+        layout_,          state_,       desc_.params, cube_,        roots_.step_head(),
+        substep_length(), clock_.steps, desc_.seed,   context_.info};
+    if (grid_.is_exact() && brakes_lanes()) {
+        grid_.append_over_lanes(schedule_, step, *model_, present());
+        model_->publish(schedule_, present());
+        return;
+    }
+    model_->publish(schedule_, present());
+    grid_.append(schedule_, step);
     if (desc_.params.interhair != PLAIT_INTERHAIR_OFF)
         model_->adopt(schedule_, present());
+}
+
+bool Sim::brakes_lanes() const {
+    const Device& device = context_.device;
+    const auto& replaced = context_.replaced;
+    return model_->has_lanes() && context_.info.lanes > 1 && !replaced[PLAIT_STAGE_grid_splat] &&
+           !replaced[PLAIT_STAGE_grid_diffuse] && device.supports(PLAIT_STAGE_lane_splat) &&
+           device.supports(PLAIT_STAGE_lane_diffuse);
 }
 
 // All or nothing: what is new is made aside, taken, and given back if its stages cannot run.

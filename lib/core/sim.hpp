@@ -108,7 +108,8 @@ class Sim {
     std::array<float, 3> air() const;                          // m/s, in this fixed step
     Substep present() const { return at(desc_.substeps - 1); } // between steps
     void add_substep(uint32_t index);
-    void add_interhair();
+    void end_substeps();
+    bool brakes_lanes() const;
     Status refresh();
     Status show_at_once();
     Status prepare_teleport();

@@ -211,6 +211,60 @@ TEST(Faults, MaterialStaysWhenTheRestOfTheParametersFails) {
     }
 }
 
+TEST(Faults, RootsStayWhenTheirBonesDoNotArrive) {
+    Faults& faults = faulty();
+    const auto context = make_context("faulty");
+    const GroomArrays arrays(tuft(2, 4));
+    const std::vector<uint32_t> indices = {0, 0, 0, 0, 0, 0, 0, 0};
+    const std::vector<float> weights = {1, 0, 0, 0, 1, 0, 0, 0};
+    auto desc = arrays.desc();
+    desc.bone_indices = plait::view(indices, 4);
+    desc.bone_weights = plait::view(weights, 4);
+    const plait::Groom groom(desc);
+    plait::Sim sim(context, groom), untouched(context, groom);
+    const std::vector<float> bones = {0, -1, 0, 1, 1, 0, 0, 0, 0, 0, 1, 0};
+    auto roots = plait_roots_defaults();
+    roots.head.t[1] = 0.1f;
+    roots.bones = plait::view(bones, 12);
+    faults.fail_upload_after = 0;
+    EXPECT_EQ(plait_sim_set_roots(sim, &roots), PLAIT_OUT_OF_MEMORY);
+    faults.fail_upload_after = -1;
+    run(sim, 2);
+    run(untouched, 2);
+    EXPECT_EQ(sim.hash(), untouched.hash());
+    sim.set_roots(roots);
+    run(sim, 1);
+    EXPECT_NEAR(sim.read(PLAIT_FIELD_POSITION)[0], 1, 1e-6);
+}
+
+// Hair moves all the same, and the call that wants the stage says so.
+TEST(Faults, ABackendMayLackAStageThatNoStepTakes) {
+    Faults& faults = faulty();
+    for (const plait_stage stage : {PLAIT_STAGE_bounds, PLAIT_STAGE_stats, PLAIT_STAGE_skin}) {
+        SCOPED_TRACE(plait_stage_describe(stage)->name);
+        faults.missing = stage;
+        const auto context = make_context("faulty");
+        plait::Sim sim(context, make_groom(tuft(3, 5)));
+        run(sim, 2);
+        size_t size = 8 * sizeof(float);
+        std::vector<float> box(8);
+        if (stage == PLAIT_STAGE_bounds) {
+            EXPECT_EQ(plait_sim_read(sim, PLAIT_FIELD_BOUNDS, box.data(), &size),
+                      PLAIT_UNSUPPORTED);
+            EXPECT_NE(std::string(plait_last_error()).find("no stage \"bounds\""),
+                      std::string::npos)
+                << plait_last_error();
+        }
+        run(sim, 1);
+    }
+    faults.missing = PLAIT_STAGE_articulated;
+    const auto context = make_context("faulty");
+    plait_sim* sim = nullptr;
+    EXPECT_EQ(plait_sim_create(context, make_groom(tuft(3, 5)), nullptr, &sim), PLAIT_UNSUPPORTED);
+    EXPECT_EQ(sim, nullptr);
+    faults.missing = PLAIT_STAGE_COUNT;
+}
+
 TEST(Faults, StepsThatFailHalfWayLeaveNothingBehind) {
     Faults& faults = faulty();
     const auto context = make_context("faulty");

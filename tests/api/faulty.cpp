@@ -44,6 +44,22 @@ plait_result submit(plait_device* device, const plait_dispatch* list, size_t cou
     return inner().device->submit(device, list, count);
 }
 
+plait_result buffer_upload(plait_device* device, plait_buffer* buffer, size_t first, size_t count,
+                           const void* src) {
+    if (faults.fail_upload_after == 0) {
+        injected = "no way there (injected)";
+        return PLAIT_OUT_OF_MEMORY;
+    }
+    if (faults.fail_upload_after > 0)
+        --faults.fail_upload_after;
+    injected = nullptr;
+    return inner().device->buffer_upload(device, buffer, first, count, src);
+}
+
+int supports(plait_device* device, plait_stage stage) {
+    return stage != faults.missing && inner().device->supports(device, stage);
+}
+
 const char* last_error(plait_device* device) {
     return injected ? injected : inner().device->last_error(device);
 }
@@ -67,6 +83,8 @@ void register_faulty() {
     static plait_device_api device = *inner().device;
     device.buffer_create = buffer_create;
     device.buffer_destroy = buffer_destroy;
+    device.buffer_upload = buffer_upload;
+    device.supports = supports;
     device.submit = submit;
     device.last_error = last_error;
     device.destroy = destroy;
@@ -84,6 +102,7 @@ void register_faulty() {
 Faults& faulty() {
     static const bool registered = (register_faulty(), true);
     (void)registered;
-    faults.fail_create_after = faults.lose_after = -1;
+    faults.fail_create_after = faults.lose_after = faults.fail_upload_after = -1;
+    faults.missing = PLAIT_STAGE_COUNT;
     return faults;
 }

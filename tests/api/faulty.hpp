@@ -4,8 +4,10 @@
 #include <plait/plait_backend.h>
 
 struct Faults {
-    int fail_create_after = -1; // buffers made before one is refused; -1: never
-    int lose_after = -1;        // submits done before the device is lost; -1: never
+    int fail_create_after = -1;              // buffers made before one is refused; -1: never
+    int lose_after = -1;                     // submits done before the device is lost; -1: never
+    int fail_upload_after = -1;              // uploads done before one is refused; -1: never
+    plait_stage missing = PLAIT_STAGE_COUNT; // the stage it does not have; PLAIT_STAGE_COUNT: none
     int live_buffers = 0;
     int live_devices = 0;
 };

@@ -81,4 +81,69 @@ TEST(ThesisStepOnReference, repeats_and_is_neither_the_other_hash_nor_the_other_
     EXPECT_NE(swung(context, desc).hash(), hash);
 }
 
+// Strands over lanes: exact sums, over positions or, on a CPU, on the lanes' own velocities.
+plait_sim_desc exact_desc(plait_model model) {
+    auto desc = plait_sim_desc_defaults();
+    desc.model = model;
+    desc.params.interhair = PLAIT_INTERHAIR_EXACT;
+    desc.params.diffuse_factor = 0.5f; // so that brakes show
+    return desc;
+}
+
+class ExactStep : public OnBackend {};
+ON_EVERY_BACKEND(ExactStep);
+
+// A brake takes half of a component or nothing, whatever way the velocities came to the grid.
+TEST_P(ExactStep, takes_half_of_what_is_fast_and_nothing_else) {
+    for (const plait_model model : {PLAIT_MODEL_ARTICULATED, PLAIT_MODEL_CHAIN})
+        for (const plait_tent_form tent : {PLAIT_TENT_FORM_VOXEL, PLAIT_TENT_FORM_TRILINEAR}) {
+            SCOPED_TRACE(testing::Message() << "model " << model << ", tent " << tent);
+            plait_sim_desc desc = exact_desc(model);
+            desc.params.tent = tent;
+            desc.params.interhair = PLAIT_INTERHAIR_OFF;
+            plait::Sim free = swung(context, desc), braked = swung(context, desc);
+            desc.params.interhair = PLAIT_INTERHAIR_EXACT;
+            braked.set_params(desc.params);
+            free.step(frame);
+            braked.step(frame);
+            EXPECT_LT(largest_difference(free.read(PLAIT_FIELD_POSITION),
+                                         braked.read(PLAIT_FIELD_POSITION)),
+                      1e-6f);
+            const std::vector<float> own = paths_of(free), left = paths_of(braked);
+            size_t fast = 0, slow = 0;
+            for (size_t i = 0; i < own.size(); ++i)
+                if (std::abs(own[i]) > 1e-4f) {
+                    const float share = left[i] / own[i];
+                    (share < 0.75f ? fast : slow) += 1;
+                    EXPECT_NEAR(share, share < 0.75f ? 0.5f : 1.0f, 4e-3f) << "coordinate " << i;
+                }
+            EXPECT_GT(fast, 20u);
+            EXPECT_GT(slow, 20u);
+        }
+}
+
+// The callers' own kernel for a stage of the step is the one that runs, whatever the model.
+TEST(ExactStepOnOpenCL, CallsTheCallersOwnBrake) {
+    const plait_stage_source nothing = {
+        "grid_diffuse",
+        "#include <plait/params.h>\n"
+        "__kernel void plait_grid_diffuse(const uint item_count, const plait_grid_params params,\n"
+        "    __global const uint* vertex_count, __global const float4* position,\n"
+        "    __global const float* grid_density, __global const float4* grid_velocity,\n"
+        "    __global float4* position_prev) {}\n",
+        "nothing.cl"};
+    auto context_desc = plait_context_desc_defaults();
+    context_desc.backend = "opencl";
+    context_desc.stage_sources = &nothing;
+    context_desc.stage_source_count = 1;
+    const plait::Context own(context_desc), usual = make_context("opencl");
+    plait_sim_desc desc = exact_desc(PLAIT_MODEL_ARTICULATED);
+    const auto not_braked = swung(own, desc).read(PLAIT_FIELD_POSITION);
+    const auto braked = swung(usual, desc).read(PLAIT_FIELD_POSITION);
+    desc.params.interhair = PLAIT_INTERHAIR_OFF;
+    const auto free = swung(usual, desc).read(PLAIT_FIELD_POSITION);
+    EXPECT_LT(largest_difference(not_braked, free), 1e-4f);
+    EXPECT_GT(largest_difference(braked, free), 1e-3f);
+}
+
 } // namespace

@@ -1,5 +1,6 @@
 #include "inputs.hpp"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -89,6 +90,21 @@ void fill(plait_grid_params& p, const Shape& shape) {
 }
 void fill(plait_lane_params& p, const Shape& shape) {
     p = {shape.vertices, shape.tile, step, 3, 0, 1, {0, -9.81f, 0}, {0, 0, 0}, 0, 0, 3e6f, 1e-6f};
+}
+void fill(plait_lane_grid_params& p, const Shape& shape) {
+    plait_grid_params grid{};
+    fill(grid, shape);
+    p.vertex_stride = shape.vertices;
+    p.tile = shape.tile;
+    p.edge_count = grid.edge_count;
+    p.voxel_edge = grid.voxel_edge;
+    std::copy_n(grid.q, 4, p.q);
+    std::copy_n(grid.t, 4, p.t);
+    p.tent = grid.tent;
+    p.diffuse_rule = grid.diffuse_rule;
+    p.diffuse_ratio = grid.diffuse_ratio;
+    p.diffuse_factor = grid.diffuse_factor;
+    p.diffuse_floor = grid.diffuse_floor;
 }
 void fill(plait_lane_state_params& p, const Shape& shape) {
     p = {shape.vertices, shape.tile, 0};

@@ -1,6 +1,8 @@
 #include "grid_inputs.hpp"
 
+#include <array>
 #include <cmath>
+#include <cstdio>
 
 namespace plait::cases {
 namespace {
@@ -77,6 +79,18 @@ uint32_t pcg(uint32_t value) {
     return (word >> 22) ^ word;
 }
 
+double sum_of(const std::vector<uint32_t>& words, size_t voxel, size_t which) {
+    const size_t first = voxel * PLAIT_SUM_STRIDE + 2 * which;
+    const auto sum =
+        static_cast<int64_t>(static_cast<uint64_t>(words[first + 1]) << 32 | words[first]);
+    const double scale = which == 0   ? PLAIT_SUM_DENSITY_SCALE
+                         : which == 4 ? PLAIT_SUM_ENERGY_SCALE
+                                      : PLAIT_SUM_MOMENTUM_SCALE;
+    return static_cast<double>(sum) / scale;
+}
+
+constexpr std::array<double, PLAIT_SUM_COUNT> tolerance = {4e-5, 4e-4, 4e-4, 4e-4, 8e-4};
+
 } // namespace
 
 Setup GridHair::setup() const {
@@ -133,6 +147,51 @@ GridField make_grid_field(const GridHair& hair) {
         field.velocity.push_back(empty ? 0 : static_cast<float>(random.uniform(.2, .6))); // rms
     }
     return field;
+}
+
+LaneGridHair over_lanes(const GridHair& hair) {
+    LaneGridHair lanes;
+    const uint32_t stride = hair.size.stride;
+    const auto at = [&](const std::vector<float>& of, uint32_t vertex, size_t c) {
+        return static_cast<double>(of[4 * size_t{vertex} + c]);
+    };
+    for (uint32_t vertex = 0; vertex < hair.vertices(); ++vertex)
+        for (size_t c = 0; c < 3; ++c) {
+            const double x = at(hair.position, vertex, c);
+            const uint32_t row = vertex % stride;
+            const double root = row > 0 ? at(hair.position, vertex - row, c) : 0;
+            lanes.x.push_back(static_cast<float>(x - root));
+            lanes.v.push_back(static_cast<float>((x - at(hair.position_prev, vertex, c)) /
+                                                 static_cast<double>(hair.params.h)));
+        }
+    const plait_grid_params& grid = hair.params;
+    lanes.params = {grid.vertex_stride,
+                    1,
+                    grid.edge_count,
+                    grid.voxel_edge,
+                    {grid.q[0], grid.q[1], grid.q[2], grid.q[3]},
+                    {grid.t[0], grid.t[1], grid.t[2], grid.t[3]},
+                    grid.tent,
+                    grid.diffuse_rule,
+                    grid.diffuse_ratio,
+                    grid.diffuse_factor,
+                    grid.diffuse_floor};
+    return lanes;
+}
+
+std::string compare_sums(const Array& expected, const Array& got) {
+    const auto& want = expected.words;
+    for (size_t voxel = 0; voxel < want.size() / PLAIT_SUM_STRIDE; ++voxel)
+        for (size_t which = 0; which < PLAIT_SUM_COUNT; ++which) {
+            const double a = sum_of(got.words, voxel, which), b = sum_of(want, voxel, which);
+            if (std::abs(a - b) > tolerance[which]) {
+                char text[120];
+                std::snprintf(text, sizeof text, "grid_sum of voxel %zu, sum %zu is %.9g, not %.9g",
+                              voxel, which, a, b);
+                return text;
+            }
+        }
+    return "";
 }
 
 } // namespace plait::cases

@@ -39,4 +39,15 @@ struct GridField {
 };
 GridField make_grid_field(const GridHair& hair);
 
+// The same hair and grid as strands over lanes have them: [strand][V][3] and parameters.
+struct LaneGridHair {
+    std::vector<float> x, v;
+    plait_lane_grid_params params;
+};
+LaneGridHair over_lanes(const GridHair& hair);
+
+// Compares a grid_sum, as sums. Per vertex a weight is good to 2e-6 and a velocity below 2 m/s to
+// 1e-5 m/s; up to 100 vertices.
+std::string compare_sums(const Array& expected, const Array& got);
+
 } // namespace plait::cases

@@ -9,7 +9,8 @@ Case lane_unpack_case() {
         const LaneHair lanes = make_lane_hair(size, 36);
         Setup setup;
         setup.name = name_of(size);
-        setup.items = lanes.hair.vertices();
+        setup.items = size.strands;
+        setup.width = size.stride;
         setup.buffers = {null_array(),
                          uints(lanes.hair.vertex_count),
                          lane_floats(lanes.x, 3),
@@ -19,7 +20,7 @@ Case lane_unpack_case() {
         result.setups.push_back(setup.with(plait_lane_layout_params{size.stride, 1, 1.0f / 60}));
         // all strands but one, in another order
         setup.name += ", reordered";
-        setup.items -= size.stride;
+        setup.items -= 1;
         setup.buffers[0] = uints(other_order(size.strands, size.strands - 1));
         result.setups.push_back(setup);
     }

@@ -59,10 +59,10 @@ Setup for_tile(const Setup& setup, uint32_t tile) {
             array = laid_out(array, setup, tile);
             lanes = true;
         }
-    static_assert(offsetof(plait_lane_params, tile) == 4 &&
-                  offsetof(plait_lane_state_params, tile) == 4 &&
-                  offsetof(plait_lane_layout_params, tile) == 4 &&
-                  offsetof(plait_lane_move_params, tile) == 4);
+    static_assert(
+        offsetof(plait_lane_params, tile) == 4 && offsetof(plait_lane_state_params, tile) == 4 &&
+        offsetof(plait_lane_layout_params, tile) == 4 &&
+        offsetof(plait_lane_move_params, tile) == 4 && offsetof(plait_lane_grid_params, tile) == 4);
     if (lanes)
         std::memcpy(result.params.data() + 4, &tile, sizeof tile);
     return result;

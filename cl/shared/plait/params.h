@@ -41,8 +41,10 @@ typedef uint32_t plait_u32;
 #define PLAIT_SUM_STRIDE 10
 #define PLAIT_SUM_DENSITY_SCALE 16777216.0f    /* 2^24 per unit of tent weight */
 #define PLAIT_SUM_MOMENTUM_SCALE 1073741824.0f /* 2^30 per m/s of weighted velocity */
-#define PLAIT_SUM_ENERGY_SCALE 1048576.0f      /* 2^20 per m^2/s^2 of weighted squared speed */
-#define PLAIT_SUM_MAX_SPEED 1000.0f /* m/s; components beyond are clamped before the sum */
+#define PLAIT_SUM_ENERGY_SCALE 1073741824.0f   /* 2^30 per m^2/s^2 of weighted squared speed */
+/* m/s; components beyond are clamped before the sum. The energy of 600,000 vertices that fast still
+ * fits a sum, and that of one at 1 mm/s has three digits. */
+#define PLAIT_SUM_MAX_SPEED 64.0f
 
 /* Named choices. */
 #define PLAIT_WIND_PUBLISHED 0u
@@ -70,7 +72,8 @@ typedef struct plait_roots_params {
     plait_u32 per_root; /* 0: root_from/root_to are null and not read */
 } plait_roots_params;
 
-/* skin, reset, teleport, tangents, snapshot, last_frame, stats: stages that need only the layout. */
+/* skin, reset, teleport, tangents, snapshot, last_frame, stats: stages that need only the layout.
+ */
 typedef struct plait_layout_params {
     plait_u32 vertex_stride; /* V: vertices per strand row, 2..256 */
 } plait_layout_params;
@@ -175,16 +178,32 @@ typedef struct plait_grid_params {
     float diffuse_floor;    /* PLAIT_DIFFUSE_FLOORED: share of the voxel's rms speed */
 } plait_grid_params;
 
+/* lane_splat, lane_diffuse: the grid as above, seen from the lanes, which keep velocities. */
+typedef struct plait_lane_grid_params {
+    plait_u32 vertex_stride;
+    plait_u32 tile;
+    plait_u32 edge_count;
+    float voxel_edge;
+    float q[4];
+    float t[4];
+    plait_u32 tent;
+    plait_u32 diffuse_rule; /* this and the rest: lane_diffuse */
+    float diffuse_ratio;
+    float diffuse_factor;
+    float diffuse_floor;
+} plait_lane_grid_params;
+
 /* chain, cosserat, rod, articulated: one substep of a strand model over lanes. */
 typedef struct plait_lane_params {
     plait_u32 vertex_stride;
-    plait_u32 tile;       /* strands per tile of the lane layout */
-    float h;              /* s */
-    plait_u32 iterations; /* chain: length solves; cosserat: sweeps; rod, articulated: Newton steps */
-    plait_u32 bdf2;       /* 0: backward Euler; 1: BDF2, needs the step before */
-    float drag;           /* c, 1/s, relative to the air */
-    float gravity[3];     /* m/s^2 */
-    float air[3];         /* velocity of the air, m/s */
+    plait_u32 tile; /* strands per tile of the lane layout */
+    float h;        /* s */
+    plait_u32
+        iterations;   /* chain: length solves; cosserat: sweeps; rod, articulated: Newton steps */
+    plait_u32 bdf2;   /* 0: backward Euler; 1: BDF2, needs the step before */
+    float drag;       /* c, 1/s, relative to the air */
+    float gravity[3]; /* m/s^2 */
+    float air[3];     /* velocity of the air, m/s */
     plait_u32 collider_count;
     plait_u32 collider_first; /* where in `capsule` those of the substep begin */
     float contact_rate; /* 1/s^2: stiffness of contact over mass; a load of m a sinks a/rate in */
@@ -228,12 +247,14 @@ typedef struct plait_lane_move_params {
 } plait_lane_move_params;
 
 /* lane_material: per vertex row, components of the lane layout. */
-#define PLAIT_LANE_LENGTH 0  /* l_i of the segment after vertex i, m; 0 past the tip */
-#define PLAIT_LANE_STRETCH 1 /* EA_i/l_i, N/m; 0 past the tip; chain, articulated: bounds friction alone */
-#define PLAIT_LANE_BEND 2    /* 4EI/lbar of the joint before segment i, N m; 0 past the tip */
-#define PLAIT_LANE_MASS 3    /* m_i, kg; 1 past the tip */
-/* Only `rod` and `articulated` read these; 0 where a strand is round and twists as it bends. The joint's axes are
- * those of q_(i-1) r_i: x along the segment, about y a strand bends by EI, about z by EI2. */
+#define PLAIT_LANE_LENGTH 0 /* l_i of the segment after vertex i, m; 0 past the tip */
+#define PLAIT_LANE_STRETCH                                                                         \
+    1 /* EA_i/l_i, N/m; 0 past the tip; chain, articulated: bounds friction alone */
+#define PLAIT_LANE_BEND 2 /* 4EI/lbar of the joint before segment i, N m; 0 past the tip */
+#define PLAIT_LANE_MASS 3 /* m_i, kg; 1 past the tip */
+/* Only `rod` and `articulated` read these; 0 where a strand is round and twists as it bends. The
+ * joint's axes are those of q_(i-1) r_i: x along the segment, about y a strand bends by EI, about z
+ * by EI2. */
 #define PLAIT_LANE_TWIST 4 /* 4(GJ - EI)/lbar of the joint before segment i, N m */
 #define PLAIT_LANE_CROSS 5 /* 4(EI2 - EI)/lbar, N m */
 #define PLAIT_LANE_MATERIAL_COMPONENTS 6

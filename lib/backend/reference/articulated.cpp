@@ -21,8 +21,9 @@ constexpr double noise = 1e-5;        // a potential that rises by a smaller sha
 constexpr double shorter = 0.4;       // of a turn whose potential rose
 constexpr int trials = 3;             // of shorter turns
 constexpr double moved = 1e-9;        // squared chord from a director to its segment: no rounding
-constexpr uint32_t contact_steps = 5; // at least, of a strand that touches something
-constexpr uint32_t deep_steps = 10;   // at most, while it is deep
+constexpr double settled = 0.05;      // segments: a step that moves vertices less is the last
+constexpr uint32_t contact_steps = 5; // at most, of a strand that touches something
+constexpr uint32_t deep_steps = 10;   // while it is deep
 constexpr double too_deep = 0.08;     // beyond what a solve may leave, in segments
 
 Mat3 cross_matrix(const Vec3& t) {
@@ -168,7 +169,7 @@ void RodModel::follow_turns(const RodModel& from, const Eigen::VectorXd& w) {
     }
 }
 
-void RodModel::turn_segments() {
+bool RodModel::turn_segments() {
     const double before = energy(), limit = before + std::abs(before) * noise + 1e-20;
     const RodModel from = *this;
     const Eigen::VectorXd w = turns();
@@ -182,6 +183,10 @@ void RodModel::turn_segments() {
     }
     if (!(energy() <= limit))
         *this = from;
+    for (size_t i = 1; i < x.size(); ++i)
+        if ((x[i] - from.x[i]).norm() > settled * length_before_[i])
+            return true;
+    return false;
 }
 
 bool RodModel::deep() const {
@@ -196,13 +201,20 @@ void RodModel::articulate(uint32_t steps) {
     follow_target();
     if (contacts_)
         contacts_->slide_on();
-    for (uint32_t k = 0; k < std::max(steps, deep_steps); ++k) {
+    bool moved = true;
+    for (uint32_t k = 0;; ++k) {
         renew_contacts();
-        const bool enough = k >= std::max(steps, contact_steps) && !deep();
-        if (k >= steps && (enough || !touched()))
+        if (k >= steps && !wants_step(k, moved))
             return;
-        turn_segments();
+        moved = turn_segments();
     }
+}
+
+// Beyond those that every strand takes.
+bool RodModel::wants_step(uint32_t k, bool moved) const {
+    if (!touched() || k >= deep_steps)
+        return false;
+    return k < contact_steps ? moved || contacts_->changed() : deep();
 }
 
 void articulated(uint32_t item_count, const plait_lane_params& params,

@@ -10,6 +10,7 @@
 namespace plait::reference {
 namespace {
 
+constexpr double settled = 0.05;         // a smaller share of friction's bound is no change
 constexpr double started_inside = 0.005; // deeper at the substep's begin, in segments
 constexpr double deepest = 0.02;         // after a solve, in segments
 constexpr double soft = 10;              // stiffness for what started inside, in m/h^2
@@ -189,9 +190,22 @@ Contacts::Contact Contacts::renewed(size_t vertex, const Vec3& x) const {
     return now;
 }
 
+// In whether they touch or slide, or in friction's bound.
+bool Contacts::differ(const Contact& before, const Contact& now) {
+    if ((before.stiffness > 0) != (now.stiffness > 0))
+        return true;
+    const double bound = now.friction * now.push, had = before.friction * before.push;
+    return now.stiffness > 0 &&
+           (before.sticks() != now.sticks() || std::abs(bound - had) > settled * bound);
+}
+
 void Contacts::renew(const std::vector<Vec3>& x) {
-    for (size_t i = 1; i < x.size(); ++i)
+    changed_ = false;
+    for (size_t i = 1; i < x.size(); ++i) {
+        const Contact before = at_[i];
         at_[i] = renewed(i, x[i]);
+        changed_ = changed_ || differ(before, at_[i]);
+    }
     solved_ = true;
     touched_ = touched_ || touching();
 }

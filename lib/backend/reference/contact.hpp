@@ -26,6 +26,8 @@ class Contacts {
     void renew(const std::vector<Vec3>& x);
     bool touching() const; // any vertex now
     bool touched() const { return touched_; }
+    // Did the last renewal find another force than the solve before had?
+    bool changed() const { return changed_; }
 
     Mat3 hessian(size_t vertex, const Vec3& x) const;
     Vec3 force(size_t vertex,
@@ -69,6 +71,7 @@ class Contacts {
     std::optional<Touch> nearest(size_t vertex, const Vec3& x) const;
     Contact renewed(size_t vertex, const Vec3& x) const;
     bool slides(const Contact& before, const Contact& now, const Vec3& u, double mobility) const;
+    static bool differ(const Contact& before, const Contact& now);
     Vec3 slid_before(size_t vertex, const Touch& found) const;
     Vec3 slip_of(const Contact& at, const Vec3& x) const;
     double depth_allowed(size_t vertex) const;
@@ -79,7 +82,7 @@ class Contacts {
     const Motion& motion_;
     std::vector<double> length_, stretch_, mass_, arc_; // arc_[i]: from the root to vertex i
     std::vector<Contact> at_;
-    bool solved_ = false, touched_ = false, slides_on_ = false;
+    bool solved_ = false, touched_ = false, changed_ = false, slides_on_ = false;
 };
 
 } // namespace plait::reference

@@ -6,6 +6,10 @@ Grid::Grid(const plait_grid_params& params)
     : pose_{quat(params.q), vec3(params.t)}, voxel_edge_(params.voxel_edge), h_(params.h),
       edge_count_(static_cast<int>(params.edge_count)), tent_(params.tent) {}
 
+Grid::Grid(const plait_lane_grid_params& params)
+    : pose_{quat(params.q), vec3(params.t)}, voxel_edge_(params.voxel_edge), h_(0),
+      edge_count_(static_cast<int>(params.edge_count)), tent_(params.tent) {}
+
 Vec3 Grid::coordinates(const Vec3& x) const {
     return pose_.invert(x) / voxel_edge_;
 }
@@ -55,7 +59,7 @@ Grid::Nodes Grid::nodes(const Vec3& p) const {
 }
 
 Vec3 Grid::velocity(const Vec4& position, const Vec4& position_prev) const {
-    return pose_.q.conjugate() * (xyz(position) - xyz(position_prev)) / h_;
+    return components(xyz(position) - xyz(position_prev)) / h_;
 }
 
 } // namespace plait::reference

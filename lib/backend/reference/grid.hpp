@@ -17,6 +17,7 @@ struct Node {
 class Grid {
   public:
     explicit Grid(const plait_grid_params& params);
+    explicit Grid(const plait_lane_grid_params& params);
 
     // Grid coordinates in voxel units: conj(q) (x - t) / e.
     Vec3 coordinates(const Vec3& x) const;
@@ -34,6 +35,7 @@ class Grid {
     // (position - position_prev) / h in the grid's frame.
     Vec3 velocity(const Vec4& position, const Vec4& position_prev) const;
     Vec3 to_world(const Vec3& vector) const { return pose_.q * vector; }
+    Vec3 components(const Vec3& vector) const { return pose_.q.conjugate() * vector; }
 
   private:
     size_t index(const Eigen::Array3i& cell) const;
@@ -45,5 +47,15 @@ class Grid {
     int edge_count_;
     uint32_t tent_;
 };
+
+// What a vertex at `x` adds to the sums; `v` along the grid's axes. See grid_splat.cpp.
+void add_to_sums(const Grid& grid, const Vec3& x, const Vec3& v, const View<uint32_t>& grid_sum,
+                 const View<uint32_t>& grid_outside);
+
+// `v`, along the grid's axes, of a vertex at `x`, braked where it outruns the hair around it; see
+// grid_diffuse.cpp. Params: plait_grid_params or plait_lane_grid_params.
+template <typename Params>
+Vec3 diffused(const Grid& grid, const Params& params, const Vec3& x, const Vec3& v,
+              const View<const double>& grid_density, const View<const Vec4>& grid_velocity);
 
 } // namespace plait::reference

@@ -16,40 +16,51 @@ namespace plait::reference {
 namespace {
 
 // Mean velocity and rms speed of the hair at grid coordinates p; none where there is none.
-std::optional<Vec4> surroundings(const Grid& grid, const Vec3& p, const grid_diffuse_args& args) {
+std::optional<Vec4> surroundings(const Grid& grid, const Vec3& p,
+                                 const View<const double>& grid_density,
+                                 const View<const Vec4>& grid_velocity) {
     const Grid::Nodes nodes = grid.nodes(p);
     if (nodes.count == 1) { // its weight says nothing, not even where it is 0
         const size_t voxel = nodes.node[0].voxel;
-        return args.grid_density[voxel] > 0 ? std::optional(args.grid_velocity[voxel])
-                                            : std::nullopt;
+        return grid_density[voxel] > 0 ? std::optional(grid_velocity[voxel]) : std::nullopt;
     }
     Vec3 mean = Vec3::Zero();
     double mean_square = 0, density = 0;
     for (size_t n = 0; n < nodes.count; ++n) {
         const Node& node = nodes.node[n];
-        const Vec4& node_velocity = args.grid_velocity[node.voxel];
+        const Vec4& node_velocity = grid_velocity[node.voxel];
         mean += node.weight * xyz(node_velocity);
         mean_square += node.weight * node_velocity.w() * node_velocity.w();
-        density += node.weight * args.grid_density[node.voxel];
+        density += node.weight * grid_density[node.voxel];
     }
     if (!(density > 0))
         return std::nullopt;
     return with_w(mean, std::sqrt(mean_square));
 }
 
-Vec3 braked(const Vec3& v, const Vec4& around, const plait_grid_params& params) {
+} // namespace
+
+template <typename Params>
+Vec3 diffused(const Grid& grid, const Params& params, const Vec3& x, const Vec3& v,
+              const View<const double>& grid_density, const View<const Vec4>& grid_velocity) {
+    const auto around = surroundings(grid, grid.coordinates(x), grid_density, grid_velocity);
+    if (!around)
+        return v;
     Vec3 result = v;
     for (int c = 0; c < 3; ++c) {
-        double reference = std::abs(around[c]);
+        double reference = std::abs((*around)[c]);
         if (params.diffuse_rule == PLAIT_DIFFUSE_FLOORED)
-            reference = std::max(reference, params.diffuse_floor * around.w());
+            reference = std::max(reference, params.diffuse_floor * around->w());
         if (std::abs(v[c]) > params.diffuse_ratio * reference)
             result[c] *= params.diffuse_factor;
     }
     return result;
 }
 
-} // namespace
+template Vec3 diffused(const Grid&, const plait_grid_params&, const Vec3&, const Vec3&,
+                       const View<const double>&, const View<const Vec4>&);
+template Vec3 diffused(const Grid&, const plait_lane_grid_params&, const Vec3&, const Vec3&,
+                       const View<const double>&, const View<const Vec4>&);
 
 void grid_diffuse(uint32_t item_count, const plait_grid_params& params,
                   const grid_diffuse_args& args) {
@@ -60,11 +71,9 @@ void grid_diffuse(uint32_t item_count, const plait_grid_params& params,
         const Vec4& x = args.position[item];
         if (i >= count || pinned(x))
             continue;
-        const auto around = surroundings(grid, grid.coordinates(xyz(x)), args);
-        if (!around)
-            continue;
         const Vec3 v = grid.velocity(x, args.position_prev[item]);
-        const Vec3 slower = braked(v, *around, params);
+        const Vec3 slower =
+            diffused(grid, params, xyz(x), v, args.grid_density, args.grid_velocity);
         if (slower != v)
             set_xyz(args.position_prev[item], xyz(x) - grid.to_world(slower) * params.h);
     }

@@ -29,20 +29,19 @@ void add_vertex(const View<uint32_t>& words, const Node& node, const Vec3& v) {
     add_to_sum(words, first + 8, fixed_point(w * v.squaredNorm(), PLAIT_SUM_ENERGY_SCALE));
 }
 
-void splat(const Grid& grid, const grid_splat_args& args, size_t item) {
-    const Vec4& x = args.position[item];
-    const Vec3 p = grid.coordinates(xyz(x));
+} // namespace
+
+void add_to_sums(const Grid& grid, const Vec3& x, const Vec3& v, const View<uint32_t>& grid_sum,
+                 const View<uint32_t>& grid_outside) {
+    const Vec3 p = grid.coordinates(x);
     if (!grid.voxel_at(p)) {
-        ++args.grid_outside[0];
+        ++grid_outside[0];
         return;
     }
-    const Vec3 v = limit_speed(grid.velocity(x, args.position_prev[item]));
     const Grid::Nodes nodes = grid.nodes(p);
     for (size_t n = 0; n < nodes.count; ++n)
-        add_vertex(args.grid_sum, nodes.node[n], v);
+        add_vertex(grid_sum, nodes.node[n], limit_speed(v));
 }
-
-} // namespace
 
 void grid_splat(uint32_t item_count, const plait_grid_params& params, const grid_splat_args& args) {
     const Grid grid(params);
@@ -50,7 +49,9 @@ void grid_splat(uint32_t item_count, const plait_grid_params& params, const grid
         const size_t first = strand * params.vertex_stride;
         const size_t count = vertices_of(args.vertex_count, strand, params.vertex_stride);
         for (size_t item = first; item < first + count; ++item)
-            splat(grid, args, item);
+            add_to_sums(grid, xyz(args.position[item]),
+                        grid.velocity(args.position[item], args.position_prev[item]), args.grid_sum,
+                        args.grid_outside);
     }
 }
 

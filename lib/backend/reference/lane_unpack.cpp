@@ -5,19 +5,19 @@ namespace plait::reference {
 
 void lane_unpack(uint32_t item_count, const plait_lane_layout_params& params,
                  const lane_unpack_args& args) {
-    for (size_t item = 0; item < item_count; ++item) {
-        const auto [slot, i] = place(item, params.vertex_stride);
+    for (size_t slot = 0; slot < item_count; ++slot) {
         const size_t strand = strand_of(args.lane_strand, slot);
-        if (i >= vertices_of(args.vertex_count, strand, params.vertex_stride))
-            continue;
         const Lane lane(slot, params.vertex_stride, params.tile);
-        const size_t vertex = strand * params.vertex_stride + i;
         const Vec3 root = lane.vector(args.lane_x, 0);
-        const Vec3 x = i == 0 ? root : Vec3(root + lane.vector(args.lane_x, i));
-        const Vec3 v = lane.vector(args.lane_v, i);
-        const double inverse_mass = i == 0 ? 0 : 1;
-        args.position[vertex] = with_w(x, inverse_mass);
-        args.position_prev[vertex] = with_w(x - params.h * v, inverse_mass);
+        const uint32_t count = vertices_of(args.vertex_count, strand, params.vertex_stride);
+        for (uint32_t i = 0; i < count; ++i) {
+            const size_t vertex = strand * params.vertex_stride + i;
+            const Vec3 x = i == 0 ? root : Vec3(root + lane.vector(args.lane_x, i));
+            const Vec3 v = lane.vector(args.lane_v, i);
+            const double inverse_mass = i == 0 ? 0 : 1;
+            args.position[vertex] = with_w(x, inverse_mass);
+            args.position_prev[vertex] = with_w(x - params.h * v, inverse_mass);
+        }
     }
 }
 

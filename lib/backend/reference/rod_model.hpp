@@ -96,7 +96,8 @@ class RodModel {
     void add_joints(Eigen::MatrixXd& H, Eigen::VectorXd& g) const;
     Eigen::VectorXd turns() const;
     void follow_turns(const RodModel& from, const Eigen::VectorXd& w);
-    void turn_segments();
+    bool turn_segments(); // whether a vertex moved far enough for another step
+    bool wants_step(uint32_t k, bool moved) const;
     bool deep() const; // any vertex, deeper than pull and push balance
 
     bool inextensible_;

@@ -28,12 +28,15 @@ void Shape::set_stride(uint32_t vertex_stride) {
     stride_ = vertex_stride;
 }
 
-void Shape::set_grid(const plait_grid_params& params) {
-    check_range("edge_count", params.edge_count, 1, max_voxels_per_edge);
-    check_range("capacity", params.capacity, 1, max_capacity);
-    check_positive("voxel_edge", params.voxel_edge);
-    capacity_ = params.capacity;
-    voxels_ = size_t{params.edge_count} * params.edge_count * params.edge_count;
+void Shape::set_grid(uint32_t edge_count, double voxel_edge) {
+    check_range("edge_count", edge_count, 1, max_voxels_per_edge);
+    check_positive("voxel_edge", voxel_edge);
+    voxels_ = size_t{edge_count} * edge_count * edge_count;
+}
+
+void Shape::set_capacity(uint32_t capacity) {
+    check_range("capacity", capacity, 1, max_capacity);
+    capacity_ = capacity;
 }
 
 void Shape::set_rows(plait_space space) {

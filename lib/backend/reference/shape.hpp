@@ -22,7 +22,9 @@ class Shape {
         if constexpr (requires { params.collider_count; })
             colliders_ = size_t{params.collider_first} + params.collider_count;
         if constexpr (requires { params.edge_count; })
-            set_grid(params);
+            set_grid(params.edge_count, params.voxel_edge);
+        if constexpr (requires { params.capacity; })
+            set_capacity(params.capacity);
         if constexpr (requires { params.bdf2; })
             history_ = params.bdf2 != 0;
         if constexpr (requires { params.history; })
@@ -43,7 +45,8 @@ class Shape {
 
   private:
     void set_stride(uint32_t vertex_stride);
-    void set_grid(const plait_grid_params& params);
+    void set_grid(uint32_t edge_count, double voxel_edge);
+    void set_capacity(uint32_t capacity);
     void set_rows(plait_space space);
     void set_guides(size_t guides);
     void set_tiles(size_t tile);

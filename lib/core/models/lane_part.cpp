@@ -2,6 +2,7 @@
 
 #include "core/groom.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace plait {
@@ -163,15 +164,44 @@ void LanePart::substep(Schedule& schedule, const Substep& at, float mean_length)
 }
 
 void LanePart::publish(Schedule& schedule, const Substep& at) const {
-    schedule.add(PLAIT_STAGE_lane_unpack, lanes_.strands * lanes_.row, layout_params(at),
+    schedule.add(PLAIT_STAGE_lane_unpack, lanes_.strands, layout_params(at),
                  {&lane_strand_, &at.state.vertex_count, &x_, &v_, &at.state.position,
-                  &at.state.position_prev});
+                  &at.state.position_prev},
+                 lanes_.row);
 }
 
 void LanePart::adopt(Schedule& schedule, const Substep& at) const {
     schedule.add(PLAIT_STAGE_lane_pack, lanes_.strands * lanes_.row, layout_params(at),
                  {&lane_strand_, &at.state.vertex_count, &at.state.position,
                   &at.state.position_prev, &x_, &v_});
+}
+
+plait_lane_grid_params LanePart::grid_params(const plait_grid_params& grid) const {
+    plait_lane_grid_params params{};
+    params.vertex_stride = lanes_.row;
+    params.tile = lanes_.tile;
+    params.edge_count = grid.edge_count;
+    params.voxel_edge = grid.voxel_edge;
+    std::ranges::copy(grid.q, params.q);
+    std::ranges::copy(grid.t, params.t);
+    params.tent = grid.tent;
+    params.diffuse_rule = grid.diffuse_rule;
+    params.diffuse_ratio = grid.diffuse_ratio;
+    params.diffuse_factor = grid.diffuse_factor;
+    params.diffuse_floor = grid.diffuse_floor;
+    return params;
+}
+
+void LanePart::splat(Schedule& schedule, const Substep& at, const LaneGrid& grid) const {
+    schedule.add(PLAIT_STAGE_lane_splat, lanes_.strands, grid_params(grid.params),
+                 {&lane_strand_, &at.state.vertex_count, &x_, &v_, &grid.sums, &grid.outside},
+                 lanes_.row);
+}
+
+void LanePart::diffuse(Schedule& schedule, const Substep& at, const LaneGrid& grid) const {
+    schedule.add(PLAIT_STAGE_lane_diffuse, lanes_.strands, grid_params(grid.params),
+                 {&lane_strand_, &at.state.vertex_count, &x_, &grid.density, &grid.velocity, &v_},
+                 lanes_.row);
 }
 
 void LanePart::reset(Schedule& schedule, const Substep& at) {

@@ -53,6 +53,8 @@ class LanePart {
     void substep(Schedule& schedule, const Substep& at, float mean_length);
     void publish(Schedule& schedule, const Substep& at) const;
     void adopt(Schedule& schedule, const Substep& at) const;
+    void splat(Schedule& schedule, const Substep& at, const LaneGrid& grid) const;
+    void diffuse(Schedule& schedule, const Substep& at, const LaneGrid& grid) const;
     void reset(Schedule& schedule, const Substep& at);
     void teleport(Schedule& schedule, const Substep& at, const Buffer& pose);
 
@@ -103,6 +105,7 @@ class LanePart {
     plait_lane_layout_params layout_params(const Substep& at) const {
         return {lanes_.row, lanes_.tile, at.h};
     }
+    plait_lane_grid_params grid_params(const plait_grid_params& grid) const;
     plait_lane_state_params state_params() const {
         return {lanes_.row, lanes_.tile, history_.x ? 1u : 0u};
     }

@@ -35,6 +35,9 @@ class LaneModel final : public Model {
     void substep(Schedule& schedule, const Substep& at) override;
     void publish(Schedule& schedule, const Substep& at) const override;
     void adopt(Schedule& schedule, const Substep& at) const override;
+    bool has_lanes() const override { return true; }
+    void splat(Schedule& schedule, const Substep& at, const LaneGrid& grid) const override;
+    void diffuse(Schedule& schedule, const Substep& at, const LaneGrid& grid) const override;
     void reset(Schedule& schedule, const Substep& at) override;
     void teleport(Schedule& schedule, const Substep& at, const Buffer& pose) override;
     SagReport sag() const override;
@@ -155,6 +158,16 @@ void LaneModel::publish(Schedule& schedule, const Substep& at) const {
 void LaneModel::adopt(Schedule& schedule, const Substep& at) const {
     for (const PartPtr& part : parts_)
         part->adopt(schedule, at);
+}
+
+void LaneModel::splat(Schedule& schedule, const Substep& at, const LaneGrid& grid) const {
+    for (const PartPtr& part : parts_)
+        part->splat(schedule, at, grid);
+}
+
+void LaneModel::diffuse(Schedule& schedule, const Substep& at, const LaneGrid& grid) const {
+    for (const PartPtr& part : parts_)
+        part->diffuse(schedule, at, grid);
 }
 
 void LaneModel::reset(Schedule& schedule, const Substep& at) {

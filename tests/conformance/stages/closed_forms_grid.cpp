@@ -125,6 +125,16 @@ void splat_limits_the_speed(Bench& bench) {
     EXPECT_NEAR(velocity.floats[0], (PLAIT_SUM_MAX_SPEED - .5f) / 1.5f, 1e-3);
 }
 
+// Hair that moves at a tenth of a millimetre per second has the rms speed of its vertices, so that
+// the brake's rule, which has no scale, has none here either.
+void splat_keeps_the_energy_of_slow_hair(Bench& bench) {
+    auto was = x;
+    for (size_t i = 0; i < was.size(); ++i)
+        was[i] = x[i] - 1e-4f * (x[i] - before[i]);
+    const auto velocity = splat(bench, PLAIT_TENT_VOXEL, x, was).second;
+    EXPECT_NEAR(velocity.floats[3] / (1e-4 * std::sqrt((4 + .5 * 17) / 1.5)), 1, 5e-3);
+}
+
 // v = (2, 0, 0) in a voxel whose mean is (m, 0, 0).
 float braked(Bench& bench, const plait_grid_params& params, float density, float mean, float rms,
              float w = 1) {
@@ -189,6 +199,7 @@ const std::vector<ClosedForm>& grid_closed_forms() {
         PLAIT_CLOSED_FORM(splat_is_the_exact_sum),
         PLAIT_CLOSED_FORM(splat_trilinear_shares_between_nodes),
         PLAIT_CLOSED_FORM(splat_limits_the_speed),
+        PLAIT_CLOSED_FORM(splat_keeps_the_energy_of_slow_hair),
         PLAIT_CLOSED_FORM(diffuse_brakes_what_outruns_its_voxel),
         PLAIT_CLOSED_FORM(diffuse_interpolates_between_nodes),
     };
