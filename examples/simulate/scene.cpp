@@ -217,7 +217,7 @@ plait_sim_desc Scene::default_sim() {
     p.global_stiffness = 0.3f;
     p.global_range = 0.3f;
     p.length_iterations = 20;
-    p.interhair = PLAIT_INTERHAIR_SLOTS;
+    p.interhair = PLAIT_INTERHAIR_EXACT;
     return sim;
 }
 

@@ -28,7 +28,7 @@ TEST_F(SceneFile, empty_one_is_the_default_scene) {
     EXPECT_EQ(scene.groom.style.strands, 10000u);
     EXPECT_EQ(scene.groom.style.vertices, 16u);
     EXPECT_EQ(scene.frames(), 240u);
-    EXPECT_EQ(scene.sim.params.interhair, PLAIT_INTERHAIR_SLOTS);
+    EXPECT_EQ(scene.sim.params.interhair, PLAIT_INTERHAIR_EXACT);
     EXPECT_FALSE(scene.colliders.has_value());
 }
 
