@@ -60,6 +60,16 @@ int supports(plait_device* device, plait_stage stage) {
     return stage != faults.missing && inner().device->supports(device, stage);
 }
 
+plait_result prepare(plait_device* device, const plait_dispatch* list, size_t count) {
+    for (size_t i = 0; i < count; ++i)
+        if (!supports(device, list[i].stage)) {
+            injected = "no such stage (injected)";
+            return PLAIT_UNSUPPORTED;
+        }
+    injected = nullptr;
+    return inner().device->prepare(device, list, count);
+}
+
 const char* last_error(plait_device* device) {
     return injected ? injected : inner().device->last_error(device);
 }
@@ -86,6 +96,7 @@ void register_faulty() {
     device.buffer_upload = buffer_upload;
     device.supports = supports;
     device.submit = submit;
+    device.prepare = prepare;
     device.last_error = last_error;
     device.destroy = destroy;
     static plait_backend_api api = inner();
