@@ -122,7 +122,25 @@ TEST_P(ExactStep, takes_half_of_what_is_fast_and_nothing_else) {
         }
 }
 
-// The callers' own kernel for a stage of the step is the one that runs, whatever the model.
+// Strands of several models brake each other: every vertex is in the one grid, once.
+TEST_P(ExactStep, counts_strands_of_all_models_once) {
+    plait_sim_desc desc = exact_desc(PLAIT_MODEL_ARTICULATED);
+    desc.params.tent = PLAIT_TENT_FORM_TRILINEAR; // the weights of a vertex sum to 1
+    plait::Sim sim = swung(context, desc);
+    std::vector<plait_model> models(24, PLAIT_MODEL_ARTICULATED);
+    for (size_t i = 0; i < models.size(); ++i)
+        if (i % 3 > 0)
+            models[i] = i % 3 == 1 ? PLAIT_MODEL_CHAIN : PLAIT_MODEL_ROD;
+    sim.set_models(models);
+    run(sim, 3);
+    double vertices = static_cast<double>(sim.stats().grid_outside);
+    for (const float density : sim.read(PLAIT_FIELD_GRID_DENSITY))
+        vertices += static_cast<double>(density);
+    EXPECT_NEAR(vertices, 24 * 16, 1e-3);
+    EXPECT_EQ(sim.stats().nonfinite, 0u);
+}
+
+// The caller's own kernel for a stage of the step is the one that runs, whatever the model.
 TEST(ExactStepOnOpenCL, CallsTheCallersOwnBrake) {
     const plait_stage_source nothing = {
         "grid_diffuse",
