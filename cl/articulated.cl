@@ -11,9 +11,9 @@
 /* Most Newton steps of a strand that touches something: planes, pushes and what slips are renewed
  * between them, and the last is the one that changes neither. Fewer hold a hair that should slip:
  * the bound of friction lags by a step. */
-#define ARTICULATED_CONTACT_STEPS 5
+#define ARTICULATED_CONTACT_STEPS 6
 /* Of one that is still deep then: a collider that moves by several of its radii turns hair by more
- * than Newton's method sees in five steps. */
+ * than Newton's method sees in six steps. */
 #define ARTICULATED_DEEP_STEPS 10
 #define ARTICULATED_DEEP 0.1f /* segments: what is deeper is no balance of pull and push */
 

@@ -2,9 +2,9 @@
  *
  * Items   strands, over lanes.
  * Reads   lane_strand, vertex_count, lane_x, grid_density, grid_velocity.
- * Moves   lane_v, of the vertices it brakes; never of a root.
+ * Moves   lane_v, with BDF2 lane_v_before, of the vertices it brakes; never of a root.
  * Source  as grid_diffuse. Changed velocities are braked where they are kept: none is the
- * difference of two positions. */
+ * difference of two positions; those of the step before as much, see lane_pack. */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/lane_grid.clh"
 
@@ -72,7 +72,8 @@ __kernel void plait_lane_diffuse(const uint item_count, const plait_lane_grid_pa
                                  __global const uint* lane_strand,
                                  __global const uint* vertex_count, __global const real* lane_x,
                                  __global const float* grid_density,
-                                 __global const float4* grid_velocity, __global real* lane_v) {
+                                 __global const float4* grid_velocity, __global real* lane_v,
+                                 __global real* lane_v_before) {
     const lane_place place = lane_place_of(get_global_id(0));
     if (!lane_place_used(place, item_count))
         return;
@@ -95,6 +96,9 @@ __kernel void plait_lane_diffuse(const uint item_count, const plait_lane_grid_pa
         const vec3 lost = vec3_of(brake(&params, v.x, around.mean.x, rms, hair),
                                   brake(&params, v.y, around.mean.y, rms, hair),
                                   brake(&params, v.z, around.mean.z, rms, hair));
-        store3(lane_v, place, i, add3(before, lane_grid_world(&grid, lost)));
+        const vec3 gained = lane_grid_world(&grid, lost);
+        store3(lane_v, place, i, add3(before, gained));
+        if (params.history)
+            store3(lane_v_before, place, i, add3(load3(lane_v_before, place, i), gained));
     }
 }

@@ -23,7 +23,7 @@ static inline float3 to_length(float3 edge, float length) {
     return length * normalize_or_zero(edge) - edge;
 }
 
-__kernel void plait_lane_fit(const uint item_count, const plait_lane_fit_params params,
+__kernel void plait_lane_fit(const uint item_count, const plait_lane_history_params params,
                              __global const uint* lane_slot, __global const float* lane_material,
                              __global const float* lane_v, __global float* lane_x,
                              __global float* lane_x_before, __global float* lane_v_before) {

@@ -3,16 +3,18 @@
  *
  * Items   vertices of the lanes in use.
  * Reads   lane_strand, vertex_count, position, position_prev.
- * Writes  lane_x, lane_v of every vertex but the root.
- */
+ * Moves   lane_x, lane_v, with BDF2 lane_v_before, of every vertex but the root.
+ * Source  ours: what changed the velocity changes that of the step before by as much. BDF2, which
+ * goes on from (4v - v_before)/3, would else make 3/2 of it in the end. */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/lane_scalar.clh"
 #include "plait/params.h"
 
-__kernel void plait_lane_pack(const uint item_count, const plait_lane_layout_params params,
+__kernel void plait_lane_pack(const uint item_count, const plait_lane_history_params params,
                               __global const uint* lane_strand, __global const uint* vertex_count,
                               __global const float4* position, __global const float4* position_prev,
-                              __global float* lane_x, __global float* lane_v) {
+                              __global float* lane_x, __global float* lane_v,
+                              __global float* lane_v_before) {
     const uint item = get_global_id(0), row = item % params.vertex_stride;
     if (item >= item_count || row == 0)
         return;
@@ -23,5 +25,11 @@ __kernel void plait_lane_pack(const uint item_count, const plait_lane_layout_par
     const float3 root = position[vertex - row].xyz, x = position[vertex].xyz;
     const size_t here = lane_element(item, params.vertex_stride, params.tile);
     lane_write(lane_x, here, params.tile, x - root);
-    lane_write(lane_v, here, params.tile, (x - position_prev[vertex].xyz) / params.h);
+    const float3 v = (x - position_prev[vertex].xyz) / params.h;
+    if (params.history) {
+        const float3 gained = v - lane_read(lane_v, here, params.tile);
+        lane_write(lane_v_before, here, params.tile,
+                   lane_read(lane_v_before, here, params.tile) + gained);
+    }
+    lane_write(lane_v, here, params.tile, v);
 }

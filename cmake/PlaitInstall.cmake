@@ -24,7 +24,12 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/plaitConfigVersion.cmake
 install(FILES ${PROJECT_BINARY_DIR}/plaitConfig.cmake ${PROJECT_BINARY_DIR}/plaitConfigVersion.cmake
         DESTINATION ${package_dir})
 
-set(pc_private "-lstdc++ -lm")
+# The compiler's C++ library, of which a linker of C knows nothing.
+set(runtime ${CMAKE_CXX_IMPLICIT_LINK_LIBRARIES})
+list(FILTER runtime INCLUDE REGEX "^(stdc\\+\\+|c\\+\\+|m)$")
+list(REMOVE_DUPLICATES runtime)
+list(TRANSFORM runtime PREPEND -l)
+list(JOIN runtime " " pc_private)
 if(PLAIT_OPENCL)
   string(PREPEND pc_private "-lOpenCL ")
 endif()

@@ -6,8 +6,4 @@ function(plait_warnings target)
     target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
                                              $<$<BOOL:${PLAIT_WERROR}>:-Werror>)
   endif()
-  if(MINGW)
-    # libstdc++ has MinGW print as C99 does, which the attribute `printf` does not mean there.
-    target_compile_options(${target} PRIVATE -Wno-format)
-  endif()
 endfunction()

@@ -1,16 +1,39 @@
 #include "common/progress.hpp"
 
 #include <atomic>
-#include <csignal>
 #include <cstdio>
+#ifdef _WIN32
+#define WIN32_LEAN_AND_MEAN
+#include <io.h>
+#include <windows.h>
+#else
+#include <csignal>
 #include <thread>
 #include <unistd.h>
+#endif
 
 namespace common {
 
 namespace {
 
 std::atomic<bool> interrupt_flag = false;
+
+#ifdef _WIN32
+
+bool is_terminal() {
+    return _isatty(_fileno(stderr)) != 0;
+}
+
+// What is not handled ends the program.
+BOOL WINAPI handle(DWORD event) {
+    return (event == CTRL_C_EVENT || event == CTRL_BREAK_EVENT) && !interrupt_flag.exchange(true);
+}
+
+#else
+
+bool is_terminal() {
+    return isatty(STDERR_FILENO) != 0;
+}
 
 // The second signal finds the default action.
 void wait_for_interrupt(const sigset_t& signals) {
@@ -25,7 +48,17 @@ void wait_for_interrupt(const sigset_t& signals) {
     std::raise(signal);
 }
 
+#endif
+
 } // namespace
+
+#ifdef _WIN32
+
+void watch_for_interrupt() {
+    SetConsoleCtrlHandler(handle, TRUE);
+}
+
+#else
 
 // A thread waits for the signals, and all others block them. So do the processes they start: Ctrl-C
 // goes to all of a terminal's programs, and would end the linker that an OpenCL driver has called
@@ -41,13 +74,15 @@ void watch_for_interrupt() {
     std::signal(SIGPIPE, SIG_IGN);
 }
 
+#endif
+
 bool interrupted() {
     return interrupt_flag;
 }
 
 Progress::Progress(std::string label, uint32_t total)
-    : label_(std::move(label)), total_(total), terminal_(isatty(STDERR_FILENO)),
-      start_(Clock::now()), last_(start_) {}
+    : label_(std::move(label)), total_(total), terminal_(is_terminal()), start_(Clock::now()),
+      last_(start_) {}
 
 Progress::~Progress() {
     if (terminal_)

@@ -85,6 +85,10 @@ static plait_result trace_wait(plait_device* device) {
 static plait_result trace_stage_costs(plait_device* device, plait_stage_cost* dst, int reset) {
     return SELF->stage_costs(INNER, dst, reset);
 }
+static plait_result trace_take_launches(plait_device* device, plait_stage_launch* dst,
+                                        size_t* count) {
+    return SELF->take_launches(INNER, dst, count);
+}
 static const char* trace_last_error(plait_device* device) {
     return SELF->last_error(INNER);
 }
@@ -98,21 +102,10 @@ static void* trace_native_queue(plait_device* device) {
 #undef INNER
 
 static const plait_device_api device_api = {
-    sizeof(plait_device_api),
-    trace_destroy,
-    trace_describe,
-    trace_supports,
-    trace_buffer_create,
-    trace_buffer_destroy,
-    trace_buffer_write,
-    trace_buffer_upload,
-    trace_buffer_read,
-    trace_submit,
-    trace_prepare,
-    trace_wait,
-    trace_stage_costs,
-    trace_last_error,
-    trace_native_buffer,
+    sizeof(plait_device_api), trace_destroy,        trace_describe,     trace_supports,
+    trace_buffer_create,      trace_buffer_destroy, trace_buffer_write, trace_buffer_upload,
+    trace_buffer_read,        trace_submit,         trace_prepare,      trace_wait,
+    trace_stage_costs,        trace_take_launches,  trace_last_error,   trace_native_buffer,
     trace_native_queue,
 };
 
@@ -157,7 +150,12 @@ static const plait_backend_api backend = {
 };
 
 /* The one name a module exports; the version is part of it. */
-__attribute__((visibility("default"))) const plait_backend_api* plait_backend_entry_v1(void);
+#ifdef _WIN32
+#define EXPORT __declspec(dllexport)
+#else
+#define EXPORT __attribute__((visibility("default")))
+#endif
+EXPORT const plait_backend_api* plait_backend_entry_v1(void);
 const plait_backend_api* plait_backend_entry_v1(void) {
     return &backend;
 }

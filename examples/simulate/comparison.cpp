@@ -31,6 +31,8 @@ plait_sim_desc tressfx_and_thesis(const plait_sim_desc& own) {
 
 Scene Variant::of(Scene scene) const {
     scene.sim = sim;
+    scene.profile = false;
+    scene.trace.clear();
     return scene;
 }
 

@@ -1,12 +1,14 @@
 // plait-simulate: simulate a groom on a moving head and show what came of it.
 #include "album.hpp"
 #include "cache.hpp"
+#include "ceiling.hpp"
 #include "common/devices.hpp"
 #include "common/file.hpp"
 #include "common/progress.hpp"
 #include "loaded.hpp"
 #include "options.hpp"
 #include "report.hpp"
+#include "trace.hpp"
 
 #include <cstdio>
 
@@ -71,6 +73,13 @@ void finish_report(Report& report, Album* album) {
             write_json(json, path);
             report.files.push_back(path);
         }
+    if (!report.scene.trace.empty()) {
+        write_text(to_trace(report.main).dump() + '\n', report.scene.trace);
+        report.files.push_back(report.scene.trace);
+        if (report.main.frames > 0 && !report.main.timeline.has_device_times())
+            std::fprintf(stderr, "plait-simulate: the driver's events carry no times: the trace "
+                                 "has the host's calls only\n");
+    }
     print_report(report);
 }
 
@@ -84,7 +93,11 @@ void simulate_scene(Scene& scene) {
     const std::vector<Variant> beside = variants_beside(scene);
     const std::unique_ptr<Album> album = make_album(scene, figure, beside);
     Measurements run = run_scene(scene, figure, album.get(), warnings);
-    Report report{scene, figure, std::move(run), {}, std::move(warnings), false, {}};
+    std::optional<Profile> profile;
+    if (scene.profile)
+        profile = make_profile(run, figure.info.vertices, copy_rate(run.device));
+    Report report{scene, figure, std::move(run), std::move(profile), {}, std::move(warnings),
+                  false, {}};
     for (size_t i = 0; i < beside.size() && album && !interrupted(); ++i)
         report.beside.push_back(run_beside(scene, figure, beside[i], i, *album));
     finish_report(report, album.get());

@@ -14,7 +14,10 @@ class Neighbours {
     // nearest.
     Neighbours(std::span<const float> rest, std::span<const uint32_t> vertex_count, uint32_t row);
 
-    // One more frame, `step` s after the one before; the first is `rest`.
+    // Where the first frame comes from, instead of `rest`.
+    void start(std::span<const float> positions) { keep(positions); }
+
+    // One more frame, `step` s after the one before.
     void add(std::span<const float> positions, float step);
 
     double rms_speed() const; // m/s, of all frames and vertices; 0: there are none

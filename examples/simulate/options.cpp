@@ -60,12 +60,14 @@ void add_options(CLI::App& app, CommandLine& line) {
     text("--motion", "motion", "NAME|FILE",
          "still, shake, turn, nod, shake_and_turn, walk, or .csv .json keyframes");
     option<double>(app, keys, "--seconds", "seconds", "S", "length of the motion [4]");
+    option<double>(app, keys, "--settle", "settle", "S",
+                   "before the motion, the head still [1 for long and curly, else 0]");
     count("--rate", "rate", "HZ", "steps and frames a second [60]");
     count("--substeps", "substeps", "N", "per step [2]");
     text("--model", "model", "NAME", models.c_str());
     text("--sag-free", "sag_free", "NAME",
-         "off, rest or stiffen: the groom as drawn is in balance with gravity [stiffen where it "
-         "bends]");
+         "off, rest or stiffen: the groom as drawn is in balance with gravity [off for long and "
+         "curly, else stiffen where it bends]");
     text("--interhair", "interhair", "NAME", "off, slots or exact [exact]");
     text("--device", "device", "TEXT",
          "part of a device's, vendor's or platform's name, as pocl; cpu or gpu [the best]");
@@ -74,6 +76,10 @@ void add_options(CLI::App& app, CommandLine& line) {
     text("--cache", "cache", "FILE", "write the trajectory here");
     text("--replay", "replay", "FILE", "draw a trajectory instead of simulating one");
     text("--json", "json", "FILE", "write the statistics here as well");
+    app.add_flag_callback(
+        "--profile", [&keys] { keys["profile"] = true; },
+        "where a frame's time goes, stage by stage, beside a copy of memory");
+    text("--trace", "trace", "FILE.json", "write a trace for Perfetto or chrome://tracing");
     count("--seed", "seed", "N", "of everything random [1]");
     app.add_flag_callback(
         "--no-pictures", [&keys] { keys["pictures"] = false; }, "numbers only");

@@ -108,6 +108,7 @@ Json to_json(const Report& report) {
     json["rate"] = scene.rate;
     json["substeps"] = scene.substeps;
     json["seed"] = scene.seed;
+    json["settle"] = scene.settle;
     json["sag_free"] = sag_free_names[scene.sim.sag_free];
     if (scene.sim.sag_free != PLAIT_SAG_FREE_OFF)
         json["sag"] = {{"residual", report.main.last.sag_residual},
@@ -125,6 +126,8 @@ Json to_json(const Report& report) {
     json["import_repairs"] = report.figure.info.repairs_total;
     json["first_repair"] = report.figure.info.first_repair;
     json["interrupted"] = report.interrupted;
+    if (report.profile)
+        json["profile"] = to_json(*report.profile);
     json["compared"] = Json::array();
     for (const Compared& other : report.beside)
         json["compared"].push_back(compared(other));
@@ -137,7 +140,10 @@ void print_report(const Report& report) {
                 run.device.backend, static_cast<unsigned long long>(run.last.strands),
                 run.last.vertices_per_strand, run.frames, report.scene.frames(),
                 report.interrupted ? ", interrupted" : "");
-    print_stages(run);
+    if (report.profile)
+        std::fputs(to_text(*report.profile).c_str(), stdout);
+    else
+        print_stages(run);
     std::printf("median frame %.2f ms; worst stretch %.2f %%, mean at the end %.2f %%; non-finite "
                 "vertices %llu\n",
                 run.median_ms(), 100.0 * static_cast<double>(run.max_stretch),

@@ -2,7 +2,9 @@
 #pragma once
 
 #include "comparison.hpp"
-#include "run.hpp"
+#include "profile.hpp"
+
+#include <optional>
 
 namespace simulate {
 
@@ -15,6 +17,7 @@ struct Report {
     const Scene& scene;
     const Figure& figure;
     Measurements main;
+    std::optional<Profile> profile;    // where it was asked for
     std::vector<Compared> beside;      // what it is compared with
     std::vector<std::string> warnings; // printed before the run, or when it started
     bool interrupted = false;

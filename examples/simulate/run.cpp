@@ -81,10 +81,23 @@ void Simulation::add_colliders() {
         hands_.push_back(create(hand.shape()));
 }
 
-void Simulation::pose_all(const plait_pose& head, float time) {
+template <typename Work>
+void Simulation::timed(Timeline& timeline, HostCall call, const Work& work) const {
+    call.begin_ns = keeps_timeline() ? Timeline::now_ns() : 0;
+    work();
+    if (keeps_timeline()) {
+        call.end_ns = Timeline::now_ns();
+        timeline.add(call);
+    }
+}
+
+void Simulation::pose_roots(const plait_pose& head) {
     plait_roots roots = plait_roots_defaults();
     roots.head = head;
     check(plait_sim_set_roots(sim_.get(), &roots));
+}
+
+void Simulation::pose_colliders(const plait_pose& head, float time) {
     for (const plait_collider_id collider : moving_)
         check(plait_collider_set_pose(sim_.get(), collider, &head));
     for (size_t i = 0; i < hands_.size(); ++i) {
@@ -93,18 +106,60 @@ void Simulation::pose_all(const plait_pose& head, float time) {
     }
 }
 
-double Simulation::step_ms(const plait_pose& head, float time) {
+double Simulation::step_ms(Timeline& timeline, uint32_t frame, const plait_pose& head) {
+    const float time = static_cast<float>(frame + 1) / static_cast<float>(scene_.rate);
+    const auto call = [&](const char* name, bool enqueues, const auto& work) {
+        timed(timeline, {name, frame, enqueues, true, 0, 0}, work);
+    };
     const auto start = std::chrono::steady_clock::now();
-    pose_all(head, time);
-    check(plait_sim_step(sim_.get(), scene_.sim.step));
-    check(plait_sim_wait(sim_.get()));
+    call("set_roots", true, [&] { pose_roots(head); });
+    call("set_colliders", false, [&] { pose_colliders(head, time); });
+    call("step", true, [&] { check(plait_sim_step(sim_.get(), scene_.sim.step)); });
+    call("wait", false, [&] { check(plait_sim_wait(sim_.get())); });
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
         .count();
 }
 
-void Simulation::measure(Measurements& measurements, uint32_t frame) {
-    measurements.last = stats();
+void Simulation::take_launches(Timeline& timeline, uint32_t frame) {
+    size_t count = 0;
+    check(plait_sim_take_launches(sim_.get(), nullptr, &count));
+    std::vector<plait_launch> launches(count, plait_launch_defaults());
+    check(plait_sim_take_launches(sim_.get(), launches.data(), &count));
+    for (size_t i = 0; i < count; ++i)
+        timeline.add(Launch{frame, launches[i]});
+}
+
+// What ran to make the sim, or to look at it, is of no frame.
+void Simulation::forget_launches() {
+    Timeline nothing;
+    take_launches(nothing, 0);
+}
+
+// What the hair does until it hangs is no part of the run, and is not measured.
+void Simulation::settle(const plait_pose& start) {
+    const long frames = std::lround(scene_.settle * static_cast<float>(scene_.rate));
+    if (frames == 0)
+        return;
+    pose_roots(start);
+    pose_colliders(start, 0.0f);
+    check(plait_sim_reset(sim_.get()));
+    Progress progress("settling  ", static_cast<uint32_t>(frames));
+    for (long frame = 0; frame < frames && !interrupted(); ++frame) {
+        check(plait_sim_step(sim_.get(), scene_.sim.step));
+        check(plait_sim_wait(sim_.get()));
+        progress.update(static_cast<uint32_t>(frame + 1));
+    }
     read_field(sim_.get(), PLAIT_FIELD_POSITION, positions_);
+    neighbours_->start(positions_);
+    stage_times(true);
+}
+
+void Simulation::measure(Measurements& measurements, uint32_t frame) {
+    const auto call = [&](const char* name, const auto& work) {
+        timed(measurements.timeline, {name, frame, false, false, 0, 0}, work);
+    };
+    call("get_stats", [&] { measurements.last = stats(); });
+    call("read", [&] { read_field(sim_.get(), PLAIT_FIELD_POSITION, positions_); });
     measurements.stretched_frames += measurements.last.max_stretch > 0.1f;
     if (measurements.last.max_stretch > measurements.max_stretch) {
         measurements.max_stretch = measurements.last.max_stretch;
@@ -146,12 +201,17 @@ void Simulation::show(uint32_t frame, const plait_pose& head,
             watcher.see({frame, time, head, positions_, vertex_count_, row_});
 }
 
-void Simulation::finish(Measurements& measurements) {
+std::vector<plait_stage_time> Simulation::stage_times(bool reset) {
     size_t count = 0;
     check(plait_sim_get_stage_times(sim_.get(), nullptr, &count, 0));
-    measurements.stages.resize(count);
-    check(plait_sim_get_stage_times(sim_.get(), measurements.stages.data(), &count, 0));
-    measurements.stages.resize(count);
+    std::vector<plait_stage_time> times(count);
+    check(plait_sim_get_stage_times(sim_.get(), times.data(), &count, reset));
+    times.resize(count);
+    return times;
+}
+
+void Simulation::finish(Measurements& measurements) {
+    measurements.stages = stage_times(false);
     check(plait_sim_hash(sim_.get(), &measurements.hash));
     measurements.device.struct_size = sizeof measurements.device;
     check(plait_context_describe(context_.get(), &measurements.device));
@@ -161,12 +221,17 @@ Measurements Simulation::run(const Motion& motion, const std::vector<Watcher>& w
                              const std::string& label) {
     Measurements measurements;
     measurements.last = stats(); // for a run that is interrupted before its first frame
+    settle(to_pose(motion.at(0.0f), figure_.pivot));
     const uint32_t frames = scene_.frames();
     Progress progress(label, frames);
     for (uint32_t frame = 0; frame < frames && !interrupted(); ++frame) {
         const float time = static_cast<float>(frame + 1) / static_cast<float>(scene_.rate);
         const plait_pose head = to_pose(motion.at(time), figure_.pivot);
-        measurements.frame_ms.push_back(step_ms(head, time));
+        if (keeps_timeline())
+            forget_launches();
+        measurements.frame_ms.push_back(step_ms(measurements.timeline, frame, head));
+        if (keeps_timeline())
+            take_launches(measurements.timeline, frame);
         measure(measurements, frame);
         show(frame, head, watchers);
         measurements.frames = frame + 1;

@@ -5,6 +5,7 @@
 #include "motion.hpp"
 #include "neighbours.hpp"
 #include "shot.hpp"
+#include "timeline.hpp"
 
 #include <functional>
 #include <string>
@@ -30,6 +31,7 @@ struct Measurements {
         uint32_t frame, strand, segment; // of max_stretch; segment 0 begins at the root
     } worst{};
     uint64_t hash = 0;
+    Timeline timeline; // empty unless scene.profile or scene.trace ask for it
     double median_ms() const;
 };
 
@@ -53,11 +55,20 @@ class Simulation {
 
   private:
     void add_colliders();
-    void pose_all(const plait_pose& head, float time);
-    double step_ms(const plait_pose& head, float time);
+    bool keeps_timeline() const { return scene_.profile || !scene_.trace.empty(); }
+    // Does `work`, and enters it under `call`, which has yet no times.
+    template <typename Work> void timed(Timeline& timeline, HostCall call, const Work& work) const;
+    void pose_roots(const plait_pose& head);
+    void pose_colliders(const plait_pose& head, float time);
+    void settle(const plait_pose& start);
+    double step_ms(Timeline& timeline, uint32_t frame, const plait_pose& head);
+    void take_launches(Timeline& timeline, uint32_t frame);
+    void forget_launches();
     void measure(Measurements& measurements, uint32_t frame);
     void find_worst(Measurements& measurements, uint32_t frame);
     void show(uint32_t frame, const plait_pose& head, const std::vector<Watcher>& watchers);
+    // Of all frames since the last reset.
+    std::vector<plait_stage_time> stage_times(bool reset);
     void finish(Measurements& measurements);
 
     const Scene& scene_;

@@ -154,22 +154,37 @@ void read_pictures(const JsonReader& top, const Json& value, PictureChoice& pict
     in.finish();
 }
 
-// A strand here stands for a lock of hair, which is stiffer than a hair for its weight. Not so a
-// curl: as a spring of a hair's own stiffness it bounces at two to three hertz.
-float lock_stiffness(const std::string& groom) {
-    return groom == "curly" ? 2.0f : 10.0f;
+// How a groom hangs, with models that bend.
+struct Hang {
+    float stiffness; // of a strand, which stands for a lock, over a hair's of the same weight
+    float drag;      // over the library's, that of a hair alone: locks also rub against one another
+    // In balance as drawn, or settled under its weight before the motion? A groom in balance weighs
+    // nothing on the head that it lies on, and is tossed off by the first shake: what falls freely
+    // settles. A short cut and a braid are held up by what the models lack, hair beneath hair.
+    plait_sag_free sag_free;
+    float settle; // s
+};
+
+Hang hang_of(const std::string& groom) {
+    if (groom == "long")
+        return {10.0f, 2.0f, PLAIT_SAG_FREE_OFF, 1.0f};
+    if (groom == "curly") // soft enough for its curls to bounce as springs
+        return {4.0f, 1.0f, PLAIT_SAG_FREE_OFF, 1.0f};
+    return {10.0f, 1.0f, PLAIT_SAG_FREE_STIFFEN, 0.0f};
 }
 
 bool bends(plait_model model) {
     return model != PLAIT_MODEL_TRESSFX && model != PLAIT_MODEL_CHAIN;
 }
 
-// What models that bend need to keep a groom's shape under its weight.
-void keep_shape(const std::string& groom, plait_sim_desc& sim) {
-    if (!bends(sim.model))
+void hang(Scene& scene) {
+    if (!bends(scene.sim.model))
         return;
-    sim.sag_free = PLAIT_SAG_FREE_STIFFEN;
-    sim.params.bend_stiffness *= lock_stiffness(groom);
+    const Hang hang = hang_of(scene.groom.name);
+    scene.sim.sag_free = hang.sag_free;
+    scene.sim.params.bend_stiffness *= hang.stiffness;
+    scene.sim.params.drag *= hang.drag;
+    scene.settle = hang.settle;
 }
 
 void read_simulation(JsonReader& top, Scene& scene) {
@@ -179,7 +194,8 @@ void read_simulation(JsonReader& top, Scene& scene) {
     top.integer("substeps", scene.substeps, 1, 1000);
     top.integer("seed", scene.seed);
     top.choice("model", scene.sim.model, model_names);
-    keep_shape(scene.groom.name, scene.sim);
+    hang(scene);
+    top.number("settle", scene.settle, 0, 60);
     top.choice("sag_free", scene.sim.sag_free, sag_free_names);
     top.integer("follows_per_guide", scene.sim.follows_per_guide, 0, 64);
     top.number("follow_radius", scene.sim.follow_radius, 0, 1);
@@ -197,10 +213,14 @@ void read_output(JsonReader& top, const Origin& origin, Scene& scene) {
     for (const auto& [key, target] : {std::pair{"out", &scene.out},
                                       {"cache", &scene.cache},
                                       {"json", &scene.json},
+                                      {"trace", &scene.trace},
                                       {"replay", &scene.replay}})
         if (top.text(key, *target))
             *target = resolve(*target, key, origin);
     top.flag("pictures", scene.pictures.wanted);
+    top.flag("profile", scene.profile);
+    if (!scene.replay.empty() && (scene.profile || !scene.trace.empty()))
+        top.fail("replay", "draws a run that is over: there is nothing to profile or to trace");
     if (const Json* camera = top.value("camera"))
         read_camera(top, *camera, scene.camera);
     if (const Json* picture = top.value("picture"))

@@ -70,12 +70,15 @@ struct Scene {
     std::vector<Collider> moving_colliders;         // beside those
     std::string motion = "shake_and_turn";          // a name or a file
     float seconds = 4.0f;
-    uint32_t rate = 60; // fixed steps and frames a second
+    float settle = 0.0f; // s before the motion, with the head as it begins
+    uint32_t rate = 60;  // fixed steps and frames a second
     uint32_t substeps = 2;
     uint64_t seed = 1;
     plait_sim_desc sim = default_sim();
     std::string device, backend; // "": the best
     std::string out = "out", cache, json, replay;
+    bool profile = false;
+    std::string trace; // file; "": none
 
     uint32_t frames() const;
     static plait_sim_desc default_sim(); // what long hair needs under real gravity

@@ -281,7 +281,7 @@ PLAIT_API plait_result plait_groom_create(const plait_groom_desc* desc,
 
 /* By extension: .tfx (TressFX 3 and 4; a .tfxbone beside it is read as skin), .hair (Cem Yuksel),
  * .obj polylines. @errors NOT_FOUND, IO, BAD_DATA (file, place, value, range),
- * UNSUPPORTED (unknown extension, or built without assimp). */
+ * UNSUPPORTED (unknown extension, or built without assimp). On Windows all paths are UTF-8. */
 PLAIT_API plait_result plait_groom_load(const char* path, const plait_import_options* options,
                                         plait_groom** out);
 
@@ -498,9 +498,9 @@ PLAIT_API plait_result plait_sim_params_set_fibre(plait_sim_params* params,
 
 typedef struct plait_sim_desc {
     uint32_t struct_size;
-    plait_model model;           /* of every strand, until plait_sim_set_models; default ARTICULATED */
-    float step;                  /* fixed step, s, [1e-5, 1], default 1/60 */
-    uint32_t substeps;           /* per fixed step, [1, 1000], default 1 */
+    plait_model model; /* of every strand, until plait_sim_set_models; default ARTICULATED */
+    float step;        /* fixed step, s, [1e-5, 1], default 1/60 */
+    uint32_t substeps; /* per fixed step, [1, 1000], default 1 */
     uint32_t max_steps_per_call; /* [1, 1000]; time beyond is dropped and counted, default 8 */
     uint32_t interpolate_output; /* 1: positions follow dt, one fixed step late; default 0 */
     uint32_t keep_last_frame;    /* 1: POSITION_LAST_FRAME is there; default 0 */
@@ -515,10 +515,10 @@ typedef struct plait_sim_desc {
 
 PLAIT_API void plait_sim_desc_init(plait_sim_desc* desc, size_t size);
 
-/* Builds now what sims and strands of the models `models`, `count` of them, will run, for strands of
- * up to `vertices_per_strand` (a groom's max_vertices): for a loading screen. plait_sim_create builds
- * what its sim runs by itself, and then finds it; the models that its strands are switched to later
- * are what it cannot know. May take seconds, without leaving anything behind but programs.
+/* Builds now what sims and strands of the models `models`, `count` of them, will run, for strands
+ * of up to `vertices_per_strand` (a groom's max_vertices): for a loading screen. plait_sim_create
+ * builds what its sim runs by itself, and then finds it; the models that its strands are switched
+ * to later are what it cannot know. May take seconds, without leaving anything behind but programs.
  * @errors UNSUPPORTED (the backend lacks a stage), COMPILE */
 PLAIT_API plait_result plait_context_prepare(plait_context* context, const plait_model* models,
                                              size_t count, uint32_t vertices_per_strand);
@@ -604,7 +604,8 @@ typedef struct plait_roots {
 
 PLAIT_API void plait_roots_init(plait_roots* roots, size_t size);
 /* Copies; checks that counts are the guides' and at least the skin's bones, rotations of length 1
- * within 1e-3, translations within 1e6 m, that bones are finite and map to more than a line. A call that fails changes nothing. */
+ * within 1e-3, translations within 1e6 m, that bones are finite and map to more than a line. A call
+ * that fails changes nothing. */
 PLAIT_API plait_result plait_sim_set_roots(plait_sim* sim, const plait_roots* roots);
 
 /* Carry the hair rigidly to new roots, at once, without dynamics. Checked as in set_roots. */
@@ -685,6 +686,28 @@ typedef struct plait_stage_time {
 PLAIT_API plait_result plait_sim_get_stage_times(plait_sim* sim, plait_stage_time* dst,
                                                  size_t* count, uint32_t reset);
 
+/* Of a sim; a caller who takes them more seldom gets the newest. */
+#define PLAIT_LAUNCHES_KEPT 65536
+
+/* One run of one stage on the device, in ns of the device's clock, which begins anywhere. Where its
+ * driver tells no times all three are 0. */
+typedef struct plait_launch {
+    uint32_t struct_size;
+    char stage[32];
+    uint64_t items;
+    uint64_t bytes;     /* that the stage has to move through memory at least */
+    uint64_t queued_ns; /* the call that caused it enqueued it */
+    uint64_t begin_ns;
+    uint64_t end_ns;
+} plait_launch;
+
+PLAIT_API void plait_launch_init(plait_launch* launch, size_t size);
+
+/* What has run for the sim since its creation or the last call, the oldest first: a list, whose
+ * elements given have their struct_size. Waits. What is written is forgotten.
+ * @errors INVALID_STATE: its context was made without profile = 1 */
+PLAIT_API plait_result plait_sim_take_launches(plait_sim* sim, plait_launch* dst, size_t* count);
+
 /* The dynamic state (no parameters) as bytes that restore on any device, into a sim of
  * the same groom, model, step and substeps. dst == NULL: its size. Both wait. It has a checksum of
  * its bytes and a fingerprint of the groom's strands as imported; beyond these every value is held
@@ -751,6 +774,7 @@ PLAIT_DEFAULTS(plait_sim_params)
 PLAIT_DEFAULTS(plait_sim_desc)
 PLAIT_DEFAULTS(plait_sim_info)
 PLAIT_DEFAULTS(plait_sim_stats)
+PLAIT_DEFAULTS(plait_launch)
 PLAIT_DEFAULTS(plait_roots)
 PLAIT_DEFAULTS(plait_collider_desc)
 #undef PLAIT_DEFAULTS

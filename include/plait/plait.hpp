@@ -193,6 +193,14 @@ class Sim : public detail::Owner<plait_sim, plait_sim_destroy> {
         times.resize(count);
         return times;
     }
+    std::vector<plait_launch> take_launches() {
+        std::size_t count = 0;
+        check(plait_sim_take_launches(get(), nullptr, &count));
+        std::vector<plait_launch> launches(count, plait_launch_defaults());
+        check(plait_sim_take_launches(get(), launches.data(), &count));
+        launches.resize(count);
+        return launches;
+    }
 
     std::vector<unsigned char> save() const {
         std::size_t size = 0;

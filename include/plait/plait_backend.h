@@ -76,6 +76,13 @@ typedef struct plait_stage_info {
 /* NULL if `stage` is out of range. Static storage. */
 PLAIT_API const plait_stage_info* plait_stage_describe(plait_stage stage);
 
+/* Bytes that a stage over item_count items has to move through memory at least, as OpenCL keeps
+ * them: of each buffer what the items touch, once for reading and once for writing. `elements` of
+ * its buffers, in the order of its non-LOCAL arguments, 0: none is passed; strands have
+ * `vertices_per_strand`. 0 if `stage` is out of range. */
+PLAIT_API uint64_t plait_stage_traffic(plait_stage stage, uint32_t item_count,
+                                       uint32_t vertices_per_strand, const size_t* elements);
+
 /* ---- memory and work ------------------------------------------------------------------------ */
 
 typedef struct plait_device plait_device; /* the backend's own */
@@ -98,12 +105,21 @@ typedef struct plait_dispatch {
     uint32_t params_size;
     uint32_t buffer_count;
     plait_buffer* const* buffers;
+    uint64_t bytes; /* plait_stage_traffic; handed on with the launch, 0: not reckoned */
 } plait_dispatch;
 
 typedef struct plait_stage_cost {
     uint64_t calls;
     double seconds;
 } plait_stage_cost;
+
+/* A dispatch that has ended, as in plait_launch. */
+typedef struct plait_stage_launch {
+    plait_stage stage;
+    uint32_t item_count;
+    uint64_t bytes;
+    uint64_t queued_ns, begin_ns, end_ns; /* all 0: unknown */
+} plait_stage_launch;
 
 typedef struct plait_device_api {
     uint32_t struct_size;
@@ -132,6 +148,10 @@ typedef struct plait_device_api {
     plait_result (*wait)(plait_device*);
     /* dst[PLAIT_STAGE_COUNT]; reset != 0 starts over. Seconds are 0 without profiling. */
     plait_result (*stage_costs)(plait_device*, plait_stage_cost* dst, int reset);
+    /* With profiling every dispatch of at least one item since the last call, in order, of more
+     * than PLAIT_LAUNCHES_KEPT the newest; without none. dst == NULL: waits and writes their
+     * number; else writes at most *count, the oldest first, and forgets these. */
+    plait_result (*take_launches)(plait_device*, plait_stage_launch* dst, size_t* count);
     /* The sentence behind the last failure; "" if none. */
     const char* (*last_error)(plait_device*);
     /* cl_mem for opencl; NULL where there is nothing to share. */
@@ -149,7 +169,7 @@ typedef struct plait_open_info {
     plait_allocator allocator; /* functions may be NULL */
     const plait_stage_source* stage_sources;
     size_t stage_source_count;
-    uint32_t lanes;     /* as in plait_context_desc */
+    uint32_t lanes;             /* as in plait_context_desc */
     const char* program_folder; /* as in plait_context_desc; may be NULL, and may be ignored */
     const void* native; /* backend-specific handles to adopt; NULL: the backend makes its own */
 } plait_open_info;

@@ -2,7 +2,25 @@
 #include "api/objects.hpp"
 #include "api/structs.hpp"
 
+#include <string_view>
+
 using namespace plait;
+
+namespace {
+
+plait_launch launch_of(const plait_stage_launch& launch) {
+    plait_launch out{};
+    const std::string_view name = plait_stage_describe(launch.stage)->name;
+    name.copy(out.stage, sizeof out.stage - 1);
+    out.items = launch.item_count;
+    out.bytes = launch.bytes;
+    out.queued_ns = launch.queued_ns;
+    out.begin_ns = launch.begin_ns;
+    out.end_ns = launch.end_ns;
+    return out;
+}
+
+} // namespace
 
 extern "C" {
 
@@ -92,6 +110,27 @@ plait_result plait_sim_get_stage_times(plait_sim* sim, plait_stage_time* dst, si
         }
         const size_t number = std::min(*count, available);
         PLAIT_TRY(sim->sim.stage_times({dst, number}, reset != 0));
+        *count = number;
+        return {};
+    });
+}
+
+void plait_launch_init(plait_launch* launch, size_t size) {
+    api::init_struct(launch, size, plait_launch{});
+}
+
+plait_result plait_sim_take_launches(plait_sim* sim, plait_launch* dst, size_t* count) {
+    return api::guard(__func__, [&]() -> Status {
+        PLAIT_TRY(api::need(sim, "sim"));
+        PLAIT_TRY(api::need(count, "count"));
+        const auto kept = sim->sim.launch_count();
+        PLAIT_TRY(kept);
+        const size_t number = dst ? std::min(*count, *kept) : *kept;
+        if (dst) {
+            PLAIT_TRY(api::write_structs(dst, number, "dst",
+                                         [&](size_t i) { return launch_of(sim->sim.launch(i)); }));
+            sim->sim.forget_launches(number);
+        }
         *count = number;
         return {};
     });

@@ -86,4 +86,8 @@ Status Device::stage_costs(plait_stage_cost* dst, bool reset) {
     return perform("stage times", [&] { return api_->stage_costs(handle_, dst, reset); });
 }
 
+Status Device::take_launches(plait_stage_launch* dst, size_t& count) {
+    return perform("launches", [&] { return api_->take_launches(handle_, dst, &count); });
+}
+
 } // namespace plait

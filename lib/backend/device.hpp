@@ -79,6 +79,7 @@ class Device {
     Status prepare(std::span<const plait_dispatch> list); // builds what the list needs
     Status wait();
     Status stage_costs(plait_stage_cost* dst, bool reset); // dst[PLAIT_STAGE_COUNT]
+    Status take_launches(plait_stage_launch* dst, size_t& count);
 
     void* native_buffer(const Buffer& buffer) {
         return api_->native_buffer(handle_, buffer.handle());

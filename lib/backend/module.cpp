@@ -1,10 +1,13 @@
 #include "backend/module.hpp"
 
 #include "base/format.hpp"
+#include "base/path.hpp"
 
 #ifdef _WIN32
 #define WIN32_LEAN_AND_MEAN
+#ifndef NOMINMAX // which the libstdc++ of MinGW defines
 #define NOMINMAX
+#endif
 #include <windows.h>
 
 #include <system_error>
@@ -17,7 +20,7 @@ namespace plait {
 #ifdef _WIN32
 
 Result<void*> open_module(const char* path) {
-    if (const HMODULE module = LoadLibraryA(path))
+    if (const HMODULE module = LoadLibraryW(native_path(path).c_str()))
         return reinterpret_cast<void*>(module);
     const std::string why = std::system_category().message(static_cast<int>(GetLastError()));
     return Error{PLAIT_NOT_FOUND, format("backend module %s: %s", path, why.c_str())};

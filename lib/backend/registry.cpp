@@ -54,6 +54,7 @@ const char* missing_function(const plait_device_api& device) {
     PLAIT_NEED(prepare)
     PLAIT_NEED(wait)
     PLAIT_NEED(stage_costs)
+    PLAIT_NEED(take_launches)
     PLAIT_NEED(last_error)
     PLAIT_NEED(native_buffer)
     PLAIT_NEED(native_queue)

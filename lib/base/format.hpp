@@ -5,9 +5,17 @@
 #include <cstdio>
 #include <string>
 
+// MinGW's C++ library prints as C99 does, where GCC's `printf` means the older C library of
+// Windows.
+#ifdef __MINGW_PRINTF_FORMAT
+#define PLAIT_PRINTF __MINGW_PRINTF_FORMAT
+#else
+#define PLAIT_PRINTF printf
+#endif
+
 namespace plait {
 
-[[gnu::format(printf, 1, 2)]] inline std::string format(const char* pattern, ...) {
+[[gnu::format(PLAIT_PRINTF, 1, 2)]] inline std::string format(const char* pattern, ...) {
     va_list arguments;
     va_start(arguments, pattern);
     va_list again;

@@ -50,7 +50,7 @@ Status prepare_models(Context& context, std::span<const plait_model> models, uin
         const bool known = stage.space != PLAIT_SPACE_VOXEL_GROUP;
         for (const uint32_t items : {1u, 1u << 20}) // few and many: compilers may tell them apart
             list.push_back({stage.stage, known ? items : 0, width_of(stage, row), nullptr,
-                            stage.params_size, stage.buffer_count, nullptr});
+                            stage.params_size, stage.buffer_count, nullptr, 0});
     }
     PLAIT_TRY(check_supported(context.device, list));
     return context.device.prepare(list);

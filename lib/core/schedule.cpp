@@ -14,13 +14,23 @@ void Schedule::add(plait_stage stage, uint32_t items, uint32_t width, const void
     std::memcpy(entry.params.data(), params, size);
     std::transform(buffers.begin(), buffers.end(), entry.buffers.begin(),
                    [](const Buffer* buffer) { return buffer ? buffer->handle() : nullptr; });
+    std::transform(buffers.begin(), buffers.end(), entry.elements.begin(),
+                   [](const Buffer* buffer) { return buffer ? buffer->count() : 0; });
     dispatches_[size_++] = {stage,
                             items,
                             width,
                             entry.params.data(),
                             static_cast<uint32_t>(size),
                             static_cast<uint32_t>(buffers.size()),
-                            entry.buffers.data()};
+                            entry.buffers.data(),
+                            0};
+}
+
+void Schedule::reckon_traffic(uint32_t vertices_per_strand) {
+    for (size_t i = 0; i < size_; ++i)
+        dispatches_[i].bytes =
+            plait_stage_traffic(dispatches_[i].stage, dispatches_[i].item_count,
+                                vertices_per_strand, entries_[i].elements.data());
 }
 
 Status Schedule::submit(Device& device) {

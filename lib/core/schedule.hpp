@@ -30,6 +30,8 @@ class Schedule {
         add(stage, items, width, &params, sizeof params, buffers);
     }
     void clear() { size_ = 0; }
+    // Fills in the bytes that each dispatch of the list moves.
+    void reckon_traffic(uint32_t vertices_per_strand);
     std::span<const plait_dispatch> list() const { return {dispatches_.data(), size_}; }
 
     // Hands the list to the device and starts a new one. UNSUPPORTED names the missing stage.
@@ -40,6 +42,7 @@ class Schedule {
     struct Entry {
         alignas(16) std::array<unsigned char, 192> params;
         std::array<plait_buffer*, most_arguments> buffers;
+        std::array<size_t, most_arguments> elements; // of each buffer
     };
 
     void add(plait_stage stage, uint32_t items, uint32_t width, const void* params, size_t size,

@@ -134,10 +134,9 @@ Status Sim::prepare_calls() {
 
 // All work passes here, so that device time is counted for the sim that caused it.
 Status Sim::submit() {
-    if (context_.profile && context_.measured != this) {
-        if (context_.measured)
-            PLAIT_TRY(context_.measured->harvest());
-        context_.measured = this;
+    if (context_.profile) {
+        PLAIT_TRY(begin_measuring());
+        schedule_.reckon_traffic(layout_.row);
     }
     for (const plait_dispatch& dispatch : schedule_.list())
         ++costs_[dispatch.stage].calls;

@@ -1,6 +1,7 @@
 // One groom moving on one context: the schedule of a call, and the state it moves.
 #pragma once
 
+#include "backend/launches.hpp"
 #include "core/clock.hpp"
 #include "core/colliders.hpp"
 #include "core/context.hpp"
@@ -88,7 +89,10 @@ class Sim {
     Status stats(plait_sim_stats& out);
     size_t stage_time_count() const;
     Status stage_times(std::span<plait_stage_time> dst, bool reset);
-    Status harvest(); // takes the device's times so far as this sim's
+    Status harvest();              // takes the device's times and launches so far as this sim's
+    Result<size_t> launch_count(); // that are kept; waits. INVALID_STATE without profiling
+    const plait_stage_launch& launch(size_t i) const { return launches_[i]; } // the oldest is 0
+    void forget_launches(size_t count) { launches_.forget(count); }
 
     // snapshot.cpp
     size_t snapshot_size();
@@ -103,6 +107,9 @@ class Sim {
     float substep_length() const { return static_cast<float>(clock_.step() / desc_.substeps); }
 
     Status submit();
+    struct Measured;
+    Status take_measured(Measured& out) const;
+    Status begin_measuring();
     Status fixed_step(double end, bool keep);
     Substep at(uint32_t substep) const;
     std::array<float, 3> air() const;                          // m/s, in this fixed step
@@ -168,6 +175,7 @@ class Sim {
     Buffer strand_stats_; // float4 [guides], from the first measurement on
     Buffer boxes_, box_;  // float4 [2*runs], [2], from the first time on that bounds are asked for
     std::array<plait_stage_cost, PLAIT_STAGE_COUNT> costs_{};
+    Launches launches_;
 };
 
 } // namespace plait

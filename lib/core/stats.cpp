@@ -73,12 +73,52 @@ uint64_t Sim::device_bytes() const {
     return bytes;
 }
 
-Status Sim::harvest() {
+// What the device has measured since it was last asked.
+struct Sim::Measured {
+    explicit Measured(Memory* memory) : launches(memory) {}
+
     std::array<plait_stage_cost, PLAIT_STAGE_COUNT> costs{};
-    PLAIT_TRY(device().stage_costs(costs.data(), true));
-    for (size_t i = 0; i < costs.size(); ++i)
-        costs_[i].seconds += costs[i].seconds;
+    std::pmr::vector<plait_stage_launch> launches;
+};
+
+Status Sim::take_measured(Measured& out) const {
+    PLAIT_TRY(device().stage_costs(out.costs.data(), true));
+    size_t count = 0;
+    PLAIT_TRY(device().take_launches(nullptr, count));
+    out.launches.resize(count);
+    if (count > 0)
+        PLAIT_TRY(device().take_launches(out.launches.data(), count));
+    out.launches.resize(count);
     return {};
+}
+
+Status Sim::harvest() {
+    Measured measured(&context_.memory);
+    PLAIT_TRY(take_measured(measured));
+    for (size_t i = 0; i < costs_.size(); ++i)
+        costs_[i].seconds += measured.costs[i].seconds;
+    for (const plait_stage_launch& launch : measured.launches)
+        launches_.add(launch);
+    return {};
+}
+
+// What was measured before is another sim's, or one's that is gone.
+Status Sim::begin_measuring() {
+    if (context_.measured == this)
+        return {};
+    Measured left(&context_.memory);
+    PLAIT_TRY(context_.measured ? context_.measured->harvest() : take_measured(left));
+    context_.measured = this;
+    return {};
+}
+
+Result<size_t> Sim::launch_count() {
+    if (!context_.profile)
+        return Error{PLAIT_INVALID_STATE,
+                     "nothing is timed: the context was made with profile 0, 1 is needed"};
+    if (context_.measured == this)
+        PLAIT_TRY(harvest());
+    return launches_.size();
 }
 
 size_t Sim::stage_time_count() const {

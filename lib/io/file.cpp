@@ -1,5 +1,7 @@
 #include "io/file.hpp"
 
+#include "base/path.hpp"
+
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
@@ -25,10 +27,14 @@ struct Close {
 };
 using File = std::unique_ptr<std::FILE, Close>;
 
+Error failure(const std::string& path, const char* doing, const std::error_code& why) {
+    const bool absent = why == std::errc::no_such_file_or_directory;
+    return {absent ? PLAIT_NOT_FOUND : PLAIT_IO,
+            format("%s: %s: %s", path.c_str(), doing, why.message().c_str())};
+}
+
 Error failure(const std::string& path, const char* doing, int code) {
-    const plait_result result = code == ENOENT ? PLAIT_NOT_FOUND : PLAIT_IO;
-    return {result, format("%s: %s: %s", path.c_str(), doing,
-                           std::generic_category().message(code).c_str())};
+    return failure(path, doing, std::error_code(code, std::generic_category()));
 }
 
 // Flushes the bytes from this process to the disk.
@@ -55,11 +61,19 @@ Status write_and_close(const std::string& path, std::FILE* opened,
     return {};
 }
 
+std::FILE* open_to_read(const std::string& path) {
+#ifdef _WIN32
+    return _wfopen(native_path(path).c_str(), L"rb");
+#else
+    return std::fopen(path.c_str(), "rb");
+#endif
+}
+
 // A new file; an error where there is one of that name.
 std::FILE* open_new(const std::string& path) {
 #ifdef _WIN32 // whose older C library knows no mode "x"
-    const int made =
-        _open(path.c_str(), _O_CREAT | _O_EXCL | _O_BINARY | _O_WRONLY, _S_IREAD | _S_IWRITE);
+    const int made = _wopen(native_path(path).c_str(), _O_CREAT | _O_EXCL | _O_BINARY | _O_WRONLY,
+                            _S_IREAD | _S_IWRITE);
     return made < 0 ? nullptr : _fdopen(made, "wb");
 #else
     return std::fopen(path.c_str(), "wbx");
@@ -76,11 +90,11 @@ std::string temporary_name(const std::string& path) {
 
 Status check_file(const std::string& path) {
     std::error_code error;
-    const fs::file_status status = fs::status(path, error);
+    const fs::file_status status = fs::status(native_path(path), error);
     if (status.type() == fs::file_type::not_found)
         return Error{PLAIT_NOT_FOUND, format("%s: there is no such file", path.c_str())};
     if (error)
-        return failure(path, "cannot look at it", error.value());
+        return failure(path, "cannot look at it", error);
     if (status.type() != fs::file_type::regular)
         return Error{PLAIT_IO, format("%s: is %s, not a regular file", path.c_str(),
                                       fs::is_directory(status) ? "a directory" : "special")};
@@ -90,10 +104,10 @@ Status check_file(const std::string& path) {
 Result<ByteVector> read_file(const std::string& path, std::pmr::memory_resource* memory) {
     PLAIT_TRY(check_file(path));
     std::error_code error;
-    const uintmax_t size = fs::file_size(path, error);
+    const uintmax_t size = fs::file_size(native_path(path), error);
     if (error)
-        return failure(path, "cannot get its size", error.value());
-    File file(std::fopen(path.c_str(), "rb"));
+        return failure(path, "cannot get its size", error);
+    File file(open_to_read(path));
     if (!file)
         return failure(path, "cannot open", errno);
     ByteVector bytes(static_cast<size_t>(size), memory);
@@ -112,12 +126,12 @@ Status write_file(const std::string& path, std::span<const std::byte> bytes) {
     Status status = write_and_close(path, file, bytes);
     std::error_code error;
     if (status) {
-        fs::rename(temporary, path, error);
+        fs::rename(native_path(temporary), native_path(path), error);
         if (!error)
             return {};
-        status = failure(path, "cannot put the new file in its place", error.value());
+        status = failure(path, "cannot put the new file in its place", error);
     }
-    fs::remove(temporary, error);
+    fs::remove(native_path(temporary), error);
     return status;
 }
 

@@ -1,19 +1,17 @@
 #include "io/io.hpp"
 
+#include "base/path.hpp"
 #include "io/file.hpp"
 #include "io/formats.hpp"
 
 #include <algorithm>
-#include <filesystem>
 #include <new>
 
 namespace plait {
 namespace {
 
-namespace fs = std::filesystem;
-
 std::string extension_of(const std::string& path) {
-    std::string extension = fs::path(path).extension().string();
+    std::string extension = utf8_path(native_path(path).extension());
     std::transform(extension.begin(), extension.end(), extension.begin(), [](char c) {
         return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
     });
@@ -21,7 +19,7 @@ std::string extension_of(const std::string& path) {
 }
 
 std::string skin_path(const std::string& path) {
-    return fs::path(path).replace_extension(".tfxbone").string();
+    return utf8_path(native_path(path).replace_extension(".tfxbone"));
 }
 
 Status read_skin_beside(const std::string& path, StrandSet& strands) {

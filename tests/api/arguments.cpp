@@ -177,6 +177,8 @@ TEST(Arguments, NullPointers) {
          [](O& o) { return plait_sim_get_stage_times(nullptr, nullptr, &o.size, 0); }},
         {"count is NULL",
          [](O& o) { return plait_sim_get_stage_times(o.sim, nullptr, nullptr, 0); }},
+        {"sim is NULL", [](O& o) { return plait_sim_take_launches(nullptr, nullptr, &o.size); }},
+        {"count is NULL", [](O& o) { return plait_sim_take_launches(o.sim, nullptr, nullptr); }},
         {"sim is NULL", [](O& o) { return plait_sim_save(nullptr, nullptr, &o.size); }},
         {"size is NULL", [](O& o) { return plait_sim_save(o.sim, nullptr, nullptr); }},
         {"sim is NULL", [](O& o) { return plait_sim_restore(nullptr, o.floats.data(), 4); }},

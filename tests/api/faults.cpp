@@ -3,8 +3,8 @@
 #include "faulty.hpp"
 #include "support.hpp"
 
-#include <cstdlib>
 #include <memory_resource>
+#include <new>
 
 namespace {
 
@@ -19,11 +19,11 @@ struct Pool {
         if (pool->made++ == pool->fail_at)
             return nullptr;
         ++pool->live;
-        return std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
+        return ::operator new(size, std::align_val_t(alignment), std::nothrow);
     }
-    static void release(void* memory, size_t, size_t, void* user) {
+    static void release(void* memory, size_t, size_t alignment, void* user) {
         --static_cast<Pool*>(user)->live;
-        std::free(memory);
+        ::operator delete(memory, std::align_val_t(alignment));
     }
     plait_allocator allocator() { return {allocate, release, this}; }
 };

@@ -18,7 +18,7 @@ face               face shared CL
 examples           face assets CL CLI Eigen nlohmann embree cairo assimp
 assets             face CLI
 cases              face shared
-bench              face shared assets benchmark
+bench              face shared assets benchmark nlohmann
 '
 
 sources() { # the files that belong to a layer

@@ -11,6 +11,7 @@
 
 namespace bench {
 
+void register_ceilings(uint32_t device, Results& results);
 void register_stages(uint32_t device, Results& results);
 void register_steps(uint32_t device, Results& results);
 void register_characters(uint32_t device, Results& results);

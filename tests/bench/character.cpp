@@ -1,19 +1,107 @@
-// A frame as a character has it: long hair on the mannequin, whose head turns to and fro, alone, with
-// the mannequin's capsules, and with these and the grid between strands.
+// A frame as a character has it: long hair on the mannequin, whose head turns to and fro, alone,
+// with the mannequin's capsules, and with these and the grid between strands. Then little hair,
+// where what a frame costs whatever its size is most of it, and many characters beside one of as
+// many strands.
 #include "bench.hpp"
 #include "sim.hpp"
 
 #include <generator/generator.hpp>
 
 #include <cmath>
+#include <map>
 #include <vector>
 
 namespace bench {
 namespace {
 
 constexpr uint32_t strand_counts[] = {3000, 30000};
+constexpr uint32_t few_strands = 100;
 constexpr uint32_t settling = 30;       // frames before those that count
 constexpr uint32_t frames_of_turn = 60; // there and back
+constexpr const char* scenes[] = {"alone", "bodies", "everything"};
+
+struct Crowd {
+    uint32_t sims, strands; // of each
+};
+constexpr Crowd crowds[] = {{100, 500}, {1, 50000}};
+
+plait_collider_desc desc_of(const plait_generator::Capsule& capsule) {
+    plait_collider_desc desc = plait_collider_desc_defaults();
+    for (int i = 0; i < 3; ++i) {
+        desc.a[i] = capsule.a[i];
+        desc.b[i] = capsule.b[i];
+    }
+    desc.radius_a = capsule.radius_a;
+    desc.radius_b = capsule.radius_b;
+    return desc;
+}
+
+plait_sim_desc desc_of(plait_model model, Scene scene) {
+    plait_sim_desc desc = plait_sim_desc_defaults();
+    desc.model = model;
+    desc.params.interhair =
+        scene == Scene::everything ? PLAIT_INTERHAIR_EXACT : PLAIT_INTERHAIR_OFF;
+    return desc;
+}
+
+class Character {
+  public:
+    Character(plait_context* context, plait_groom* groom, plait_model model, Scene scene);
+
+    void begin_frame(); // does not wait
+    void end_frame();
+
+  private:
+    Sim sim_;
+    std::vector<plait_collider_id> on_head_;
+    uint32_t number_ = 0;
+};
+
+Character::Character(plait_context* context, plait_groom* groom, plait_model model, Scene scene)
+    : sim_(make_sim(context, groom, desc_of(model, scene))) {
+    if (scene == Scene::alone)
+        return;
+    for (const auto& capsule : plait_generator::head_colliders()) {
+        const plait_collider_desc desc = desc_of(capsule);
+        plait_collider_id id{};
+        check(plait_collider_create(sim_.get(), &desc, &id));
+        if (capsule.moves_with_head)
+            on_head_.push_back(id);
+    }
+}
+
+void Character::begin_frame() {
+    const float turn = static_cast<float>(number_++ % frames_of_turn) / frames_of_turn;
+    const float half = 0.25f * std::sin(6.2831853f * turn); // rad, about y
+    plait_roots roots = plait_roots_defaults();
+    roots.head = {{0, std::sin(half), 0, std::cos(half)}, {0, 0, 0}};
+    check(plait_sim_set_roots(sim_.get(), &roots));
+    for (const plait_collider_id collider : on_head_)
+        check(plait_collider_set_pose(sim_.get(), collider, &roots.head));
+    check(plait_sim_step(sim_.get(), 1.0 / 60 + 1e-9));
+}
+
+void Character::end_frame() {
+    check(plait_sim_wait(sim_.get()));
+}
+
+double seconds_of_frame(std::vector<Character>& characters) {
+    const auto start = std::chrono::steady_clock::now();
+    for (Character& character : characters)
+        character.begin_frame();
+    characters.back().end_frame(); // the queue is in order
+    return seconds_since(start);
+}
+
+std::string row_name(uint32_t device, const std::string& group, uint32_t strands, const char* model,
+                     Scene scene) {
+    return "device:" + std::to_string(device) + "/" + group +
+           "/strands:" + std::to_string(strands) + "/" + model + "/" +
+           scenes[static_cast<int>(scene)];
+}
+
+// Grooms, grown by the first row that is run.
+using Grooms = std::map<uint32_t, Groom>;
 
 Groom long_hair(uint32_t strands) {
     plait_generator::Style style = plait_generator::make_style(plait_generator::Hairstyle::Long);
@@ -28,96 +116,70 @@ Groom long_hair(uint32_t strands) {
     return Groom(groom);
 }
 
-class Character {
-  public:
-    Character(const plait_device_info& device, plait_groom* groom, plait_model model, Scene scene)
-        : context_(make_context(device)) {
-        plait_sim_desc desc = plait_sim_desc_defaults();
-        desc.model = model;
-        desc.params.interhair =
-            scene == Scene::everything ? PLAIT_INTERHAIR_EXACT : PLAIT_INTERHAIR_OFF;
-        sim_ = make_sim(context_.get(), groom, desc);
-        if (scene != Scene::alone)
-            for (const auto& capsule : plait_generator::head_colliders())
-                add(capsule);
-        for (uint32_t i = 0; i < settling; ++i)
-            frame();
-    }
-
-    // Seconds.
-    double frame() {
-        const float turn = static_cast<float>(number_++ % frames_of_turn) / frames_of_turn;
-        const float half = 0.25f * std::sin(6.2831853f * turn); // rad, about y
-        plait_roots roots = plait_roots_defaults();
-        roots.head = {{0, std::sin(half), 0, std::cos(half)}, {0, 0, 0}};
-        const auto start = std::chrono::steady_clock::now();
-        check(plait_sim_set_roots(sim_.get(), &roots));
-        for (const plait_collider_id collider : on_head_)
-            check(plait_collider_set_pose(sim_.get(), collider, &roots.head));
-        check(plait_sim_step(sim_.get(), 1.0 / 60 + 1e-9));
-        check(plait_sim_wait(sim_.get()));
-        return seconds_since(start);
-    }
-
-  private:
-    void add(const plait_generator::Capsule& capsule) {
-        plait_collider_desc desc = plait_collider_desc_defaults();
-        for (int i = 0; i < 3; ++i) {
-            desc.a[i] = capsule.a[i];
-            desc.b[i] = capsule.b[i];
-        }
-        desc.radius_a = capsule.radius_a;
-        desc.radius_b = capsule.radius_b;
-        plait_collider_id id{};
-        check(plait_collider_create(sim_.get(), &desc, &id));
-        if (capsule.moves_with_head)
-            on_head_.push_back(id);
-    }
-
-    Context context_;
-    Sim sim_;
-    std::vector<plait_collider_id> on_head_;
-    uint32_t number_ = 0;
-};
-
-// Over whole turns, since what touches changes with the turn.
-void measure(benchmark::State& state, Character& character, double& seconds) {
+// Seconds of a frame, a mean over whole turns, since what touches changes with the turn. The
+// characters are stepped one after another, on one context.
+double measure_turns(benchmark::State& state, std::vector<Character>& characters) {
+    for (uint32_t i = 0; i < settling; ++i)
+        seconds_of_frame(characters);
     double total = 0;
     uint64_t frames = 0;
     for ([[maybe_unused]] auto _ : state) {
         double turn = 0;
         for (uint32_t i = 0; i < frames_of_turn; ++i)
-            turn += character.frame();
+            turn += seconds_of_frame(characters);
         state.SetIterationTime(turn);
         total += turn;
         frames += frames_of_turn;
     }
-    seconds = total / static_cast<double>(frames);
+    const double seconds = total / static_cast<double>(frames);
     state.counters["ms/frame"] = 1e3 * seconds;
+    return seconds;
+}
+
+void register_crowd(uint32_t index, const Crowd& crowd, const NamedModel& named,
+                    const std::shared_ptr<Grooms>& grooms, Results& results) {
+    register_row(row_name(index, "sims:" + std::to_string(crowd.sims), crowd.strands, named.name,
+                          Scene::everything),
+                 results, [=, &named, &results](benchmark::State& state) {
+                     Groom& groom = (*grooms)[crowd.strands];
+                     if (!groom)
+                         groom = long_hair(crowd.strands);
+                     DeviceResults& device = results.devices[index];
+                     const Context context = make_context(device.device);
+                     std::vector<Character> characters;
+                     for (uint32_t i = 0; i < crowd.sims; ++i)
+                         characters.emplace_back(context.get(), groom.get(), named.model,
+                                                 Scene::everything);
+                     device.crowd_seconds[{crowd.sims, crowd.strands, named.name}] =
+                         measure_turns(state, characters);
+                 });
 }
 
 } // namespace
 
 void register_characters(uint32_t index, Results& results) {
-    constexpr const char* scenes[] = {"alone", "bodies", "everything"};
-    for (const uint32_t strands : strand_counts) {
-        const auto groom = std::make_shared<Groom>(); // grown by the first row that is run
+    const auto grooms = std::make_shared<Grooms>();
+    for (const uint32_t strands : strand_counts)
         for (const NamedModel& named : models)
             for (const Scene scene : {Scene::alone, Scene::bodies, Scene::everything})
-                register_row("device:" + std::to_string(index) + "/character/strands:" +
-                                 std::to_string(strands) + "/" + named.name + "/" +
-                                 scenes[static_cast<int>(scene)],
-                             results,
+                register_row(row_name(index, "character", strands, named.name, scene), results,
                              [=, &named, &results](benchmark::State& state) {
+                                 Groom& groom = (*grooms)[strands];
+                                 if (!groom)
+                                     groom = long_hair(strands);
                                  DeviceResults& device = results.devices[index];
-                                 if (!*groom)
-                                     *groom = long_hair(strands);
-                                 Character character(device.device, groom->get(), named.model,
-                                                     scene);
-                                 measure(state, character,
-                                         device.character_seconds[{strands, named.name, scene}]);
+                                 const Context context = make_context(device.device);
+                                 std::vector<Character> one;
+                                 one.emplace_back(context.get(), groom.get(), named.model, scene);
+                                 device.character_seconds[{strands, named.name, scene}] =
+                                     measure_turns(state, one);
                              });
-    }
+    for (const NamedModel& named : models)
+        register_crowd(index, {1, few_strands}, named, grooms, results);
+    for (const NamedModel& named : models)
+        if (named.model == plait_sim_desc_defaults().model)
+            for (const Crowd& crowd : crowds)
+                register_crowd(index, crowd, named, grooms, results);
 }
 
 } // namespace bench

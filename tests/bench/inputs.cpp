@@ -7,6 +7,7 @@
 #include <cstring>
 #include <map>
 #include <numbers>
+#include <span>
 #include <stdexcept>
 #include <string>
 
@@ -105,6 +106,7 @@ void fill(plait_lane_grid_params& p, const Shape& shape) {
     p.diffuse_ratio = grid.diffuse_ratio;
     p.diffuse_factor = grid.diffuse_factor;
     p.diffuse_floor = grid.diffuse_floor;
+    p.history = 1;
 }
 void fill(plait_lane_state_params& p, const Shape& shape) {
     p = {shape.vertices, shape.tile, 0};
@@ -115,7 +117,7 @@ void fill(plait_lane_layout_params& p, const Shape& shape) {
 void fill(plait_lane_move_params& p, const Shape& shape) {
     p = {shape.vertices, shape.tile, 3};
 }
-void fill(plait_lane_fit_params& p, const Shape& shape) {
+void fill(plait_lane_history_params& p, const Shape& shape) {
     p = {shape.vertices, shape.tile, step, 1};
 }
 void fill(plait_bounds_params& p, const Shape& shape) {
@@ -364,15 +366,6 @@ const std::map<std::string, Maker>& makers() {
     return table;
 }
 
-// Words of a grid buffer that one vertex touches; 0: not a grid buffer.
-size_t grid_words_per_vertex(const std::string& name) {
-    if (name == "grid_sum")
-        return 8 * PLAIT_SUM_STRIDE; // eight nodes
-    if (name == "grid_velocity")
-        return 4;
-    return name.starts_with("grid_") ? 1 : 0;
-}
-
 } // namespace
 
 std::vector<unsigned char> typical_params(plait_stage stage, const Shape& shape) {
@@ -428,19 +421,14 @@ std::vector<uint32_t> typical_buffer(const plait_stage_info& stage, const plait_
     return maker->second(shape);
 }
 
-double least_traffic(const plait_stage_info& stage, const Shape& shape) {
-    double bytes = 0;
-    for (uint32_t index = 0; index < stage.arg_count; ++index) {
-        const plait_stage_arg& arg = stage.args[index];
-        if (arg.access == PLAIT_ACCESS_LOCAL)
-            continue;
-        size_t words = typical_buffer(stage, arg, shape).size();
-        if (const size_t touched = grid_words_per_vertex(arg.name);
-            touched > 0 && stage.space != PLAIT_SPACE_VOXEL_GROUP)
-            words = std::min(words, touched * shape.total());
-        bytes += 4.0 * static_cast<double>(words) * (arg.access == PLAIT_ACCESS_READWRITE ? 2 : 1);
-    }
-    return bytes;
+uint64_t traffic(const plait_stage_info& stage, const Shape& shape) {
+    std::vector<size_t> elements;
+    for (const plait_stage_arg& arg : std::span(stage.args, stage.arg_count))
+        if (arg.access != PLAIT_ACCESS_LOCAL)
+            elements.push_back(typical_buffer(stage, arg, shape).size() /
+                               (arg.element == PLAIT_ELEMENT_FLOAT4 ? 4 : 1));
+    return plait_stage_traffic(stage.stage, item_count(stage.stage, shape), shape.vertices,
+                               elements.data());
 }
 
 std::vector<float> root_positions(uint32_t strands) {

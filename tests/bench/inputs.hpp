@@ -30,9 +30,8 @@ uint32_t item_width(plait_stage stage, const Shape& shape);
 std::vector<uint32_t> typical_buffer(const plait_stage_info& stage, const plait_stage_arg& arg,
                                      const Shape& shape);
 
-// What the stage has to move through memory at least, bytes: every buffer once for reading, once
-// for writing; of a grid buffer only what one vertex touches, where items are vertices.
-double least_traffic(const plait_stage_info& stage, const Shape& shape);
+// What the stage has to move through memory at least, bytes, by plait_stage_traffic.
+uint64_t traffic(const plait_stage_info& stage, const Shape& shape);
 
 // Root positions spread evenly over the upper half of a sphere (a Fibonacci lattice), xyz each.
 std::vector<float> root_positions(uint32_t strands);

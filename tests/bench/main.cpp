@@ -1,12 +1,16 @@
-// plait-bench [--strands=N] [--vertices=V] [--write=FOLDER] [Google Benchmark's own options]
+// plait-bench [options] [Google Benchmark's options]: measures.
+// plait-bench compare OLD.json NEW.json: says what has changed.
 #include "bench.hpp"
+#include "compare.hpp"
 #include "device.hpp"
+#include "json_files.hpp"
 #include "page.hpp"
 
 #include <algorithm>
 #include <charconv>
 #include <cstdio>
 #include <cstdlib>
+#include <iostream>
 #include <string_view>
 
 namespace bench {
@@ -17,6 +21,11 @@ constexpr char usage[] =
     "  --strands=N     strands of the stage rows, 1 to 1000000 (10000)\n"
     "  --vertices=V    vertices per strand, 2 to 256 (32)\n"
     "  --write=FOLDER  write bench-<device>.md and .csv there\n"
+    "  --json=FOLDER   write bench-<device>.json there, for compare\n"
+    "plait-bench compare OLD.json NEW.json [--least=PERCENT]\n"
+    "  prints every row of both runs, and which became faster or slower: where no repetition\n"
+    "  of one run is within the other's, and the medians are PERCENT (5) apart at least. That\n"
+    "  takes three repetitions or more: --benchmark_repetitions=5\n"
     "The rest goes to Google Benchmark, such as --benchmark_filter=stage/wind, --help.\n";
 
 uint32_t number(std::string_view argument, std::string_view value, uint32_t low, uint32_t high) {
@@ -41,6 +50,8 @@ Options take_options(int& argc, char** argv) {
             options.vertices = number(argument, value, 2, PLAIT_MAX_VERTICES);
         else if (argument.starts_with("--write="))
             options.write = value;
+        else if (argument.starts_with("--json="))
+            options.json = value;
         else
             return false;
         return true;
@@ -60,16 +71,28 @@ int run(int argc, char** argv) {
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv))
         return 2;
+    benchmark::AddCustomContext("size", std::to_string(results.options.strands) + " strands of " +
+                                            std::to_string(results.options.vertices) + " vertices");
     const auto devices = opencl_devices();
     for (uint32_t index = 0; index < devices.size(); ++index) {
         results.devices[index].device = devices[index];
         std::printf("device:%u is %s (%s), driver %s\n", index, devices[index].name,
                     devices[index].platform, devices[index].driver);
+        benchmark::AddCustomContext("device:" + std::to_string(index),
+                                    std::string(devices[index].name) + "; " +
+                                        devices[index].platform);
+        benchmark::AddCustomContext("driver:" + std::to_string(index), devices[index].driver);
+        register_ceilings(index, results);
         register_stages(index, results);
         register_steps(index, results);
         register_characters(index, results);
     }
-    benchmark::RunSpecifiedBenchmarks();
+    if (results.options.json.empty()) {
+        benchmark::RunSpecifiedBenchmarks();
+    } else {
+        JsonFiles reporter(results);
+        benchmark::RunSpecifiedBenchmarks(&reporter);
+    }
     if (!results.options.write.empty())
         write_pages(results);
     std::fputs(results.failures.c_str(), stderr);
@@ -81,6 +104,8 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
     try {
+        if (argc > 1 && std::string_view(argv[1]) == "compare")
+            return bench::compare_command({argv + 2, argv + argc}, std::cout);
         return bench::run(argc, argv);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "plait-bench: %s\n", error.what());

@@ -39,7 +39,8 @@ std::string load_before(const Options& options) {
     return text("%.1f on %u processors", options.load, std::thread::hardware_concurrency());
 }
 
-// "pthread-haswell-AMD EPYC" on "Portable Computing Language" -> "pthread-haswell-amd-epyc"
+} // namespace
+
 std::string slug(const plait_device_info& device) {
     std::string name;
     for (const char* c = device.name; *c; ++c)
@@ -51,6 +52,8 @@ std::string slug(const plait_device_info& device) {
         name.pop_back();
     return name;
 }
+
+namespace {
 
 std::string header(const Options& options, const plait_device_info& device) {
     return text("# Cost on %s\n\n"
@@ -65,6 +68,16 @@ std::string header(const Options& options, const plait_device_info& device) {
                 device.name, device.name, device.compute_units, device.platform, device.driver,
                 today().c_str(), load_before(options).c_str(), PLAIT_VERSION_MAJOR,
                 PLAIT_VERSION_MINOR, PLAIT_VERSION_PATCH);
+}
+
+// What the device gives at the most, where it was measured.
+std::string ceilings(const DeviceResults& results) {
+    if (results.copy_rate == 0 && results.flop_rate == 0)
+        return "";
+    return text(
+        "\n## Ceilings\n\nMeasured in the same process: a copy of 64 MiB %.2f GB/s, read and "
+        "written; multiply-adds in registers %.1f GFLOP/s.\n",
+        1e-9 * results.copy_rate, 1e-9 * results.flop_rate);
 }
 
 std::string stage_table(const Options& options, const DeviceResults& results) {
@@ -177,15 +190,33 @@ std::string character_table(const DeviceResults& results) {
         }
         rows += last > 0 ? text(" %.0f |\n", strands / (60.0 * last)) : " - |\n";
     }
-    return text("\n## A character\n\nMilliseconds of a frame of long hair on a mannequin whose head "
-                "turns to and fro by 29 degrees in a second, each model as it is by default: hair "
-                "alone, with the mannequin's 14 capsules, and with these and the grid between "
-                "strands (exact sums). Means over whole turns. Strands of %u vertices; last, how "
-                "many of them go into 1/60 s with everything on.\n\n"
-                "| strands | model | alone | + 14 capsules | + grid | at 60 Hz |\n"
-                "|---:|---|---:|---:|---:|---:|\n",
-                model_vertices) +
+    return text(
+               "\n## A character\n\nMilliseconds of a frame of long hair on a mannequin whose head "
+               "turns to and fro by 29 degrees in a second, each model as it is by default: hair "
+               "alone, with the mannequin's 14 capsules, and with these and the grid between "
+               "strands (exact sums). Means over whole turns. Strands of %u vertices; last, how "
+               "many of them go into 1/60 s with everything on.\n\n"
+               "| strands | model | alone | + 14 capsules | + grid | at 60 Hz |\n"
+               "|---:|---|---:|---:|---:|---:|\n",
+               model_vertices) +
            rows;
+}
+
+std::string crowd_table(const DeviceResults& results) {
+    if (results.crowd_seconds.empty())
+        return "";
+    std::string rows;
+    for (const auto& [key, seconds] : results.crowd_seconds)
+        rows += text("| %u | %u | %s | %.3g | %.0f |\n", key.sims, key.strands, key.model.c_str(),
+                     1e3 * seconds, 1e6 * seconds / key.sims);
+    constexpr char head[] =
+        "\n## Small, and many\n\nThe same character with everything on: little hair, of whose step "
+        "the "
+        "part is large that does not depend on its size; and many sims of one context, stepped one "
+        "after "
+        "another and waited for once, beside one sim of as many strands.\n\n"
+        "| sims | strands of each | model | ms/frame | us/sim |\n|---:|---:|---|---:|---:|\n";
+    return head + rows;
 }
 
 std::string csv(const Options& options, const DeviceResults& results) {
@@ -208,6 +239,9 @@ std::string csv(const Options& options, const DeviceResults& results) {
     for (const auto& [key, seconds] : results.character_seconds)
         rows += text("character %s %s,%u,%u,%.9g,,\n", key.model.c_str(),
                      scenes[static_cast<int>(key.scene)], key.strands, model_vertices, seconds);
+    for (const auto& [key, seconds] : results.crowd_seconds)
+        rows += text("sims:%u %s everything,%u,%u,%.9g,,\n", key.sims, key.model.c_str(),
+                     key.strands, model_vertices, seconds);
     return rows;
 }
 
@@ -225,15 +259,15 @@ void write_pages(const Results& results) {
     const std::filesystem::path folder = results.options.write;
     std::filesystem::create_directories(folder);
     for (const auto& [index, device] : results.devices) {
-        if (device.stages.empty() && device.step_seconds.empty() &&
-            device.model_seconds.empty() && device.character_seconds.empty())
+        if (device.stages.empty() && device.step_seconds.empty() && device.model_seconds.empty() &&
+            device.character_seconds.empty() && device.crowd_seconds.empty())
             continue; // filtered out
         const std::string name = "bench-" + slug(device.device);
         write_file(folder / (name + ".csv"), csv(results.options, device));
         write_file(folder / (name + ".md"),
-                   header(results.options, device.device) + stage_table(results.options, device) +
-                       step_table(results.options, device) + model_table(device) +
-                       character_table(device));
+                   header(results.options, device.device) + ceilings(device) +
+                       stage_table(results.options, device) + step_table(results.options, device) +
+                       model_table(device) + character_table(device) + crowd_table(device));
     }
 }
 

@@ -15,6 +15,7 @@ struct Options {
     uint32_t strands = 10000; // of the stage rows
     uint32_t vertices = 32;   // per strand, of the rows of stages and of the thesis's table
     std::string write;        // folder for the page and the CSV file; empty: none
+    std::string json;         // folder for a file of the rows of each device; empty: none
     double load = 0;          // of the host in the minute before
 };
 
@@ -38,12 +39,22 @@ struct SceneKey {
     auto operator<=>(const SceneKey&) const = default;
 };
 
+// So many sims on one context, each with so many strands.
+struct CrowdKey {
+    uint32_t sims, strands;
+    std::string model;
+    auto operator<=>(const CrowdKey&) const = default;
+};
+
 struct DeviceResults {
     plait_device_info device{};
     std::map<int, StageRow> stages;                                   // by plait_stage
     std::map<std::pair<uint32_t, Interhair>, double> step_seconds;    // of tressfx, by strands
     std::map<std::pair<uint32_t, std::string>, double> model_seconds; // by strands and model
     std::map<SceneKey, double> character_seconds;
+    std::map<CrowdKey, double> crowd_seconds; // of a frame of all of them, with everything on
+    double copy_rate = 0;                     // bytes/s, read and written; 0: not measured
+    double flop_rate = 0;                     // of multiply-adds, two each
 };
 
 struct Results {

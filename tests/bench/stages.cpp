@@ -27,9 +27,14 @@ class Rig {
             if (const plait_stage_arg& arg = info.args[index]; arg.access != PLAIT_ACCESS_LOCAL)
                 add(device.make(stored_as(arg.element), arg.name,
                                 typical_buffer(info, arg, shape)));
-        dispatch_ = {stage,          item_count(stage, shape), item_width(stage, shape),
-                     params_.data(), info.params_size,         info.buffer_count,
-                     handles_.data()};
+        dispatch_ = {stage,
+                     item_count(stage, shape),
+                     item_width(stage, shape),
+                     params_.data(),
+                     info.params_size,
+                     info.buffer_count,
+                     handles_.data(),
+                     0};
         run(); // compiles what is compiled at first use
     }
 
@@ -90,7 +95,7 @@ void measure(benchmark::State& state, uint32_t index, plait_stage stage, Results
     Device device(index);
     Rig rig(device, stage, shape);
     StageRow row;
-    row.bytes = least_traffic(*plait_stage_describe(stage), shape);
+    row.bytes = static_cast<double>(traffic(*plait_stage_describe(stage), shape));
     Copy copy(index, row.bytes);
     for ([[maybe_unused]] auto _ : state) {
         const double seconds = rig.run();

@@ -164,6 +164,9 @@ LaneGridHair over_lanes(const GridHair& hair) {
             lanes.v.push_back(static_cast<float>((x - at(hair.position_prev, vertex, c)) /
                                                  static_cast<double>(hair.params.h)));
         }
+    lanes.v_before = lanes.v;
+    for (float& v : lanes.v_before)
+        v *= 0.7f;
     const plait_grid_params& grid = hair.params;
     lanes.params = {grid.vertex_stride,
                     1,
@@ -175,7 +178,8 @@ LaneGridHair over_lanes(const GridHair& hair) {
                     grid.diffuse_rule,
                     grid.diffuse_ratio,
                     grid.diffuse_factor,
-                    grid.diffuse_floor};
+                    grid.diffuse_floor,
+                    0};
     return lanes;
 }
 

@@ -41,7 +41,7 @@ GridField make_grid_field(const GridHair& hair);
 
 // The same hair and grid as strands over lanes have them: [strand][V][3] and parameters.
 struct LaneGridHair {
-    std::vector<float> x, v;
+    std::vector<float> x, v, v_before;
     plait_lane_grid_params params;
 };
 LaneGridHair over_lanes(const GridHair& hair);

@@ -6,8 +6,8 @@ namespace plait::cases {
 Case lane_pack_case() {
     Case result = {PLAIT_STAGE_lane_pack,
                    {},
-                   {{"lane_x", 1e-6}, {"lane_v", 6e-5}},
-                   {"position.w", "lane_x", "lane_v"}}; // pinned or not; written but for the root
+                   {{"lane_x", 1e-6}, {"lane_v", 6e-5}, {"lane_v_before", 6e-5}},
+                   {"position.w", "lane_x"}}; // pinned or not; written but for the root
     for (const Size& size : sizes()) {
         const LaneHair lanes = make_lane_hair(size, 37);
         Setup setup;
@@ -18,13 +18,17 @@ Case lane_pack_case() {
                          float4s(lanes.hair.position),
                          float4s(lanes.hair.position_prev),
                          lane_floats(lanes.x, 3),
-                         lane_floats(lanes.v, 3)};
-        result.setups.push_back(setup.with(plait_lane_layout_params{size.stride, 1, 1.0f / 60}));
+                         lane_floats(lanes.v, 3),
+                         lane_floats(lanes.v_before, 3)};
+        result.setups.push_back(
+            setup.with(plait_lane_history_params{size.stride, 1, 1.0f / 60, 1}));
         // all strands but one, in another order
         setup.name += ", reordered";
         setup.items -= size.stride;
         setup.buffers[0] = uints(other_order(size.strands, size.strands - 1));
-        result.setups.push_back(setup);
+        // the step before is there, so that keeping it is a fair disturbance
+        result.setups.push_back(
+            setup.with(plait_lane_history_params{size.stride, 1, 1.0f / 60, 0}));
     }
     return result;
 }

@@ -14,7 +14,7 @@ Case lane_splat_case() {
     Case result = {PLAIT_STAGE_lane_splat,
                    {},
                    {},
-                   {"diffuse_rule", "diffuse_ratio", "diffuse_factor", "diffuse_floor"},
+                   {"diffuse_rule", "diffuse_ratio", "diffuse_factor", "diffuse_floor", "history"},
                    {{"grid_sum", compare_sums_of_lanes}}};
     for (GridHair hair : make_grid_hair())
         for (uint32_t tent : {PLAIT_TENT_VOXEL, PLAIT_TENT_TRILINEAR}) {

@@ -147,7 +147,8 @@ Outputs run(const plait_device_api& api, plait_device* device, plait_stage stage
                                      setup.params.data(),
                                      static_cast<uint32_t>(setup.params.size()),
                                      bindings.count(),
-                                     bindings.list()};
+                                     bindings.list(),
+                                     0};
     if (api.submit(device, &dispatch, 1) != PLAIT_OK || api.wait(device) != PLAIT_OK) {
         error = setup.name + ": " + api.last_error(device);
         return {};

@@ -35,8 +35,8 @@ class Words {
     Status submit(uint32_t value, uint32_t item_count) {
         const plait_grid_clear_params params{value};
         plait_buffer* const buffers[] = {reinterpret_cast<plait_buffer*>(buffer_.get())};
-        const plait_dispatch dispatch{PLAIT_STAGE_grid_clear, item_count, 1,      &params,
-                                      sizeof params,          1,          buffers};
+        const plait_dispatch dispatch{PLAIT_STAGE_grid_clear, item_count, 1,       &params,
+                                      sizeof params,          1,          buffers, 0};
         return device_.submit({&dispatch, 1});
     }
 
@@ -139,7 +139,7 @@ TEST_P(Devices, refuse_a_dispatch_that_does_not_fit_its_stage) {
     const auto device = open();
     const plait_layout_params params{32};
     plait_buffer* const none[3] = {};
-    plait_dispatch dispatch{PLAIT_STAGE_tangents, 1, 1, &params, sizeof params, 2, none};
+    plait_dispatch dispatch{PLAIT_STAGE_tangents, 1, 1, &params, sizeof params, 2, none, 0};
     EXPECT_EQ(device->submit({&dispatch, 1}).error().message,
               "stage tangents: 2 buffers, it has 3");
     dispatch.buffer_count = 3;

@@ -12,7 +12,7 @@ constexpr GroupLimits generous{1024, 1024, 32768};
 
 WorkRange spread(plait_stage stage, uint32_t count, uint32_t width,
                  const GroupLimits& limits = generous) {
-    const plait_dispatch dispatch{stage, count, width, nullptr, 0, 0, nullptr};
+    const plait_dispatch dispatch{stage, count, width, nullptr, 0, 0, nullptr, 0};
     auto range = work_range(*plait_stage_describe(stage), dispatch, limits);
     EXPECT_TRUE(range.ok()) << range.error().message;
     return *range;
@@ -55,7 +55,7 @@ TEST(Ranges, one_driver_gives_advice_for_a_limit) {
 }
 
 TEST(Ranges, a_strand_that_fits_no_group_is_refused) {
-    const plait_dispatch dispatch{PLAIT_STAGE_length, 5, 256, nullptr, 0, 0, nullptr};
+    const plait_dispatch dispatch{PLAIT_STAGE_length, 5, 256, nullptr, 0, 0, nullptr, 0};
     const auto& stage = *plait_stage_describe(PLAIT_STAGE_length);
     for (const GroupLimits& limits : {GroupLimits{128, 128, 32768}, GroupLimits{256, 256, 2048},
                                       GroupLimits{256, 128, 32768}}) {

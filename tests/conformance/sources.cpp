@@ -41,7 +41,8 @@ TEST_P(Sources, replace_the_built_in_kernel) {
     ASSERT_TRUE(words.ok());
     const plait_grid_clear_params params{41};
     plait_buffer* const buffers[] = {reinterpret_cast<plait_buffer*>(words->get())};
-    const plait_dispatch dispatch{PLAIT_STAGE_grid_clear, 3, 1, &params, sizeof params, 1, buffers};
+    const plait_dispatch dispatch{PLAIT_STAGE_grid_clear, 3, 1,       &params,
+                                  sizeof params,          1, buffers, 0};
     ASSERT_TRUE((*device)->submit({&dispatch, 1}).ok());
     uint32_t read[3] = {};
     ASSERT_TRUE((*device)->read(**words, 0, 3, read).ok());

@@ -121,8 +121,8 @@ class StageDevice {
         for (const StageBuffer* buffer : buffers)
             handles.push_back(buffer ? buffer->get() : nullptr);
         const plait_dispatch dispatch{
-            stage,         static_cast<uint32_t>(items),          item_width,    &params,
-            sizeof params, static_cast<uint32_t>(handles.size()), handles.data()};
+            stage,         static_cast<uint32_t>(items),          item_width,     &params,
+            sizeof params, static_cast<uint32_t>(handles.size()), handles.data(), 0};
         EXPECT_EQ(api_->submit(device_, &dispatch, 1), PLAIT_OK) << api_->last_error(device_);
     }
 

@@ -16,7 +16,7 @@ int main(int argc, char** argv) {
     std::vector<fs::path> inputs(fs::directory_iterator(argv[1]), {});
     std::sort(inputs.begin(), inputs.end());
     for (const fs::path& input : inputs) {
-        std::printf("%s\n", input.filename().c_str());
+        std::printf("%s\n", input.filename().string().c_str());
         std::fflush(stdout); // the name of the input that crashes is the one to see
         std::ifstream in(input, std::ios::binary);
         const std::string text((std::istreambuf_iterator<char>(in)), {});

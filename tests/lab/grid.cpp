@@ -112,13 +112,14 @@ TEST_P(LabGrid, vertices_see_what_lies_around_them) {
     EXPECT_LT((stages.seen(velocity, {0.1, 1.3, 0.9}) - Vec3(0.25, 2.6, 2.7)).norm(), 1e-12);
 }
 
-// Sums over all vertices are nearer to how the hair moves than a sample of one a voxel.
+// Sums over all vertices are nearer to how the hair moves than a sample of one a voxel. Which vertex
+// a slot keeps is a race: over 40 orders of these 800 strands the ratio was 1.89 to 2.15.
 TEST_P(LabGrid, samples_are_farther_off_than_sums) {
-    const auto figure = grid_figure(which, device, {3200, 3, false});
+    const auto figure = grid_figure(which, device, {12800, 3, false});
     ASSERT_EQ(figure.series.size(), 3u);
     const auto& slots = figure.series[0].dots;
     ASSERT_EQ(slots.size(), 6u);
-    EXPECT_GT(slots[0].error, 1.3 * figure.series[1].dots[1].error); // C = 1, and exact, 8 voxels
+    EXPECT_GT(slots[0].error, 1.7 * figure.series[1].dots[1].error); // C = 1, and exact, 8 voxels
     EXPECT_GT(slots[0].error, slots[5].error);
     for (const auto& series : figure.series)
         for (const lab::Dot& dot : series.dots) {

@@ -1,12 +1,16 @@
 // plait-simulate as it is run: files left behind, statistics, exit codes, Ctrl-C.
 #include "support.hpp"
 
+#include <plait/plait_backend.h>
+
 #include <nlohmann/json.hpp>
 
 #include <gmock/gmock.h>
 
 #include <csignal>
 #include <fcntl.h>
+#include <map>
+#include <set>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <thread>
@@ -14,6 +18,7 @@
 #include <vector>
 
 using Json = nlohmann::json;
+using testing::ContainsRegex;
 using testing::HasSubstr;
 
 namespace {
@@ -91,6 +96,106 @@ TEST_F(Program, leaves_statistics) {
     EXPECT_EQ(stats.at("hash").get<std::string>().size(), 16u);
     EXPECT_EQ(stats.at("interrupted"), false);
     EXPECT_THAT(text(), HasSubstr("ms/frame"));
+}
+
+std::set<std::string> stage_names() {
+    std::set<std::string> names;
+    for (int stage = 0; stage < PLAIT_STAGE_COUNT; ++stage)
+        names.insert(plait_stage_describe(static_cast<plait_stage>(stage))->name);
+    return names;
+}
+
+// Complete events of a trace, by thread, in order of time.
+std::map<int, std::vector<Json>> events_of(const Json& trace) {
+    std::map<int, std::vector<Json>> threads;
+    for (const Json& event : trace.at("traceEvents"))
+        if (event.at("ph") == "X")
+            threads[event.at("tid").get<int>()].push_back(event);
+    for (auto& [thread, events] : threads)
+        std::ranges::stable_sort(events, {},
+                                 [](const Json& e) { return e.at("ts").get<double>(); });
+    return threads;
+}
+
+TEST_F(Program, profiles_and_traces) {
+    ASSERT_EQ(run({"--strands", "200", "--seconds", "0.2", "--no-pictures", "--profile", "--trace",
+                   path("trace.json"), "--out", path("out")}),
+              0)
+        << text();
+    const Json stats = json("out/stats.json"), profile = stats.at("profile");
+    const Json trace = json("trace.json");
+    ASSERT_TRUE(trace.is_object()) << text();
+    const bool has_times = profile.at("has_device_times").get<bool>();
+    const auto threads = events_of(trace);
+    ASSERT_EQ(threads.size(), has_times ? 2u : 1u);
+
+    std::map<std::string, int> calls;
+    for (const Json& event : threads.begin()->second)
+        ++calls[event.at("name")];
+    EXPECT_EQ(calls, (std::map<std::string, int>{{"set_roots", 12},
+                                                 {"set_colliders", 12},
+                                                 {"step", 12},
+                                                 {"wait", 12},
+                                                 {"get_stats", 12},
+                                                 {"read", 12}}));
+    for (const auto& [thread, events] : threads) { // one after another, on host and device
+        double before = 0;
+        for (const Json& event : events) {
+            EXPECT_GE(event.at("ts").get<double>(), before - 1e-3) << event;
+            before = event.at("ts").get<double>() + event.at("dur").get<double>();
+        }
+    }
+    if (!has_times)
+        GTEST_SKIP() << "no times on the device: " << text();
+
+    const std::set<std::string> names = stage_names();
+    std::map<std::string, double> us;
+    for (const Json& event : threads.rbegin()->second) {
+        EXPECT_TRUE(names.contains(event.at("name"))) << event;
+        us[event.at("name")] += event.at("dur").get<double>();
+    }
+    ASSERT_EQ(us.size(), profile.at("stages").size());
+    for (const Json& stage : profile.at("stages")) {
+        const auto name = stage.at("stage").get<std::string>();
+        EXPECT_NEAR(us[name], 12 * stage.at("us").get<double>(), 1e-6 * us[name]) << name;
+        // What the library adds up by itself is the same, of stages that only frames have.
+        const bool only_frames = name.starts_with("grid_") || name == stats.at("model");
+        if (only_frames) {
+            EXPECT_NEAR(us[name], 12e3 * stats.at("stage_ms").at(name).get<double>(),
+                        1e-3 * us[name] + 1e-3)
+                << name;
+        }
+        EXPECT_GT(stage.at("bytes_per_second").get<double>(), 0) << name;
+    }
+    EXPECT_GT(profile.at("copy_bytes_per_second").get<double>(), 0);
+    EXPECT_NEAR(profile.at("stages_us").get<double>() + profile.at("other_us").get<double>(),
+                profile.at("frame_us").get<double>(), 1e-6);
+    EXPECT_THAT(text(), HasSubstr("not in a stage"));
+    EXPECT_THAT(text(), HasSubstr("a copy of memory on this device: "));
+}
+
+TEST_F(Program, measures_no_replay) {
+    EXPECT_EQ(run({"--replay", path("a.cache"), "--profile", "--out", path("out")}), 1);
+    EXPECT_THAT(text(), HasSubstr("there is nothing to profile or to trace"));
+}
+
+// Under a head that stands still, hair that has settled hardly moves, and what it did before is not
+// in the numbers.
+TEST_F(Program, settles_before_the_motion) {
+    const auto stats_after = [&](const char* settle) {
+        EXPECT_EQ(run({"--strands", "100", "--seconds", "0.1", "--motion", "still", "--settle",
+                       settle, "--no-pictures", "--out", path("out")}),
+                  0)
+            << text();
+        return json("out/stats.json");
+    };
+    const Json drawn = stats_after("0"), settled = stats_after("1");
+    EXPECT_EQ(settled.at("frames"), drawn.at("frames"));
+    EXPECT_THAT(text(), ContainsRegex("roots +[0-9.]+ +[0-9.]+% +12\n"))
+        << "the calls of the six frames with two substeps each, and of none before";
+    EXPECT_GT(drawn.at("neighbour_speed").get<double>(), 0.0);
+    EXPECT_LT(settled.at("neighbour_speed").get<double>(),
+              0.3 * drawn.at("neighbour_speed").get<double>());
 }
 
 TEST_F(Program, repeats_itself) {
@@ -243,6 +348,16 @@ TEST_F(WithoutOpenCl, lists_and_runs_on_the_reference) {
     EXPECT_EQ(run({"--strands", "5", "--seconds", "0.1", "--no-pictures", "--out", path("out")}),
               0);
     EXPECT_EQ(json("out/stats.json").at("device"), "one CPU thread");
+}
+
+TEST_F(WithoutOpenCl, profiles_on_the_reference) {
+    ASSERT_EQ(run({"--strands", "5", "--seconds", "0.1", "--no-pictures", "--profile", "--out",
+                   path("out")}),
+              0)
+        << text();
+    const Json profile = json("out/stats.json").at("profile");
+    EXPECT_EQ(profile.at("has_device_times"), true);
+    EXPECT_GT(profile.at("copy_bytes_per_second").get<double>(), 0);
 }
 
 TEST_F(Program, names_what_is_wrong) {

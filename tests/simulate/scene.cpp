@@ -133,6 +133,22 @@ TEST_F(SceneFile, values_are_refused_with_place_value_and_range) {
     EXPECT_THAT(refusal(R"([1])"), HasSubstr("not an object"));
 }
 
+TEST_F(SceneFile, what_falls_freely_settles_and_what_is_held_up_is_in_balance) {
+    for (const char* groom : {"long", "curly"}) {
+        const Scene scene = read(R"({"groom": ")" + std::string(groom) + R"("})");
+        EXPECT_EQ(scene.sim.sag_free, PLAIT_SAG_FREE_OFF) << groom;
+        EXPECT_GT(scene.settle, 0.0f) << groom;
+    }
+    for (const char* groom : {"braid", "short", "a.tfx"}) {
+        const Scene scene = read(R"({"groom": ")" + std::string(groom) + R"("})");
+        EXPECT_EQ(scene.sim.sag_free, PLAIT_SAG_FREE_STIFFEN) << groom;
+        EXPECT_EQ(scene.settle, 0.0f) << groom;
+    }
+    EXPECT_EQ(read(R"({"groom": "braid", "model": "tressfx"})").sim.sag_free, PLAIT_SAG_FREE_OFF);
+    EXPECT_EQ(read(R"({"settle": 0.5})").settle, 0.5f);
+    EXPECT_THAT(refusal(R"({"settle": -1})"), AllOf(HasSubstr("settle"), HasSubstr("[0.0,60.0]")));
+}
+
 TEST_F(SceneFile, the_command_line_is_blamed_for_its_own) {
     EXPECT_THAT(refusal("{}", {{"strands", 0}}), HasSubstr("command line: strands is 0"));
 }

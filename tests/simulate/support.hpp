@@ -5,15 +5,16 @@
 
 #include <filesystem>
 #include <fstream>
+#include <random>
 #include <stdexcept>
 #include <string>
 
 class TemporaryFolder : public testing::Test {
   protected:
     void SetUp() override {
-        std::string pattern = (std::filesystem::temp_directory_path() / "plait-XXXXXX").string();
-        ASSERT_NE(mkdtemp(pattern.data()), nullptr);
-        folder_ = pattern;
+        const std::string name = "plait-" + std::to_string(std::random_device{}());
+        folder_ = (std::filesystem::temp_directory_path() / name).string();
+        ASSERT_TRUE(std::filesystem::create_directory(folder_));
     }
     void TearDown() override { std::filesystem::remove_all(folder_); }
 

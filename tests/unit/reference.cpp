@@ -7,7 +7,7 @@
 
 #include <array>
 #include <cmath>
-#include <cstdlib>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -23,12 +23,12 @@ void* count_allocate(size_t size, size_t alignment, void* user) {
     if (counter.left-- <= 0)
         return nullptr;
     counter.held += static_cast<long>(size);
-    return std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
+    return ::operator new(size, std::align_val_t(alignment), std::nothrow);
 }
 
-void count_release(void* memory, size_t size, size_t, void* user) {
+void count_release(void* memory, size_t size, size_t alignment, void* user) {
     static_cast<Counter*>(user)->held -= static_cast<long>(size);
-    std::free(memory);
+    ::operator delete(memory, std::align_val_t(alignment));
 }
 
 class Reference : public testing::Test {
@@ -63,8 +63,8 @@ class Reference : public testing::Test {
     plait_result submit(plait_stage stage, uint32_t items, const P& params,
                         std::vector<plait_buffer*> list, uint32_t width = 1) {
         const plait_dispatch dispatch = {
-            stage,      items, width, &params, sizeof params, static_cast<uint32_t>(list.size()),
-            list.data()};
+            stage,       items, width, &params, sizeof params, static_cast<uint32_t>(list.size()),
+            list.data(), 0};
         return api.submit(device, &dispatch, 1);
     }
 

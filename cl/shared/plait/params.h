@@ -191,6 +191,7 @@ typedef struct plait_lane_grid_params {
     float diffuse_ratio;
     float diffuse_factor;
     float diffuse_floor;
+    plait_u32 history; /* 1: BDF2's step before is kept; 0: lane_v_before is null */
 } plait_lane_grid_params;
 
 /* chain, cosserat, rod, articulated: one substep of a strand model over lanes. */
@@ -217,7 +218,7 @@ typedef struct plait_lane_state_params {
     plait_u32 history; /* 1: BDF2's step before is kept; 0: lane_x_before, lane_v_before are null */
 } plait_lane_state_params;
 
-/* lane_pack, lane_unpack, lane_orient. */
+/* lane_unpack, lane_orient. */
 typedef struct plait_lane_layout_params {
     plait_u32 vertex_stride;
     plait_u32 tile;
@@ -231,13 +232,13 @@ typedef struct plait_bounds_params {
     plait_u32 boxes; /* 1: elements are boxes, two points each */
 } plait_bounds_params;
 
-/* lane_fit. */
-typedef struct plait_lane_fit_params {
+/* lane_fit, lane_pack. */
+typedef struct plait_lane_history_params {
     plait_u32 vertex_stride;
     plait_u32 tile;
     float h;           /* s: the step before is h ago */
     plait_u32 history; /* 1: BDF2's step before is kept; 0: lane_x_before, lane_v_before are null */
-} plait_lane_fit_params;
+} plait_lane_history_params;
 
 /* lane_move. */
 typedef struct plait_lane_move_params {

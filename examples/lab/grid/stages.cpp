@@ -152,8 +152,8 @@ plait_dispatch Stages::dispatch(plait_stage stage, size_t items, uint32_t width,
     auto& handles = handles_.emplace_back();
     for (const Name name : buffers)
         handles.push_back(buffers_[name]);
-    return {stage,         static_cast<uint32_t>(items),          width,         &params,
-            sizeof params, static_cast<uint32_t>(handles.size()), handles.data()};
+    return {stage,         static_cast<uint32_t>(items),          width,          &params,
+            sizeof params, static_cast<uint32_t>(handles.size()), handles.data(), 0};
 }
 
 void Stages::clear(Name name, uint32_t value) {

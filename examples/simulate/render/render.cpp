@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <future>
 #include <stdexcept>
 #include <thread>
 
@@ -128,9 +129,9 @@ void draw_tiles(const Job& job) {
             draw_tile(job, index);
     };
     const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
-    std::vector<std::jthread> helpers;
+    std::vector<std::future<void>> helpers; // waited for at the end, however it comes
     for (unsigned i = 1; i < (job.frame.threads ? job.frame.threads : cores); ++i)
-        helpers.emplace_back(work);
+        helpers.push_back(std::async(std::launch::async, work));
     work();
 }
 

@@ -133,6 +133,10 @@ plait_result stage_costs(plait_device* device, plait_stage_cost* dst, int reset)
     return perform(device, [&](Device& self) { return self.costs(dst, reset != 0); });
 }
 
+plait_result take_launches(plait_device* device, plait_stage_launch* dst, size_t* count) {
+    return perform(device, [&](Device& self) { return self.take_launches(dst, *count); });
+}
+
 const char* last_error(plait_device* device) {
     return unwrap(device).last_error().c_str();
 }
@@ -159,6 +163,7 @@ constexpr plait_device_api device_functions = {
     .prepare = prepare,
     .wait = wait,
     .stage_costs = stage_costs,
+    .take_launches = take_launches,
     .last_error = last_error,
     .native_buffer = native_buffer,
     .native_queue = native_queue,

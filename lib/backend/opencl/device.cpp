@@ -117,6 +117,13 @@ Status Device::costs(plait_stage_cost* dst, bool reset) {
     return {};
 }
 
+Status Device::take_launches(plait_stage_launch* dst, size_t& count) {
+    if (!dst)
+        PLAIT_TRY(wait());
+    flight_.take_launches(dst, count);
+    return {};
+}
+
 plait_result Device::report(const Status& status) {
     if (status.ok())
         return PLAIT_OK;

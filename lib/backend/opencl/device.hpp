@@ -51,6 +51,7 @@ class Device {
     Status prepare(std::span<const plait_dispatch> list); // waits where there was something to do
     Status wait();
     Status costs(plait_stage_cost* dst, bool reset);
+    Status take_launches(plait_stage_launch* dst, size_t& count); // waits where dst is null
 
     // The failure that took the device away, once there was one.
     const std::optional<Error>& lost() const { return lost_; }

@@ -6,11 +6,11 @@
 namespace plait::opencl {
 namespace {
 
-double seconds(cl_event event) {
-    cl_ulong start = 0, end = 0; // ns
-    clGetEventProfilingInfo(event, CL_PROFILING_COMMAND_START, sizeof start, &start, nullptr);
-    clGetEventProfilingInfo(event, CL_PROFILING_COMMAND_END, sizeof end, &end, nullptr);
-    return end > start ? static_cast<double>(end - start) * 1e-9 : 0.0;
+// ns; 0 where the driver tells none.
+cl_ulong time_of(cl_event event, cl_profiling_info moment) {
+    cl_ulong time = 0;
+    const cl_int code = clGetEventProfilingInfo(event, moment, sizeof time, &time, nullptr);
+    return code == CL_SUCCESS ? time : 0;
 }
 
 } // namespace
@@ -18,10 +18,25 @@ double seconds(cl_event event) {
 Status Flight::take(const Command& command, cl_int status, bool profile) {
     if (status < 0)
         return late_failure(status, format("stage %s ended with an error",
-                                           plait_stage_describe(command.stage)->name));
+                                           plait_stage_describe(command.launch.stage)->name));
     if (profile)
-        costs_[command.stage].seconds += seconds(command.event.get());
+        record(command);
     return {};
+}
+
+void Flight::record(const Command& command) {
+    plait_stage_launch launch = command.launch;
+    const cl_ulong begin = time_of(command.event.get(), CL_PROFILING_COMMAND_START);
+    const cl_ulong end = time_of(command.event.get(), CL_PROFILING_COMMAND_END);
+    // No launch takes one: rusticl of Mesa 22.3 only numbers its moments, 0 to 3.
+    constexpr cl_ulong least = 2; // ns
+    if (end >= begin + least) {
+        launch.queued_ns = time_of(command.event.get(), CL_PROFILING_COMMAND_QUEUED);
+        launch.begin_ns = begin;
+        launch.end_ns = end;
+        costs_[launch.stage].seconds += static_cast<double>(end - begin) * 1e-9;
+    }
+    launches_.add(launch);
 }
 
 Status Flight::collect(bool profile) {

@@ -1,6 +1,7 @@
 // Commands that were enqueued and have not been looked at since: what they cost, how they ended.
 #pragma once
 
+#include "backend/launches.hpp"
 #include "backend/opencl/handles.hpp"
 #include "base/result.hpp"
 
@@ -14,7 +15,10 @@ namespace plait::opencl {
 class Flight {
   public:
     void count(plait_stage stage) { ++costs_[stage].calls; }
-    void add(Event event, plait_stage stage) { events_.push_back({std::move(event), stage}); }
+    void add(Event event, const plait_dispatch& dispatch) {
+        events_.push_back(
+            {std::move(event), {dispatch.stage, dispatch.item_count, dispatch.bytes, 0, 0, 0}});
+    }
 
     // Takes every ended command off the front: as many events are kept as the queue itself holds
     // commands. Returns the first failure among the ended.
@@ -22,17 +26,20 @@ class Flight {
 
     const std::array<plait_stage_cost, PLAIT_STAGE_COUNT>& costs() const { return costs_; }
     void reset_costs() { costs_ = {}; }
+    void take_launches(plait_stage_launch* dst, size_t& count) { launches_.take(dst, count); }
 
   private:
     struct Command {
         Event event;
-        plait_stage stage;
+        plait_stage_launch launch; // its times are known when it has ended
     };
 
     Status take(const Command& command, cl_int status, bool profile);
+    void record(const Command& command);
 
     std::deque<Command> events_;
     std::array<plait_stage_cost, PLAIT_STAGE_COUNT> costs_{};
+    Launches launches_;
 };
 
 } // namespace plait::opencl

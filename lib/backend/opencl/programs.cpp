@@ -3,10 +3,10 @@
 #include "backend/opencl/errors.hpp"
 #include "base/format.hpp"
 #include "base/hash.hpp"
+#include "base/path.hpp"
 
 #include <cerrno>
 #include <cstring>
-#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <random>
@@ -70,8 +70,7 @@ Program build_binary(cl_context context, const ProgramRequest& request, const st
     const size_t size = binary.size();
     const cl_device_id device = request.device.device;
     cl_int status = CL_SUCCESS, code = CL_SUCCESS;
-    Program program(
-        clCreateProgramWithBinary(context, 1, &device, &size, &bytes, &status, &code));
+    Program program(clCreateProgramWithBinary(context, 1, &device, &size, &bytes, &status, &code));
     if (code == CL_SUCCESS && status == CL_SUCCESS)
         code = clBuildProgram(program.get(), 1, &device, request.options.c_str(), nullptr, nullptr);
     if (code == CL_SUCCESS && status == CL_SUCCESS)
@@ -119,8 +118,8 @@ std::string key_of(const ProgramRequest& request) {
 
 Result<ProgramFolder> ProgramFolder::open(const char* path) {
     std::error_code failed;
-    std::filesystem::create_directories(path, failed);
-    if (failed || !std::filesystem::is_directory(path, failed))
+    std::filesystem::create_directories(native_path(path), failed);
+    if (failed || !std::filesystem::is_directory(native_path(path), failed))
         return Error{PLAIT_IO, format("program_folder %s: %s", path,
                                       failed ? failed.message().c_str() : "it is no folder")};
     ProgramFolder folder;
@@ -135,12 +134,12 @@ std::string ProgramFolder::file_of(const std::string& key) const {
 
 bool ProgramFolder::has(const std::string& key) const {
     std::error_code failed;
-    return std::filesystem::exists(file_of(key), failed);
+    return std::filesystem::exists(native_path(file_of(key)), failed);
 }
 
 std::string ProgramFolder::load(const std::string& key, const Log& log) const {
     const std::string path = path_.empty() ? "" : file_of(key);
-    std::ifstream file(path, std::ios::binary);
+    std::ifstream file(native_path(path), std::ios::binary);
     if (path.empty() || !file)
         return {};
     const std::string bytes{std::istreambuf_iterator<char>(file), {}};
@@ -163,19 +162,19 @@ void ProgramFolder::save(const std::string& key, const std::string& binary, cons
         return;
     const std::string path = file_of(key), aside = path + format(".%08x", std::random_device{}());
     const uint64_t checksum = hash_of(binary);
-    std::ofstream file(aside, std::ios::binary);
+    std::ofstream file(native_path(aside), std::ios::binary);
     file << magic << key;
     file.write(reinterpret_cast<const char*>(&checksum), sizeof checksum);
     file << binary;
     file.close();
     std::error_code failed;
     if (file)
-        std::filesystem::rename(aside, path, failed);
+        std::filesystem::rename(native_path(aside), native_path(path), failed);
     if (file && !failed)
         return;
     log(PLAIT_LOG_LEVEL_WARNING, path + ": " + (failed ? failed.message() : std::strerror(errno)) +
                                      ": the program is not kept");
-    std::filesystem::remove(aside, failed);
+    std::filesystem::remove(native_path(aside), failed);
 }
 
 Result<std::shared_ptr<Programs>> Programs::of_device(const Candidate& device) {

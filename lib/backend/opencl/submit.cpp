@@ -97,7 +97,7 @@ Status Device::enqueue(const plait_dispatch& dispatch, bool last) {
     PLAIT_TRY(launch(*stage, built, *range, watch ? &event : nullptr));
     flight_.count(dispatch.stage);
     if (watch)
-        flight_.add(Event(event), dispatch.stage);
+        flight_.add(Event(event), dispatch);
     return {};
 }
 
@@ -112,8 +112,8 @@ Status Device::launch(const plait_stage_info& stage, const StageKernel& built,
     return {};
 }
 
-// Drivers compile for a work-group's size, and load, when a kernel is first enqueued: it is, over no
-// items, for the range that it will have. A kernel of the user's might not look at item_count.
+// Drivers compile for a work-group's size, and load, when a kernel is first enqueued: it is, over
+// no items, for the range that it will have. A kernel of the user's might not look at item_count.
 Status Device::warm_up(const plait_dispatch& dispatch) {
     const plait_stage_info* stage = plait_stage_describe(dispatch.stage);
     if (!stage)

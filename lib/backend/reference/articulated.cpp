@@ -22,7 +22,7 @@ constexpr double shorter = 0.4;       // of a turn whose potential rose
 constexpr int trials = 3;             // of shorter turns
 constexpr double moved = 1e-9;        // squared chord from a director to its segment: no rounding
 constexpr double settled = 0.05;      // segments: a step that moves vertices less is the last
-constexpr uint32_t contact_steps = 5; // at most, of a strand that touches something
+constexpr uint32_t contact_steps = 6; // at most, of a strand that touches something
 constexpr uint32_t deep_steps = 10;   // while it is deep
 constexpr double too_deep = 0.08;     // beyond what a solve may leave, in segments
 

@@ -123,6 +123,11 @@ plait_result stage_costs(plait_device* device, plait_stage_cost* dst, int reset)
     return PLAIT_OK;
 }
 
+plait_result take_launches(plait_device* device, plait_stage_launch* dst, size_t* count) {
+    device_of(device).take_launches(dst, *count);
+    return PLAIT_OK;
+}
+
 const char* last_error(plait_device* device) {
     return device_of(device).last_error();
 }
@@ -147,6 +152,7 @@ constexpr plait_device_api device_api = {
     prepare,
     wait,
     stage_costs,
+    take_launches,
     last_error,
     native_buffer,
     native_queue,

@@ -239,6 +239,16 @@ double Contacts::energy(size_t vertex, const Vec3& x) const {
            at.friction * at.push * (u < e ? u * u / (2 * e) : u - e / 2);
 }
 
+double Contacts::model(size_t vertex, const Vec3& x) const {
+    const Contact& at = at_[vertex];
+    const double depth = std::max(at.offset - at.normal.dot(x), 0.0), e = params_.contact_slip;
+    const Vec3 u = slip_of(at, x);
+    const double along = at.slide.dot(u), across = (u - along * at.slide).squaredNorm();
+    const double reach = at.sticks() ? e : std::max(u.norm(), e);
+    return at.stiffness / 2 * depth * depth +
+           at.friction * at.push * (along + across / (2 * reach));
+}
+
 double Contacts::depth_allowed(size_t vertex) const {
     return at_[vertex].stiff ? deepest * length_[vertex] : INFINITY;
 }

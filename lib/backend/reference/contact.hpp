@@ -33,6 +33,9 @@ class Contacts {
     Vec3 force(size_t vertex,
                const Vec3& x) const; // minus the gradient, slip in its last direction
     double energy(size_t vertex, const Vec3& x) const;
+    // The same with friction as `force` and `hessian` have it: linear along the direction of slip
+    // whatever way the vertex went, quadratic where it sticks.
+    double model(size_t vertex, const Vec3& x) const;
 
     // At most, J, that contact gave vertices on their way to x: push and friction along the way of
     // the surface, and what the springs let go. Of the last solve, before `clip`.

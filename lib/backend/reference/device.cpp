@@ -11,9 +11,10 @@
 namespace plait::reference {
 namespace {
 
-double seconds_now() {
+uint64_t now_ns() {
     using namespace std::chrono;
-    return duration<double>(steady_clock::now().time_since_epoch()).count();
+    return static_cast<uint64_t>(
+        duration_cast<nanoseconds>(steady_clock::now().time_since_epoch()).count());
 }
 
 Status check_range(const char* verb, const Buffer& buffer, size_t first, size_t count) {
@@ -89,13 +90,19 @@ Status Device::read(const Buffer& buffer, size_t first, size_t count, void* dst)
 
 Status Device::submit(const plait_dispatch* list, size_t count) {
     for (const plait_dispatch* dispatch = list; dispatch != list + count; ++dispatch) {
-        const double begin = profile_ ? seconds_now() : 0;
+        const uint64_t begin = profile_ ? now_ns() : 0;
         PLAIT_TRY(perform(*dispatch));
-        plait_stage_cost& cost = costs_[dispatch->stage];
-        ++cost.calls;
-        cost.seconds += profile_ ? seconds_now() - begin : 0;
+        ++costs_[dispatch->stage].calls;
+        if (profile_)
+            record(*dispatch, begin, now_ns());
     }
     return {};
+}
+
+void Device::record(const plait_dispatch& dispatch, uint64_t begin, uint64_t end) {
+    costs_[dispatch.stage].seconds += static_cast<double>(end - begin) * 1e-9;
+    if (dispatch.item_count > 0)
+        launches_.add({dispatch.stage, dispatch.item_count, dispatch.bytes, begin, begin, end});
 }
 
 void Device::costs(plait_stage_cost* dst, bool reset) {

@@ -1,6 +1,7 @@
 // The reference device: one thread, float64, every dispatch done when submit returns.
 #pragma once
 
+#include "backend/launches.hpp"
 #include "backend/reference/buffer.hpp"
 #include "base/memory.hpp"
 #include "base/result.hpp"
@@ -25,6 +26,7 @@ class Device {
     Status read(const Buffer& buffer, size_t first, size_t count, void* dst) const;
     Status submit(const plait_dispatch* list, size_t count);
     void costs(plait_stage_cost* dst, bool reset);
+    void take_launches(plait_stage_launch* dst, size_t& count) { launches_.take(dst, count); }
 
     // Keeps the sentence of a failure for last_error and gives the code back.
     plait_result report(const Status& status);
@@ -35,9 +37,12 @@ class Device {
     static void release(Device* device);
 
   private:
+    void record(const plait_dispatch& dispatch, uint64_t begin, uint64_t end); // ns
+
     Memory memory_;
     bool profile_;
     std::array<plait_stage_cost, PLAIT_STAGE_COUNT> costs_{};
+    Launches launches_;
     std::string error_;
 };
 

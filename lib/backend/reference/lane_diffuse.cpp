@@ -16,7 +16,11 @@ void lane_diffuse(uint32_t item_count, const plait_lane_grid_params& params,
             const Vec3 before = lane.vector(args.lane_v, i), v = grid.components(before);
             const Vec3 slower = diffused(grid, params, root + lane.vector(args.lane_x, i), v,
                                          args.grid_density, args.grid_velocity);
-            lane.store(args.lane_v, i, Vec3(before + grid.to_world(slower - v)));
+            const Vec3 gained = grid.to_world(slower - v);
+            lane.store(args.lane_v, i, Vec3(before + gained));
+            if (params.history)
+                lane.store(args.lane_v_before, i,
+                           Vec3(lane.vector(args.lane_v_before, i) + gained));
         }
     }
 }

@@ -26,7 +26,8 @@ std::vector<Vec3> fitted(const Lane& lane, const View<double>& x,
 
 } // namespace
 
-void lane_fit(uint32_t item_count, const plait_lane_fit_params& params, const lane_fit_args& args) {
+void lane_fit(uint32_t item_count, const plait_lane_history_params& params,
+              const lane_fit_args& args) {
     for (size_t item = 0; item < item_count; ++item) {
         const Lane lane(args.lane_slot[2 * item + 1], params.vertex_stride, params.tile);
         std::vector<Vec3> x = fitted(lane, args.lane_x, args.lane_material, params.vertex_stride);

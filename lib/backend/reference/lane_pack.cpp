@@ -3,7 +3,7 @@
 
 namespace plait::reference {
 
-void lane_pack(uint32_t item_count, const plait_lane_layout_params& params,
+void lane_pack(uint32_t item_count, const plait_lane_history_params& params,
                const lane_pack_args& args) {
     for (size_t item = 0; item < item_count; ++item) {
         const auto [slot, i] = place(item, params.vertex_stride);
@@ -14,7 +14,11 @@ void lane_pack(uint32_t item_count, const plait_lane_layout_params& params,
         const size_t vertex = strand * params.vertex_stride + i;
         const Vec3 root = xyz(args.position[vertex - i]), x = xyz(args.position[vertex]);
         lane.store(args.lane_x, i, Vec3(x - root));
-        lane.store(args.lane_v, i, Vec3((x - xyz(args.position_prev[vertex])) / params.h));
+        const Vec3 v = (x - xyz(args.position_prev[vertex])) / params.h;
+        const Vec3 gained = v - lane.vector(args.lane_v, i);
+        if (params.history)
+            lane.store(args.lane_v_before, i, Vec3(lane.vector(args.lane_v_before, i) + gained));
+        lane.store(args.lane_v, i, v);
     }
 }
 

@@ -12,7 +12,7 @@ double repeated(const plait_lane_params& params) {
 
 // m/s^2: most that a strand in contact is stretched or compressed by is what this pull of all its
 // mass does, nine times its weight on Earth.
-constexpr double pull = 9 * 9.80665;
+constexpr double most_pull = 9 * 9.80665;
 constexpr double least_limit = 1e-3; // nor is any held closer
 
 double dot(const Quat& a, const Quat& b) {
@@ -94,7 +94,7 @@ double RodModel::strain_limit() const {
     double mass = 0;
     for (size_t i = 1; i < mass_.size(); ++i)
         mass += length_before_[i] > 0 ? mass_[i] : 0; // none past the tip
-    return std::max(pull * mass / (stretch_[0] * length_[0]), least_limit);
+    return std::max(most_pull * mass / (stretch_[0] * length_[0]), least_limit);
 }
 
 // Planes are stiffer than EA, and a solve that is cut short does not let what they push run to the
@@ -210,8 +210,9 @@ double RodModel::released_of_pairs() const {
 double RodModel::energy() const {
     double sum = elastic(x, q);
     for (size_t i = 0; i < segments(); ++i)
-        sum += mass_[i + 1] * inertia_ / 2 * (x[i + 1] - motion_.y[i + 1]).squaredNorm() +
-               (contacts_ ? contacts_->energy(i + 1, x[i + 1]) : 0);
+        sum += mass_[i + 1] * inertia_ / 2 * (x[i + 1] - motion_.y[i + 1]).squaredNorm();
+    for (size_t i = 1; contacts_ && i < x.size(); ++i)
+        sum += inextensible_ ? contacts_->model(i, x[i]) : contacts_->energy(i, x[i]);
     return sum;
 }
 

@@ -171,9 +171,9 @@ void LanePart::publish(Schedule& schedule, const Substep& at) const {
 }
 
 void LanePart::adopt(Schedule& schedule, const Substep& at) const {
-    schedule.add(PLAIT_STAGE_lane_pack, lanes_.strands * lanes_.row, layout_params(at),
+    schedule.add(PLAIT_STAGE_lane_pack, lanes_.strands * lanes_.row, history_params(at),
                  {&lane_strand_, &at.state.vertex_count, &at.state.position,
-                  &at.state.position_prev, &x_, &v_});
+                  &at.state.position_prev, &x_, &v_, &history_.v});
 }
 
 plait_lane_grid_params LanePart::grid_params(const plait_grid_params& grid) const {
@@ -189,6 +189,7 @@ plait_lane_grid_params LanePart::grid_params(const plait_grid_params& grid) cons
     params.diffuse_ratio = grid.diffuse_ratio;
     params.diffuse_factor = grid.diffuse_factor;
     params.diffuse_floor = grid.diffuse_floor;
+    params.history = history_.v ? 1 : 0;
     return params;
 }
 
@@ -200,7 +201,8 @@ void LanePart::splat(Schedule& schedule, const Substep& at, const LaneGrid& grid
 
 void LanePart::diffuse(Schedule& schedule, const Substep& at, const LaneGrid& grid) const {
     schedule.add(PLAIT_STAGE_lane_diffuse, lanes_.strands, grid_params(grid.params),
-                 {&lane_strand_, &at.state.vertex_count, &x_, &grid.density, &grid.velocity, &v_},
+                 {&lane_strand_, &at.state.vertex_count, &x_, &grid.density, &grid.velocity, &v_,
+                  &history_.v},
                  lanes_.row);
 }
 

@@ -105,6 +105,9 @@ class LanePart {
     plait_lane_layout_params layout_params(const Substep& at) const {
         return {lanes_.row, lanes_.tile, at.h};
     }
+    plait_lane_history_params history_params(const Substep& at) const {
+        return {lanes_.row, lanes_.tile, at.h, history_.x ? 1u : 0u};
+    }
     plait_lane_grid_params grid_params(const plait_grid_params& grid) const;
     plait_lane_state_params state_params() const {
         return {lanes_.row, lanes_.tile, history_.x ? 1u : 0u};

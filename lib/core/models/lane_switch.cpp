@@ -100,8 +100,7 @@ void LanePart::fit(Schedule& schedule, const Substep& at, const Moves& moves,
                    const LanePart& other) const {
     const bool stretched = other.traits_.stretches && !traits_.stretches && traits_.bends;
     if (stretched || (history_.x && !other.history_.x))
-        schedule.add(PLAIT_STAGE_lane_fit, moves.count,
-                     plait_lane_fit_params{lanes_.row, lanes_.tile, at.h, history_.x ? 1u : 0u},
+        schedule.add(PLAIT_STAGE_lane_fit, moves.count, history_params(at),
                      {&moves.list, &fill_.material, &v_, &x_, &history_.x, &history_.v});
 }
 
