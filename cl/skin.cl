@@ -3,9 +3,10 @@
  * Items   strands.
  * Reads   bone_matrix, bone_index, bone_weight, rest (of the root).
  * Writes  pose.
- * Source  linear blend skinning; the rotation closest to the blend M in the Frobenius norm is that of
- * the unit quaternion q with the greatest q.N(M)q (Horn 1987), found by Jacobi's rotations (1846).
- * Unlike a polar decomposition this gives a rotation for every M, also where bones mirror or fold.
+ * Source  linear blend skinning; the rotation closest to the blend M in the Frobenius norm is that
+ * of the unit quaternion q with the greatest q.N(M)q (Horn 1987), found by Jacobi's rotations
+ * (1846). Unlike a polar decomposition this gives a rotation for every M, also where bones mirror
+ * or fold.
  */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/pose.clh"
@@ -92,8 +93,7 @@ __kernel void plait_skin(const uint item_count, const plait_layout_params params
     const float3 root = rest[(size_t)strand * params.vertex_stride].xyz;
     pose_t result;
     result.q = closest_rotation(r0.xyz, r1.xyz, r2.xyz);
-    const float3 skinned =
-        (float3)(dot3(r0.xyz, root), dot3(r1.xyz, root), dot3(r2.xyz, root));
+    const float3 skinned = (float3)(dot3(r0.xyz, root), dot3(r1.xyz, root), dot3(r2.xyz, root));
     result.t = skinned - quat_rotate(result.q, root) + (float3)(r0.w, r1.w, r2.w);
     pose_store(pose, strand, result);
 }

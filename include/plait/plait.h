@@ -445,6 +445,9 @@ typedef struct plait_sim_params {
     float grid_origin[3]; /* corner, m, each [-1e6, 1e6], when grid_edge > 0; in the frame of
                              grid_in_world */
     float grid_edge;      /* whole edge, m, [0, 1e6]; 0: a cube around the groom's bounds x 1.5 */
+
+    float accelerate_values[16]; /* each [-1e6, 1e6], default 0: told to the caller's own kernel of
+                                    the stage accelerate, which says what they mean */
 } plait_sim_params;
 
 PLAIT_API void plait_sim_params_init(plait_sim_params* params, size_t size);
@@ -504,6 +507,7 @@ typedef struct plait_sim_desc {
     uint32_t max_steps_per_call; /* [1, 1000]; time beyond is dropped and counted, default 8 */
     uint32_t interpolate_output; /* 1: positions follow dt, one fixed step late; default 0 */
     uint32_t keep_last_frame;    /* 1: POSITION_LAST_FRAME is there; default 0 */
+    uint32_t accelerations;      /* 1: ACCELERATION is there, and pulls; default 0 */
     uint32_t follows_per_guide;  /* [0, 64], default 0 */
     float follow_radius;         /* m, [0, 1], default 0.003 */
     uint64_t seed;               /* follow offsets and slot hash */
@@ -635,7 +639,12 @@ typedef enum plait_field {
     /* float[4] [2]: least and greatest x, y, z of POSITION, w 0; of what is finite, and if nothing
        is, FLT_MAX and -FLT_MAX. Reckoned on the device when it is asked for */
     PLAIT_FIELD_BOUNDS = 10,
-    PLAIT_FIELD_COUNT = 11,
+    /* float[4] [guides][V], m/s^2, in the world: what pulls at a vertex beside gravity and air, in
+       every model, until it is written again; 0 at first. The caller writes it, or his own kernel
+       of the stage accelerate does before each fixed step. Not part of a snapshot. With
+       accelerations */
+    PLAIT_FIELD_ACCELERATION = 11,
+    PLAIT_FIELD_COUNT = 12,
     PLAIT_FIELD_FORCE_32 = 0x7fffffff
 } plait_field;
 
@@ -643,9 +652,10 @@ typedef enum plait_field {
  * @errors INVALID_STATE (what would fill the field is off) */
 PLAIT_API plait_result plait_sim_read(plait_sim* sim, plait_field field, void* dst, size_t* size);
 
-/* Overwrite POSITION (guides only, [guides][V]; w is kept), POSITION_PREV or VELOCITY (guides). The
- * size must match; of a value outside [-1e6, 1e6] m or [-1e4, 1e4] m/s the call says the index, and
- * writes nothing. Waits. */
+/* Overwrite POSITION (guides only, [guides][V]; w is kept), POSITION_PREV, VELOCITY (guides) or
+ * ACCELERATION. The size must match; of a value outside [-1e6, 1e6] m, [-1e4, 1e4] m/s or
+ * [-1e4, 1e4] m/s^2 the call says the index, and writes nothing. Waits.
+ * @errors INVALID_STATE (accelerations is off) */
 PLAIT_API plait_result plait_sim_write(plait_sim* sim, plait_field field, const void* src,
                                        size_t size);
 

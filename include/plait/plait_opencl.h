@@ -36,9 +36,9 @@ PLAIT_API plait_result plait_opencl_context_create(const plait_opencl_handles* h
                                                    const plait_context_desc* desc,
                                                    plait_context** out);
 
-/* The buffer behind POSITION, TANGENT, REST, VERTEX_COUNT, GRID_DENSITY, GRID_VELOCITY, FOLLOW_GUIDE
- * or POSITION_LAST_FRAME, borrowed: valid until the sim is destroyed or its grid is resized; read it on the
- * context's queue.
+/* The buffer behind POSITION, TANGENT, REST, VERTEX_COUNT, GRID_DENSITY, GRID_VELOCITY,
+ * FOLLOW_GUIDE, POSITION_LAST_FRAME or ACCELERATION, borrowed: valid until the sim is destroyed or
+ * its grid is resized; read it on the context's queue, where ACCELERATION may also be written.
  * @errors UNSUPPORTED (not an OpenCL context), INVALID_STATE (the field is off) */
 PLAIT_API plait_result plait_opencl_sim_get_field(plait_sim* sim, plait_field field, cl_mem* out);
 

@@ -26,9 +26,10 @@ Status check_lent(plait_field field, bool bounds) {
     if (field != PLAIT_FIELD_VELOCITY && field != PLAIT_FIELD_POSITION_PREV &&
         (bounds || field != PLAIT_FIELD_BOUNDS))
         return {};
-    return invalid(format("field is %d; there are POSITION, TANGENT, REST, VERTEX_COUNT, "
-                          "GRID_DENSITY, GRID_VELOCITY, FOLLOW_GUIDE%s POSITION_LAST_FRAME%s",
-                          field, bounds ? "," : " and", bounds ? " and BOUNDS" : ""));
+    return invalid(
+        format("field is %d; there are POSITION, TANGENT, REST, VERTEX_COUNT, "
+               "GRID_DENSITY, GRID_VELOCITY, FOLLOW_GUIDE, POSITION_LAST_FRAME%s ACCELERATION%s",
+               field, bounds ? "," : " and", bounds ? " and BOUNDS" : ""));
 }
 
 Status check_room(cl_mem to, size_t offset, size_t bytes) {
@@ -100,9 +101,10 @@ plait_result plait_opencl_sim_copy_field(plait_sim* sim, plait_field field, cl_m
         const auto from = static_cast<cl_mem>(context.device.native_buffer(**buffer));
         if (const cl_int code =
                 clEnqueueCopyBuffer(queue, from, to, 0, offset, *bytes, 0, nullptr, nullptr))
-            return api::invalid(format("to takes no copy: OpenCL error %d; it has to be of the context "
-                                  "of plait's queue, and written by the device",
-                                  code));
+            return api::invalid(
+                format("to takes no copy: OpenCL error %d; it has to be of the context "
+                       "of plait's queue, and written by the device",
+                       code));
         clFlush(queue);
         return {};
     });

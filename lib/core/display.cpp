@@ -99,9 +99,8 @@ void Display::update(Schedule& schedule, const Layout& layout, const State& stat
 
 uint64_t Display::device_bytes() const {
     uint64_t bytes = 0;
-    for (const Buffer* buffer :
-         {&tangent_, &follow_guide_, &follow_offset_, &last_frame_, &position_local_,
-          &position_out_, &pose_now_})
+    for (const Buffer* buffer : {&tangent_, &follow_guide_, &follow_offset_, &last_frame_,
+                                 &position_local_, &position_out_, &pose_now_})
         bytes += buffer->bytes();
     return bytes;
 }

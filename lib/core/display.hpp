@@ -40,7 +40,7 @@ class Display {
     }
     const Buffer& tangent() const { return tangent_; }
     const Buffer& follow_guide() const { return follow_guide_; } // none without follows
-    const Buffer& last_frame() const { return last_frame_; } // none unless it is kept
+    const Buffer& last_frame() const { return last_frame_; }     // none unless it is kept
     const Buffer& kept() const { return position_local_; }
     uint64_t device_bytes() const;
 

@@ -16,8 +16,9 @@ Error is_off(const char* what) {
 
 // What the caller may write: as far as grooms and heads may be, and as fast as gravity may get hair
 // in a second.
-constexpr float farthest = 1e6f; // m
-constexpr float fastest = 1e4f;  // m/s
+constexpr float farthest = 1e6f;  // m
+constexpr float fastest = 1e4f;   // m/s
+constexpr float strongest = 1e4f; // m/s^2
 
 // Of xyz; w is not read.
 Status check_vectors(const float* values, size_t count, const char* field, float most) {
@@ -58,6 +59,10 @@ Result<const Buffer*> Sim::field_buffer(plait_field field) const {
         if (!display_.last_frame())
             return is_off("keep_last_frame");
         return &display_.last_frame();
+    case PLAIT_FIELD_ACCELERATION:
+        if (!state_.acceleration)
+            return is_off("accelerations");
+        return &state_.acceleration;
     default:
         return Error{PLAIT_INVALID_ARGUMENT,
                      format("field is %d, range is [0, %d]", field, PLAIT_FIELD_COUNT - 1)};
@@ -137,9 +142,19 @@ Status Sim::write_velocity(const float* src) {
     return {};
 }
 
+Status Sim::write_acceleration(std::span<const float> src) {
+    const auto buffer = field_buffer(PLAIT_FIELD_ACCELERATION);
+    if (!buffer)
+        return buffer.error();
+    PLAIT_TRY(check_vectors(src.data(), src.size(), "acceleration", strongest));
+    return device().write(state_.acceleration, src.data());
+}
+
 Status Sim::write(plait_field field, const void* src) {
     const auto* values = static_cast<const float*>(src);
     const size_t vertices = layout_.guide_vertices();
+    if (field == PLAIT_FIELD_ACCELERATION)
+        return write_acceleration({values, 4 * vertices});
     const bool velocity = field == PLAIT_FIELD_VELOCITY;
     PLAIT_TRY(check_vectors(values, 4 * vertices, velocity ? "velocity" : "position",
                             velocity ? fastest : farthest));

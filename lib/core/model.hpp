@@ -56,6 +56,8 @@ class Model {
     virtual void swap() noexcept {}
     virtual void discard() {}
 
+    // Appends what takes state.acceleration, where there is one, to where the model reads it.
+    virtual void accelerate(Schedule&, const Substep&) const {}
     // Appends the stages of one substep; `state.pose` is already that of its end.
     virtual void substep(Schedule& schedule, const Substep& at) = 0;
     // Appends what puts the model's own state into position and its history, at the end of a step.
@@ -88,6 +90,7 @@ struct ModelInput {
     std::span<const float> stiffness; // scale of each guide's, or empty
     uint32_t tile;                    // strands per tile of the lane layout
     plait_sag_free sag_free;
+    bool accelerates; // state.acceleration is there
     std::pmr::memory_resource* memory;
 };
 

@@ -129,6 +129,8 @@ constexpr plait_param_info table[] = {
     whole(AT(grid_in_world), 0, 1),
     real(AT(grid_origin), "m", -1e6, 1e6),
     real(AT(grid_edge), "m", 0, 1e6),
+
+    real(AT(accelerate_values), "", -1e6, 1e6),
 };
 
 // TressFX's shape constraints: strand models read these with shape_constraints only.

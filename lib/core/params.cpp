@@ -152,6 +152,7 @@ Status check_sim_desc(const plait_sim_desc& s) {
     PLAIT_RANGE(max_steps_per_call, 1, 1000);
     PLAIT_RANGE(interpolate_output, 0, 1);
     PLAIT_RANGE(keep_last_frame, 0, 1);
+    PLAIT_RANGE(accelerations, 0, 1);
     PLAIT_RANGE(follows_per_guide, 0, 64);
     PLAIT_RANGE(follow_radius, 0, 1);
     PLAIT_RANGE_ENUM(sag_free, PLAIT_SAG_FREE_STIFFEN);

@@ -45,16 +45,17 @@ Result<SimParts> make_sim_parts(Context& context, const Groom& groom, const plai
     PLAIT_TRY(check_size(context, groom, desc));
     const Layout layout = make_layout(groom, desc);
     Device& device = context.device;
-    auto model = make_model(
-        desc.model, {layout, groom, stiffness, context.info.tile, desc.sag_free, &context.memory});
+    auto model = make_model(desc.model, {layout, groom, stiffness, context.info.tile, desc.sag_free,
+                                         desc.accelerations != 0, &context.memory});
     if (!model)
         return model.error();
     PLAIT_TRY((*model)->prepare(device, desc.params));
     (*model)->swap();
     (*model)->discard();
     const bool interpolate = desc.interpolate_output != 0;
-    auto state = create_state(device, groom, layout, interpolate ? layout.guides : layout.strands(),
-                              (*model)->pinned_vertices(), &context.memory);
+    auto state =
+        create_state(device, groom, layout, interpolate ? layout.guides : layout.strands(),
+                     (*model)->pinned_vertices(), desc.accelerations != 0, &context.memory);
     if (!state)
         return state.error();
     auto grid = InterHair::create(device, desc.params);
@@ -104,6 +105,7 @@ Status Sim::start() {
 
 Status Sim::check_stages() {
     schedule_.clear();
+    begin_substeps();
     add_substep(0);
     end_substeps();
     Status status = check_supported(device(), schedule_.list());
@@ -174,6 +176,7 @@ Status Sim::fixed_step(double end, bool keep) {
         display_.keep(schedule_, layout_, state_);
     roots_.begin_step(schedule_, end);
     PLAIT_TRY(colliders_.begin_step(device(), end));
+    begin_substeps();
     for (uint32_t i = 0; i < desc_.substeps; ++i) {
         add_substep(i);
         PLAIT_TRY(submit());
@@ -207,6 +210,23 @@ std::array<float, 3> Sim::air() const {
     for (size_t i = 0; i < 3; ++i)
         air[i] += p.air_with_head * moved[i] / static_cast<float>(clock_.step());
     return air;
+}
+
+// What pulls at single vertices in all substeps of a fixed step, where they are at its begin.
+void Sim::begin_substeps() {
+    if (!state_.acceleration)
+        return;
+    if (context_.replaced[PLAIT_STAGE_accelerate]) {
+        plait_accelerate_params params{};
+        params.vertex_stride = layout_.row;
+        params.h = substep_length();
+        params.time = static_cast<float>(clock_.time());
+        std::ranges::copy(desc_.params.accelerate_values, params.value);
+        schedule_.add(
+            PLAIT_STAGE_accelerate, layout_.guide_vertices(), params,
+            {&state_.vertex_count, &state_.position, &state_.position_prev, &state_.acceleration});
+    }
+    model_->accelerate(schedule_, present());
 }
 
 void Sim::add_substep(uint32_t index) {

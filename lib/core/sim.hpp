@@ -114,6 +114,7 @@ class Sim {
     Substep at(uint32_t substep) const;
     std::array<float, 3> air() const;                          // m/s, in this fixed step
     Substep present() const { return at(desc_.substeps - 1); } // between steps
+    void begin_substeps();
     void add_substep(uint32_t index);
     void end_substeps();
     bool brakes_lanes() const;
@@ -134,6 +135,7 @@ class Sim {
     void log_warnings(const plait_sim_params& before, const std::string& said) const;
     Status read_velocity(std::span<float> dst);
     Status write_velocity(const float* src);
+    Status write_acceleration(std::span<const float> src);
     // A run of floats that a snapshot holds.
     struct Block {
         enum class Of { vertices, histories, poses, motion, turns }; // what its values may be

@@ -27,12 +27,12 @@ Result<Skin> Skin::create(Device& device, const Groom& groom) {
     if (skin.bones_ == 0)
         return skin;
     const auto& strands = groom.strands;
-    PLAIT_TRY(device.create(skin.index_, PLAIT_ELEMENT_UINT, strands.bone_indices.size(),
-                            "bone_index"));
+    PLAIT_TRY(
+        device.create(skin.index_, PLAIT_ELEMENT_UINT, strands.bone_indices.size(), "bone_index"));
     PLAIT_TRY(device.create(skin.weight_, PLAIT_ELEMENT_FLOAT, strands.bone_weights.size(),
                             "bone_weight"));
-    PLAIT_TRY(device.create(skin.matrix_, PLAIT_ELEMENT_FLOAT4, size_t{3} * skin.bones_,
-                            "bone_matrix"));
+    PLAIT_TRY(
+        device.create(skin.matrix_, PLAIT_ELEMENT_FLOAT4, size_t{3} * skin.bones_, "bone_matrix"));
     PLAIT_TRY(device.write(skin.index_, strands.bone_indices.data()));
     PLAIT_TRY(device.write(skin.weight_, strands.bone_weights.data()));
     return skin;
@@ -42,8 +42,8 @@ Status Skin::check(std::span<const BoneMatrix> bones) const {
     if (bones_ == 0)
         return Error{PLAIT_INVALID_ARGUMENT, "bones are given, but the groom has no skin"};
     if (bones.size() < bones_)
-        return Error{PLAIT_INVALID_ARGUMENT, format("bones.count is %zu, the groom's skin needs %u",
-                                                    bones.size(), bones_)};
+        return Error{PLAIT_INVALID_ARGUMENT,
+                     format("bones.count is %zu, the groom's skin needs %u", bones.size(), bones_)};
     for (size_t bone = 0; bone < bones_; ++bone)
         PLAIT_TRY(check_bone(bones[bone], bone));
     return {};

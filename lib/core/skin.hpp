@@ -1,4 +1,5 @@
-// Linear blend skinning of the roots on the device: one rigid pose per strand from four weighted bones.
+// Linear blend skinning of the roots on the device: one rigid pose per strand from four weighted
+// bones.
 #pragma once
 
 #include "core/groom.hpp"

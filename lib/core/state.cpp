@@ -59,7 +59,7 @@ std::pmr::vector<Float4> identity_poses(const Layout& layout, std::pmr::memory_r
 } // namespace
 
 Result<State> create_state(Device& device, const Groom& groom, const Layout& layout,
-                           uint32_t position_rows, uint32_t pinned,
+                           uint32_t position_rows, uint32_t pinned, bool accelerates,
                            std::pmr::memory_resource* memory) {
     State state;
     const auto make = [&](Buffer& to, plait_element element, size_t count, const char* name,
@@ -83,6 +83,10 @@ Result<State> create_state(Device& device, const Groom& groom, const Layout& lay
     PLAIT_TRY(make(state.position_prev, f4, guides, "position_prev", rest.data(), guides));
     PLAIT_TRY(make(state.position_prev2, f4, guides, "position_prev2", rest.data(), guides));
     PLAIT_TRY(make(state.pose, f4, poses.size(), "pose", poses.data(), poses.size()));
+    if (accelerates) {
+        const std::pmr::vector<Float4> none(guides, Float4{}, memory);
+        PLAIT_TRY(make(state.acceleration, f4, guides, "acceleration", none.data(), guides));
+    }
     return state;
 }
 

@@ -21,17 +21,19 @@ struct State {
     Buffer position_prev;  // float4 [guides*V]
     Buffer position_prev2; // float4 [guides*V]
     Buffer pose;           // float4 [2*guides], of the last substep
+    // From without.
+    Buffer acceleration; // float4 [guides*V], m/s^2; only with accelerations
 
-    std::array<const Buffer*, 7> all() const {
+    std::array<const Buffer*, 8> all() const {
         return {&rest,          &vertex_count,   &rest_length, &position,
-                &position_prev, &position_prev2, &pose};
+                &position_prev, &position_prev2, &pose,        &acceleration};
     }
 };
 
 // Creates and fills the state with `groom` at rest, its roots at the identity. The first `pinned`
 // vertices of every strand get inverse mass 0, others 1.
 Result<State> create_state(Device& device, const Groom& groom, const Layout& layout,
-                           uint32_t position_rows, uint32_t pinned,
+                           uint32_t position_rows, uint32_t pinned, bool accelerates,
                            std::pmr::memory_resource* memory);
 
 } // namespace plait

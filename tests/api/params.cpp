@@ -110,7 +110,7 @@ double number(const std::string& word) {
 // "" where it says nothing.
 std::string comment_of(const plait_param_info& info, const std::string& text) {
     std::smatch found;
-    const std::regex declared("\\b" + std::string(info.name) + "(\\[3\\])?;\\s*/\\*([^*]*)\\*/");
+    const std::regex declared("\\b" + std::string(info.name) + "(\\[\\d+\\])?;\\s*/\\*([^*]*)\\*/");
     return std::regex_search(text, found, declared) ? found[2].str() : "";
 }
 

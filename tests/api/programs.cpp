@@ -20,7 +20,9 @@ struct Log {
                 return line.find(part) != std::string::npos;
             }));
     }
-    size_t programs() const { return count(": built, ") + count(": loaded, ") + count(": shared, "); }
+    size_t programs() const {
+        return count(": built, ") + count(": loaded, ") + count(": shared, ");
+    }
 };
 
 // `backend` outlives what it returns.

@@ -38,7 +38,7 @@ void fill(plait_layout_params& p, const Shape& shape) {
     p.vertex_stride = shape.vertices;
 }
 void fill(plait_integrate_params& p, const Shape& shape) {
-    p = {shape.vertices, step, 0.08f, 0.4f, 0.3f, {0, -9.81f, 0}};
+    p = {shape.vertices, step, 0.08f, 0.4f, 0.3f, {0, -9.81f, 0}, 0};
 }
 void fill(plait_global_shape_params& p, const Shape& shape) {
     p = {shape.vertices, 0.4f, 0.3f};
@@ -90,7 +90,14 @@ void fill(plait_grid_params& p, const Shape& shape) {
     p.diffuse_floor = 0.5f;
 }
 void fill(plait_lane_params& p, const Shape& shape) {
-    p = {shape.vertices, shape.tile, step, 3, 0, 1, {0, -9.81f, 0}, {0, 0, 0}, 0, 0, 3e6f, 1e-6f};
+    p = {shape.vertices, shape.tile, step, 3,    0,     1, {0, -9.81f, 0},
+         {0, 0, 0},      0,          0,    3e6f, 1e-6f, 0};
+}
+void fill(plait_accelerate_params& p, const Shape& shape) {
+    p = {shape.vertices, step, 0, {}};
+}
+void fill(plait_lane_tile_params& p, const Shape& shape) {
+    p = {shape.vertices, shape.tile};
 }
 void fill(plait_lane_grid_params& p, const Shape& shape) {
     plait_grid_params grid{};
@@ -316,6 +323,11 @@ const std::map<std::string, Maker>& makers() {
          }},
         {"bone_weight", [](const Shape& s) { return vectors(s.strands, 0.4f, 0.3f, 0.2f, 0.1f); }},
         {"tangent", zeros},
+        {"acceleration", zeros},
+        {"lane_acceleration",
+         [](const Shape& s) {
+             return lane_rows<3>(s, {0, 0, 0});
+         }},
         {"pose", poses},
         {"pose_from", poses},
         {"pose_to", poses},
@@ -414,6 +426,10 @@ std::vector<uint32_t> typical_buffer(const plait_stage_info& stage, const plait_
                                      const Shape& shape) {
     if (stage.stage == PLAIT_STAGE_follow && std::string(arg.name) == "position")
         return with_follows(shape);
+    const std::string_view name = arg.name;
+    if (stage.stage != PLAIT_STAGE_lane_accelerate && arg.access == PLAIT_ACCESS_READ &&
+        name.ends_with("acceleration"))
+        return {}; // hair that gravity alone pulls
     const auto maker = makers().find(arg.name);
     if (maker == makers().end())
         throw std::runtime_error(std::string("stage ") + stage.name + ": no typical contents for " +

@@ -25,8 +25,7 @@ class Rig {
         const plait_stage_info& info = *plait_stage_describe(stage);
         for (uint32_t index = 0; index < info.arg_count; ++index)
             if (const plait_stage_arg& arg = info.args[index]; arg.access != PLAIT_ACCESS_LOCAL)
-                add(device.make(stored_as(arg.element), arg.name,
-                                typical_buffer(info, arg, shape)));
+                add(arg, typical_buffer(info, arg, shape));
         dispatch_ = {stage,
                      item_count(stage, shape),
                      item_width(stage, shape),
@@ -48,9 +47,11 @@ class Rig {
     }
 
   private:
-    void add(Device::Buffer buffer) {
-        handles_.push_back(buffer.get());
-        buffers_.push_back(std::move(buffer));
+    // No contents, no buffer.
+    void add(const plait_stage_arg& arg, const std::vector<uint32_t>& contents) {
+        if (!contents.empty())
+            buffers_.push_back(device_.make(stored_as(arg.element), arg.name, contents));
+        handles_.push_back(contents.empty() ? nullptr : buffers_.back().get());
     }
 
     Device& device_;

@@ -125,6 +125,17 @@ const std::vector<std::string>& unread_of_capsules() {
     return list;
 }
 
+std::vector<float> accelerations(const Size& size, double most) {
+    Random random(size.strands * 31 + size.stride);
+    std::vector<float> values;
+    for (uint32_t i = 0; i < size.strands * size.stride; ++i) {
+        const Point way = random.direction();
+        const double strength = random.uniform(0.2, 1) * most;
+        put(values, {strength * way[0], strength * way[1], strength * way[2]}, 0);
+    }
+    return values;
+}
+
 Hair make_hair(const Size& size, uint32_t seed) {
     Random random(seed * 7919 + size.strands * 257 + size.stride);
     Hair hair;

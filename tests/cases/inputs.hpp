@@ -49,6 +49,9 @@ struct Hair {
 // Vertices 0 and 1 of every strand are pinned, and here and there one further out.
 Hair make_hair(const Size& size, uint32_t seed);
 
+// Of every vertex, padding too, up to `most` in any direction; w 0: [strands][V] float4.
+std::vector<float> accelerations(const Size& size, double most);
+
 // Of a capsule at the substep's begin only the place of a is read: turned as the capsule turns, it
 // says where any other point was.
 const std::vector<std::string>& unread_of_capsules();

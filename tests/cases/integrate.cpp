@@ -9,10 +9,11 @@ Setup make(const Size& size, float stiffness) {
     setup.name = name_of(size) + ", stiffness " + std::to_string(stiffness);
     setup.items = hair.vertices();
     setup.buffers = {float4s(hair.rest),          uints(hair.vertex_count),
-                     float4s(hair.pose),          float4s(hair.position),
-                     float4s(hair.position_prev), float4s(hair.position_prev2)};
-    const plait_integrate_params params = {size.stride, 1.0f / 60, 0.5f,
-                                           stiffness,   0.5f,      {1.5f, -9.81f, 2.5f}};
+                     float4s(hair.pose),          float4s(accelerations(size, 10)),
+                     float4s(hair.position),      float4s(hair.position_prev),
+                     float4s(hair.position_prev2)};
+    const plait_integrate_params params = {size.stride,          1.0f / 60, 0.5f, stiffness, 0.5f,
+                                           {1.5f, -9.81f, 2.5f}, 1};
     return setup.with(params);
 }
 

@@ -105,6 +105,14 @@ void add_capsule(LaneHair& lanes, Random& random, size_t vertex, double gap, flo
     append(lanes.capsules, std::array<double, 4>{double(friction), 0, 0, 0});
 }
 
+std::vector<float> without_w(const std::vector<float>& float4s) {
+    std::vector<float> values;
+    for (size_t i = 0; i < float4s.size(); ++i)
+        if (i % 4 != 3)
+            values.push_back(float4s[i]);
+    return values;
+}
+
 // All strands inside: what a kernel meets that reads the capsules of the substep before.
 std::vector<float> capsules_of_two_substeps(const std::vector<float>& capsules) {
     std::vector<float> both;
@@ -202,10 +210,11 @@ LaneHair make_lane_hair_wrung(const Size& size, uint32_t seed) {
 }
 
 plait_lane_params lane_params(const Size& size, uint32_t iterations, uint32_t bdf2) {
-    plait_lane_params params = {size.stride,   1,          1.0f / 30, iterations, bdf2, 4,
-                                {20, -40, 30}, {9, 8, -7}, 0,         0,          0,    0};
+    plait_lane_params params = {size.stride, 1, 1.0f / 30, iterations, bdf2, 4, {20, -40, 30},
+                                {9, 8, -7},  0, 0,         0,          0,    0};
     params.contact_rate = 3e5f; // what starts inside is pushed out by millimetres
     params.contact_slip = 0.03f;
+    params.accelerates = 1;
     return params;
 }
 
@@ -228,6 +237,11 @@ Setup lane_setup(const Size& size, const LaneHair& lanes, const plait_lane_param
         setup.buffers.push_back(lane_floats(lanes.rest, 4));
     setup.buffers.push_back(
         lanes.capsules.empty() ? null_array() : float4s(capsules_of_two_substeps(lanes.capsules)));
+    // none in contact, whose capsules lie where gravity drives the hair
+    const auto& g = params.gravity;
+    const double strongest = lanes.capsules.empty() ? 0.5 * std::hypot(g[0], g[1], g[2]) : 0;
+    setup.buffers.push_back(
+        lane_floats(without_w(accelerations(lanes.hair.size, strongest)), 3));
     setup.buffers.push_back(lane_floats(lanes.x, 3));
     setup.buffers.push_back(lane_floats(lanes.v, 3));
     if (bends) {

@@ -25,7 +25,8 @@ std::vector<float> matrices(Random& random) {
     return rows;
 }
 
-// The first bone outweighs the others, so that no blend is far from a rotation and none is in doubt.
+// The first bone outweighs the others, so that no blend is far from a rotation and none is in
+// doubt.
 Setup make(const Size& size) {
     Random random(size.strands);
     Hair hair = make_hair(size, 12);

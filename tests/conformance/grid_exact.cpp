@@ -119,10 +119,12 @@ TEST_P(GridExact, sums_do_not_depend_on_order_by_a_bit) {
     EXPECT_EQ(scene.sums(), first) << "strands permuted";
 }
 
-// Everyone in one voxel at up to 64 m/s, the most that counts: the low words of the sums overflow thousands of times.
+// Everyone in one voxel at up to 64 m/s, the most that counts: the low words of the sums overflow
+// thousands of times.
 TEST_P(GridExact, carries_reach_the_high_word) {
     constexpr size_t n = 3000;
-    std::vector<Particle> particles(n, Particle{{0.5f, 0.5f, 0.5f}, {-PLAIT_SUM_MAX_SPEED, 40.0f, 0.25f}});
+    std::vector<Particle> particles(
+        n, Particle{{0.5f, 0.5f, 0.5f}, {-PLAIT_SUM_MAX_SPEED, 40.0f, 0.25f}});
     GridScene scene(device, grid_params(1, 1, 1.0f), n);
     scene.params.h = 1.0f;
     scene.place(particles);

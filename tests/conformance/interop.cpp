@@ -106,8 +106,7 @@ TEST_P(Interop, copies_into_the_callers_buffer) {
     ASSERT_EQ(plait_sim_step(sim.get(), 0.1), PLAIT_OK) << plait_last_error();
     constexpr size_t count = size_t{4} * 2 * vertices, bytes = count * sizeof(float);
     cl_int code = CL_SUCCESS;
-    const Memory own(
-        clCreateBuffer(context_.get(), CL_MEM_READ_WRITE, bytes + 64, nullptr, &code));
+    const Memory own(clCreateBuffer(context_.get(), CL_MEM_READ_WRITE, bytes + 64, nullptr, &code));
     ASSERT_EQ(code, CL_SUCCESS);
     for (const auto& [field, at, floats] :
          {std::tuple(PLAIT_FIELD_POSITION, size_t{64}, count),

@@ -112,8 +112,8 @@ TEST_P(LabGrid, vertices_see_what_lies_around_them) {
     EXPECT_LT((stages.seen(velocity, {0.1, 1.3, 0.9}) - Vec3(0.25, 2.6, 2.7)).norm(), 1e-12);
 }
 
-// Sums over all vertices are nearer to how the hair moves than a sample of one a voxel. Which vertex
-// a slot keeps is a race: over 40 orders of these 800 strands the ratio was 1.89 to 2.15.
+// Sums over all vertices are nearer to how the hair moves than a sample of one a voxel. Which
+// vertex a slot keeps is a race: over 40 orders of these 800 strands the ratio was 1.89 to 2.15.
 TEST_P(LabGrid, samples_are_farther_off_than_sums) {
     const auto figure = grid_figure(which, device, {12800, 3, false});
     ASSERT_EQ(figure.series.size(), 3u);

@@ -84,13 +84,12 @@ TEST(LabPlaneFall, is_converged) {
 lab::Value error_of(const char* model, const lab::Setting& setting,
                     const Json& overrides = Json::object()) {
     static lab::Contexts float64("reference", "");
-    Json scene{
-        {"strand", {{"segments", segments}, {"length", 1}}},
-        {"material", {{"line_density", 1e-3}, {"gamma", "limp"}}},
-        {"gravity", {0, -9.81, 0}},
-        {"drag", 2},
-        {"duration", 1},
-        {"reference", {{"plane", true}}}};
+    Json scene{{"strand", {{"segments", segments}, {"length", 1}}},
+               {"material", {{"line_density", 1e-3}, {"gamma", "limp"}}},
+               {"gravity", {0, -9.81, 0}},
+               {"drag", 2},
+               {"duration", 1},
+               {"reference", {{"plane", true}}}};
     scene.merge_patch(overrides);
     const lab::Scene read = lab::read_scene(scene, lab::Origin{});
     const lab::Method method{lab::find_model(model), setting};

@@ -86,7 +86,17 @@ typedef struct plait_integrate_params {
     float global_stiffness; /* s_G, [0, 1] */
     float global_range;     /* fraction of a strand's vertices, [0, 1] */
     float gravity[3];       /* m/s^2 */
+    plait_u32 accelerates;  /* 1: vertices have accelerations; 0: `acceleration` is null */
 } plait_integrate_params;
+
+/* accelerate: what a caller's own kernel is told. */
+#define PLAIT_ACCELERATE_VALUES 16
+typedef struct plait_accelerate_params {
+    plait_u32 vertex_stride;
+    float h;                              /* s: velocity = (position - position_prev) / h */
+    float time;                           /* s simulated, at the begin of the step */
+    float value[PLAIT_ACCELERATE_VALUES]; /* plait_sim_params.accelerate_values */
+} plait_accelerate_params;
 
 /* global_shape: the global shape constraint alone (order = shock_before_global). */
 typedef struct plait_global_shape_params {
@@ -209,6 +219,7 @@ typedef struct plait_lane_params {
     plait_u32 collider_first; /* where in `capsule` those of the substep begin */
     float contact_rate; /* 1/s^2: stiffness of contact over mass; a load of m a sinks a/rate in */
     float contact_slip; /* m: the displacement per substep at which friction is all of mu N */
+    plait_u32 accelerates; /* 1: vertices have accelerations; 0: lane_acceleration is null */
 } plait_lane_params;
 
 /* lane_reset, lane_teleport. */
@@ -217,6 +228,12 @@ typedef struct plait_lane_state_params {
     plait_u32 tile;
     plait_u32 history; /* 1: BDF2's step before is kept; 0: lane_x_before, lane_v_before are null */
 } plait_lane_state_params;
+
+/* lane_accelerate. */
+typedef struct plait_lane_tile_params {
+    plait_u32 vertex_stride;
+    plait_u32 tile;
+} plait_lane_tile_params;
 
 /* lane_unpack, lane_orient. */
 typedef struct plait_lane_layout_params {

@@ -65,7 +65,9 @@ namespace lab {
 void add_stability(CLI::App& app, Command& chosen) {
     auto options = std::make_shared<stability::Options>();
     CLI::App* command = app.add_subcommand("stability", "shake the models till they fail");
-    command->add_option("--models", options->sweep.models, "labels [tressfx,chain,cosserat,rod,articulated]")
+    command
+        ->add_option("--models", options->sweep.models,
+                     "labels [tressfx,chain,cosserat,rod,articulated]")
         ->delimiter(',');
     command
         ->add_option("--scenes", options->sweep.scenes,

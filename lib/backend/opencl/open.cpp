@@ -119,8 +119,7 @@ Result<std::unique_ptr<Device>> Device::open(const plait_open_info& info, const 
         PLAIT_TRY(opened);
         folder = std::move(*opened);
     }
-    std::unique_ptr<Device> device(
-        new Device(std::move(*session), log, calls, std::move(folder)));
+    std::unique_ptr<Device> device(new Device(std::move(*session), log, calls, std::move(folder)));
     PLAIT_TRY(device->take_sources({info.stage_sources, info.stage_source_count}));
     log(PLAIT_LOG_LEVEL_INFO,
         format("opencl: opened %s (%s), driver %s%s", device->info().name, device->info().platform,

@@ -15,7 +15,8 @@
 namespace plait::opencl {
 
 // Binaries of programs, a file each, for the processes that come later. A file holds a checksum and
-// the whole key that it was written under, so that what is damaged or of another driver is not used.
+// the whole key that it was written under, so that what is damaged or of another driver is not
+// used.
 class ProgramFolder {
   public:
     ProgramFolder() = default; // none

@@ -60,15 +60,15 @@ void project_lengths(const Links& links, const std::vector<Mat3>& W, std::vector
 }
 
 // A vertex swings sideways faster than the step, pulled by what hangs on it: h^2 T/(m l).
-bool coarse(const Links& links, double gravity) {
+bool coarse(const Links& links, const Motion& motion) {
     constexpr double limit = 0.2;
     double below = 0;
     for (size_t i = links.length.size(); i > 0; --i) {
         const double l = links.length[i - 1], m = links.mass[i];
         if (l == 0)
             continue; // past the tip
-        below += m;
-        if (links.reach * gravity * below > limit * m * l)
+        below += m * motion.pull[i].norm();
+        if (links.reach * below > limit * m * l)
             return true;
     }
     return false;
@@ -129,8 +129,7 @@ void sweep(const Links& links, const Contacts* contacts, std::vector<Vec3>& x) {
 std::vector<Vec3> solve(const Links& links, const Motion& motion, const plait_lane_params& params,
                         Contacts* contacts) {
     constexpr int rounds = 4;
-    const double gravity = std::hypot(params.gravity[0], params.gravity[1], params.gravity[2]);
-    const bool pulls = params.iterations > 0 && !params.bdf2 && coarse(links, gravity);
+    const bool pulls = params.iterations > 0 && !params.bdf2 && coarse(links, motion);
     const std::vector<Vec3> target = pulls ? pulled(links, motion) : motion.y;
     std::vector<Vec3> x = target;
     for (int round = 0; round < (contacts ? rounds : 1); ++round) {
@@ -166,7 +165,8 @@ void follow(const Links& links, Contacts* contacts, std::vector<Vec3>& x) {
 } // namespace
 
 void chain(uint32_t item_count, const plait_lane_params& params, const chain_args& args) {
-    const LaneState state{args.lane_x, args.lane_v, args.lane_x_before, args.lane_v_before};
+    const LaneState state{args.lane_x, args.lane_v, args.lane_x_before, args.lane_v_before,
+                          args.lane_acceleration};
     for (size_t slot = 0; slot < item_count; ++slot) {
         const Lane lane(slot, params.vertex_stride, params.tile);
         const size_t strand = strand_of(args.lane_strand, slot);

@@ -26,15 +26,15 @@ Balance of_backward_euler(const Substep& step, const std::vector<Vec3>& x,
                           const std::vector<Vec3>& v) {
     const auto& [params, motion, mass, length] = step;
     const double h = motion.h, gain = 1 + params.drag * h;
-    const Vec3 push = vec3(params.gravity) + params.drag * vec3(params.air);
     Balance sum{0, 0};
     for (size_t i = 1; i < x.size(); ++i) {
         if (length[i] == 0)
             continue;
         const Vec3 inertial = motion.v[i] / gain - motion.root_velocity;
         const Vec3 moves = v[i] - motion.root_velocity;
-        sum.before += gain * (mass[i] / 2 * inertial.squaredNorm() + creep(mass[i], h, x[i])) +
-                      mass[i] * push.dot(x[i] - motion.from[i]);
+        sum.before +=
+            gain * (mass[i] / 2 * inertial.squaredNorm() + creep(mass[i], h, x[i])) +
+            mass[i] * (motion.pull[i] + params.drag * vec3(params.air)).dot(x[i] - motion.from[i]);
         sum.after += gain * mass[i] / 2 * moves.squaredNorm();
     }
     return sum;
@@ -47,23 +47,23 @@ Balance of_bdf2(const Substep& step, bool pairs, const std::vector<Vec3>& x,
     const auto& [params, motion, mass, length] = step;
     const Vec3 root = root_velocity(step, pairs);
     Balance sum{0, 0};
-    double total = 0, reach = 0;
+    double weight = 0, reach = 0;
     for (size_t i = 1; i < x.size(); ++i) {
         if (length[i] == 0)
             continue;
         const Vec3 now = v[i] - root, before = motion.v[i] - root, ago = motion.v_before[i] - root;
         const Vec3 way = pairs ? Vec3(params.h / motion.h * (x[i] - motion.from[i]))
                                : Vec3(x[i] - (motion.start[i] - motion.start[0]));
-        const Vec3 force = vec3(params.gravity) + params.drag * (vec3(params.air) - v[i]);
+        const Vec3 force = motion.pull[i] + params.drag * (vec3(params.air) - v[i]);
         const double moves = held(pairs, before, ago), least = creep(mass[i], motion.h, x[i]);
         sum.brought += mass[i] * moves + least;
         sum.before += mass[i] * (moves + force.dot(way)) + least;
         sum.after += mass[i] * held(pairs, now, before);
-        total += mass[i];
+        weight += mass[i] * motion.pull[i].norm();
         reach += length[i];
     }
     // truncated solves leave creeping hair more than it has
-    sum.creep = 1e-5 * total * reach * vec3(params.gravity).norm();
+    sum.creep = 1e-5 * weight * reach;
     return sum;
 }
 
@@ -73,12 +73,12 @@ bool counts_pairs(const Substep& step) {
     const auto& [params, motion, mass, length] = step;
     if (!params.bdf2)
         return false;
-    const double fall = (2 * params.h * vec3(params.gravity)).squaredNorm();
     double turned = 0, may = 0;
     for (size_t i = 1; i < length.size(); ++i) {
         if (length[i] == 0)
             continue;
         turned += mass[i] * (motion.v[i] - motion.v_before[i]).squaredNorm();
+        const double fall = (2 * params.h * motion.pull[i]).squaredNorm();
         may += mass[i] * (0.2 * (motion.v[i] - motion.root_velocity).squaredNorm() + fall);
     }
     return turned <= may;

@@ -1,5 +1,6 @@
 // integrate: damped Verlet step, then a pull towards the skinned rest shape near the root.
-//   x' = x + e^(-60 d h) (x - x_prev) + h^2 g,   x' += s_G (rest - x')   for i < range * count
+//   x' = x + e^(-60 d h) (x - x_prev) + h^2 (g + a),   x' += s_G (rest - x')   for i < range *
+//   count
 // Source: Han & Harada 2012, section 3; the damping exponent makes d mean the same at every step
 // length (d = 0.08 keeps 92 % of the velocity at 60 Hz).
 #include "backend/reference/stages.hpp"
@@ -9,10 +10,11 @@
 namespace plait::reference {
 namespace {
 
-Vec3 verlet(const Vec3& x, const Vec3& previous, const plait_integrate_params& params) {
+Vec3 verlet(const Vec3& x, const Vec3& previous, const Vec3& pull,
+            const plait_integrate_params& params) {
     const double h = params.h;
     const double kept = std::exp(-60.0 * params.damping * h);
-    return x + kept * (x - previous) + h * h * vec3(params.gravity);
+    return x + kept * (x - previous) + h * h * pull;
 }
 
 } // namespace
@@ -27,7 +29,10 @@ void integrate(uint32_t item_count, const plait_integrate_params& params,
         const Vec4 now = args.position[item];
         const Vec4 previous = args.position_prev[item];
         const Vec3 rest = pose_of(args.pose, strand).apply(xyz(args.rest[item]));
-        Vec3 next = pinned(now) ? rest : verlet(xyz(now), xyz(previous), params);
+        Vec3 pull = vec3(params.gravity);
+        if (params.accelerates)
+            pull += xyz(args.acceleration[item]);
+        Vec3 next = pinned(now) ? rest : verlet(xyz(now), xyz(previous), pull, params);
         if (i < static_cast<double>(params.global_range) * count)
             next += params.global_stiffness * (rest - next);
         args.position_prev2[item] = previous;

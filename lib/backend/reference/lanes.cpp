@@ -18,9 +18,8 @@ Motion::Motion(const Lane& lane, const plait_lane_params& params, const LaneStat
                const Vec3& new_root)
     : whole(params.h), h(params.bdf2 ? whole * 2.0 / 3.0 : whole), root(new_root),
       start(params.vertex_stride), v(params.vertex_stride, Vec3::Zero()),
-      from(params.vertex_stride, Vec3::Zero()), y(params.vertex_stride),
-      w(params.vertex_stride, Vec3::Zero()) {
-    const Vec3 push = vec3(params.gravity) + params.drag * vec3(params.air);
+      pull(params.vertex_stride, vec3(params.gravity)), from(params.vertex_stride, Vec3::Zero()),
+      y(params.vertex_stride), w(params.vertex_stride, Vec3::Zero()) {
     const Vec3 root_now = lane.vector(state.x, 0);
     const Vec3 root_before = params.bdf2 ? lane.vector(state.x_before, 0) : root_now;
     start[0] = root_now - root;
@@ -37,7 +36,9 @@ Motion::Motion(const Lane& lane, const plait_lane_params& params, const LaneStat
         start[i] = root_now + x - root;
         from[i] = params.bdf2 ? continued(x, x_before[i]) : x;
         const Vec3 velocity = params.bdf2 ? continued(v[i], v_before[i]) : v[i];
-        w[i] = (velocity + h * push) / (1 + params.drag * h);
+        if (params.accelerates)
+            pull[i] += lane.vector(state.acceleration, i);
+        w[i] = (velocity + h * (pull[i] + params.drag * vec3(params.air))) / (1 + params.drag * h);
         y[i] = from[i] + h * (w[i] - root_velocity);
     }
 }

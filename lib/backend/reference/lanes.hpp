@@ -50,9 +50,10 @@ struct LaneState {
     const View<double>& v;        // row 0: the root's own
     const View<double>& x_before; // BDF2 only
     const View<double>& v_before;
+    const View<const double>& acceleration; // beside gravity, where there is any
 };
 
-// One step of one strand: y is where inertia, gravity and drag alone would put each vertex,
+// One step of one strand: y is where inertia, what pulls and drag alone would put each vertex,
 // relative to the root; w the velocity that goes with it; h the step of the integrator (2/3 of the
 // substep for BDF2).
 struct Motion {
@@ -70,6 +71,7 @@ struct Motion {
     std::vector<Vec3> start;              // positions at the substep's begin, [0] that of the root
     std::vector<Vec3> v;                  // velocities at the substep's begin
     std::vector<Vec3> x_before, v_before; // BDF2: relative to the root, a substep earlier
+    std::vector<Vec3> pull;               // m/s^2: gravity, and what else a vertex has
     std::vector<Vec3> from;               // relative to the root, what v = (x - from)/h counts from
     Vec3 root_velocity;
     std::vector<Vec3> y, w;

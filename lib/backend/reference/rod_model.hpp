@@ -119,15 +119,16 @@ class RodModel {
 template <typename Args, typename Solve>
 void step_rods(uint32_t item_count, const plait_lane_params& params, const Args& args,
                const Solve& solve, bool inextensible = false) {
-    const RodBuffers buffers{args.lane_strand,
-                             args.rest,
-                             args.pose,
-                             args.lane_material,
-                             args.lane_rest,
-                             args.capsule,
-                             args.lane_q,
-                             args.lane_q_before,
-                             {args.lane_x, args.lane_v, args.lane_x_before, args.lane_v_before}};
+    const RodBuffers buffers{
+        args.lane_strand,
+        args.rest,
+        args.pose,
+        args.lane_material,
+        args.lane_rest,
+        args.capsule,
+        args.lane_q,
+        args.lane_q_before,
+        {args.lane_x, args.lane_v, args.lane_x_before, args.lane_v_before, args.lane_acceleration}};
     for (size_t slot = 0; slot < item_count; ++slot) {
         RodModel rod(buffers, params, slot, inextensible);
         solve(rod);

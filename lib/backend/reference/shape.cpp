@@ -83,6 +83,10 @@ size_t Shape::elements(const char* argument) const {
     if (is("rest", "rest_length", "position_prev", "position_prev2", "position_local",
            "position_out", "position_last_frame", "tangent"))
         return vertices_;
+    if (is("acceleration"))
+        return accelerates_ ? vertices_ : 0;
+    if (is("lane_acceleration"))
+        return accelerates_ ? tiled_vertices_ * 3 : 0;
     if (is("vertex_count", "strand_stats"))
         return strands_;
     if (is("pose", "pose_from", "pose_to", "pose_now"))

@@ -29,6 +29,8 @@ class Shape {
             history_ = params.bdf2 != 0;
         if constexpr (requires { params.history; })
             history_ = params.history != 0;
+        if constexpr (requires { params.accelerates; })
+            accelerates_ = params.accelerates != 0;
         if constexpr (requires { params.boxes; })
             points_ = size_t{params.count} * (params.boxes ? 2 : 1);
         set_rows(space);
@@ -65,6 +67,7 @@ class Shape {
     size_t tiled_vertices_ = 0; // of whole tiles of strands
     bool per_root_ = false;
     bool history_ = false;
+    bool accelerates_ = true; // where the parameters do not say
 };
 
 } // namespace plait::reference

@@ -1,5 +1,5 @@
-// skin: the root follows the blend M of its bones exactly; its frame turns by the rotation nearest to
-// M in the Frobenius norm, U diag(1, 1, det) V^T of its SVD (Kabsch 1976).
+// skin: the root follows the blend M of its bones exactly; its frame turns by the rotation nearest
+// to M in the Frobenius norm, U diag(1, 1, det) V^T of its SVD (Kabsch 1976).
 #include "backend/reference/stages.hpp"
 
 #include <Eigen/SVD>

@@ -33,6 +33,7 @@ float contact_slip(float h, float length) {
 
 LaneSource::LaneSource(const ModelInput& input)
     : layout(input.layout), tile(input.tile), sag_free(input.sag_free),
+      accelerates(input.accelerates),
       memory(input.memory), strands{
                                 {input.groom.strands.positions, input.memory},
                                 {input.groom.strands.vertex_counts, input.memory},
@@ -52,6 +53,8 @@ Status LanePart::open(Device& device) {
     PLAIT_TRY(make(device, q_, 4, "lane_q"));
     PLAIT_TRY(make(device, q_before_, 4, "lane_q_before"));
     PLAIT_TRY(make(device, x_, 3, "lane_x"));
+    if (source_.accelerates)
+        PLAIT_TRY(make(device, acceleration_, 3, "lane_acceleration"));
     std::pmr::vector<uint32_t> strands(source_.memory);
     for (size_t lane = 0; lane < lanes_.padded_strands(); ++lane)
         strands.push_back(member(lane));
@@ -134,6 +137,15 @@ void LanePart::discard() {
     has_next_fill_ = has_next_history_ = false;
 }
 
+void LanePart::accelerate(Schedule& schedule, const Substep& at) const {
+    if (acceleration_)
+        schedule.add(
+            PLAIT_STAGE_lane_accelerate, lanes_.strands,
+            plait_lane_tile_params{lanes_.row, lanes_.tile},
+            {&lane_strand_, &at.state.vertex_count, &at.state.acceleration, &acceleration_},
+            lanes_.row);
+}
+
 void LanePart::substep(Schedule& schedule, const Substep& at, float mean_length) {
     const plait_sim_params& p = at.params;
     plait_lane_params params{};
@@ -151,15 +163,17 @@ void LanePart::substep(Schedule& schedule, const Substep& at, float mean_length)
     params.collider_first = at.collider_first;
     params.contact_rate = contact_rate(p.gravity, at.h, params.bdf2, mean_length);
     params.contact_slip = contact_slip(at.h, mean_length);
+    params.accelerates = acceleration_ ? 1 : 0;
     if (!traits_.bends)
         schedule.add(traits_.stage, lanes_.strands, params,
                      {&lane_strand_, &at.state.rest, &at.state.pose, &fill_.material, &at.capsules,
-                      &x_, &v_, &history_.x, &history_.v},
+                      &acceleration_, &x_, &v_, &history_.x, &history_.v},
                      lanes_.row);
     else
         schedule.add(traits_.stage, lanes_.strands, params,
                      {&lane_strand_, &at.state.rest, &at.state.pose, &fill_.material, &fill_.rest,
-                      &at.capsules, &x_, &v_, &q_, &q_before_, &history_.x, &history_.v},
+                      &at.capsules, &acceleration_, &x_, &v_, &q_, &q_before_, &history_.x,
+                      &history_.v},
                      lanes_.row);
 }
 
@@ -232,8 +246,9 @@ void LanePart::add_dynamic(std::pmr::vector<LaneBuffer>& to) const {
 
 uint64_t LanePart::device_bytes() const {
     uint64_t bytes = 0;
-    for (const Buffer* buffer : {&fill_.material, &fill_.rest, &fill_.start, &x_, &v_, &q_,
-                                 &q_before_, &history_.x, &history_.v, &lane_strand_})
+    for (const Buffer* buffer :
+         {&fill_.material, &fill_.rest, &fill_.start, &x_, &v_, &q_, &q_before_, &history_.x,
+          &history_.v, &acceleration_, &lane_strand_})
         bytes += buffer->bytes();
     return bytes;
 }

@@ -20,6 +20,7 @@ struct LaneSource {
     Layout layout; // of the whole sim
     uint32_t tile;
     plait_sag_free sag_free;
+    bool accelerates;
     std::pmr::memory_resource* memory;
     RestStrands strands; // for when the material changes
 };
@@ -49,6 +50,7 @@ class LanePart {
     void swap() noexcept;
     void discard(); // what swap() would take
 
+    void accelerate(Schedule& schedule, const Substep& at) const;
     // `mean_length`: m, of all strands of the sim.
     void substep(Schedule& schedule, const Substep& at, float mean_length);
     void publish(Schedule& schedule, const Substep& at) const;
@@ -120,6 +122,7 @@ class LanePart {
     Fill fill_, next_fill_;
     bool has_next_fill_ = false, has_next_history_ = false;
     Buffer x_, v_, q_, q_before_;
+    Buffer acceleration_; // only with accelerations
     History history_, next_history_;
     Buffer lane_strand_; // uint [lanes of whole tiles]
 };

@@ -32,6 +32,7 @@ class LaneModel final : public Model {
                           std::span<const plait_model> models) override;
     void swap() noexcept override;
     void discard() override;
+    void accelerate(Schedule& schedule, const Substep& at) const override;
     void substep(Schedule& schedule, const Substep& at) override;
     void publish(Schedule& schedule, const Substep& at) const override;
     void adopt(Schedule& schedule, const Substep& at) const override;
@@ -130,6 +131,11 @@ void LaneModel::discard() {
     next_parts_.clear();
     for (const PartPtr& part : parts_)
         part->discard();
+}
+
+void LaneModel::accelerate(Schedule& schedule, const Substep& at) const {
+    for (const PartPtr& part : parts_)
+        part->accelerate(schedule, at);
 }
 
 void LaneModel::substep(Schedule& schedule, const Substep& at) {

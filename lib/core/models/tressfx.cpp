@@ -62,11 +62,12 @@ void integrate(Schedule& schedule, const Substep& at, float global_stiffness) {
     const plait_sim_params& p = at.params;
     const State& s = at.state;
     const plait_integrate_params params = {
-        at.layout.row,    at.h,           p.damping,
-        global_stiffness, p.global_range, {p.gravity[0], p.gravity[1], p.gravity[2]}};
-    schedule.add(
-        PLAIT_STAGE_integrate, at.layout.guide_vertices(), params,
-        {&s.rest, &s.vertex_count, &s.pose, &s.position, &s.position_prev, &s.position_prev2});
+        at.layout.row,           at.h,           p.damping,
+        global_stiffness,        p.global_range, {p.gravity[0], p.gravity[1], p.gravity[2]},
+        s.acceleration ? 1u : 0u};
+    schedule.add(PLAIT_STAGE_integrate, at.layout.guide_vertices(), params,
+                 {&s.rest, &s.vertex_count, &s.pose, &s.acceleration, &s.position, &s.position_prev,
+                  &s.position_prev2});
 }
 
 void TressFx::shock(Schedule& schedule, const Substep& at) const {

@@ -19,24 +19,29 @@ void integrate_is_free_fall(Bench& bench) {
     const std::vector<float> rest = {0, 0, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0, 2, 0, 0, 0};
     const std::vector<float> x = {5, 5, 5, 0, 6, 5, 5, 0, 2, 0, 0, 1, 9, 9, 9, 1};
     const std::vector<float> before = {4, 4, 4, 0, 4, 4, 4, 0, 2, 0, -.3f, 1, 8, 8, 8, 1};
-    plait_integrate_params params = {4, 0.1f, 0, 0, 0, {0, -10, 0}};
+    Array pull = null_array();
+    plait_integrate_params params = {4, 0.1f, 0, 0, 0, {0, -10, 0}, 0};
     const auto fall = [&] {
         return bench.run(PLAIT_STAGE_integrate, 4, 1, params,
-                         {float4s(rest), uints({3}), float4s(unit_pose), float4s(x),
+                         {float4s(rest), uints({3}), float4s(unit_pose), pull, float4s(x),
                           float4s(before), float4s(before)});
     };
     auto out = fall();
-    expect_near(out[3], {0, 0, 0, 0, 1, 0, 0, 0, 2, -.1f, .3f, 1, 9, 9, 9, 1});
-    expect_near(out[4], {5, 5, 5, 0, 6, 5, 5, 0, 2, 0, 0, 1, 8, 8, 8, 1}, 0);
-    expect_near(out[5], before, 0);
+    expect_near(out[4], {0, 0, 0, 0, 1, 0, 0, 0, 2, -.1f, .3f, 1, 9, 9, 9, 1});
+    expect_near(out[5], {5, 5, 5, 0, 6, 5, 5, 0, 2, 0, 0, 1, 8, 8, 8, 1}, 0);
+    expect_near(out[6], before, 0);
     params.damping = 0.1f; // e^(-60 * 0.1 * 0.1) of the velocity is left
     params.global_stiffness = 0.5f;
     params.global_range = 0.5f; // vertices 0 and 1 of 3
     out = fall();
-    expect_near(out[3], {0, 0, 0, 0, 1, 0, 0, 0, 2, -.1f, .3f * std::exp(-.6f), 1, 9, 9, 9, 1});
+    expect_near(out[4], {0, 0, 0, 0, 1, 0, 0, 0, 2, -.1f, .3f * std::exp(-.6f), 1, 9, 9, 9, 1});
     params.global_range = 1;
     out = fall();
-    expect_near(out[3], {0, 0, 0, 0, 1, 0, 0, 0, 2, -.05f, .15f * std::exp(-.6f), 1, 9, 9, 9, 1});
+    expect_near(out[4], {0, 0, 0, 0, 1, 0, 0, 0, 2, -.05f, .15f * std::exp(-.6f), 1, 9, 9, 9, 1});
+    params = {4, 0.1f, 0, 0, 0, {0, -10, 0}, 1};
+    pull = float4s({9, 9, 9, 0, 9, 9, 9, 0, 3, 7, -4, 0, 9, 9, 9, 0}); // of the free vertex
+    out = fall();
+    expect_near(out[4], {0, 0, 0, 0, 1, 0, 0, 0, 2.03f, -.03f, .26f, 1, 9, 9, 9, 1});
 }
 
 void global_shape_goes_part_of_the_way(Bench& bench) {

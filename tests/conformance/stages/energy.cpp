@@ -27,6 +27,7 @@ struct Strand {
     std::vector<double> length, stretch, bend, mass;
     std::vector<Vec3> section; // (kt, 0, kc)
     std::vector<Quat> rest;
+    std::vector<Vec3> acceleration; // beside gravity
     Quat root;
     Vec3 root_at;
 };
@@ -34,8 +35,9 @@ struct Strand {
 // Index of each buffer in the setups of lane_setup().
 struct Places {
     size_t rest = 1, pose = 2, material = 3, turns = 4, x, v, q = 0, q_before = 0;
-    size_t capsules;
-    explicit Places(bool bends) : x(bends ? 6 : 5), v(x + 1), capsules(x - 1) {
+    size_t capsules, accelerations;
+    explicit Places(bool bends)
+        : x(bends ? 7 : 6), v(x + 1), capsules(x - 2), accelerations(x - 1) {
         if (bends)
             q = v + 1, q_before = v + 2;
     }
@@ -77,6 +79,7 @@ Strand strand_of(const Setup& setup, size_t strand, bool bends, bool sections) {
         s.mass.push_back(double(m[PLAIT_LANE_MASS]));
         s.section.emplace_back(sections ? double(m[PLAIT_LANE_TWIST]) : 0, 0,
                                sections ? double(m[PLAIT_LANE_CROSS]) : 0);
+        s.acceleration.push_back(vec3_at(setup.buffers[at.accelerations], row));
         if (bends)
             s.rest.push_back(quat_at(setup.buffers[at.turns], row));
         if (m[PLAIT_LANE_LENGTH] == 0)
@@ -114,7 +117,7 @@ double potential(const Strand& s, const Forces& f, const Vec3& shift, const Stat
                  const State& to) {
     double sum = elastic(s, to);
     for (size_t i = 1; i < s.mass.size(); ++i) {
-        const Vec3 w = (from.v[i] + f.h * f.push) / (1 + f.drag * f.h);
+        const Vec3 w = (from.v[i] + f.h * (f.push + s.acceleration[i])) / (1 + f.drag * f.h);
         const Vec3 lag = to.x[i] - (from.x[i] + shift + f.h * w);
         sum += s.mass[i] * (1 + f.drag * f.h) / (2 * f.h * f.h) * lag.squaredNorm();
     }
@@ -134,7 +137,7 @@ Balance balance(const Strand& s, const Forces& f, const Vec3& shift, const State
         const Vec3 inertial = from.v[i] / gain + shift / f.h, moves = to.v[i] + shift / f.h;
         b.before +=
             s.mass[i] * (gain / 2 * (inertial.squaredNorm() + still * to.x[i].squaredNorm()) +
-                         f.push.dot(to.x[i] - from.x[i]));
+                         (f.push + s.acceleration[i]).dot(to.x[i] - from.x[i]));
         b.after += s.mass[i] * gain / 2 * moves.squaredNorm();
     }
     return b;

@@ -1,0 +1,214 @@
+// Accelerations of single vertices, beside gravity and air: PLAIT_FIELD_ACCELERATION and the stage that fills it.
+#include "support.hpp"
+
+#include <algorithm>
+
+namespace {
+
+constexpr plait_model every_model[] = {PLAIT_MODEL_ARTICULATED, PLAIT_MODEL_CHAIN,
+                                       PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD, PLAIT_MODEL_TRESSFX};
+
+plait_sim_desc pulled(plait_model model) {
+    auto desc = plait_sim_desc_defaults();
+    desc.model = model;
+    desc.substeps = 2;
+    desc.accelerations = 1;
+    return desc;
+}
+
+void write(plait::Sim& sim, const std::vector<float>& accelerations) {
+    ASSERT_EQ(plait_sim_write(sim, PLAIT_FIELD_ACCELERATION, accelerations.data(),
+                              4 * accelerations.size()),
+              PLAIT_OK)
+        << plait_last_error();
+}
+
+std::vector<float> everywhere(size_t vertices, Point pull) {
+    std::vector<float> values;
+    for (size_t i = 0; i < vertices; ++i)
+        values.insert(values.end(), {pull[0], pull[1], pull[2], 0});
+    return values;
+}
+
+class Accelerations : public OnBackend {};
+ON_EVERY_BACKEND(Accelerations);
+
+// Also in what the energy budget of a step counts as work.
+TEST_P(Accelerations, OfAllVerticesAreGravity) {
+    for (const plait_model model : every_model) {
+        auto desc = pulled(model);
+        std::copy_n(Point{3, -8, 2}.begin(), 3, desc.params.gravity);
+        plait::Sim heavy(context, make_groom(tuft(5, 12)), desc);
+        std::copy_n(Point{0, 0, 0}.begin(), 3, desc.params.gravity);
+        plait::Sim sim(context, make_groom(tuft(5, 12)), desc);
+        write(sim, everywhere(5 * 12, {3, -8, 2}));
+        const auto start = sim.read(PLAIT_FIELD_POSITION);
+        run(heavy, 10);
+        run(sim, 10);
+        const auto fallen = heavy.read(PLAIT_FIELD_POSITION);
+        EXPECT_GT(largest_difference(fallen, start), 0.05f) << model;
+        EXPECT_LT(largest_difference(sim.read(PLAIT_FIELD_POSITION), fallen), 2e-6f) << model;
+    }
+}
+
+// Each strand by its own: hair whose strands are pulled apart is that of each pull alone.
+TEST_P(Accelerations, AreThoseOfTheirVertex) {
+    for (const plait_model model : every_model) {
+        std::vector<float> apart;
+        std::vector<std::vector<float>> alone;
+        for (const float side : {-6.0f, 6.0f}) {
+            const auto values = everywhere(12, {0, 0, side});
+            apart.insert(apart.end(), values.begin(), values.end());
+            plait::Sim sim(context, make_groom({curl({0, 0, 0}, 12)}), pulled(model));
+            write(sim, values);
+            run(sim, 10);
+            alone.push_back(sim.read(PLAIT_FIELD_POSITION));
+        }
+        plait::Sim sim(context, make_groom({curl({0, 0, 0}, 12), curl({0, 0, 0}, 12)}),
+                       pulled(model));
+        write(sim, apart);
+        run(sim, 10);
+        auto both = sim.read(PLAIT_FIELD_POSITION);
+        const std::vector<float> second(both.begin() + 48, both.end());
+        both.resize(48);
+        EXPECT_LT(largest_difference(both, alone[0]), 1e-5f) << model;
+        EXPECT_LT(largest_difference(second, alone[1]), 1e-5f) << model;
+        EXPECT_GT(largest_difference(both, second), 0.05f) << model;
+    }
+}
+
+// Nothing past the tip of a shorter strand has mass.
+TEST_P(Accelerations, PastTheTipAreNothing) {
+    for (const plait_model model : every_model) {
+        const Strands strands{curl({0, 0, 0}, 12), curl({0, 0.1f, 0}, 5)};
+        plait::Sim sim(context, make_groom(strands), pulled(model));
+        plait::Sim other(context, make_groom(strands), pulled(model));
+        auto values = everywhere(2 * 12, {1, 2, 3});
+        write(sim, values);
+        std::fill(values.begin() + 4 * (12 + 5), values.end(), 900.0f);
+        write(other, values);
+        run(sim, 5);
+        run(other, 5);
+        EXPECT_EQ(sim.read(PLAIT_FIELD_VELOCITY), other.read(PLAIT_FIELD_VELOCITY)) << model;
+    }
+}
+
+// What is not used costs nothing: neither a launch, nor a byte, nor a bit.
+TEST_P(Accelerations, OfZeroChangeNoBitAndOffCostNothing) {
+    auto profiled = plait_context_desc_defaults();
+    profiled.backend = GetParam().c_str();
+    profiled.profile = 1;
+    const plait::Context timed(profiled);
+    for (const plait_model model : every_model) {
+        auto desc = pulled(model);
+        plait::Sim on(timed, make_groom(tuft(5, 12)), desc);
+        desc.accelerations = 0;
+        plait::Sim off(timed, make_groom(tuft(5, 12)), desc);
+        run(on, 3);
+        run(off, 3);
+        EXPECT_EQ(on.read(PLAIT_FIELD_POSITION), off.read(PLAIT_FIELD_POSITION)) << model;
+        const auto launches = [](plait::Sim& sim) {
+            std::vector<std::string> names;
+            for (const plait_launch& launch : sim.take_launches())
+                names.emplace_back(launch.stage);
+            return names;
+        };
+        const auto with = launches(on), without = launches(off);
+        const size_t copies = model == PLAIT_MODEL_TRESSFX ? 0 : 3;
+        EXPECT_EQ(std::ranges::count(with, "lane_accelerate"), static_cast<int>(copies));
+        EXPECT_EQ(std::ranges::count(without, "lane_accelerate"), 0);
+        EXPECT_EQ(with.size(), without.size() + copies);
+        const auto bytes = on.stats().device_bytes, least = off.stats().device_bytes;
+        EXPECT_GE(bytes, least + 5 * 12 * 16);
+    }
+}
+
+TEST_P(Accelerations, StayUntilTheyAreWrittenAgain) {
+    auto desc = pulled(PLAIT_MODEL_ARTICULATED);
+    std::fill_n(desc.params.gravity, 3, 0.0f);
+    plait::Sim sim(context, make_groom(tuft(3, 8)), desc);
+    const auto values = everywhere(3 * 8, {0, -5, 0});
+    write(sim, values);
+    run(sim, 3);
+    sim.set_models(std::vector<plait_model>(3, PLAIT_MODEL_ROD));
+    sim.reset();
+    const auto start = sim.read(PLAIT_FIELD_POSITION);
+    run(sim, 10);
+    EXPECT_EQ(sim.read(PLAIT_FIELD_ACCELERATION), values);
+    const auto end = sim.read(PLAIT_FIELD_POSITION);
+    EXPECT_LT(end[4 * 7 + 1], start[4 * 7 + 1] - 0.02f) << "the tip of the first has sunk";
+}
+
+TEST_P(Accelerations, AreOffUnlessTheyAreAskedFor) {
+    plait::Sim sim(context, make_groom(tuft(3, 8)));
+    const auto values = everywhere(3 * 8, {0, 0, 0});
+    EXPECT_EQ(plait_sim_write(sim, PLAIT_FIELD_ACCELERATION, values.data(), 4 * values.size()),
+              PLAIT_INVALID_STATE);
+    EXPECT_NE(std::string(plait_last_error()).find("accelerations"), std::string::npos);
+    size_t size = 0;
+    EXPECT_EQ(plait_sim_read(sim, PLAIT_FIELD_ACCELERATION, nullptr, &size), PLAIT_INVALID_STATE);
+}
+
+TEST_P(Accelerations, BeyondTheirRangeAreRefusedWhole) {
+    plait::Sim sim(context, make_groom(tuft(3, 8)), pulled(PLAIT_MODEL_ARTICULATED));
+    const auto before = sim.read(PLAIT_FIELD_ACCELERATION);
+    EXPECT_EQ(before, everywhere(3 * 8, {0, 0, 0}));
+    for (const float bad : {2e4f, -2e4f, NAN, INFINITY}) {
+        auto values = everywhere(3 * 8, {1, 1, 1});
+        values[4 * 9 + 2] = bad;
+        EXPECT_EQ(plait_sim_write(sim, PLAIT_FIELD_ACCELERATION, values.data(), 4 * values.size()),
+                  PLAIT_INVALID_ARGUMENT);
+        EXPECT_NE(std::string(plait_last_error()).find("acceleration"), std::string::npos);
+        EXPECT_NE(std::string(plait_last_error()).find("9"), std::string::npos);
+        EXPECT_EQ(sim.read(PLAIT_FIELD_ACCELERATION), before);
+    }
+}
+
+// A well that is switched on at `value[4]` s: the caller's own kernel, its numbers and its clock.
+plait_stage_source well() {
+    return {"accelerate",
+            "#include <plait/params.h>\n"
+            "__kernel void plait_accelerate(const uint item_count,\n"
+            "    const plait_accelerate_params params, __global const uint* vertex_count,\n"
+            "    __global const float4* position, __global const float4* position_prev,\n"
+            "    __global float4* acceleration) {\n"
+            "    const uint i = get_global_id(0);\n"
+            "    if (i >= item_count)\n"
+            "        return;\n"
+            "    const float3 well = vload3(0, params.value);\n"
+            "    const float3 way = well - position[i].xyz;\n"
+            "    const float rate = params.time >= params.value[4] ? params.value[3] : 0.0f;\n"
+            "    acceleration[i] = (float4)(rate * way, 0.0f);\n"
+            "}\n",
+            "well.cl"};
+}
+
+TEST(AccelerationsOnOpenCL, AreFilledByTheCallersOwnKernel) {
+    const plait_stage_source source = well();
+    auto context_desc = plait_context_desc_defaults();
+    context_desc.backend = "opencl";
+    context_desc.stage_sources = &source;
+    context_desc.stage_source_count = 1;
+    const plait::Context own(context_desc);
+    for (const plait_model model : every_model) {
+        auto desc = pulled(model);
+        std::fill_n(desc.params.gravity, 3, 0.0f);
+        const Point at{0.1f, -0.2f, 0.15f};
+        std::copy(at.begin(), at.end(), desc.params.accelerate_values);
+        desc.params.accelerate_values[3] = 100; // 1/s^2
+        desc.params.accelerate_values[4] = 0.2f;
+        plait::Sim sim(own, make_groom(tuft(3, 8)), desc);
+        const auto away = [&] {
+            const auto positions = sim.read(PLAIT_FIELD_POSITION);
+            const float* tip = &positions[4 * 7];
+            return std::hypot(tip[0] - at[0], tip[1] - at[1], tip[2] - at[2]);
+        };
+        const float begin = away();
+        run(sim, 12); // the last of these began 11/60 s after the first
+        EXPECT_NEAR(away(), begin, 1e-3f) << "not yet, " << model;
+        run(sim, 18);
+        EXPECT_LT(away(), 0.8f * begin) << model;
+    }
+}
+
+} // namespace
