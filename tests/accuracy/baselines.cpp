@@ -1,4 +1,4 @@
-// The baselines of examples/lab, so that what plait is compared with is no strawman: each comes to
+// The baselines of tools/lab, so that what plait is compared with is no strawman: each comes to
 // the right answer with many substeps, and the explicit ones hold and fail where theory says.
 #include "conformance/table.hpp"
 #include "lab/baselines/source.hpp"
@@ -21,7 +21,7 @@ plait_context* context_of(const std::string& baseline, const char* stage) {
     Context& context = made[baseline + stage];
     if (!context) {
         const std::string text =
-            ::lab::baseline_source(PLAIT_SOURCE_DIR "/examples/lab/baselines", baseline + ".cl");
+            ::lab::baseline_source(PLAIT_SOURCE_DIR "/tools/lab/baselines", baseline + ".cl");
         const plait_stage_source source{stage, text.c_str(), baseline.c_str()};
         plait_context_desc desc = plait_context_desc_defaults();
         desc.backend = "opencl";

@@ -15,14 +15,15 @@ core               face shared base backend Eigen
 io                 face shared base core assimp
 api                face shared base backend core io
 face               face shared CL
-examples           face assets CL CLI Eigen nlohmann embree cairo assimp
+examples           face CL
+tools              face assets CL CLI Eigen nlohmann embree cairo assimp
 assets             face CLI
 cases              face shared
 bench              face shared assets benchmark nlohmann
 '
 
 sources() { # the files that belong to a layer
-    { find lib include examples assets tests/cases tests/bench -type f \
+    { find lib include examples tools assets tests/cases tests/bench -type f \
         \( -name '*.c' -o -name '*.h' -o -name '*.cpp' -o -name '*.hpp' \) 2>/dev/null || true; } | sort
 }
 

@@ -2,7 +2,7 @@
 // and nothing comes through a bar. That they fall and bend as they should:
 // tests/accuracy/baselines.cpp.
 #include "measured.hpp"
-#include "settings.hpp"
+#include "methods/settings.hpp"
 
 #include <gtest/gtest.h>
 

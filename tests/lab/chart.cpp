@@ -1,7 +1,7 @@
 // Figures and pages: what is best at its cost, what fails, and that the lists of the repository
 // hold.
-#include "chart.hpp"
-#include "page.hpp"
+#include "chart/chart.hpp"
+#include "page/page.hpp"
 
 #include "simulate/support.hpp"
 

@@ -1,7 +1,7 @@
 // E_total: from the limit of many segments, at eighths of the length.
-#include "continuum.hpp"
-#include "chart.hpp"
-#include "metrics.hpp"
+#include "references/continuum.hpp"
+#include "chart/chart.hpp"
+#include "metrics/metrics.hpp"
 
 #include "simulate/support.hpp"
 

@@ -1,6 +1,6 @@
 // A plane curl at its instability: each half of row 16 has to fail where the other is.
+#include "accuracy/rows.hpp"
 #include "measured.hpp"
-#include "rows.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Friction against closed forms (tests/data/capstan.csv, stick_slip.csv) as the models are: what
 // holds its mark must, and what misses it is held to what was measured, both ways.
 #include "measured.hpp"
-#include "table.hpp"
+#include "references/table.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Where the texts of a figure go.
-#include "labels.hpp"
+#include "chart/labels.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // What a scene of assets/lab measures first, with a method, on OpenCL.
 #pragma once
 
-#include "metrics.hpp"
-#include "recording.hpp"
-#include "scene.hpp"
+#include "metrics/metrics.hpp"
+#include "run/recording.hpp"
+#include "scene/scene.hpp"
 
 namespace plait::test {
 

@@ -1,9 +1,9 @@
 // The laboratory's own arithmetic, against closed forms and reference tables.
-#include "metrics.hpp"
-#include "elastic.hpp"
-#include "modes.hpp"
-#include "statics.hpp"
-#include "table.hpp"
+#include "metrics/metrics.hpp"
+#include "references/elastic.hpp"
+#include "references/modes.hpp"
+#include "references/statics.hpp"
+#include "references/table.hpp"
 
 #include <gtest/gtest.h>
 

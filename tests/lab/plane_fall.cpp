@@ -1,9 +1,9 @@
 // Falls in a plane by Lagrange's equations: against the tables, which were made otherwise, and
 // against the models, which converge to them with masses and joints of their own.
-#include "plane_fall.hpp"
-#include "metrics.hpp"
-#include "modes.hpp"
-#include "table.hpp"
+#include "references/plane_fall.hpp"
+#include "metrics/metrics.hpp"
+#include "references/modes.hpp"
+#include "references/table.hpp"
 
 #include <gtest/gtest.h>
 

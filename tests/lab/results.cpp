@@ -1,5 +1,5 @@
 // Results on disk, and a table that is taken up again.
-#include "accuracy.hpp"
+#include "accuracy/accuracy.hpp"
 
 #include "simulate/support.hpp"
 

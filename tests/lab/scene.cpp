@@ -1,6 +1,6 @@
 // Scenes of the laboratory: what they set, and how they are refused.
-#include "scene.hpp"
-#include "rows.hpp"
+#include "scene/scene.hpp"
+#include "accuracy/rows.hpp"
 
 #include "simulate/support.hpp"
 

@@ -1,7 +1,7 @@
 // Settings that follow from a scene, and costs that stop where they are dear.
-#include "settings.hpp"
-#include "cost.hpp"
-#include "metrics.hpp"
+#include "methods/settings.hpp"
+#include "metrics/metrics.hpp"
+#include "run/cost.hpp"
 
 #include "simulate/support.hpp"
 

@@ -1,7 +1,7 @@
 // Hair in motion: what the metrics of it say where the answer is known.
-#include "metrics.hpp"
-#include "metrics_input.hpp"
-#include "rows.hpp"
+#include "accuracy/rows.hpp"
+#include "metrics/input.hpp"
+#include "metrics/metrics.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // What is said about a groom's size, and what follows from it.
-#include "loaded.hpp"
+#include "scene/loaded.hpp"
 #include "support.hpp"
 
 #include <gmock/gmock.h>

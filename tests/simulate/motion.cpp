@@ -1,5 +1,5 @@
 // Motions by name and from files.
-#include "motion.hpp"
+#include "scene/motion.hpp"
 #include "common.hpp"
 #include "support.hpp"
 

@@ -1,7 +1,7 @@
 // Where a frame's time goes, and the trace of a run: from made-up measurements, whose sums are
 // known.
-#include "profile.hpp"
-#include "trace.hpp"
+#include "profile/profile.hpp"
+#include "profile/trace.hpp"
 
 #include <gtest/gtest.h>
 

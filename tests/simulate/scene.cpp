@@ -1,5 +1,5 @@
 // Scene files: what they set, and how they are refused.
-#include "scene.hpp"
+#include "scene/scene.hpp"
 #include "support.hpp"
 
 #include <gmock/gmock.h>

@@ -1,0 +1,32 @@
+// What a run is set beside, on the comparison sheet and in the report: the same hair, moved the
+// same way, by less of the system.
+#pragma once
+
+#include "scene/scene.hpp"
+
+#include <string>
+#include <vector>
+
+namespace simulate {
+
+struct Variant {
+    std::string label;
+    plait_sim_desc sim;
+
+    Scene of(Scene scene) const; // the scene run this way
+};
+
+// "TressFX", "TressFX + inter-hair step of the thesis", "cosserat + inter-hair step (slots)"
+std::string label_of(const plait_sim_desc& sim);
+
+// The same in few letters, for films: "TressFX", "TressFX + thesis's step", "cosserat".
+std::string short_label_of(const plait_sim_desc& sim);
+
+// What the model TressFX is set to, in words: its stiffness and stretch are iteration counts.
+std::string tressfx_settings(const plait_sim_desc& sim);
+
+// TressFX alone, and with the inter-hair step as the thesis has it: those of the two that are not
+// the run itself.
+std::vector<Variant> variants_beside(const Scene& scene);
+
+} // namespace simulate

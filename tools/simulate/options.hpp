@@ -1,0 +1,19 @@
+// The command line of plait-simulate.
+#pragma once
+
+#include "scene/scene.hpp"
+
+#include <optional>
+
+namespace simulate {
+
+struct CommandLine {
+    bool list_devices = false;
+    std::optional<int> exit_code; // set when --help or an error has been printed
+    std::string scene_file;
+    Json keys = Json::object(); // what was given, as keys of a scene file
+};
+
+CommandLine read_command_line(int argc, char** argv);
+
+} // namespace simulate

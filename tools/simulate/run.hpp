@@ -1,0 +1,87 @@
+// One figure moved through one motion on one device, frame by frame.
+#pragma once
+
+#include "neighbours.hpp"
+#include "profile/timeline.hpp"
+#include "scene/figure.hpp"
+#include "scene/motion.hpp"
+#include "shot.hpp"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace simulate {
+
+// What a run measured. Stretch and non-finite counts are the worst over its frames.
+struct Measurements {
+    uint32_t frames = 0; // done
+    std::vector<double> frame_ms;
+    std::vector<plait_stage_time> stages; // of all frames
+    plait_device_info device{};
+    plait_sim_stats last{};
+    float max_stretch = 0.0f;
+    float mean_stretch = 0.0f; // of the last frame
+    uint64_t nonfinite = 0;
+    // Rms speed of a vertex relative to that of the nearest strand, m/s: what a step between hairs
+    // brakes.
+    double neighbour_speed = 0.0;
+    uint32_t stretched_frames = 0; // with a segment off by more than a tenth
+    struct {
+        uint32_t frame, strand, segment; // of max_stretch; segment 0 begins at the root
+    } worst{};
+    uint64_t hash = 0;
+    Timeline timeline; // empty unless scene.profile or scene.trace ask for it
+    double median_ms() const;
+};
+
+// `wanted(frame)`: whether see() is to be given that frame's positions.
+struct Watcher {
+    std::function<bool(uint32_t frame)> wanted;
+    std::function<void(const Shot&)> see;
+};
+
+class Simulation {
+  public:
+    Simulation(const Scene& scene, const Figure& figure);
+
+    // Ends early, with what there is, when interrupted. Throws Failure.
+    Measurements run(const Motion& motion, const std::vector<Watcher>& watchers,
+                     const std::string& label);
+
+    uint32_t row() const { return row_; }
+    const std::vector<uint32_t>& vertex_count() const { return vertex_count_; }
+    plait_sim_stats stats() const;
+
+  private:
+    void add_colliders();
+    bool keeps_timeline() const { return scene_.profile || !scene_.trace.empty(); }
+    // Does `work`, and enters it under `call`, which has yet no times.
+    template <typename Work> void timed(Timeline& timeline, HostCall call, const Work& work) const;
+    void pose_roots(const plait_pose& head);
+    void pose_colliders(const plait_pose& head, float time);
+    void settle(const plait_pose& start);
+    double step_ms(Timeline& timeline, uint32_t frame, const plait_pose& head);
+    void take_launches(Timeline& timeline, uint32_t frame);
+    void forget_launches();
+    void measure(Measurements& measurements, uint32_t frame);
+    void find_worst(Measurements& measurements, uint32_t frame);
+    void show(uint32_t frame, const plait_pose& head, const std::vector<Watcher>& watchers);
+    // Of all frames since the last reset.
+    std::vector<plait_stage_time> stage_times(bool reset);
+    void finish(Measurements& measurements);
+
+    const Scene& scene_;
+    const Figure& figure_;
+    ContextHandle context_;
+    SimHandle sim_;
+    std::vector<plait_collider_id> moving_; // with the head
+    std::vector<plait_collider_id> hands_;  // as figure.hands
+    std::vector<float> positions_;
+    std::vector<float> rest_; // as positions_, before the first step
+    std::unique_ptr<Neighbours> neighbours_;
+    std::vector<uint32_t> vertex_count_;
+    uint32_t row_ = 0;
+};
+
+} // namespace simulate
