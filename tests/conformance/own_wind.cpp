@@ -43,9 +43,10 @@ plait::Context make_context(const plait_stage_source* own) {
 // average, m.
 double drift(const plait::Context& context, float gravity) {
     std::vector<std::array<float, 3>> rest;
-    for (size_t i = 0; i < strands * vertices; ++i)
-        rest.push_back({0.2f * static_cast<float>(i % vertices) / (vertices - 1), 0,
-                        0.01f * static_cast<float>(i / vertices)});
+    for (size_t strand = 0; strand < strands; ++strand)
+        for (size_t vertex = 0; vertex < vertices; ++vertex)
+            rest.push_back({0.2f * static_cast<float>(vertex) / (vertices - 1), 0,
+                            0.01f * static_cast<float>(strand)});
     plait_groom_desc hair = plait_groom_desc_defaults();
     hair.positions = plait::view(rest);
     hair.vertices_per_strand = vertices;
