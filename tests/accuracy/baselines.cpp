@@ -284,5 +284,36 @@ TEST(BaselineCurls, stay_as_groomed_without_gravity) {
     }
 }
 
+// ---- accelerations of vertices -----------------------------------------------------------------
+
+// They pull at single masses as gravity does at all: the one in place of the other changes nothing.
+TEST(BaselineAccelerations, pull_as_gravity_does) {
+    const std::pair<const char*, plait_model> baselines[] = {
+        {"explicit_euler", PLAIT_MODEL_COSSERAT},
+        {"rk2", PLAIT_MODEL_COSSERAT},
+        {"rk4", PLAIT_MODEL_COSSERAT},
+        {"verlet", PLAIT_MODEL_COSSERAT},
+        {"verlet", PLAIT_MODEL_CHAIN},
+        {"pbd", PLAIT_MODEL_CHAIN},
+        {"xpbd", PLAIT_MODEL_COSSERAT}};
+    for (const auto& [baseline, model] : baselines) {
+        plait_sim_desc desc = desc_of(model, 256);
+        make_rod_material(desc, 10.0f);
+        OneStrand falls = strand_of(baseline, desc, level);
+        desc.params.gravity[1] = 0.0f;
+        desc.accelerations = 1;
+        OneStrand pulled = strand_of(baseline, desc, level);
+        auto a = pulled.read(PLAIT_FIELD_ACCELERATION);
+        for (auto& at : a)
+            at[1] = -g;
+        PLAIT_EXPECT(plait_sim_write(pulled.sim(), PLAIT_FIELD_ACCELERATION, a.data(),
+                                     a.size() * sizeof a[0]));
+        falls.run(0.25);
+        pulled.run(0.25);
+        EXPECT_LT(falls.tip()[1], -0.1f) << baseline;
+        EXPECT_NEAR(pulled.tip()[1], falls.tip()[1], 1e-5f) << baseline;
+    }
+}
+
 } // namespace
 } // namespace plait::test
