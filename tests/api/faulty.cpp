@@ -1,6 +1,8 @@
 #include "faulty.hpp"
 
+#include <algorithm>
 #include <cstring>
+#include <iterator>
 #include <stdexcept>
 
 namespace {
@@ -40,6 +42,8 @@ plait_result submit(plait_device* device, const plait_dispatch* list, size_t cou
     }
     if (faults.lose_after > 0)
         --faults.lose_after;
+    for (size_t i = 0; i < count; ++i)
+        faults.submitted[list[i].stage] |= list[i].item_count > 0;
     injected = nullptr;
     return inner().device->submit(device, list, count);
 }
@@ -66,6 +70,8 @@ plait_result prepare(plait_device* device, const plait_dispatch* list, size_t co
             injected = "no such stage (injected)";
             return PLAIT_UNSUPPORTED;
         }
+    for (size_t i = 0; i < count; ++i)
+        faults.prepared[list[i].stage] |= list[i].item_count > 0;
     injected = nullptr;
     return inner().device->prepare(device, list, count);
 }
@@ -115,5 +121,7 @@ Faults& faulty() {
     (void)registered;
     faults.fail_create_after = faults.lose_after = faults.fail_upload_after = -1;
     faults.missing = PLAIT_STAGE_COUNT;
+    std::fill(std::begin(faults.prepared), std::end(faults.prepared), false);
+    std::fill(std::begin(faults.submitted), std::end(faults.submitted), false);
     return faults;
 }

@@ -10,6 +10,8 @@ struct Faults {
     plait_stage missing = PLAIT_STAGE_COUNT; // the stage it does not have; PLAIT_STAGE_COUNT: none
     int live_buffers = 0;
     int live_devices = 0;
+    bool prepared[PLAIT_STAGE_COUNT] = {};  // stages that were,
+    bool submitted[PLAIT_STAGE_COUNT] = {}; // and that ran, since faulty() was last called
 };
 
 // Registered once as "faulty"; the faults are those of all its devices.

@@ -1,4 +1,5 @@
 // When kernels are built, who shares them, and where they are kept.
+#include "faulty.hpp"
 #include "support.hpp"
 
 #include <algorithm>
@@ -83,6 +84,51 @@ TEST_P(Programs, PreparingSaysWhatItCannot) {
         EXPECT_EQ(plait_context_prepare(context, &model, 1, vertices), PLAIT_INVALID_ARGUMENT);
         EXPECT_NE(std::string(plait_last_error()).find("range is [2, 256]"), std::string::npos);
     }
+}
+
+// Drivers compile again when a kernel is first enqueued, so each is before a step wants it: also
+// what a switch of models takes, which only the calls that want it know of.
+TEST(Programs, NothingIsEnqueuedThatWasNotPrepared) {
+    Faults& faults = faulty();
+    const auto context = make_context("faulty");
+    auto desc = plait_sim_desc_defaults();
+    desc.model = PLAIT_MODEL_CHAIN;
+    desc.follows_per_guide = 1;
+    desc.keep_last_frame = 1;
+    plait::Sim sim(context, make_groom(tuft(3, 7)), desc);
+    const auto done = [&](const char* what) {
+        for (int stage = 0; stage < PLAIT_STAGE_COUNT; ++stage)
+            EXPECT_LE(faults.submitted[stage], faults.prepared[stage])
+                << what << ": " << plait_stage_describe(static_cast<plait_stage>(stage))->name;
+    };
+    run(sim, 2);
+    sim.teleport(head_at({1, 0, 0}));
+    sim.reset();
+    sim.stats();
+    sim.read(PLAIT_FIELD_BOUNDS);
+    done("calls of a sim");
+    for (const plait_model model : {PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ARTICULATED,
+                                    PLAIT_MODEL_CHAIN, PLAIT_MODEL_ROD, PLAIT_MODEL_ARTICULATED}) {
+        const std::vector<plait_model> models{model, model, PLAIT_MODEL_CHAIN};
+        ASSERT_EQ(plait_sim_set_models(sim, models.data(), 3), PLAIT_OK) << plait_last_error();
+        done("the switch itself");
+        run(sim, 1);
+        done("the step after it");
+    }
+    auto params = plait_sim_params_defaults();
+    params.interhair = PLAIT_INTERHAIR_SLOTS;
+    params.shape_constraints = 1;
+    params.attachment = 1.1f;
+    params.wind[0] = 1;
+    ASSERT_EQ(plait_sim_set_params(sim, &params), PLAIT_OK) << plait_last_error();
+    run(sim, 1);
+    done("other parameters");
+    const auto x = sim.read(PLAIT_FIELD_POSITION);
+    ASSERT_EQ(plait_sim_write(sim, PLAIT_FIELD_POSITION, x.data(), 3 * 7 * 4 * sizeof(float)),
+              PLAIT_OK)
+        << plait_last_error();
+    run(sim, 1);
+    done("written positions");
 }
 
 #ifdef PLAIT_TEST_OPENCL

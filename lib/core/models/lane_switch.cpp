@@ -5,6 +5,21 @@
 #include "core/models/lane_part.hpp"
 
 namespace plait {
+namespace {
+
+// Drivers compile for good when a kernel is first enqueued: here, and not in the queue that the
+// next step waits for.
+Status run_now(Device& device, Schedule& schedule) {
+    Status status = check_supported(device, schedule.list());
+    if (status)
+        status = device.prepare(schedule.list());
+    if (status)
+        return schedule.submit(device);
+    schedule.clear();
+    return status;
+}
+
+} // namespace
 
 // Material and rest shape of a strand do not depend on which others are there; a sag-free part's
 // are found anew, with the report on all of them.
@@ -58,7 +73,7 @@ Status LanePart::fill_arrivals(Device& device, Schedule& schedule,
     move(schedule, *moves, 4, fill.rest, fill_.rest);
     if (fill.start)
         move(schedule, *moves, 4, fill.start, fill_.start);
-    return schedule.submit(device);
+    return run_now(device, schedule);
 }
 
 // After the rest rotations are there.
@@ -91,7 +106,7 @@ Status LanePart::move_from(Device& device, Schedule& schedule, const Substep& at
             {&moves->list, &lane_strand_, &at.state.pose, &fill_.rest, &x_, &v_, &q_, &q_before_});
     }
     fit(schedule, at, *moves, other);
-    return schedule.submit(device);
+    return run_now(device, schedule);
 }
 
 // The first solve of what cannot stretch takes its velocities from strands that have not; BDF2 has
