@@ -66,6 +66,8 @@ TEST_F(MotionFile, json_says_the_same_as_csv) {
 TEST_F(MotionFile, mistakes_are_placed) {
     EXPECT_THAT(refusal("m.csv", "time,yaw\n0,0\n1,abc\n"), HasSubstr("m.csv:3: \"abc\""));
     EXPECT_THAT(refusal("m.csv", "time,yow\n0,0\n"), HasSubstr("m.csv:1: column \"yow\""));
+    EXPECT_THAT(refusal("m.csv", "#\ntime,yaw,yaw\n0,1,2\n"),
+                HasSubstr("m.csv:2: column \"yaw\" stands here twice"));
     EXPECT_THAT(refusal("m.csv", "time,yaw\n0\n"), HasSubstr("m.csv:2: 1 values"));
     EXPECT_THAT(refusal("m.csv", "time,yaw\n1,0\n1,5\n"), HasSubstr("keyframe 1"));
     EXPECT_THAT(refusal("m.csv", "time,yaw\n"), HasSubstr("no keyframes"));

@@ -172,6 +172,17 @@ size_t column_of(const std::string& name, const std::string& place) {
     return static_cast<size_t>(found - columns.begin());
 }
 
+std::vector<size_t> columns_of(const std::vector<std::string>& names, const std::string& place) {
+    std::vector<size_t> order;
+    for (const std::string& name : names) {
+        const size_t column = column_of(name, place);
+        if (std::find(order.begin(), order.end(), column) != order.end())
+            throw Failure(place + ": column \"" + name + "\" stands here twice");
+        order.push_back(column);
+    }
+    return order;
+}
+
 std::string trimmed(const std::string& cell) {
     const size_t first = cell.find_first_not_of(" \t\r");
     return first == std::string::npos
@@ -226,8 +237,7 @@ std::vector<Keyframe> read_csv(const std::string& file) {
         if (!order.empty())
             keys.push_back(read_row(cells, order, place));
         else
-            for (const std::string& cell : cells)
-                order.push_back(column_of(cell, place));
+            order = columns_of(cells, place);
     }
     return keys;
 }
