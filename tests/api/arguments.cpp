@@ -400,7 +400,7 @@ TEST(Arguments, TheRest) {
         {"dt is nan, range is [0, 10]", [](O& o) { return plait_sim_step(o.sim, NAN); }},
         {"dt is -1", [](O& o) { return plait_sim_step(o.sim, -1); }},
         {"dt is 11", [](O& o) { return plait_sim_step(o.sim, 11); }},
-        {"field is 11",
+        {"field is 12",
          [](O& o) { return plait_sim_read(o.sim, PLAIT_FIELD_COUNT, nullptr, &o.size); }},
         {"interhair is off",
          [](O& o) { return plait_sim_read(o.sim, PLAIT_FIELD_GRID_DENSITY, nullptr, &o.size); },
