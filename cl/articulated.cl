@@ -46,13 +46,7 @@ static inline void articulated_solve(const rod_problem* rod, rod_state* s, uint 
         takes &= articulated_wants(rod, s, iterations, k, moved);
         if (!any_lane(takes))
             return;
-        if (!any_lane(!takes)) {
-            moved = articulated_newton(rod, s);
-            continue;
-        }
-        const rod_state others = *s;
-        moved = articulated_newton(rod, s);
-        rod_pick(rod, !takes, s, &others);
+        moved = articulated_newton(rod, s, takes);
     }
 }
 
@@ -70,13 +64,13 @@ __kernel void plait_articulated(const uint item_count, const plait_lane_params p
         return;
     const lane_buffers state = {lane_x, lane_v, lane_x_before, lane_v_before};
     rod_state s;
-    vec3 w[PLAIT_VERTICES];
-    lane_predict(&step, &params, state, s.y, w);
+    vec3 y[PLAIT_VERTICES], w[PLAIT_VERTICES];
+    lane_predict(&step, &params, state, y, w);
     lane_contacts contacts;
     contact_begin(&contacts, &step, &params, capsule, lane_x);
     contacts.v = lane_v;
     const rod_problem rod =
-        rod_problem_of(&step, lane_rest, params.collider_count > 0 ? &contacts : 0, 0);
+        rod_problem_of(&step, y, lane_rest, params.collider_count > 0 ? &contacts : 0, 0);
     articulated_load(&rod, &s, state, lane_q);
     articulated_start(&rod, &s);
     articulated_solve(&rod, &s, params.iterations);

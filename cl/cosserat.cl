@@ -24,13 +24,13 @@ __kernel void plait_cosserat(const uint item_count, const plait_lane_params para
         return;
     const lane_buffers state = {lane_x, lane_v, lane_x_before, lane_v_before};
     rod_state s;
-    vec3 w[PLAIT_VERTICES];
-    lane_predict(&step, &params, state, s.y, w);
+    vec3 y[PLAIT_VERTICES], w[PLAIT_VERTICES];
+    lane_predict(&step, &params, state, y, w);
     lane_contacts contacts;
     contact_begin(&contacts, &step, &params, capsule, lane_x);
     rod_factors factors;
     const rod_problem rod =
-        rod_problem_of(&step, lane_rest, params.collider_count > 0 ? &contacts : 0, &factors);
+        rod_problem_of(&step, y, lane_rest, params.collider_count > 0 ? &contacts : 0, &factors);
     rod_load(&rod, &params, &s, lane_q, lane_q_before);
 
     cosserat_iterate(&rod, &s, params.iterations, 1);

@@ -149,7 +149,7 @@ static inline void rod_descent(const rod_problem* rod, const rod_state* s, int k
                                real g[ROD_UNKNOWNS]) {
     const int i = k + 1;
     const real inertia = rod_material(rod, i, PLAIT_LANE_MASS) * rod->inertia;
-    vec3 force = sub3(scale3(sub3(s->y[i], s->x[i]), inertia), e->tension);
+    vec3 force = sub3(scale3(sub3(rod->y[i], s->x[i]), inertia), e->tension);
     vec3 torque = scale3(cross3(e->director, e->tension), e->length);
     const quat expected = rod_expected(rod, s, k);
     torque = add3(torque, rod_joint_moment(rod, s, k, expected, e->bend));
@@ -299,13 +299,13 @@ __kernel void plait_rod(const uint item_count, const plait_lane_params params,
         return;
     const lane_buffers state = {lane_x, lane_v, lane_x_before, lane_v_before};
     rod_state s;
-    vec3 w[PLAIT_VERTICES];
-    lane_predict(&step, &params, state, s.y, w);
+    vec3 y[PLAIT_VERTICES], w[PLAIT_VERTICES];
+    lane_predict(&step, &params, state, y, w);
     lane_contacts contacts;
     contact_begin(&contacts, &step, &params, capsule, lane_x);
     rod_factors factors;
     const rod_problem rod =
-        rod_problem_of(&step, lane_rest, params.collider_count > 0 ? &contacts : 0, &factors);
+        rod_problem_of(&step, y, lane_rest, params.collider_count > 0 ? &contacts : 0, &factors);
     rod_load(&rod, &params, &s, lane_q, lane_q_before);
 
     cosserat_iterate(&rod, &s, 1, 1);
