@@ -76,7 +76,17 @@ class LooseHair {
     double length_of(Vec3 root, uint32_t i, uint32_t clump) const {
         const double uneven = 0.3 * own(strand_length, i) + 0.7 * own(clump_length, clump);
         const double lower = std::clamp((0.13 - root.y) / 0.21, 0.0, 1.0);
-        return style_.length * (1 - style_.length_variation * uneven) * (1 - 0.3 * lower);
+        return style_.length * (1 - style_.length_variation * uneven) * (1 - 0.3 * lower) *
+               fringe(root);
+    }
+
+    // Curls that grow above the brow would fall before the eyes: they are cut to a fringe. Share of
+    // the length that is left.
+    double fringe(Vec3 root) const {
+        if (style_.hairstyle != Hairstyle::Curly)
+            return 1;
+        const double aside = std::abs(root.x);
+        return mix(1.0, 0.45, smoothstep(0.01, 0.06, root.z) * smoothstep(0.06, 0.03, aside));
     }
 
     Path fall_from(Vec3 root, uint32_t i, uint32_t clump) const {

@@ -60,7 +60,7 @@ Style make_curly() {
     Style style;
     style.hairstyle = Hairstyle::Curly;
     style.vertices = 32;
-    style.length = 0.19;
+    style.length = 0.16; // before its weight draws the curls out
     style.length_variation = 0.3;
     style.volume = 0.03;
     style.lift = 0.7;
@@ -69,6 +69,7 @@ Style make_curly() {
     style.clump_tightness = 0.85;
     style.stray = 0.0015;
     style.curl_radius = 0.009;
+    style.curl_pitch = 0.022;
     style.curl_variation = 0.2;
     return style;
 }

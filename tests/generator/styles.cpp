@@ -185,5 +185,18 @@ TEST(Curls, HaveTheRadiusAndPitchOfTheStyle) {
     }
 }
 
+// Else the weight of the curls would draw them down before the eyes.
+TEST(Curls, AboveTheBrowAreCutToAFringe) {
+    const Strands groom = sample_groom(Hairstyle::Curly, 1000);
+    std::vector<double> above_brow, elsewhere;
+    for (size_t i = 0; i < 1000; ++i) {
+        const std::vector<Vec3> v = strand(groom, i);
+        const bool fringe = v[0].z > 0.06 && std::abs(v[0].x) < 0.03;
+        (fringe ? above_brow : elsewhere).push_back(path_length(v));
+    }
+    ASSERT_GT(above_brow.size(), 10u);
+    EXPECT_LT(median(above_brow), 0.6 * median(elsewhere));
+}
+
 } // namespace
 } // namespace plait_generator
