@@ -59,6 +59,18 @@ TEST_F(Comparison, leaves_out_what_the_run_is) {
     EXPECT_EQ(thesis[0].label, "TressFX");
 }
 
+// What holds a braid together is the run's, not the thesis's; what the scene gives is both's.
+TEST_F(Comparison, brakes_as_the_thesis_unless_the_scene_says_otherwise) {
+    const Scene braid = read(R"({"groom": "braid"})");
+    const plait_sim_params thesis = simulate::variants_beside(braid)[1].sim.params;
+    EXPECT_LT(braid.sim.params.diffuse_factor, thesis.diffuse_factor);
+    EXPECT_EQ(thesis.diffuse_ratio, 2.0f);
+    EXPECT_EQ(thesis.diffuse_factor, 0.9f);
+    const Scene asked = read(R"({"groom": "braid", "params": {"diffuse_ratio": 3}})");
+    EXPECT_EQ(asked.sim.params.diffuse_ratio, 3.0f);
+    EXPECT_EQ(simulate::variants_beside(asked)[1].sim.params.diffuse_ratio, 3.0f);
+}
+
 TEST_F(Comparison, says_what_tressfx_is_set_to) {
     const std::string text = simulate::tressfx_settings(read("{}").sim);
     EXPECT_EQ(text, "TressFX with 20 length iterations, local shape 0.9 in 2 iterations, global "

@@ -19,11 +19,14 @@ plait_sim_desc tressfx_alone(plait_sim_desc sim) {
     return sim;
 }
 
-plait_sim_desc tressfx_and_thesis(const plait_sim_desc& own) {
-    plait_sim_desc sim = tressfx_alone(own);
+// With the thesis's ratio and factor, unless the scene gives its own.
+plait_sim_desc tressfx_and_thesis(const Scene& scene) {
+    plait_sim_desc sim = tressfx_alone(scene.sim);
     sim.params.interhair = PLAIT_INTERHAIR_SLOTS;
     sim.params.slot_hash = PLAIT_SLOT_HASH_RULE_THESIS;
     sim.params.diffuse_rule = PLAIT_DIFFUSE_RULE_THESIS;
+    sim.params.diffuse_ratio = scene.unhung.diffuse_ratio;
+    sim.params.diffuse_factor = scene.unhung.diffuse_factor;
     return sim;
 }
 
@@ -70,7 +73,7 @@ std::vector<Variant> variants_beside(const Scene& scene) {
     if (!own || params.interhair != PLAIT_INTERHAIR_OFF)
         add(tressfx_alone(scene.sim));
     if (!own || !has_thesis_step(params))
-        add(tressfx_and_thesis(scene.sim));
+        add(tressfx_and_thesis(scene));
     return variants;
 }
 

@@ -154,6 +154,12 @@ void read_pictures(const JsonReader& top, const Json& value, PictureChoice& pict
     in.finish();
 }
 
+// From how much more than its neighbourhood's speed a vertex is braked, and what is left of it a
+// step: diffuse_ratio, diffuse_factor, diffuse_floor.
+struct Friction {
+    float ratio, factor, floor;
+};
+
 // How a groom hangs, with models that bend.
 struct Hang {
     float stiffness; // of a strand, which stands for a lock, over a hair's of the same weight
@@ -163,13 +169,18 @@ struct Hang {
     // settles. A short cut and a braid are held up by what the models lack, hair beneath hair.
     plait_sag_free sag_free;
     float settle; // s
+    std::optional<Friction> friction = {};
 };
 
 Hang hang_of(const std::string& groom) {
     if (groom == "long")
         return {10.0f, 2.0f, PLAIT_SAG_FREE_OFF, 1.0f};
     if (groom == "curly") // soft enough for its curls to bounce as springs
-        return {4.0f, 1.0f, PLAIT_SAG_FREE_OFF, 1.0f};
+        return {1.5f, 2.0f, PLAIT_SAG_FREE_OFF, 1.0f};
+    if (groom == "short") // as stiff as locks a few centimetres of hair would not move at all
+        return {1.0f, 1.0f, PLAIT_SAG_FREE_STIFFEN, 0.0f};
+    if (groom == "braid") // presses hair on hair, or it would come undone
+        return {10.0f, 1.0f, PLAIT_SAG_FREE_STIFFEN, 0.0f, Friction{1.5f, 0.5f, 0.0f}};
     return {10.0f, 1.0f, PLAIT_SAG_FREE_STIFFEN, 0.0f};
 }
 
@@ -185,6 +196,11 @@ void hang(Scene& scene) {
     scene.sim.params.bend_stiffness *= hang.stiffness;
     scene.sim.params.drag *= hang.drag;
     scene.settle = hang.settle;
+    if (!hang.friction)
+        return;
+    scene.sim.params.diffuse_ratio = hang.friction->ratio;
+    scene.sim.params.diffuse_factor = hang.friction->factor;
+    scene.sim.params.diffuse_floor = hang.friction->floor;
 }
 
 void read_simulation(JsonReader& top, Scene& scene) {
@@ -201,8 +217,10 @@ void read_simulation(JsonReader& top, Scene& scene) {
     top.number("follow_radius", scene.sim.follow_radius, 0, 1);
     top.text("device", scene.device);
     top.text("backend", scene.backend);
-    if (const Json* params = top.value("params"))
+    if (const Json* params = top.value("params")) {
         read_params(top.object(*params, "params"), scene.sim.params);
+        read_params(top.object(*params, "params"), scene.unhung);
+    }
     top.choice("interhair", scene.sim.params.interhair, interhair_names);
     scene.sim.step = 1.0f / static_cast<float>(scene.rate);
     scene.sim.substeps = scene.substeps;

@@ -75,7 +75,8 @@ struct Scene {
     uint32_t substeps = 2;
     uint64_t seed = 1;
     plait_sim_desc sim = default_sim();
-    std::string device, backend; // "": the best
+    plait_sim_params unhung = default_sim().params; // without what its hairstyle asks of `sim`
+    std::string device, backend;                    // "": the best
     std::string out = "out", cache, json, replay;
     bool profile = false;
     std::string trace; // file; "": none
