@@ -15,6 +15,9 @@ constexpr float far_away = 4.0f;     // m: the lights
 constexpr float sky_reach = 0.12f;   // m: hair farther off does not darken the sky
 constexpr float light_size = 0.045f; // radians, half angle: softens the shadows' edges
 constexpr int most_hairs = 14;       // transmittance below 5 %
+// To each light and the sky, from a point of the skin: on a smooth surface the grain of single rays
+// through hair looks like stubble.
+constexpr int skin_rays = 4;
 
 // Share of light left after so many hairs: each as drawn stands for a lock and stops about a fifth.
 Vector3f transmittance(int hairs, const Vector3f& colour) {
@@ -120,9 +123,8 @@ Vector3f shade_hair(const Geometry& geometry, const Surfel& surfel, const Vector
                        .cwiseProduct(visible(geometry, surfel, out, sky_reach, colour));
 }
 
-Vector3f shade_skin(const Geometry& geometry, const Surfel& surfel, const Vector3f& eye,
-                    const Look& look, const Sample& sample) {
-    const Vector3f skin = look.skin + surfel.scalp * (look.hair_root - look.skin);
+Vector3f skin_light(const Geometry& geometry, const Surfel& surfel, const Vector3f& eye,
+                    const Look& look, const Vector3f& skin, const Sample& sample) {
     Vector3f light = Vector3f::Zero();
     for (const Light& lamp : {look.key, look.rim}) {
         const Vector3f towards = jittered(lamp, sample[0], sample[1]);
@@ -139,6 +141,26 @@ Vector3f shade_skin(const Geometry& geometry, const Surfel& surfel, const Vector
     const Vector3f out = (on_sphere(sample[2], sample[3]) + surfel.normal).normalized();
     return light + skin.cwiseProduct(sky_light(out, look))
                        .cwiseProduct(visible(geometry, surfel, out, sky_reach, look.hair_tip));
+}
+
+// The k-th of skin_rays samples: a lattice in each pair, turned by `sample`.
+Sample turned(Sample sample, int k) {
+    constexpr float golden = 0.618033989f;
+    for (size_t axis = 0; axis < sample.size(); ++axis) {
+        const float step = axis % 2 ? golden : 1.0f / skin_rays;
+        sample[axis] += static_cast<float>(k) * step;
+        sample[axis] -= std::floor(sample[axis]);
+    }
+    return sample;
+}
+
+Vector3f shade_skin(const Geometry& geometry, const Surfel& surfel, const Vector3f& eye,
+                    const Look& look, const Sample& sample) {
+    const Vector3f skin = look.skin + surfel.scalp * (look.hair_root - look.skin);
+    Vector3f light = Vector3f::Zero();
+    for (int k = 0; k < skin_rays; ++k)
+        light += skin_light(geometry, surfel, eye, look, skin, turned(sample, k));
+    return light / static_cast<float>(skin_rays);
 }
 
 } // namespace
