@@ -90,12 +90,11 @@ typedef struct plait_integrate_params {
 } plait_integrate_params;
 
 /* accelerate: what a caller's own kernel is told. */
-#define PLAIT_ACCELERATE_VALUES 16
 typedef struct plait_accelerate_params {
     plait_u32 vertex_stride;
-    float h;                              /* s: velocity = (position - position_prev) / h */
-    float time;                           /* s simulated, at the begin of the step */
-    float value[PLAIT_ACCELERATE_VALUES]; /* plait_sim_params.accelerate_values */
+    float h;         /* s: velocity = (position - position_prev) / h */
+    float time;      /* s simulated, at the begin of the step */
+    float value[16]; /* plait_sim_params.accelerate_values */
 } plait_accelerate_params;
 
 /* global_shape: the global shape constraint alone (order = shock_before_global). */
