@@ -11,7 +11,9 @@
 #pragma OPENCL FP_CONTRACT ON
 #include "common/cosserat.clh"
 
-#define ROD_UNKNOWNS 6
+#define ROD_UNKNOWNS                                                                               \
+    6 /* loops over them have constant bounds, so that all compilers unroll them                   \
+       */
 #define ROD_HALVINGS 4
 
 /* What one segment adds: tension ks (edge - l t), director, EA and the gradients it causes. */
@@ -35,31 +37,32 @@ static inline rod_segment rod_segment_at(const rod_problem* rod, const rod_state
     return e;
 }
 
-/* What a joint's section adds to a block of the Hessian, rows and columns omega: side/4 R k R^T. */
-static inline void rod_section_block(real a[ROD_UNKNOWNS][ROD_UNKNOWNS], rod_section k,
-                                     quat expected, float side) {
-    const vec3 t = director(expected);
-    const vec3 b = rotate3(expected, vec3_of((real)(0.0f), (real)(0.0f), (real)(1.0f)));
-    const real along[3] = {t.x, t.y, t.z}, across[3] = {b.x, b.y, b.z};
-    for (int r = 0; r < 3; ++r)
-        for (int c = 0; c < 3; ++c)
-            a[3 + r][3 + c] +=
-                0.25f * side * (k.twist * along[r] * along[c] + k.cross * across[r] * across[c]);
+/* W of a joint, N m: what its moment on either segment's turn is linear in; k/4 I where it is
+ * round. */
+static inline sym3 rod_joint_stiffness(const rod_problem* rod, const rod_state* s, int k,
+                                       real bend) {
+    const real round = 0.25f * bend, zero = (real)(0.0f);
+    const sym3 w = {round, round, round, zero, zero, zero};
+    const rod_section section = rod_section_of(rod, k);
+    if (rod_section_round(section))
+        return w;
+    const quat expected = rod_expected(rod, s, k);
+    const vec3 across = rotate3(expected, vec3_of(zero, zero, (real)(1.0f)));
+    return add_outer(add_outer(w, 0.25f * section.twist, director(expected)), 0.25f * section.cross,
+                     across);
 }
 
-/* Lower triangle of the diagonal block of segment k; `next_*` belong to segment k+1, 0 at the tip.
- */
+/* Lower triangle of the diagonal block of segment k; `own` and `next` are W of its joints, those of
+ * segment k+1 0 at the tip. */
 static inline void rod_diagonal(real a[ROD_UNKNOWNS][ROD_UNKNOWNS], const rod_segment* e,
-                                real inertia, real next_stretch, real next_bend) {
+                                real inertia, real next_stretch, sym3 own, sym3 next) {
     const vec3 t = e->director;
     const real turn = e->pull * e->length + e->geometric;
-    const real linear = inertia + e->stretch + next_stretch;
-    const real angular = 0.25f * (e->bend + next_bend);
-    for (int r = 0; r < ROD_UNKNOWNS; ++r)
-        for (int c = 0; c <= r; ++c)
-            a[r][c] = (real)(0.0f);
-    a[0][0] = a[1][1] = a[2][2] = linear;
+    const real zero = (real)(0.0f);
+    a[0][0] = a[1][1] = a[2][2] = inertia + e->stretch + next_stretch;
+    a[1][0] = a[2][0] = a[2][1] = zero;
     /* rows omega, columns x: EA [t]x transposed */
+    a[3][0] = a[4][1] = a[5][2] = zero;
     a[3][1] = e->pull * t.z;
     a[3][2] = -e->pull * t.y;
     a[4][0] = -e->pull * t.z;
@@ -67,12 +70,12 @@ static inline void rod_diagonal(real a[ROD_UNKNOWNS][ROD_UNKNOWNS], const rod_se
     a[5][0] = e->pull * t.y;
     a[5][1] = -e->pull * t.x;
     /* I - t t^T without a difference: along t limp hair's twist is a millionth of `turn` */
-    a[3][3] = angular + turn * (t.y * t.y + t.z * t.z);
-    a[4][3] = -turn * t.y * t.x;
-    a[4][4] = angular + turn * (t.x * t.x + t.z * t.z);
-    a[5][3] = -turn * t.z * t.x;
-    a[5][4] = -turn * t.z * t.y;
-    a[5][5] = angular + turn * (t.x * t.x + t.y * t.y);
+    a[3][3] = own.xx + next.xx + turn * (t.y * t.y + t.z * t.z);
+    a[4][3] = own.xy + next.xy - turn * t.y * t.x;
+    a[4][4] = own.yy + next.yy + turn * (t.x * t.x + t.z * t.z);
+    a[5][3] = own.xz + next.xz - turn * t.z * t.x;
+    a[5][4] = own.yz + next.yz - turn * t.z * t.y;
+    a[5][5] = own.zz + next.zz + turn * (t.x * t.x + t.y * t.y);
 }
 
 /* Adds the contact of vertex i. */
@@ -88,59 +91,105 @@ static inline void rod_diagonal_contact(real a[ROD_UNKNOWNS][ROD_UNKNOWNS], cons
     a[2][1] = h.yz;
 }
 
-/* Block between segments k-1 (rows) and k (columns), e being segment k. */
-static inline void rod_coupling(real b[ROD_UNKNOWNS][ROD_UNKNOWNS], const rod_segment* e) {
-    const vec3 t = scale3(e->director, e->pull);
-    for (int r = 0; r < ROD_UNKNOWNS; ++r)
-        for (int c = 0; c < ROD_UNKNOWNS; ++c)
-            b[r][c] = (real)(0.0f);
-    b[0][0] = b[1][1] = b[2][2] = -e->stretch;
-    b[3][3] = b[4][4] = b[5][5] = -0.25f * e->bend;
-    /* x_k against omega_k: -EA [t]x */
-    b[0][4] = t.z;
-    b[0][5] = -t.y;
-    b[1][3] = -t.z;
-    b[1][5] = t.x;
-    b[2][3] = t.y;
-    b[2][4] = -t.x;
+/* The block B between segments k-1 (rows) and k (columns): [-ks I, -EA [t]x; 0, -W]. */
+typedef struct {
+    real stretch;
+    vec3 pull; /* EA t */
+    sym3 turn; /* W */
+    int round; /* W is turn.xx I */
+} rod_coupling;
+
+/* W v */
+static inline vec3 rod_coupling_turn(const rod_coupling* b, vec3 v) {
+    return b->round ? scale3(v, b->turn.xx) : mul_sym3(b->turn, v);
+}
+
+/* Column c of B. */
+static inline void rod_coupling_column(const rod_coupling* b, int c, real v[ROD_UNKNOWNS]) {
+    const real zero = (real)(0.0f);
+    const vec3 axis = vec3_of((real)(c % 3 == 0), (real)(c % 3 == 1), (real)(c % 3 == 2));
+    const vec3 none = vec3_of(zero, zero, zero);
+    const vec3 x = c < 3 ? scale3(axis, -b->stretch) : cross3(axis, b->pull);
+    const vec3 w = c < 3 ? none : scale3(rod_coupling_turn(b, axis), (real)(-1.0f));
+    v[0] = x.x;
+    v[1] = x.y;
+    v[2] = x.z;
+    v[3] = w.x;
+    v[4] = w.y;
+    v[5] = w.z;
+}
+
+/* to -= B^T (x, w), v of the one segment and `to` of the next: (ks x, x x EA t + W w), each product
+ * into the sum, where it cancels, and not into another of its size. */
+static inline void rod_coupling_back(const rod_coupling* b, const real v[ROD_UNKNOWNS],
+                                     real to[ROD_UNKNOWNS]) {
+    const vec3 t = b->pull;
+    to[0] += b->stretch * v[0];
+    to[1] += b->stretch * v[1];
+    to[2] += b->stretch * v[2];
+    to[3] += v[1] * t.z;
+    to[3] -= v[2] * t.y;
+    to[4] -= v[0] * t.z;
+    to[4] += v[2] * t.x;
+    to[5] += v[0] * t.y;
+    to[5] -= v[1] * t.x;
+    const sym3 w = b->turn;
+    if (b->round) {
+        to[3] += w.xx * v[3];
+        to[4] += w.xx * v[4];
+        to[5] += w.xx * v[5];
+        return;
+    }
+    to[3] += w.xx * v[3] + w.xy * v[4] + w.xz * v[5];
+    to[4] += w.xy * v[3] + w.yy * v[4] + w.yz * v[5];
+    to[5] += w.xz * v[3] + w.yz * v[4] + w.zz * v[5];
 }
 
 /* a = L L^T in place, the inverse pivots on the diagonal; 0 where rounding took one, as the twist
  * of long limp strands': that unknown stays. */
 static inline void rod_factor(real a[ROD_UNKNOWNS][ROD_UNKNOWNS]) {
+#pragma unroll
     for (int c = 0; c < ROD_UNKNOWNS; ++c) {
         real pivot = a[c][c];
-        for (int k = 0; k < c; ++k)
-            pivot -= a[c][k] * a[c][k];
+#pragma unroll
+        for (int k = 0; k < ROD_UNKNOWNS; ++k)
+            if (k < c)
+                pivot -= a[c][k] * a[c][k];
         a[c][c] = pick(pivot > (real)(1e-30f), rsqrt(fmax(pivot, (real)(1e-30f))), (real)(0.0f));
-        for (int r = c + 1; r < ROD_UNKNOWNS; ++r) {
-            real sum = a[r][c];
-            for (int k = 0; k < c; ++k)
-                sum -= a[r][k] * a[c][k];
-            a[r][c] = sum * a[c][c];
+#pragma unroll
+        for (int r = 0; r < ROD_UNKNOWNS; ++r)
+            if (r > c) {
+                real sum = a[r][c];
+#pragma unroll
+                for (int k = 0; k < ROD_UNKNOWNS; ++k)
+                    if (k < c)
+                        sum -= a[r][k] * a[c][k];
+                a[r][c] = sum * a[c][c];
+            }
+    }
+}
+
+/* v = (L L^T)^-1 v, of which the elements before `first` are 0. */
+static inline void rod_back_substitute(real a[ROD_UNKNOWNS][ROD_UNKNOWNS], real v[ROD_UNKNOWNS],
+                                       int first) {
+#pragma unroll
+    for (int r = 0; r < ROD_UNKNOWNS; ++r)
+        if (r >= first) {
+#pragma unroll
+            for (int k = 0; k < ROD_UNKNOWNS; ++k)
+                if (k >= first && k < r)
+                    v[r] -= a[r][k] * v[k];
+            v[r] *= a[r][r];
         }
-    }
-}
-
-/* v = (L L^T)^-1 v */
-static inline void rod_back_substitute(real a[ROD_UNKNOWNS][ROD_UNKNOWNS], real v[ROD_UNKNOWNS]) {
-    for (int r = 0; r < ROD_UNKNOWNS; ++r) {
-        for (int k = 0; k < r; ++k)
-            v[r] -= a[r][k] * v[k];
+#pragma unroll
+    for (int i = 0; i < ROD_UNKNOWNS; ++i) {
+        const int r = ROD_UNKNOWNS - 1 - i;
+#pragma unroll
+        for (int k = 0; k < ROD_UNKNOWNS; ++k)
+            if (k > r)
+                v[r] -= a[k][r] * v[k];
         v[r] *= a[r][r];
     }
-    for (int r = ROD_UNKNOWNS - 1; r >= 0; --r) {
-        for (int k = r + 1; k < ROD_UNKNOWNS; ++k)
-            v[r] -= a[k][r] * v[k];
-        v[r] *= a[r][r];
-    }
-}
-
-static inline void rod_add_section(const rod_problem* rod, const rod_state* s, int k,
-                                   real a[ROD_UNKNOWNS][ROD_UNKNOWNS], float side) {
-    const rod_section section = rod_section_of(rod, k);
-    if (!rod_section_round(section))
-        rod_section_block(a, section, rod_expected(rod, s, k), side);
 }
 
 /* Minus the gradient for segment k; `next` is segment k+1 or null at the tip. */
@@ -168,65 +217,78 @@ static inline void rod_descent(const rod_problem* rod, const rod_state* s, int k
     g[5] = torque.z;
 }
 
-/* What elimination keeps of a segment: u_k = z - x_next u_(k+1). */
+/* What elimination keeps of a segment: u_k = z - sum over c of next[c] u_(k+1)[c]. */
 typedef struct {
     real z[ROD_UNKNOWNS];
-    real next[ROD_UNKNOWNS][ROD_UNKNOWNS];
+    real next[ROD_UNKNOWNS][ROD_UNKNOWNS]; /* columns */
 } rod_row;
 
 /* Eliminate row k-1 from row k: a -= B^T X, g -= B^T z. */
 static inline void rod_eliminate(real a[ROD_UNKNOWNS][ROD_UNKNOWNS], real g[ROD_UNKNOWNS],
-                                 real b[ROD_UNKNOWNS][ROD_UNKNOWNS], const rod_row* before) {
-    for (int r = 0; r < ROD_UNKNOWNS; ++r)
-        for (int k = 0; k < ROD_UNKNOWNS; ++k) {
-            g[r] -= b[k][r] * before->z[k];
-            for (int c = 0; c <= r; ++c)
-                a[r][c] -= b[k][r] * before->next[k][c];
-        }
+                                 const rod_coupling* b, const rod_row* before) {
+    rod_coupling_back(b, before->z, g);
+#pragma unroll
+    for (int c = 0; c < ROD_UNKNOWNS; ++c) {
+        real column[ROD_UNKNOWNS]; /* what is above the diagonal is not read */
+#pragma unroll
+        for (int r = 0; r < ROD_UNKNOWNS; ++r)
+            column[r] = r < c ? (real)(0.0f) : a[r][c];
+        rod_coupling_back(b, before->next[c], column);
+#pragma unroll
+        for (int r = 0; r < ROD_UNKNOWNS; ++r)
+            if (r >= c)
+                a[r][c] = column[r];
+    }
 }
 
 /* The Gauss-Newton direction (displacement, rotation vector) of every segment. */
 static inline void rod_direction(const rod_problem* rod, const rod_state* s,
                                  real u[][ROD_UNKNOWNS]) {
+    const real zero = (real)(0.0f);
     rod_row row[PLAIT_VERTICES - 1];
-    real a[ROD_UNKNOWNS][ROD_UNKNOWNS], b[ROD_UNKNOWNS][ROD_UNKNOWNS];
+    real a[ROD_UNKNOWNS][ROD_UNKNOWNS];
+    rod_coupling b;
     rod_segment e = rod_segment_at(rod, s, 0);
+    sym3 own = rod_joint_stiffness(rod, s, 0, e.bend);
     for (int k = 0; k < rod->step->segments; ++k) {
         const int tip = k == rod->step->segments - 1;
-        const rod_segment next = tip ? e : rod_segment_at(rod, s, k + 1);
+        rod_segment next = e;
+        sym3 onward = {zero, zero, zero, zero, zero, zero};
+        if (!tip) {
+            next = rod_segment_at(rod, s, k + 1);
+            onward = rod_joint_stiffness(rod, s, k + 1, next.bend);
+        }
         const real inertia = rod_material(rod, k + 1, PLAIT_LANE_MASS) * rod->inertia;
-        rod_diagonal(a, &e, inertia, tip ? (real)(0.0f) : next.stretch,
-                     tip ? (real)(0.0f) : next.bend);
-        rod_add_section(rod, s, k, a, 1.0f);
-        if (!tip)
-            rod_add_section(rod, s, k + 1, a, 1.0f);
+        rod_diagonal(a, &e, inertia, tip ? zero : next.stretch, own, onward);
         if (rod_touches(rod))
             rod_diagonal_contact(a, rod, s, k + 1);
         rod_descent(rod, s, k, &e, tip ? 0 : &next, row[k].z);
         if (k > 0)
-            rod_eliminate(a, row[k].z, b, &row[k - 1]);
+            rod_eliminate(a, row[k].z, &b, &row[k - 1]);
         rod_factor(a);
-        rod_back_substitute(a, row[k].z);
+        rod_back_substitute(a, row[k].z, 0);
         if (!tip) {
-            rod_coupling(b, &next);
-            rod_add_section(rod, s, k + 1, b, -1.0f);
+            b.stretch = next.stretch;
+            b.pull = scale3(next.director, next.pull);
+            b.turn = onward;
+            b.round = rod_section_round(rod_section_of(rod, k + 1));
+#pragma unroll
             for (int c = 0; c < ROD_UNKNOWNS; ++c) {
-                real column[ROD_UNKNOWNS];
-                for (int r = 0; r < ROD_UNKNOWNS; ++r)
-                    column[r] = b[r][c];
-                rod_back_substitute(a, column);
-                for (int r = 0; r < ROD_UNKNOWNS; ++r)
-                    row[k].next[r][c] = column[r];
+                rod_coupling_column(&b, c, row[k].next[c]);
+                rod_back_substitute(a, row[k].next[c], c < 3 ? c : 0);
             }
         }
         e = next;
+        own = onward;
     }
     for (int k = rod->step->segments - 1; k >= 0; --k)
+#pragma unroll
         for (int r = 0; r < ROD_UNKNOWNS; ++r) {
             u[k][r] = row[k].z[r];
             if (k < rod->step->segments - 1)
+#pragma unroll
                 for (int c = 0; c < ROD_UNKNOWNS; ++c)
-                    u[k][r] -= row[k].next[r][c] * u[k + 1][c];
+                    u[k][r] -= row[k].next[c][r] * u[k + 1][c];
         }
 }
 

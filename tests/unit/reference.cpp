@@ -185,9 +185,11 @@ TEST_F(Reference, KeepsFloat64BetweenDispatches) {
     plait_buffer* prev2 = make(PLAIT_ELEMENT_FLOAT4, 2, before.data());
     plait_buffer* counts = make(PLAIT_ELEMENT_UINT, 1, &count);
     plait_buffer* pose = make(PLAIT_ELEMENT_FLOAT4, 2, start.data());
-    const plait_integrate_params params = {2, 1, 0, 0, 0, {0, 0, 0}};
+    const plait_integrate_params params = {2, 1, 0, 0, 0, {0, 0, 0}, 0};
+    plait_buffer* const acceleration = nullptr;
     for (int step = 0; step < 1024; ++step)
-        ASSERT_EQ(submit(PLAIT_STAGE_integrate, 2, params, {rest, counts, pose, x, prev, prev2}),
+        ASSERT_EQ(submit(PLAIT_STAGE_integrate, 2, params,
+                         {rest, counts, pose, acceleration, x, prev, prev2}),
                   PLAIT_OK);
     std::array<float, 8> end = {};
     EXPECT_EQ(api.buffer_read(device, x, 0, 2, end.data()), PLAIT_OK);
