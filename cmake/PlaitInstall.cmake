@@ -18,7 +18,7 @@ install(EXPORT plait NAMESPACE plait:: FILE plaitTargets.cmake DESTINATION ${pac
 
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/plaitConfig.cmake.in
                               ${PROJECT_BINARY_DIR}/plaitConfig.cmake INSTALL_DESTINATION ${package_dir})
-# Before 1.0 a minor version may change the face.
+# Before 1.0 a minor version may change the API.
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/plaitConfigVersion.cmake
                                  COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/plaitConfig.cmake ${PROJECT_BINARY_DIR}/plaitConfigVersion.cmake

@@ -1,6 +1,6 @@
 /* plait: real-time hair simulation on any OpenCL device.
  *
- * The whole public face, C99. A `plait_context` is a device; a `plait_groom` is immutable hair at
+ * The whole public API, C99. A `plait_context` is a device; a `plait_groom` is immutable hair at
  * rest; a `plait_sim` is one groom moving on one context. SI units, right-handed axes, quaternions
  * stored (x, y, z, w). A pose maps a rest-space point p to q*p + t in the world.
  *

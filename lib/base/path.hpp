@@ -1,4 +1,4 @@
-// Paths are UTF-8 in the C face and in messages. Windows would read them in the user's code page.
+// Paths are UTF-8 in the C API and in messages. Windows would read them in the user's code page.
 #pragma once
 
 #include <filesystem>

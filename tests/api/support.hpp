@@ -1,4 +1,4 @@
-// Small grooms and sims for the tests of the C face.
+// Small grooms and sims for the tests of the C API.
 #pragma once
 
 #include <plait/plait.hpp>

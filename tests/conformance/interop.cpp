@@ -1,4 +1,4 @@
-// The public face of interop: plait on the caller's queue, its fields as the caller's cl_mem.
+// The public API of interop: plait on the caller's queue, its fields as the caller's cl_mem.
 #include "support.hpp"
 
 #include <plait/plait_opencl.h>

@@ -1,4 +1,4 @@
-// The caller's own kernel in the place of one that plait has, through the C face: with work-group
+// The caller's own kernel in the place of one that plait has, through the C API: with work-group
 // memory and the headers that plait's kernels share.
 #include <plait/plait.hpp>
 

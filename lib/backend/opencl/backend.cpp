@@ -1,4 +1,4 @@
-// The C face of the backend: every function ends in a result code, none lets an exception through.
+// The C API of the backend: every function ends in a result code, none lets an exception through.
 #include "backend/builtin.hpp"
 #include "backend/opencl/device.hpp"
 

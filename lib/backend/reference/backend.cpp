@@ -1,4 +1,4 @@
-// The C face of the reference backend: handles to objects, exceptions to result codes.
+// The C API of the reference backend: handles to objects, exceptions to result codes.
 #include "backend/builtin.hpp"
 #include "backend/reference/device.hpp"
 
