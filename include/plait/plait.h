@@ -447,7 +447,7 @@ typedef struct plait_sim_params {
     float grid_edge;      /* whole edge, m, [0, 1e6]; 0: a cube around the groom's bounds x 1.5 */
 
     float accelerate_values[16]; /* each [-1e6, 1e6], default 0: told to the caller's own kernel of
-                                    the stage accelerate, which says what they mean */
+                                    accelerate, which says what they mean; a warning if none runs */
 } plait_sim_params;
 
 PLAIT_API void plait_sim_params_init(plait_sim_params* params, size_t size);
@@ -570,8 +570,8 @@ typedef struct plait_sim_info {
     float sag_residual; /* worst joint: moment it lacks / (weight x length of its strand), a limp
                            level strand's .5; or force its strand lacks / its weight */
     float worst_stiffening; /* of a joint: its bend stiffness / the material's; 1: none */
-    char warning[512];      /* what is likely wrong with the groom, its units or the material, as
-                               logged at creation and now; "" if nothing is */
+    char warning[512];      /* what is likely wrong with groom, units or material, or a kernel
+                               of the caller's left out, as logged at creation and now; "": none */
 } plait_sim_info;
 
 PLAIT_API void plait_sim_info_init(plait_sim_info* info, size_t size);

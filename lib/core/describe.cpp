@@ -45,7 +45,20 @@ std::string stiffening_warning(const SagReport& sag, bool told) {
                          "bend_stiffness is far from what holds this hairstyle");
 }
 
+// A kernel of the caller's that is not run.
+constexpr const char* accelerate_off =
+    "the context has a kernel of yours for the stage accelerate, and this sim was made with "
+    "accelerations = 0, which leaves it out";
+constexpr const char* accelerate_none =
+    "the context has no kernel of yours for the stage accelerate";
+
 } // namespace
+
+const char* Sim::no_accelerate() const {
+    if (!context_.replaced[PLAIT_STAGE_accelerate])
+        return accelerate_none;
+    return state_.acceleration ? "" : accelerate_off;
+}
 
 std::string Sim::warning() const {
     const SagReport sag = model_->sag();
@@ -53,6 +66,8 @@ std::string Sim::warning() const {
     const bool told = !text.empty();
     append(text, residual_warning(sag, layout_.guides, desc_.sag_free));
     append(text, stiffening_warning(sag, told));
+    if (no_accelerate() == accelerate_off)
+        append(text, accelerate_off);
     return text;
 }
 
@@ -72,9 +87,9 @@ void Sim::log_warnings(const plait_sim_params& before, const std::string& said) 
     };
     if (const std::string text = warning(); text != said)
         log(text);
-    const uint32_t used = models_in_use();
+    const Readers readers{models_in_use(), no_accelerate()};
     for (const plait_param_info& param : param_table())
-        log(ignored_warning(param, before, desc_.params, used));
+        log(ignored_warning(param, before, desc_.params, readers));
 }
 
 plait_sim_info Sim::describe() const {

@@ -166,9 +166,13 @@ const char* model_name(plait_model model) {
 }
 
 std::string ignored_warning(const plait_param_info& param, const plait_sim_params& before,
-                            const plait_sim_params& now, uint32_t used) {
+                            const plait_sim_params& now, const Readers& readers) {
+    const uint32_t used = readers.models;
     if (same(param, now, before) || same(param, now, default_params()))
         return {};
+    if (param.offset == offsetof(plait_sim_params, accelerate_values) && *readers.no_accelerate)
+        return format("params: %s is set, and no kernel reads it: %s", param.name,
+                      readers.no_accelerate);
     if ((param.models & used) == 0)
         return format("params: %s is set, and no strand's model (%s) reads it; those that do: %s",
                       param.name, names(used).c_str(), names(param.models).c_str());

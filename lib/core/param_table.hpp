@@ -15,9 +15,16 @@ std::span<const plait_param_info> param_table();
 // "cosserat"; of none, "?".
 const char* model_name(plait_model model);
 
-// What is wrong with a parameter that has left its default since `before` while no model of `used`
-// (bits 1u << plait_model) reads it; "" if nothing is.
+// Who reads a sim's parameters.
+struct Readers {
+    uint32_t models;           // bits 1u << plait_model
+    const char* no_accelerate; // why no kernel of the caller's for the stage accelerate is run; "":
+                               // one is, and reads accelerate_values
+};
+
+// What is wrong with a parameter that has left its default since `before` while nothing reads it;
+// "" if nothing is.
 std::string ignored_warning(const plait_param_info& param, const plait_sim_params& before,
-                            const plait_sim_params& now, uint32_t used);
+                            const plait_sim_params& now, const Readers& readers);
 
 } // namespace plait

@@ -128,10 +128,11 @@ class Sim {
     Status make_bounds();
     Status check_models(std::span<const plait_model> models) const;
     uint64_t device_bytes() const;
-    uint32_t models_in_use() const; // bits 1u << plait_model
-    std::string warning() const;    // plait_sim_info.warning
+    uint32_t models_in_use() const;    // bits 1u << plait_model
+    std::string warning() const;       // plait_sim_info.warning
+    const char* no_accelerate() const; // why no kernel of the caller's accelerates; "": one does
     // To the log: `warning()` unless it is `said`, and what parameters changed from `before` to
-    // what no strand's model reads.
+    // what nothing reads.
     void log_warnings(const plait_sim_params& before, const std::string& said) const;
     Status read_velocity(std::span<float> dst);
     Status write_velocity(const float* src);

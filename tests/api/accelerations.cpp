@@ -1,4 +1,5 @@
-// Accelerations of single vertices, beside gravity and air: PLAIT_FIELD_ACCELERATION and the stage that fills it.
+// Accelerations of single vertices, beside gravity and air: PLAIT_FIELD_ACCELERATION and the stage
+// that fills it.
 #include "support.hpp"
 
 #include <algorithm>
@@ -209,6 +210,75 @@ TEST(AccelerationsOnOpenCL, AreFilledByTheCallersOwnKernel) {
         run(sim, 18);
         EXPECT_LT(away(), 0.8f * begin) << model;
     }
+}
+
+// A context with a kernel of the caller's, or with none, and what it warns of.
+struct Warned {
+    explicit Warned(bool own) : context(create(own)) {}
+
+    std::string warnings() {
+        std::string taken;
+        taken.swap(text);
+        return taken;
+    }
+    bool says(const std::string& word) const { return text.find(word) != std::string::npos; }
+
+    std::string text;
+    plait::Context context;
+
+  private:
+    plait::Context create(bool own) {
+        const plait_stage_source source = well();
+        auto desc = plait_context_desc_defaults();
+        desc.backend = own ? "opencl" : "reference";
+        desc.stage_sources = own ? &source : nullptr;
+        desc.stage_source_count = own ? 1 : 0;
+        desc.log = [](plait_log_level level, const char* line, void* user) {
+            if (level == PLAIT_LOG_LEVEL_WARNING)
+                *static_cast<std::string*>(user) += std::string(line) + "\n";
+        };
+        desc.log_user = &text;
+        return plait::Context(desc);
+    }
+};
+
+TEST(AccelerationsThatNothingReads, AreWarnedOfWithoutAKernel) {
+    Warned warned(false);
+    auto desc = pulled(PLAIT_MODEL_ARTICULATED);
+    plait::Sim sim(warned.context, make_groom(tuft(2, 6)), desc);
+    EXPECT_EQ(warned.warnings(), "") << "the caller writes them";
+    desc.params.accelerate_values[15] = 3;
+    sim.set_params(desc.params);
+    EXPECT_TRUE(warned.says("accelerate_values is set, and no kernel reads it: the context has no "
+                            "kernel of yours"))
+        << warned.text;
+    EXPECT_STREQ(sim.describe().warning, "") << "a parameter, not the sim";
+    warned.warnings();
+    desc.params.drag = 3;
+    sim.set_params(desc.params);
+    EXPECT_EQ(warned.warnings(), "") << "said before";
+    plait::Sim other(warned.context, make_groom(tuft(2, 6)), desc);
+    EXPECT_TRUE(warned.says("accelerate_values")) << "at creation, too";
+}
+
+TEST(AccelerationsThatNothingReads, AreWarnedOfWhereTheyAreOff) {
+    Warned warned(true);
+    auto desc = pulled(PLAIT_MODEL_ARTICULATED);
+    desc.params.accelerate_values[0] = 1;
+    plait::Sim on(warned.context, make_groom(tuft(2, 6)), desc);
+    EXPECT_EQ(warned.warnings(), "");
+    EXPECT_STREQ(on.describe().warning, "");
+    desc.accelerations = 0;
+    desc.params.accelerate_values[0] = 0;
+    plait::Sim off(warned.context, make_groom(tuft(2, 6)), desc);
+    const std::string said = off.describe().warning;
+    EXPECT_NE(said.find("accelerations = 0"), std::string::npos) << said;
+    EXPECT_TRUE(warned.says(said)) << warned.text;
+    EXPECT_FALSE(warned.says("accelerate_values")) << warned.text;
+    warned.warnings();
+    desc.params.accelerate_values[0] = 1;
+    off.set_params(desc.params);
+    EXPECT_TRUE(warned.says("accelerate_values is set, and no kernel reads it")) << warned.text;
 }
 
 } // namespace
