@@ -4,6 +4,8 @@
 
 #include <gmock/gmock.h>
 
+#include <set>
+
 using simulate::Json;
 using simulate::Scene;
 using testing::AllOf;
@@ -162,14 +164,35 @@ TEST_F(SceneFile, syntax_errors_name_line_and_column) {
     EXPECT_THAT(refusal("{\n \"rate\": }"), AllOf(HasSubstr("scene.json"), HasSubstr("line 2")));
 }
 
+TEST_F(SceneFile, that_is_made_for_a_groom_says_which_and_where_it_is) {
+    const std::string text = R"({
+        "made_for": {"groom": "a.tfx", "from": "https://example.org/hair"}})";
+    EXPECT_THAT(refusal(text), AllOf(HasSubstr("scene.json:2: made_for"), HasSubstr("a.tfx"),
+                                     HasSubstr("https://example.org/hair"), HasSubstr("--groom")));
+    EXPECT_EQ(read(text, {{"groom", "b.tfx"}}).groom.name, "b.tfx");
+    EXPECT_EQ(read(text, {{"groom", "curly"}}).groom.name, "curly") << "whoever asks for it";
+    EXPECT_THAT(refusal(R"({"made_for": {"groom": "a.tfx"}})"), HasSubstr("made_for.from"));
+    EXPECT_THAT(refusal(R"({"made_for": {"groom": "a.tfx", "from": "b", "at": 1}})"),
+                HasSubstr("made_for.at"));
+    EXPECT_THAT(refusal(R"({"made_for": "a.tfx"})"), HasSubstr("made_for"));
+}
+
+// With the groom that they are made for, and refused without.
 TEST(SceneFiles, of_the_repository_are_valid) {
+    std::set<std::string> refused;
     size_t seen = 0;
     for (const auto& entry : std::filesystem::directory_iterator(PLAIT_SCENES)) {
-        EXPECT_NO_THROW(simulate::make_scene(entry.path().string(), Json::object()))
-            << entry.path();
+        const std::string file = entry.path().string();
+        const std::string refusal = refusal_of([&] { simulate::make_scene(file, Json::object()); });
+        if (refusal != "no refusal") {
+            EXPECT_THAT(refusal, AllOf(HasSubstr("made_for"), HasSubstr("https://")));
+            EXPECT_NO_THROW(simulate::make_scene(file, {{"groom", "groom.tfx"}})) << file;
+            refused.insert(entry.path().filename().string());
+        }
         ++seen;
     }
-    EXPECT_GT(seen, 0u);
+    EXPECT_EQ(refused, (std::set<std::string>{"ratboy.json", "sintel.json"}));
+    EXPECT_GT(seen, refused.size());
 }
 
 } // namespace

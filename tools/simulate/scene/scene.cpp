@@ -203,8 +203,24 @@ void hang(Scene& scene) {
     scene.sim.params.diffuse_floor = hang.friction->floor;
 }
 
+// What a scene was made for, its colliders and camera, and another groom would not fit.
+void refuse_without_groom(JsonReader& top, bool given) {
+    const Json* value = top.value("made_for");
+    if (!value)
+        return;
+    std::string groom, from;
+    JsonReader in = top.object(*value, "made_for");
+    for (const auto& [key, target] : {std::pair{"groom", &groom}, {"from", &from}})
+        if (!in.text(key, *target))
+            in.fail(key, "is missing: made_for is { groom, from }");
+    in.finish();
+    if (!given)
+        top.fail("made_for", "is the groom " + groom + ", which is not given: it is public at " +
+                                 from + "; --groom FILE takes it");
+}
+
 void read_simulation(JsonReader& top, Scene& scene) {
-    top.text("groom", scene.groom.name);
+    refuse_without_groom(top, top.text("groom", scene.groom.name));
     top.number("seconds", scene.seconds, 0.001, 3600);
     top.integer("rate", scene.rate, 1, 1000);
     top.integer("substeps", scene.substeps, 1, 1000);
