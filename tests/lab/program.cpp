@@ -61,6 +61,7 @@ TEST_F(LabProgram, prints_tables_and_costs) {
 }
 
 // The commands with tables: the same options, and what is printed is for programs.
+    EXPECT_THAT(outcome.text, HasSubstr("articulated 1x1 BDF2")) << "the library's default";
 TEST_F(LabProgram, tables_are_chosen_from_and_printed_as_json_and_csv) {
     scene();
     write("t.json", R"({"reference": {"converged": "rod"}, "strand": {"segments": 2},

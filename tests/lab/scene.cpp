@@ -30,7 +30,7 @@ TEST_F(LabScene, empty_one_is_a_hair) {
     const Scene scene = read("{}");
     ASSERT_EQ(scene.strands.size(), 1u);
     EXPECT_EQ(scene.strands[0].segments, 16u);
-    EXPECT_EQ(scene.model, "cosserat");
+    EXPECT_EQ(scene.model, "articulated") << "the library's default";
     EXPECT_EQ(scene.frames(), 120u);
     EXPECT_DOUBLE_EQ(scene.material.bend_stiffness, 4.7e-9);
 }

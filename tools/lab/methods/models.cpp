@@ -115,6 +115,15 @@ const Model* find_model(const std::string& label) {
     return nullptr;
 }
 
+const Model& default_model() {
+    const plait_model wanted = plait_sim_desc_defaults().model;
+    for (const Model& model : models())
+        if (model.model == wanted && !model.baseline())
+            return model;
+    throw Failure("the library's default is model " + std::to_string(wanted) +
+                  ", which is not in the list");
+}
+
 const std::vector<std::string>& model_labels() {
     static const std::vector<std::string> labels = [] {
         std::vector<std::string> names;

@@ -37,6 +37,7 @@ struct Model {
 
 const std::vector<Model>& models();
 const Model* find_model(const std::string& label); // null: none
+const Model& default_model();                      // the library's own default
 const std::vector<std::string>& model_labels();
 
 // What to run a scene with: a model and how.

@@ -325,6 +325,7 @@ void read_measures(JsonReader& top, Scene& scene) {
 }
 
 void read_method(JsonReader& top, Scene& scene) {
+    scene.model = default_model().label;
     if (top.text("model", scene.model) && !find_model(scene.model))
         top.fail("model", "is \"" + scene.model + "\", no known model; the nearest is \"" +
                               std::string(nearest(scene.model, model_labels())) + "\"");

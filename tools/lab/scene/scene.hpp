@@ -65,7 +65,7 @@ struct Scene {
     double settle_drag = 0;                       // at this drag, 1/s,
     Vec3 settle_gravity{0, -standard_gravity, 0}; // and in this gravity, m/s^2
     double unit_time = 1;                         // s per unit of time in the file
-    std::string model = "cosserat";
+    std::string model;                            // its label; absent: the library's default
     std::optional<uint32_t> substeps, iterations, bdf2; // absent: the model's own
     std::string device, backend;
     Motion motion;
