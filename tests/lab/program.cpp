@@ -7,7 +7,12 @@
 
 #include <algorithm>
 #include <array>
+#include <csignal>
 #include <cstdio>
+#include <cstdlib>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
 
 using testing::HasSubstr;
 
@@ -56,12 +61,12 @@ TEST_F(LabProgram, prints_tables_and_costs) {
     const Outcome outcome =
         lab("run " + scene() + " --cost-vertices 100 --cost-runs 3 --backend opencl", false);
     EXPECT_EQ(outcome.code, 0);
+    EXPECT_THAT(outcome.text, HasSubstr("articulated 1x1 BDF2")) << "the library's default";
     EXPECT_THAT(outcome.text, HasSubstr("strain_max"));
     EXPECT_THAT(outcome.text, HasSubstr("ns per vertex"));
 }
 
 // The commands with tables: the same options, and what is printed is for programs.
-    EXPECT_THAT(outcome.text, HasSubstr("articulated 1x1 BDF2")) << "the library's default";
 TEST_F(LabProgram, tables_are_chosen_from_and_printed_as_json_and_csv) {
     scene();
     write("t.json", R"({"reference": {"converged": "rod"}, "strand": {"segments": 2},
@@ -118,6 +123,79 @@ TEST_F(LabProgram, draws_slots_as_told) {
         EXPECT_EQ(refused.code, 1) << arguments;
         EXPECT_THAT(refused.text, HasSubstr(word)) << arguments;
     }
+}
+
+// The program with its output in `text`, to be waited for.
+pid_t start(const std::vector<std::string>& words, const std::string& text) {
+    const pid_t pid = fork();
+    if (pid != 0)
+        return pid;
+    std::vector<char*> arguments{const_cast<char*>("plait-lab")};
+    for (const std::string& word : words)
+        arguments.push_back(const_cast<char*>(word.c_str()));
+    arguments.push_back(nullptr);
+    if (std::freopen(text.c_str(), "w", stdout) && dup2(STDOUT_FILENO, STDERR_FILENO) >= 0)
+        execv(PLAIT_LAB, arguments.data());
+    _exit(1);
+}
+
+std::string contents(const std::string& file) {
+    std::ifstream stream(file);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+// Sends it once `ready`; the exit code, -1 where it was over before or did not exit.
+template <typename Ready> int code_after(int signal, pid_t pid, const Ready& ready) {
+    int status = 0;
+    while (!ready()) {
+        if (waitpid(pid, &status, WNOHANG) != 0)
+            return -1;
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    kill(pid, signal);
+    return waitpid(pid, &status, 0) == pid && WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+// A signal in the middle of a row: what was measured before it is on disk, whole, and a shell does
+// not go on.
+TEST_F(LabProgram, ends_well_on_interrupt) {
+    scene();
+    write("endless.json", R"({"strand": {"segments": 4}, "duration": 16000})");
+    const std::string table = write("t.json", R"({"rows": [
+        {"row": "1", "scene": "s.json", "measure": {"metric": "drop"}},
+        {"row": "2", "scene": "endless.json", "measure": {"metric": "drop"}}]})");
+    const std::string csv = path("out/accuracy.csv");
+    const auto lines = [&] {
+        const std::string all = contents(csv);
+        return std::count(all.begin(), all.end(), '\n');
+    };
+    const auto measured = [&] { return lines() == 3; }; // the head and row 1 in two settings
+    for (const int signal : {SIGINT, SIGTERM}) {
+        std::filesystem::remove_all(path("out"));
+        const pid_t pid = start({"accuracy", "--table", table, "--models", "chain", "--backend",
+                                 "reference", "--out", path("out")},
+                                path("text"));
+        EXPECT_EQ(code_after(signal, pid, measured), 128 + signal) << contents(path("text"));
+        EXPECT_TRUE(measured()) << "and nothing of row 2: " << contents(csv);
+        EXPECT_THAT(contents(path("text")), HasSubstr("interrupted"));
+    }
+}
+
+// Where no frame is recorded yet there is nothing to print.
+TEST_F(LabProgram, ends_well_on_interrupt_before_the_first_frame) {
+    if (!std::filesystem::exists("/proc/self/status"))
+        GTEST_SKIP() << "nothing tells when it is ready for the signal";
+    const std::string settling =
+        write("settling.json", R"({"strand": {"segments": 4}, "settle": 16000})");
+    const pid_t pid = start({"run", settling, "--backend", "reference"}, path("text"));
+    const auto watches = [&] { // the main thread leaves signals to another
+        const std::string status = contents("/proc/" + std::to_string(pid) + "/status");
+        const size_t at = status.find("SigBlk:");
+        return at != std::string::npos &&
+               (std::strtoull(&status[at + 7], nullptr, 16) & (1 << (SIGINT - 1))) != 0;
+    };
+    EXPECT_EQ(code_after(SIGINT, pid, watches), 128 + SIGINT) << contents(path("text"));
+    EXPECT_THAT(contents(path("text")), HasSubstr("interrupted before the first frame"));
 }
 
 TEST_F(LabProgram, says_what_is_wrong) {

@@ -23,6 +23,8 @@ using testing::HasSubstr;
 
 namespace {
 
+constexpr int interrupted = 128 + SIGINT; // the exit code
+
 class Program : public TemporaryFolder {
   protected:
     // Both of its streams go to the file "text". `own_group`: as a terminal's program is, its
@@ -239,7 +241,7 @@ TEST_F(Program, ends_well_on_interrupt) {
     while (!grown() && waitpid(pid, nullptr, WNOHANG) == 0)
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
     kill(pid, SIGINT);
-    ASSERT_EQ(wait_for(pid), 0) << text();
+    ASSERT_EQ(wait_for(pid), interrupted) << text();
     const Json stats = json("out/stats.json");
     ASSERT_TRUE(stats.is_object()) << text();
     EXPECT_EQ(stats.at("interrupted"), true);
@@ -266,7 +268,7 @@ TEST_F(Program, interrupt_while_kernels_are_compiled_leaves_no_log) {
     }
     ASSERT_FALSE(over) << text();
     kill(-pid, SIGINT);
-    ASSERT_EQ(wait_for(pid), 0) << text();
+    ASSERT_EQ(wait_for(pid), interrupted) << text();
     EXPECT_EQ(json("out/stats.json").at("interrupted"), true);
     for (const char* word : {"error", "Error", "failed", "signal"})
         EXPECT_EQ(text().find(word), std::string::npos) << text();
@@ -310,7 +312,7 @@ TEST_F(Program, leaves_the_sheet_of_what_there_is_on_interrupt) {
     }
     ASSERT_FALSE(over) << text();
     kill(pid, SIGINT);
-    ASSERT_EQ(wait_for(pid), 0) << text();
+    ASSERT_EQ(wait_for(pid), interrupted) << text();
     const Json stats = json("out/stats.json");
     ASSERT_TRUE(stats.is_object()) << text();
     EXPECT_EQ(stats.at("interrupted"), true);

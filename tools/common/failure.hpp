@@ -1,4 +1,4 @@
-// How plait-simulate fails: a sentence and an exit code, thrown to main().
+// How a program ends: an exit code (128 + a signal's number: ended()); failing, with a sentence.
 #pragma once
 
 #include <plait/plait.h>

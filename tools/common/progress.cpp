@@ -1,13 +1,13 @@
 #include "common/progress.hpp"
 
 #include <atomic>
+#include <csignal>
 #include <cstdio>
 #ifdef _WIN32
 #define WIN32_LEAN_AND_MEAN
 #include <io.h>
 #include <windows.h>
 #else
-#include <csignal>
 #include <thread>
 #include <unistd.h>
 #endif
@@ -16,7 +16,7 @@ namespace common {
 
 namespace {
 
-std::atomic<bool> interrupt_flag = false;
+std::atomic<int> interrupt_signal = 0; // 0: none came
 
 #ifdef _WIN32
 
@@ -26,7 +26,8 @@ bool is_terminal() {
 
 // What is not handled ends the program.
 BOOL WINAPI handle(DWORD event) {
-    return (event == CTRL_C_EVENT || event == CTRL_BREAK_EVENT) && !interrupt_flag.exchange(true);
+    return (event == CTRL_C_EVENT || event == CTRL_BREAK_EVENT) &&
+           interrupt_signal.exchange(SIGINT) == 0;
 }
 
 #else
@@ -40,7 +41,7 @@ void wait_for_interrupt(const sigset_t& signals) {
     int signal = 0;
     while (sigwait(&signals, &signal) != 0) {
     }
-    interrupt_flag = true;
+    interrupt_signal = signal;
     while (sigwait(&signals, &signal) != 0) {
     }
     std::signal(signal, SIG_DFL);
@@ -77,7 +78,12 @@ void watch_for_interrupt() {
 #endif
 
 bool interrupted() {
-    return interrupt_flag;
+    return interrupt_signal != 0;
+}
+
+Exit ended() {
+    const int signal = interrupt_signal;
+    return static_cast<Exit>(signal == 0 ? 0 : 128 + signal);
 }
 
 Progress::Progress(std::string label, uint32_t total)

@@ -1,6 +1,8 @@
 // A progress line on stderr: a bar with the time left on a terminal, a line now and then elsewhere.
 #pragma once
 
+#include "common/failure.hpp"
+
 #include <chrono>
 #include <cstdint>
 #include <string>
@@ -22,8 +24,13 @@ class Progress {
 };
 
 // Set by Ctrl-C after watch_for_interrupt(); a second Ctrl-C ends the program at once. Call it
-// before anything starts a thread or a program: what is started later leaves Ctrl-C to us.
+// before anything starts a thread or a program: what is started later leaves Ctrl-C to us. SIGTERM
+// counts as Ctrl-C.
 void watch_for_interrupt();
 bool interrupted();
+
+// How what has written all it has may end: ok, or where it was interrupted 128 + the signal's
+// number, 130 of Ctrl-C, so that what a shell was to run after it is not run.
+Exit ended();
 
 } // namespace common

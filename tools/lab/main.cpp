@@ -12,7 +12,13 @@ namespace {
 
 constexpr const char* footer =
     "Scenes are JSON: assets/lab has some, docs/lab.md says how to write one.\n"
-    "Exit codes: 0 done, whatever was measured; 1 the input is at fault, 2 the device is.";
+    "Exit codes: 0 done, whatever was measured; 1 the input is at fault, 2 the device is,\n"
+    "130 Ctrl-C ended it early.";
+
+// A command that was interrupted has done what it could.
+Exit exit_after(Exit command) {
+    return command == Exit::ok ? ended() : command;
+}
 
 int main_of(int argc, char** argv) {
     CLI::App app("Measures the strand models on scenes with known answers.", "plait-lab");
@@ -37,7 +43,7 @@ int main_of(int argc, char** argv) {
     if (list_devices)
         print_devices();
     else if (chosen)
-        return static_cast<int>(chosen());
+        return static_cast<int>(exit_after(chosen()));
     else
         std::fputs(app.help().c_str(), stdout);
     return 0;

@@ -136,7 +136,7 @@ Exit run(const CommandLine& line) {
         simulate_scene(scene);
     else
         replay(scene);
-    return Exit::ok;
+    return ended();
 }
 
 } // namespace

@@ -14,7 +14,7 @@ constexpr const char* footer =
     "inter-hair step), the film motion.mp4, or motion.gif where there is "
     "no ffmpeg, and\n"
     "stats.json. Ctrl-C ends early and keeps what there is.\n"
-    "Exit codes: 0 done, 1 the input is at fault, 2 the device is.";
+    "Exit codes: 0 done, 1 the input is at fault, 2 the device is, 130 Ctrl-C ended it early.";
 
 // An option that becomes the scene-file key `key`.
 template <typename T>

@@ -72,13 +72,11 @@ class Runner {
         for (const Row& row : run_.rows)
             for (size_t c = 0; c < cases(row); ++c)
                 for (const Method& method : run_.methods) {
-                    if (interrupted()) {
-                        run_.interrupted = true;
-                        return;
-                    }
-                    one(row, c, method);
+                    if (!interrupted())
+                        one(row, c, method);
                     progress.update(++done);
                 }
+        run_.interrupted = interrupted(); // also in the last of them
     }
 
   private:

@@ -82,8 +82,8 @@ Exit run_all(Options o) {
     if (o.write.empty())
         return Exit::ok;
     if (interrupted())
-        throw Failure(
-            "interrupted: no page is written of half a run; the same command takes it up");
+        throw Failure("interrupted: no page is written of half a run; the same command takes it up",
+                      ended());
     for (const std::string& file : write_page(o.write, page, o.choice.out))
         std::printf("wrote %s\n", file.c_str());
     return Exit::ok;

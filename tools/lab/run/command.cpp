@@ -29,6 +29,8 @@ Exit run(const RunOptions& options) {
     const Recording recording = record(contexts, scene, method, [&](double share) {
         progress.update(static_cast<uint32_t>(1000 * share));
     });
+    if (recording.frames.empty())
+        throw Failure("interrupted before the first frame: there is nothing to measure", ended());
     RunReport report{
         scene, method, contexts.device(), recording, measure_all(scene, method, recording), {}};
     if (options.cost && !interrupted())
