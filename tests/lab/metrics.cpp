@@ -101,6 +101,10 @@ TEST(LabSwing, finds_frequency_and_damping) {
         EXPECT_NEAR(swing.damping, zeta, 2e-4 + 2e-3 * zeta) << zeta;
     }
     EXPECT_EQ(lab::fit_swing({0, 1, 2, 3}, 1).frequency, 0);
+    EXPECT_EQ(lab::fit_swing({2, 3, 2, -1, -2, -1}, 1).frequency, 0) << "one crossing";
+    const lab::Swing short_lived = lab::fit_swing({1, 4, 1, -1, -2, -1, 1, 1, 1}, 1);
+    EXPECT_NEAR(short_lived.frequency, lab::pi / 3, 1e-12) << "two crossings, 3 apart";
+    EXPECT_NEAR(short_lived.damping, std::log(2) / lab::pi, 1e-12) << "peaks of 4 and 2";
 }
 
 TEST(LabMetrics, strain_is_the_worst_segment) {

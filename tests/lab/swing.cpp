@@ -120,6 +120,15 @@ TEST(LabSwingError, needs_a_converged_run) {
         of(shaken({{"reference", nullptr}}), "rod", {1, 1, false}, "swing_error").value));
 }
 
+// Row 29c has to see a default that no longer swings: cosserat, whose sweeps let a segment turn by
+// what it stretches alone, is off by the swing itself, and the strands do swing.
+TEST(LabSwingError, in_short_tells_what_swings_from_what_does_not) {
+    const lab::Scene scene = lab::read_scene(scenes + "/motion_short.json", Json::object());
+    EXPECT_LT(of(scene, "articulated", {1, 1, true}, "swing_error").value, 0.2);
+    EXPECT_GT(of(scene, "cosserat", {1, 3, false}, "swing_error").value, 0.6);
+    EXPECT_GT(of(scene, "articulated", {1, 1, true}, "swing_least").value, 0.02) << "L, rms";
+}
+
 // Each strand has the stiffness of its own gamma: alone, it moves as it does beside others.
 TEST(LabStrands, may_differ_in_stiffness) {
     const lab::Scene both = shaken();

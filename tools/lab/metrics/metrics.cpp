@@ -350,7 +350,7 @@ Swing fit_swing(const std::vector<double>& signal, double step) {
             peaks.push_back(std::log(std::abs(b - (c - a) * (c - a) / (8 * bend))));
         }
     }
-    if (crossings.size() < 4 || peaks.size() < 3)
+    if (crossings.size() < 2 || peaks.size() < 2) // less is no swing
         return {};
     const double half_period = slope(crossings) * step;
     return {pi / half_period, -slope(peaks) / pi};

@@ -38,7 +38,7 @@ double strain_at(const std::vector<double>& lengths, const std::vector<Vec3>& x)
 std::vector<double> masses_of(const Scene& scene, const Model& model, const Strand& strand); // kg
 
 // First swing of a signal sampled every `step` s: frequency (rad/s) from its zero crossings and
-// damping ratio from its peaks. Zero where it does not swing.
+// damping ratio from its peaks, two of each at least. Zero where it does not swing.
 struct Swing {
     double frequency = 0, damping = 0;
 };
