@@ -123,6 +123,8 @@ TEST_F(SceneFile, moving_colliders_have_keyframes) {
 TEST_F(SceneFile, values_are_refused_with_place_value_and_range) {
     EXPECT_THAT(refusal(R"({"substeps": 0})"),
                 AllOf(HasSubstr("scene.json:1: substeps is 0"), HasSubstr("[1,1000]")));
+    EXPECT_THAT(refusal(R"({"params": {"accelerate_values": [1, 2, 3]}})"),
+                HasSubstr("not a list of 16 numbers"));
     EXPECT_THAT(refusal(R"({"params": {"gravity": [0, -20000, 0]}})"),
                 AllOf(HasSubstr("params.gravity[1] is -20000"), HasSubstr("10000")));
     EXPECT_THAT(refusal(R"({"params": {"wind": [0, 1]}})"), HasSubstr("a list of 3 numbers"));

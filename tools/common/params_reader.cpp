@@ -4,6 +4,7 @@
 
 #include <cstring>
 #include <stdexcept>
+#include <vector>
 
 namespace common {
 
@@ -53,9 +54,10 @@ class Field {
                     in.fail(info_.name, "is " + Json(value).dump() + ", must be greater than " +
                                             Json(info_.least).dump());
             });
-        exchange<std::array<float, 3>>([&](std::array<float, 3>& values) {
-            in.numbers(info_.name, values, info_.least, info_.most);
-        });
+        std::vector<float> values(info_.count);
+        std::memcpy(values.data(), at_, sizeof(float) * values.size());
+        in.numbers(info_.name, values, info_.least, info_.most);
+        std::memcpy(at_, values.data(), sizeof(float) * values.size());
     }
 
     const plait_param_info& info_;
