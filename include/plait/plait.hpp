@@ -16,6 +16,9 @@
 #include <vector>
 
 namespace plait {
+// A namespace of its own, since plait linked as a static library has internal classes of the same
+// names, and the linker would take their members for these. Users write plait::Sim.
+inline namespace handles {
 
 class Error : public std::runtime_error {
   public:
@@ -252,6 +255,7 @@ class Sim : public detail::Owner<plait_sim, plait_sim_destroy> {
     }
 };
 
+} // namespace handles
 } // namespace plait
 
 #endif
