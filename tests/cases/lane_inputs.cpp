@@ -240,8 +240,7 @@ Setup lane_setup(const Size& size, const LaneHair& lanes, const plait_lane_param
     // none in contact, whose capsules lie where gravity drives the hair
     const auto& g = params.gravity;
     const double strongest = lanes.capsules.empty() ? 0.5 * std::hypot(g[0], g[1], g[2]) : 0;
-    setup.buffers.push_back(
-        lane_floats(without_w(accelerations(lanes.hair.size, strongest)), 3));
+    setup.buffers.push_back(lane_floats(without_w(accelerations(lanes.hair.size, strongest)), 3));
     setup.buffers.push_back(lane_floats(lanes.x, 3));
     setup.buffers.push_back(lane_floats(lanes.v, 3));
     if (bends) {

@@ -206,6 +206,8 @@ TEST_F(LabScene, refusals_of_what_contradicts_itself) {
     EXPECT_THAT(refusal(R"({"reference": {}})"), HasSubstr("reference.table is missing"));
     EXPECT_THAT(refusal(R"({"measure": [{"metric": "tilt", "strand": 1}]})"),
                 HasSubstr("measure[0].strand is 1"));
+    EXPECT_THAT(refusal(R"({"measure": [{"metric": "swing_error", "strand": 0}]})"),
+                HasSubstr("measure[0].strand chooses nothing"));
     EXPECT_THAT(refusal("{ nothing"), HasSubstr("line 1"));
 }
 

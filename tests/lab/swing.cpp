@@ -104,6 +104,13 @@ TEST(LabSwingError, is_one_of_hair_that_stands_still) {
     EXPECT_NEAR(value(still, "swing_error_p90"), 1, 1e-9);
     EXPECT_EQ(value(reference, "swing_error"), 0);
     EXPECT_GT(value(reference, "swing_least"), 0.005);
+
+    for (lab::Frame& frame : still.frames) // the second strand as it should be
+        frame.x[1] = reference.frames[static_cast<size_t>(&frame - still.frames.data())].x[1];
+    lab::Measure of_one = lab::measure_of("swing_error_strand");
+    EXPECT_NEAR(evaluate(scene, rod, still, of_one).value, 1, 1e-9);
+    of_one.strand = 1;
+    EXPECT_EQ(evaluate(scene, rod, still, of_one).value, 0);
 }
 
 TEST(LabSwingError, falls_with_substeps) {

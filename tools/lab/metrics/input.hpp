@@ -51,6 +51,7 @@ const Recording& converged_run(const Scene& scene, const Reference& reference);
 
 // metrics_swing.cpp: of strands whose roots move
 Value swing_error(const MetricInput& in);
+Value swing_error_strand(const MetricInput& in);
 Value swing_error_p90(const MetricInput& in);
 Value swing_least(const MetricInput& in);
 Value drive_amplitude(const MetricInput& in);

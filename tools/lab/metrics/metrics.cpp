@@ -186,15 +186,17 @@ struct Metric {
     const char* name;
     const char* unit;
     Value (*evaluate)(const MetricInput&);
+    bool of_all_strands = false; // `strand` chooses nothing
 };
 
 constexpr Metric metrics[] = {
     {"rms_error", "L", rms_error},
     {"max_error", "L", max_error},
     {"reference_error", "L", reference_error},
-    {"swing_error", "", swing_error},
-    {"swing_error_p90", "", swing_error_p90},
-    {"swing_least", "L", swing_least},
+    {"swing_error", "", swing_error, true},
+    {"swing_error_strand", "", swing_error_strand},
+    {"swing_error_p90", "", swing_error_p90, true},
+    {"swing_least", "L", swing_least, true},
     {"drive_amplitude", "", drive_amplitude},
     {"drive_phase", "deg", drive_phase},
     {"tip_error", "L", tip_error},
@@ -204,9 +206,9 @@ constexpr Metric metrics[] = {
     {"static_tip_over_floor", "", static_tip_over_floor},
     {"strain_max", "", strain_max},
     {"strain_rest", "", strain_rest},
-    {"segment_strain", "", segment_strain},
-    {"strand_strain", "", strand_strain},
-    {"stretched_frames", "frames", stretched_frames},
+    {"segment_strain", "", segment_strain, true},
+    {"strand_strain", "", strand_strain, true},
+    {"stretched_frames", "frames", stretched_frames, true},
     {"jitter", "L/frame", jitter},
     {"frequency", "rad/s", frequency},
     {"frequency_error", "", frequency_error},
@@ -215,17 +217,17 @@ constexpr Metric metrics[] = {
     {"speed_max", "m/s", speed_max},
     {"tilt", "deg", tilt},
     {"out_of_plane", "L", out_of_plane},
-    {"teleport_change", "L", teleport_change},
+    {"teleport_change", "L", teleport_change, true},
     {"tip_travel", "L", tip_travel},
     {"tip_speed", "L/s", tip_speed},
     {"acceleration", "", acceleration},
     {"slip_strain", "", slip_strain},
     {"slip_travel", "L", slip_travel},
     {"penetration", "L", penetration},
-    {"depth", "m", depth},
-    {"passed_through", "of strands", passed_through},
+    {"depth", "m", depth, true},
+    {"passed_through", "of strands", passed_through, true},
     {"drop", "L", drop},
-    {"nonfinite", "vertices", nonfinite},
+    {"nonfinite", "vertices", nonfinite, true},
 };
 
 const Metric* find(const std::string& name) {
@@ -279,8 +281,12 @@ const char* metric_unit(const std::string& metric) {
     return find(metric)->unit;
 }
 
+bool is_of_all_strands(const std::string& metric) {
+    return find(metric)->of_all_strands;
+}
+
 bool counts_over_swing(const std::string& metric) {
-    return metric == "swing_error" || metric == "swing_error_p90";
+    return metric == "swing_error" || metric == "swing_error_strand" || metric == "swing_error_p90";
 }
 
 Value evaluate(const Scene& scene, const Method& method, const Recording& recording,

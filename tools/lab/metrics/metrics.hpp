@@ -14,7 +14,8 @@ struct Value {
 };
 
 bool is_metric(const std::string& name);
-Measure measure_of(const char* metric); // all of the first strand's recording, no mark
+bool is_of_all_strands(const std::string& metric); // no `strand` of a measure chooses one
+Measure measure_of(const char* metric);            // all of the first strand's recording, no mark
 const std::vector<std::string>& metric_names();
 std::string metric_list();                          // "rms_error, max_error, ..."
 const char* metric_unit(const std::string& metric); // "L", "deg", "1/s", "" ...

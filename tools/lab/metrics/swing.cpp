@@ -74,14 +74,22 @@ double quantile(std::vector<double> values, double share) {
     return values[i] + (at - static_cast<double>(i)) * (next - values[i]);
 }
 
-Value error_over_swing(const MetricInput& in, double share) {
-    std::string why;
+// Of every strand, error over swing; empty, with the reason, where one has none.
+std::vector<double> errors_over_swings(const MetricInput& in, std::string& why) {
     std::vector<double> ratios;
     for (const Moved& strand : moved_strands(in, why)) {
-        if (!(strand.swing > 0))
-            return none("a strand of the reference stands still");
+        if (!(strand.swing > 0)) {
+            why = "a strand of the reference stands still";
+            return {};
+        }
         ratios.push_back(strand.error / strand.swing);
     }
+    return ratios;
+}
+
+Value error_over_swing(const MetricInput& in, double share) {
+    std::string why;
+    const std::vector<double> ratios = errors_over_swings(in, why);
     return ratios.empty() ? none(why) : Value{quantile(ratios, share), ""};
 }
 
@@ -200,6 +208,12 @@ template <typename Of> Value worst_gain(const MetricInput& in, const Of& of) {
 
 Value swing_error(const MetricInput& in) {
     return error_over_swing(in, 0.5);
+}
+
+Value swing_error_strand(const MetricInput& in) {
+    std::string why;
+    const std::vector<double> ratios = errors_over_swings(in, why);
+    return ratios.empty() ? none(why) : Value{ratios[in.measure.strand], ""};
 }
 
 Value swing_error_p90(const MetricInput& in) {

@@ -308,6 +308,8 @@ Measure read_measure(JsonReader in, const Scene& scene) {
         measure.at_least = least;
     if (double expect = 0; in.number("expect", expect, -1e9, 1e9))
         measure.expect = expect;
+    if (in.value("strand") && is_of_all_strands(measure.metric))
+        in.fail("strand", "chooses nothing, \"" + measure.metric + "\" is of all strands");
     in.integer("strand", measure.strand, 0, static_cast<uint32_t>(scene.strands.size() - 1));
     read_pass(in, measure.pass);
     if (const Json* reference = in.value("reference"))

@@ -1,4 +1,5 @@
-// Embree 3 and 4 behind one interface: a scene, the nearest hit, and a count of the hairs a ray crosses.
+// Embree 3 and 4 behind one interface: a scene, the nearest hit, and a count of the hairs a ray
+// crosses.
 #pragma once
 
 #if PLAIT_EMBREE_MAJOR >= 4
