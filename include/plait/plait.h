@@ -499,21 +499,47 @@ PLAIT_API void plait_fibre_init(plait_fibre* fibre, size_t size);
 PLAIT_API plait_result plait_sim_params_set_fibre(plait_sim_params* params,
                                                   const plait_fibre* fibre);
 
+/* What some strands of a sim are made of, in place of the params' fields of the same names (and of
+ * tip_stiffness and tip_density, which the ramps take the place of). Ramps have knots at the root,
+ * a third, two thirds of the arc length and the tip, linear between. Models chain (line_density and
+ * its ramp), cosserat, rod, articulated, each what it reads of the params. */
+typedef struct plait_material {
+    uint32_t struct_size;
+    float line_density;      /* kg/m, [1e-9, 1e3], default 5e-6 */
+    float bend_stiffness;    /* N m^2, [0, 1e3], default 4.7e-9 */
+    float stretch_stiffness; /* N, [0, 1e9], default 0: as in the params */
+    float twist_stiffness;   /* N m^2, [0, 1e3], default 0: as bend_stiffness */
+    float section_ratio;     /* [1e-3, 1e3], default 1 */
+    float curl;              /* scale of the turn of every joint at rest but the clamp, [0, 4]:
+                                0 straight, default 1: as groomed */
+    float stiffness_ramp[4]; /* scale of bend and twist stiffness, each [0, 100], default 1 */
+    float density_ramp[4];   /* scale of line_density, each [1e-3, 1e3], default 1 */
+} plait_material;
+
+PLAIT_API void plait_material_init(plait_material* material, size_t size);
+
+/* As a strand's material: none of the list, but what the params say. */
+#define PLAIT_MATERIAL_OF_PARAMS 0xffffffffu
+
 typedef struct plait_sim_desc {
     uint32_t struct_size;
     plait_model model; /* of every strand, until plait_sim_set_models; default ARTICULATED */
     float step;        /* fixed step, s, [1e-5, 1], default 1/60 */
     uint32_t substeps; /* per fixed step, [1, 1000], default 1 */
-    uint32_t max_steps_per_call; /* [1, 1000]; time beyond is dropped and counted, default 8 */
-    uint32_t interpolate_output; /* 1: positions follow dt, one fixed step late; default 0 */
-    uint32_t keep_last_frame;    /* 1: POSITION_LAST_FRAME is there; default 0 */
-    uint32_t accelerations;      /* 1: ACCELERATION is there, and pulls; default 0 */
-    uint32_t follows_per_guide;  /* [0, 64], default 0 */
-    float follow_radius;         /* m, [0, 1], default 0.003 */
-    uint64_t seed;               /* follow offsets and slot hash */
-    plait_view strand_stiffness; /* float [guides] or empty: what scales each strand's bend and
-                                    twist stiffness, [0, 1e6]; not chain. Copied */
-    plait_sag_free sag_free;     /* cosserat, rod, articulated; others refuse it. Default OFF */
+    uint32_t max_steps_per_call;     /* [1, 1000]; time beyond is dropped and counted, default 8 */
+    uint32_t interpolate_output;     /* 1: positions follow dt, one fixed step late; default 0 */
+    uint32_t keep_last_frame;        /* 1: POSITION_LAST_FRAME is there; default 0 */
+    uint32_t accelerations;          /* 1: ACCELERATION is there, and pulls; default 0 */
+    uint32_t follows_per_guide;      /* [0, 64], default 0 */
+    float follow_radius;             /* m, [0, 1], default 0.003 */
+    uint64_t seed;                   /* follow offsets and slot hash */
+    plait_view strand_stiffness;     /* float [guides] or empty: what scales each strand's bend and
+                                        twist stiffness, [0, 1e6]; not chain. Copied */
+    const plait_material* materials; /* [material_count] or NULL. Copied, as by
+                                        plait_sim_set_materials, which changes them later */
+    size_t material_count;
+    plait_view strand_material; /* uint32_t [guides], into `materials`; or empty */
+    plait_sag_free sag_free;    /* cosserat, rod, articulated; others refuse it. Default OFF */
     plait_sim_params params;
 } plait_sim_desc;
 
@@ -582,6 +608,17 @@ PLAIT_API plait_result plait_sim_describe(const plait_sim* sim, plait_sim_info* 
  * @errors UNSUPPORTED (the backend lacks a stage they ask for), COMPILE. */
 PLAIT_API plait_result plait_sim_set_params(plait_sim* sim, const plait_sim_params* params);
 PLAIT_API plait_result plait_sim_get_params(const plait_sim* sim, plait_sim_params* params);
+
+/* What guide strands are made of, from the next step on: `strand_material`, uint32_t [guides], says
+ * of each which of `materials` it is, or PLAIT_MATERIAL_OF_PARAMS; empty with one material: all are
+ * of it; `count` 0: all are of the params again. Copied. strand_stiffness scales these, too. The
+ * shape at rest stays the groom's, but for `curl`; a sag-free start is found anew, and then curls.
+ * Hair moves on from where it is. Waits for the device.
+ * @errors INVALID_ARGUMENT: a value outside its range, an index beyond the list, another count than
+ *         the guides'; INVALID_STATE: the sim is of model tressfx, which has no such material. A
+ *         call that fails changes nothing. */
+PLAIT_API plait_result plait_sim_set_materials(plait_sim* sim, const plait_material* materials,
+                                               size_t count, plait_view strand_material);
 
 /* The model of every guide strand, `count` of them, from the next step on: any but tressfx, in a
  * sim that was made with one of these. Strands of one model are stepped together, whatever their
@@ -780,6 +817,7 @@ PLAIT_DEFAULTS(plait_groom_desc)
 PLAIT_DEFAULTS(plait_groom_info)
 PLAIT_DEFAULTS(plait_param_info)
 PLAIT_DEFAULTS(plait_fibre)
+PLAIT_DEFAULTS(plait_material)
 PLAIT_DEFAULTS(plait_sim_params)
 PLAIT_DEFAULTS(plait_sim_desc)
 PLAIT_DEFAULTS(plait_sim_info)

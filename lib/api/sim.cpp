@@ -4,6 +4,7 @@
 #include "api/objects.hpp"
 #include "api/structs.hpp"
 #include "api/view.hpp"
+#include "core/materials.hpp"
 #include "core/param_table.hpp"
 #include "core/params.hpp"
 
@@ -31,6 +32,20 @@ Status read_desc(const plait_sim_desc* given, plait_sim_desc& desc) {
                               inner.struct_size, sizeof inner));
     PLAIT_TRY(read_params(&inner, "desc->params", desc.params));
     return check_sim_desc(desc);
+}
+
+// None where nothing is given: all strands are of the parameters.
+Result<StrandMaterialsPtr> read_materials(const plait_material* list, size_t count,
+                                          const plait_view& strand_material, size_t guides,
+                                          std::pmr::memory_resource* memory) {
+    const std::pmr::polymorphic_allocator<StrandMaterials> in_memory(memory);
+    const auto materials = std::allocate_shared<StrandMaterials>(
+        in_memory, StrandMaterials{std::pmr::vector<plait_material>(memory),
+                                   std::pmr::vector<uint32_t>(memory)});
+    PLAIT_TRY(read_structs(list, count, "materials", default_material(), materials->table));
+    PLAIT_TRY(copy_view(strand_material, 1, "strand_material", materials->of));
+    PLAIT_TRY(check_materials(*materials, guides));
+    return count > 0 ? StrandMaterialsPtr(materials) : nullptr;
 }
 
 // Owns what a plait_roots names.
@@ -114,6 +129,10 @@ plait_result plait_params_list(plait_param_info* dst, size_t* count) {
     });
 }
 
+void plait_material_init(plait_material* material, size_t size) {
+    api::init_struct(material, size, default_material());
+}
+
 void plait_fibre_init(plait_fibre* fibre, size_t size) {
     api::init_struct(fibre, size, default_fibre());
 }
@@ -151,8 +170,14 @@ plait_result plait_sim_create(plait_context* context, const plait_groom* groom,
         std::pmr::vector<float> stiffness(&context->context.memory);
         PLAIT_TRY(api::copy_view(given.strand_stiffness, 1, "desc->strand_stiffness", stiffness));
         PLAIT_TRY(check_strand_stiffness(stiffness, groom->groom.shape.strands));
-        given.strand_stiffness = {}; // the caller's
-        auto parts = make_sim_parts(context->context, groom->groom, given, stiffness);
+        auto materials =
+            api::read_materials(given.materials, given.material_count, given.strand_material,
+                                groom->groom.shape.strands, &context->context.memory);
+        if (!materials)
+            return materials.error();
+        given.strand_stiffness = given.strand_material = {}; // the caller's
+        given.materials = nullptr;
+        auto parts = make_sim_parts(context->context, groom->groom, given, {stiffness, *materials});
         if (!parts)
             return parts.error();
         auto handle = make_in<plait_sim>(&context->context.memory, *context, std::move(*parts));
@@ -201,6 +226,17 @@ plait_result plait_sim_get_params(const plait_sim* sim, plait_sim_params* params
         PLAIT_TRY(api::check_output(params, "params"));
         api::write_struct(params, sim->sim.params());
         return {};
+    });
+}
+
+plait_result plait_sim_set_materials(plait_sim* sim, const plait_material* materials, size_t count,
+                                     plait_view strand_material) {
+    return api::with_sim(__func__, sim, [&](Sim& s) -> Status {
+        auto read =
+            api::read_materials(materials, count, strand_material, s.guides(), &s.context().memory);
+        if (!read)
+            return read.error();
+        return s.set_materials(*read);
     });
 }
 

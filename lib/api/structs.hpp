@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cstring>
+#include <memory_resource>
 #include <type_traits>
+#include <vector>
 
 namespace plait::api {
 
@@ -49,6 +51,25 @@ template <typename T> Status check_output(const T* out, const char* name) {
                           "sizeof *%s",
                           name, out->struct_size, alignof(T), PLAIT_STRUCT_SIZE_MAX, alignof(T),
                           name));
+}
+
+// Appends a list of structs, which lie as far apart as the first one's struct_size says; what the
+// caller's do not have is as in `defaults`.
+template <typename T>
+Status read_structs(const T* in, size_t number, const char* name, const T& defaults,
+                    std::pmr::vector<T>& out) {
+    if (number > 0)
+        PLAIT_TRY(need(in, name));
+    const auto* const bytes = reinterpret_cast<const unsigned char*>(in);
+    for (size_t i = 0; i < number; ++i) {
+        const auto* element = reinterpret_cast<const T*>(bytes + i * size_t{in->struct_size});
+        out.push_back(defaults);
+        PLAIT_TRY(read_struct(element, out.back(), format("%s[%zu]", name, i).c_str()));
+        if (element->struct_size != in->struct_size)
+            return invalid(format("%s[%zu].struct_size is %u, that of the first is %u", name, i,
+                                  element->struct_size, in->struct_size));
+    }
+    return {};
 }
 
 // A list of structs: elements lie as far apart as the first one's struct_size says, and all have

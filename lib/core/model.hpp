@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/lane_layout.hpp"
+#include "core/materials.hpp"
 #include "core/models/sag_report.hpp"
 #include "core/schedule.hpp"
 #include "core/state.hpp"
@@ -53,6 +54,8 @@ class Model {
                                   std::span<const plait_model>) {
         return Error{PLAIT_INTERNAL, "strands of this model do not switch"};
     }
+    // Other materials of single strands, which prepare() looks at; exchanged, to be given back.
+    virtual void exchange(StrandMaterialsPtr&) noexcept {}
     virtual void swap() noexcept {}
     virtual void discard() {}
 
@@ -88,7 +91,8 @@ struct ModelInput {
     const Layout& layout;
     const Groom& groom;
     std::span<const float> stiffness; // scale of each guide's, or empty
-    uint32_t tile;                    // strands per tile of the lane layout
+    StrandMaterialsPtr materials;
+    uint32_t tile; // strands per tile of the lane layout
     plait_sag_free sag_free;
     bool accelerates; // state.acceleration is there
     std::pmr::memory_resource* memory;

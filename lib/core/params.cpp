@@ -1,9 +1,9 @@
 #include "core/params.hpp"
 
-#include "base/format.hpp"
 #include "core/models/traits.hpp"
 #include "core/param_table.hpp"
 #include "core/pose.hpp"
+#include "core/ranges.hpp"
 
 #include <cstddef>
 #include <cstring>
@@ -12,14 +12,6 @@
 
 namespace plait {
 namespace {
-
-// Refuses NaN, too. `open` excludes the lower end.
-Status check_range(const char* field, double value, double low, double high, bool open = false) {
-    if (value <= high && (open ? value > low : value >= low))
-        return {};
-    return Error{PLAIT_INVALID_ARGUMENT,
-                 format("%s is %g, range is %c%g, %g]", field, value, open ? '(' : '[', low, high)};
-}
 
 // C callers can put any number into an enum, which C++ may not even look at as one.
 template <typename Enum> double raw(const Enum& value) {
@@ -36,7 +28,6 @@ Status check_vector(const char* field, const float (&vector)[3], double low, dou
     return {};
 }
 
-#define PLAIT_RANGE(field, low, high) PLAIT_TRY(check_range(#field, double(s.field), low, high))
 #define PLAIT_RANGE_OPEN(field, low, high)                                                         \
     PLAIT_TRY(check_range(#field, double(s.field), low, high, true))
 #define PLAIT_RANGE_ENUM(field, high) PLAIT_TRY(check_range(#field, raw(s.field), 0, high))
@@ -161,6 +152,12 @@ Status check_sim_desc(const plait_sim_desc& s) {
                      format("sag_free is %d: model %d has no bending that could hold a groom's "
                             "shape, %s have",
                             s.sag_free, s.model, list_models(&ModelTraits::bends).c_str())};
+    if (s.material_count > 0 && !traits_of(s.model).switches)
+        return Error{PLAIT_INVALID_ARGUMENT,
+                     format("material_count is %zu: the stiffness of model %d is no material's, %s "
+                            "have materials",
+                            s.material_count, s.model,
+                            list_models(&ModelTraits::switches).c_str())};
     return check_params(s.params);
 }
 

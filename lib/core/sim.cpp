@@ -41,12 +41,13 @@ Layout make_layout(const Groom& groom, const plait_sim_desc& desc) {
 } // namespace
 
 Result<SimParts> make_sim_parts(Context& context, const Groom& groom, const plait_sim_desc& desc,
-                                std::span<const float> stiffness) {
+                                const StrandInput& strands) {
     PLAIT_TRY(check_size(context, groom, desc));
     const Layout layout = make_layout(groom, desc);
     Device& device = context.device;
-    auto model = make_model(desc.model, {layout, groom, stiffness, context.info.tile, desc.sag_free,
-                                         desc.accelerations != 0, &context.memory});
+    auto model = make_model(desc.model,
+                            {layout, groom, strands.stiffness, strands.materials, context.info.tile,
+                             desc.sag_free, desc.accelerations != 0, &context.memory});
     if (!model)
         return model.error();
     PLAIT_TRY((*model)->prepare(device, desc.params));
@@ -287,6 +288,25 @@ Status Sim::set_params(const plait_sim_params& params) {
     else
         log_warnings(next, warned);
     return status;
+}
+
+Status Sim::set_materials(StrandMaterialsPtr materials) {
+    if (!traits_of(desc_.model).switches)
+        return Error{PLAIT_INVALID_STATE,
+                     format("the sim is of model 0 (tressfx), whose stiffness is no material's; "
+                            "strands of the models %s have one",
+                            list_models(&ModelTraits::switches).c_str())};
+    const Discard discard{*model_};
+    const std::string warned = context_.log.callback ? warning() : "";
+    model_->exchange(materials);
+    Status status = model_->prepare(device(), desc_.params);
+    if (!status) {
+        model_->exchange(materials);
+        return status;
+    }
+    model_->swap();
+    log_warnings(desc_.params, warned);
+    return {};
 }
 
 std::pmr::vector<plait_model> Sim::models() const {

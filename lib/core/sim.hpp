@@ -35,9 +35,13 @@ struct SimParts {
     InterHair grid;
     Display display;
 };
-// `stiffness`: what scales each guide's, or empty.
+// What of a descriptor belongs to single guides, checked.
+struct StrandInput {
+    std::span<const float> stiffness; // what scales each guide's, or empty
+    StrandMaterialsPtr materials;
+};
 Result<SimParts> make_sim_parts(Context& context, const Groom& groom, const plait_sim_desc& desc,
-                                std::span<const float> stiffness);
+                                const StrandInput& strands);
 
 struct SnapshotHeader; // snapshot.cpp
 
@@ -54,6 +58,9 @@ class Sim {
     Status reset();
     Status set_params(const plait_sim_params& params);
     const plait_sim_params& params() const { return desc_.params; }
+    // INVALID_STATE: strands of this model have no material of their own.
+    Status set_materials(StrandMaterialsPtr materials);
+    size_t guides() const { return layout_.guides; }
     // The model of every guide strand; the same as they have costs nothing.
     Status set_models(std::span<const plait_model> models);
     std::pmr::vector<plait_model> models() const;

@@ -205,6 +205,8 @@ TEST(Arguments, NullPointers) {
              auto into = plait_sim_params_defaults();
              return plait_sim_params_set_fibre(&into, nullptr);
          }},
+        {"sim is NULL", [](O&) { return plait_sim_set_materials(nullptr, nullptr, 0, {}); }},
+        {"materials is NULL", [](O& o) { return plait_sim_set_materials(o.sim, nullptr, 1, {}); }},
         {"sim is NULL", [](O&) { return plait_sim_set_models(nullptr, nullptr, 0); }},
         {"models is NULL", [](O& o) { return plait_sim_set_models(o.sim, nullptr, 2); }},
         {"sim is NULL", [](O& o) { return plait_sim_get_models(nullptr, nullptr, &o.size); }},

@@ -24,6 +24,10 @@ float contact_rate(const float (&gravity)[3], float h, uint32_t bdf2, float leng
                     steps_of_contact / (step * step));
 }
 
+Ramp ramp_of(const float (&knots)[4]) {
+    return {{double(knots[0]), double(knots[1]), double(knots[2]), double(knots[3])}};
+}
+
 // Held hair creeps by so much in a substep, m; below a millionth of its length is rounding.
 float contact_slip(float h, float length) {
     return length * std::max(contact_creep * h, rounding);
@@ -34,15 +38,16 @@ float contact_slip(float h, float length) {
 LaneSource::LaneSource(const ModelInput& input)
     : layout(input.layout), tile(input.tile), sag_free(input.sag_free),
       accelerates(input.accelerates),
-      memory(input.memory), strands{
-                                {input.groom.strands.positions, input.memory},
-                                {input.groom.strands.vertex_counts, input.memory},
-                                {input.stiffness.begin(), input.stiffness.end(), input.memory}} {}
+      memory(input.memory), strands{{input.groom.strands.positions, input.memory},
+                                    {input.groom.strands.vertex_counts, input.memory},
+                                    {input.stiffness.begin(), input.stiffness.end(), input.memory}},
+      materials(input.materials) {}
 
 LanePart::LanePart(const LaneSource& source, plait_model model, Members members)
     : source_(source), traits_(traits_of(model)),
       members_(std::move(members)), lanes_{static_cast<uint32_t>(members_.size()),
-                                           source.layout.row, source.tile} {}
+                                           source.layout.row, source.tile},
+      fill_(source.memory), next_fill_(source.memory) {}
 
 Status LanePart::make(Device& device, Buffer& to, size_t components, const char* name) const {
     return device.create(to, PLAIT_ELEMENT_FLOAT, lanes_.rows() * components, name);
@@ -62,13 +67,20 @@ Status LanePart::open(Device& device) {
     return device.write(lane_strand_, strands.data());
 }
 
-Material LanePart::material_of(const plait_sim_params& params) const {
-    Material material{params.line_density,  params.bend_stiffness, params.stretch_stiffness,
-                      params.tip_stiffness, params.tip_density,    params.twist_stiffness,
-                      params.section_ratio, !traits_.halves_tip,   !traits_.stretches};
-    if (!traits_.twists)
-        material.twist_stiffness = 0, material.section_ratio = 1;
-    return material;
+Materials LanePart::materials_of(const plait_sim_params& params) const {
+    Materials all{std::pmr::vector<Material>(source_.memory), source_.materials};
+    const auto add = [&](const auto& of, float curl, const Ramp& stiffness, const Ramp& density) {
+        all.list.push_back({of.line_density, of.bend_stiffness, of.stretch_stiffness,
+                            traits_.twists ? of.twist_stiffness : 0.0f,
+                            traits_.twists ? of.section_ratio : 1.0f, curl, stiffness, density,
+                            !traits_.halves_tip, !traits_.stretches});
+    };
+    add(params, 1, Ramp::to_tip(double(params.tip_stiffness)),
+        Ramp::to_tip(double(params.tip_density)));
+    if (source_.materials)
+        for (const plait_material& m : source_.materials->table)
+            add(m, m.curl, ramp_of(m.stiffness_ramp), ramp_of(m.density_ramp));
+    return all;
 }
 
 RestLoad LanePart::load_of(const plait_sim_params& params) const {
@@ -79,10 +91,10 @@ RestLoad LanePart::load_of(const plait_sim_params& params) const {
 
 // Buffers for `members`, strands of this model.
 Status LanePart::make_fill(Device& device, Fill& fill, const Members& members,
-                           const Material& material, const RestLoad& load) const {
+                           const Materials& materials, const RestLoad& load) const {
     const LaneLayout lanes{static_cast<uint32_t>(members.size()), lanes_.row, lanes_.tile};
     const LaneRows rows =
-        lane_rows(source_.strands, members, lanes, material, load, source_.memory);
+        lane_rows(source_.strands, members, lanes, materials, load, source_.memory);
     const auto put = [&](Buffer& to, const std::pmr::vector<float>& values,
                          const char* name) -> Status {
         PLAIT_TRY(device.create(to, PLAIT_ELEMENT_FLOAT, values.size(), name));
@@ -92,7 +104,7 @@ Status LanePart::make_fill(Device& device, Fill& fill, const Members& members,
     PLAIT_TRY(put(fill.rest, rows.rest, "lane_rest"));
     if (!rows.start.empty())
         PLAIT_TRY(put(fill.start, rows.start, "lane_start"));
-    fill.of = material;
+    fill.of = materials;
     fill.load = load;
     fill.sag = rows.sag;
     return {};
@@ -116,11 +128,11 @@ Status LanePart::prepare_history(Device& device, const plait_sim_params& params)
 
 // The groom stays the shape in which strands are; what changes is what holds them in it.
 Status LanePart::prepare(Device& device, const plait_sim_params& params) {
-    const Material material = material_of(params);
+    const Materials materials = materials_of(params);
     const RestLoad load = load_of(params);
-    has_next_fill_ = !(fill_.material && material == fill_.of && load == fill_.load);
+    has_next_fill_ = !(fill_.material && materials == fill_.of && load == fill_.load);
     if (has_next_fill_)
-        PLAIT_TRY(make_fill(device, next_fill_, members_, material, load));
+        PLAIT_TRY(make_fill(device, next_fill_, members_, materials, load));
     return prepare_history(device, params);
 }
 
@@ -132,7 +144,7 @@ void LanePart::swap() noexcept {
 }
 
 void LanePart::discard() {
-    next_fill_ = {};
+    next_fill_ = Fill(source_.memory);
     next_history_ = {};
     has_next_fill_ = has_next_history_ = false;
 }

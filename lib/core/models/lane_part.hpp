@@ -23,6 +23,7 @@ struct LaneSource {
     bool accelerates;
     std::pmr::memory_resource* memory;
     RestStrands strands; // for when the material changes
+    StrandMaterialsPtr materials;
 };
 
 class LanePart;
@@ -72,7 +73,9 @@ class LanePart {
   private:
     // What parameters decide.
     struct Fill {
-        Material of{};
+        explicit Fill(std::pmr::memory_resource* memory)
+            : of{std::pmr::vector<Material>(memory), {}} {}
+        Materials of;
         RestLoad load;
         SagReport sag;
         Buffer material, rest, start; // start: where a sag-free strand starts
@@ -88,9 +91,9 @@ class LanePart {
     };
 
     Status make(Device& device, Buffer& to, size_t components, const char* name) const;
-    Material material_of(const plait_sim_params& params) const;
+    Materials materials_of(const plait_sim_params& params) const;
     RestLoad load_of(const plait_sim_params& params) const;
-    Status make_fill(Device& device, Fill& fill, const Members& members, const Material& material,
+    Status make_fill(Device& device, Fill& fill, const Members& members, const Materials& materials,
                      const RestLoad& load) const;
     Status prepare_history(Device& device, const plait_sim_params& params);
     bool keeps_fill_of(const LanePart& other) const;

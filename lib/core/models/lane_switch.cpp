@@ -58,7 +58,7 @@ Status LanePart::fill_arrivals(Device& device, Schedule& schedule,
             arrivals.push_back(strand);
     if (arrivals.empty())
         return {};
-    Fill fill;
+    Fill fill(source_.memory);
     PLAIT_TRY(make_fill(device, fill, arrivals, fill_.of, fill_.load));
     uint32_t next = 0; // arrivals keep the order of the lanes
     const auto moves = list_moves(device, [&](uint32_t strand, uint32_t& lane) {
@@ -91,6 +91,8 @@ Status LanePart::move_from(Device& device, Schedule& schedule, const Substep& at
         move(schedule, *moves, PLAIT_LANE_MATERIAL_COMPONENTS, other.fill_.material,
              fill_.material);
         move(schedule, *moves, 4, other.fill_.rest, fill_.rest);
+        if (fill_.start)
+            move(schedule, *moves, 4, other.fill_.start, fill_.start);
     }
     move(schedule, *moves, 3, other.x_, x_);
     move(schedule, *moves, 3, other.v_, v_);
@@ -122,11 +124,11 @@ void LanePart::fit(Schedule& schedule, const Substep& at, const Moves& moves,
 Status LanePart::take_over(Device& device, Schedule& schedule, const Substep& at,
                            std::span<const LanePlace> from) {
     PLAIT_TRY(open(device));
-    fill_.of = material_of(at.params);
+    fill_.of = materials_of(at.params);
     fill_.load = load_of(at.params);
     PLAIT_TRY(make(device, fill_.material, PLAIT_LANE_MATERIAL_COMPONENTS, "lane_material"));
     PLAIT_TRY(make(device, fill_.rest, 4, "lane_rest"));
-    if (fill_.load.mode != PLAIT_SAG_FREE_OFF)
+    if (fill_.load.mode != PLAIT_SAG_FREE_OFF || fill_.of.curls())
         PLAIT_TRY(make(device, fill_.start, 4, "lane_start"));
     if (bdf2_of(traits_, at.params)) {
         PLAIT_TRY(make(device, history_.x, 3, "lane_x_before"));

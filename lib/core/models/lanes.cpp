@@ -30,6 +30,9 @@ class LaneModel final : public Model {
     Status prepare(Device& device, const plait_sim_params& params) override;
     Status prepare_models(Device& device, Schedule& schedule, const Substep& at,
                           std::span<const plait_model> models) override;
+    void exchange(StrandMaterialsPtr& materials) noexcept override {
+        source_.materials.swap(materials);
+    }
     void swap() noexcept override;
     void discard() override;
     void accelerate(Schedule& schedule, const Substep& at) const override;

@@ -54,7 +54,7 @@ void Writer::strand(size_t strand, const RestStrand& s) {
 }
 
 // As rows past a tip are.
-LaneRows empty_rows(const LaneLayout& layout, bool loaded, std::pmr::memory_resource* memory) {
+LaneRows empty_rows(const LaneLayout& layout, bool has_start, std::pmr::memory_resource* memory) {
     using Floats = std::pmr::vector<float>;
     LaneRows rows{Floats(memory), Floats(memory), Floats(memory), {}};
     rows.material.resize(layout.rows() * components);
@@ -64,32 +64,43 @@ LaneRows empty_rows(const LaneLayout& layout, bool loaded, std::pmr::memory_reso
             rows.material[layout.index(strand, i, PLAIT_LANE_MASS, components)] = 1;
             rows.rest[layout.index(strand, i, 3, 4)] = 1; // the identity
         }
-    if (loaded)
+    if (has_start)
         rows.start = rows.rest;
     return rows;
 }
 
 } // namespace
 
+const Material& Materials::of(uint32_t strand) const {
+    const uint32_t index = table ? table->of[strand] : PLAIT_MATERIAL_OF_PARAMS;
+    return list[index == PLAIT_MATERIAL_OF_PARAMS ? 0 : index + size_t{1}];
+}
+
+bool Materials::curls() const {
+    return std::ranges::any_of(list, [](const Material& m) { return m.curl != 1; });
+}
+
 LaneRows lane_rows(const RestStrands& strands, std::span<const uint32_t> members,
-                   const LaneLayout& layout, const Material& material, const RestLoad& load,
+                   const LaneLayout& layout, const Materials& materials, const RestLoad& load,
                    std::pmr::memory_resource* memory) {
     const bool loaded = load.mode != PLAIT_SAG_FREE_OFF;
     const Vec3 gravity = Eigen::Vector3f(load.gravity.data()).cast<double>();
-    LaneRows rows = empty_rows(layout, loaded, memory);
+    LaneRows rows = empty_rows(layout, loaded || materials.curls(), memory);
     Writer writer(rows, layout);
     std::pmr::vector<size_t> first(strands.counts.size(), memory); // vertex of each strand
     std::exclusive_scan(strands.counts.begin(), strands.counts.end(), first.begin(), size_t{0});
     const std::span<const float> positions = strands.positions;
     for (size_t lane = 0; lane < members.size(); ++lane) {
         const uint32_t strand = members[lane];
-        Material own = material;
+        Material own = materials.of(strand);
         if (!strands.stiffness.empty())
             own.scale(strands.stiffness[strand]);
         RestStrand s(positions.subspan(3 * first[strand], size_t{3} * strands.counts[strand]), own,
                      memory);
         if (loaded)
             rows.sag.add(remove_sag(s, gravity, load.mode), strand);
+        if (own.curl != 1)
+            s.scale_curl(double(own.curl));
         writer.strand(lane, s);
     }
     return rows;

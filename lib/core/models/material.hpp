@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/lane_layout.hpp"
+#include "core/materials.hpp"
 #include "core/models/sag.hpp"
 
 #include <array>
@@ -14,6 +15,17 @@ struct RestStrands {
     std::pmr::vector<float> positions;
     std::pmr::vector<uint32_t> counts;
     std::pmr::vector<float> stiffness; // scale of each strand's, or empty
+};
+
+// The material of each strand of a model: the first is what the parameters say, then comes the
+// table's.
+struct Materials {
+    std::pmr::vector<Material> list;
+    StrandMaterialsPtr table; // which strand is of which
+
+    const Material& of(uint32_t strand) const;
+    bool curls() const; // the rest shape is not the groom's
+    bool operator==(const Materials&) const = default;
 };
 
 // Whether the groom's shape is that without a load, or that under its own weight.
@@ -31,14 +43,14 @@ struct LaneRows {
     // [rows*4]: rotation of the joint before each segment at rest; row 0: that of the first
     // segment, from the rest space's axes.
     std::pmr::vector<float> rest;
-    // The same as groomed: where the strand starts. Empty where it is `rest`.
+    // The same as groomed: where the strand starts. Empty where it is `rest` of every strand.
     std::pmr::vector<float> start;
     SagReport sag;
 };
 
 // `members`: the strand of each lane of the layout.
 LaneRows lane_rows(const RestStrands& strands, std::span<const uint32_t> members,
-                   const LaneLayout& layout, const Material& material, const RestLoad& load,
+                   const LaneLayout& layout, const Materials& materials, const RestLoad& load,
                    std::pmr::memory_resource* memory);
 
 } // namespace plait

@@ -1,25 +1,28 @@
 #include "core/models/rest_strand.hpp"
 
+#include <algorithm>
+
 namespace plait {
 namespace {
 
 constexpr double allowed_stretch = 0.01;    // where EA is not given,
 constexpr double allowed_at = 10 * 9.80665; // at this acceleration, m/s^2
 
-// What is 1 at the root and `tip` at the tip.
-double at_tip(float tip, double share) {
-    return 1 + (double(tip) - 1) * share;
-}
-
 // EA such that the strand's own weight at 10 g stretches it by 1 % at the root.
 double stretch_stiffness(const Material& material, double length) {
     if (material.stretch_stiffness > 0)
         return double(material.stretch_stiffness);
-    const double mean_density = double(material.line_density) * at_tip(material.tip_density, 0.5);
+    const double mean_density = double(material.line_density) * material.density.mean();
     return mean_density * length * allowed_at / allowed_stretch;
 }
 
 } // namespace
+
+double Ramp::at(double share) const {
+    const double place = std::clamp(3 * share, 0.0, 3.0);
+    const size_t before = std::min(static_cast<size_t>(place), size_t{2});
+    return knots[before] + (place - double(before)) * (knots[before + 1] - knots[before]);
+}
 
 RestStrand::RestStrand(std::span<const float> positions, const Material& material,
                        std::pmr::memory_resource* memory)
@@ -38,11 +41,11 @@ RestStrand::RestStrand(std::span<const float> positions, const Material& materia
     double before = 0, along = 0, mass_before = 0;
     for (size_t i = 0; i < segments(); ++i) {
         const double own_mass = double(material.line_density) * length[i] *
-                                at_tip(material.tip_density, (along + 0.5 * length[i]) / whole);
+                                material.density.at((along + 0.5 * length[i]) / whole);
         // the clamp is a joint of half the first segment
         const double joint = 0.5 * (before + length[i]);
         stretch.push_back(EA / length[i]);
-        bend.push_back(4 * EI * at_tip(material.tip_stiffness, along / whole) / joint);
+        bend.push_back(4 * EI * material.stiffness.at(along / whole) / joint);
         mass.push_back(material.equal_masses ? mass_before : 0.5 * (mass_before + own_mass));
         along += length[i];
         before = length[i];
@@ -70,6 +73,13 @@ void RestStrand::frame_along(size_t segment, const Vec3& direction) {
     if (segment == 0)
         from = Eigen::AngleAxisd(roll, Vec3::UnitX());
     frame[segment] = (Quat::FromTwoVectors(from * Vec3::UnitX(), direction) * from).normalized();
+}
+
+void RestStrand::scale_curl(double by) {
+    for (size_t i = 1; i < segments(); ++i) {
+        const Eigen::AngleAxisd turn(rest[i]);
+        rest[i] = Quat(Eigen::AngleAxisd(by * turn.angle(), turn.axis()));
+    }
 }
 
 // Angle from y towards z of the axis about which the strand bends most: that of the larger

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 
+#include <array>
 #include <memory_resource>
 #include <span>
 #include <vector>
@@ -13,21 +14,32 @@ namespace plait {
 using Vec3 = Eigen::Vector3d;
 using Quat = Eigen::Quaterniond;
 
+// What is so many times as great at the root, a third, two thirds of the length and the tip, and
+// linear between.
+struct Ramp {
+    std::array<double, 4> knots{1, 1, 1, 1};
+
+    static Ramp to_tip(double tip) { return {{1, 1 + (tip - 1) / 3, 1 + 2 * (tip - 1) / 3, tip}}; }
+    double at(double share) const;
+    double mean() const { return (knots[0] + 2 * (knots[1] + knots[2]) + knots[3]) / 6; }
+    bool operator==(const Ramp&) const = default;
+};
+
 // What of the parameters a strand depends on.
 struct Material {
     float line_density;      // kg/m
     float bend_stiffness;    // N m^2
     float stretch_stiffness; // N; 0: by the strand's length
-    float tip_stiffness;     // at the tip / at the root,
-    float tip_density;       // linear between
     float twist_stiffness;   // N m^2; 0: as bend_stiffness
     float section_ratio;
+    float curl; // scale of the joints' turns at rest
+    Ramp stiffness, density;
     bool equal_masses; // a limp chain's; a rod has half a mass at the tip
     bool inextensible;
 
-    void scale(float stiffness) {
-        bend_stiffness *= stiffness;
-        twist_stiffness *= stiffness;
+    void scale(float by) {
+        bend_stiffness *= by;
+        twist_stiffness *= by;
     }
     bool operator==(const Material&) const = default;
 };
@@ -42,6 +54,7 @@ struct RestStrand {
     size_t segments() const { return length.size(); }
     Vec3 edge(size_t segment) const { return x[segment + 1] - x[segment]; }
     void frame_along(size_t segment, const Vec3& direction); // from the frame before it
+    void scale_curl(double by); // the turn of every joint at rest but the clamp
     Quat frame_before(size_t segment) const {
         return segment == 0 ? Quat::Identity() : frame[segment - 1];
     }

@@ -1,0 +1,287 @@
+// Several materials in one sim: each strand as if it were alone with its own, ramps along it, and
+// the curl it has at rest.
+#include "support.hpp"
+
+#include <algorithm>
+
+namespace {
+
+constexpr plait_model lane_models[] = {PLAIT_MODEL_ARTICULATED, PLAIT_MODEL_CHAIN,
+                                       PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD};
+constexpr plait_model bending_models[] = {PLAIT_MODEL_ARTICULATED, PLAIT_MODEL_COSSERAT,
+                                          PLAIT_MODEL_ROD};
+
+plait_sim_desc desc_of(plait_model model) {
+    auto desc = plait_sim_desc_defaults();
+    desc.model = model;
+    return desc;
+}
+
+plait_material stiff() {
+    auto material = plait_material_defaults();
+    material.line_density = 2e-5f;
+    material.bend_stiffness = 3e-7f;
+    material.twist_stiffness = 2e-7f;
+    return material;
+}
+
+void set_params(plait_sim_params& params, const plait_material& material) {
+    params.line_density = material.line_density;
+    params.bend_stiffness = material.bend_stiffness;
+    params.stretch_stiffness = material.stretch_stiffness;
+    params.twist_stiffness = material.twist_stiffness;
+    params.section_ratio = material.section_ratio;
+}
+
+std::vector<float> after(plait::Sim& sim, int steps) {
+    run(sim, steps);
+    return sim.read(PLAIT_FIELD_POSITION);
+}
+
+std::vector<float> strand_of(const std::vector<float>& positions, size_t strand, size_t vertices) {
+    const auto first = positions.begin() + static_cast<std::ptrdiff_t>(4 * strand * vertices);
+    return {first, first + static_cast<std::ptrdiff_t>(4 * vertices)};
+}
+
+std::string refusal(plait_sim* sim, const plait_material* list, size_t count, plait_view of) {
+    EXPECT_EQ(plait_sim_set_materials(sim, list, count, of), PLAIT_INVALID_ARGUMENT);
+    return plait_last_error();
+}
+
+class Materials : public OnBackend {};
+ON_EVERY_BACKEND(Materials);
+
+// To the bit, those of the params among them; of rod to rounding, whose lanes look together at
+// whether sections are round and twist as they bend.
+TEST_P(Materials, EachStrandIsAsInASimOfItsMaterial) {
+    const std::vector<plait_material> list{stiff(), plait_material_defaults()};
+    const std::vector<uint32_t> of{1, 0, PLAIT_MATERIAL_OF_PARAMS, 0, 1};
+    for (const plait_model model : lane_models) {
+        auto desc = desc_of(model);
+        desc.params.line_density = 1e-5f;
+        desc.params.bend_stiffness = 5e-8f;
+        std::vector<std::vector<float>> alone;
+        for (const uint32_t index : {0u, 1u, PLAIT_MATERIAL_OF_PARAMS}) {
+            auto one = desc;
+            if (index < list.size())
+                set_params(one.params, list[index]);
+            plait::Sim sim(context, make_groom(tuft(5, 12)), one);
+            alone.push_back(after(sim, 20));
+        }
+        desc.materials = list.data();
+        desc.material_count = list.size();
+        desc.strand_material = plait::view(of);
+        plait::Sim sim(context, make_groom(tuft(5, 12)), desc);
+        const auto mixed = after(sim, 20);
+        for (size_t strand = 0; strand < of.size(); ++strand)
+            EXPECT_LE(largest_difference(
+                          strand_of(mixed, strand, 12),
+                          strand_of(alone[std::min<size_t>(of[strand], 2)], strand, 12)),
+                      model == PLAIT_MODEL_ROD ? 5e-6f : 0)
+                << model << ", strand " << strand;
+        const float apart = model == PLAIT_MODEL_CHAIN ? 0 : 0.01f;
+        EXPECT_GE(largest_difference(alone[0], alone[1]), apart) << model;
+    }
+}
+
+// From the next step on, without a jump; none again are the params.
+TEST_P(Materials, ChangeWhileTheSimRuns) {
+    for (const plait_model model : bending_models) {
+        plait::Sim sim(context, make_groom(tuft(3, 12)), desc_of(model));
+        plait::Sim same(context, make_groom(tuft(3, 12)), desc_of(model));
+        auto limp = after(sim, 30);
+        EXPECT_EQ(limp, after(same, 30)) << model;
+        const plait_material material = stiff();
+        ASSERT_EQ(plait_sim_set_materials(sim, &material, 1, {}), PLAIT_OK) << plait_last_error();
+        EXPECT_EQ(sim.read(PLAIT_FIELD_POSITION), limp) << model;
+        EXPECT_GT(largest_difference(after(sim, 30), after(same, 30)), 0.01f) << model;
+        ASSERT_EQ(plait_sim_set_materials(sim, nullptr, 0, {}), PLAIT_OK) << plait_last_error();
+        plait_sim_reset(sim);
+        plait_sim_reset(same);
+        EXPECT_EQ(after(sim, 10), after(same, 10)) << model;
+    }
+}
+
+// A strand that is switched keeps what it is made of.
+TEST_P(Materials, GoAlongThroughASwitchOfModel) {
+    auto material = stiff();
+    material.curl = 0.5f;
+    for (const plait_model model : lane_models) {
+        auto desc = desc_of(model);
+        desc.materials = &material;
+        desc.material_count = 1;
+        plait::Sim born(context, make_groom(tuft(3, 12)), desc);
+        desc.model = model == PLAIT_MODEL_ROD ? PLAIT_MODEL_COSSERAT : PLAIT_MODEL_ROD;
+        plait::Sim switched(context, make_groom(tuft(3, 12)), desc);
+        run(switched, 5);
+        const std::vector<plait_model> models(3, model);
+        ASSERT_EQ(plait_sim_set_models(switched, models.data(), models.size()), PLAIT_OK)
+            << plait_last_error();
+        plait_sim_reset(born);
+        plait_sim_reset(switched);
+        EXPECT_EQ(after(switched, 10), after(born, 10)) << model;
+    }
+}
+
+// Small deflections of a level cantilever under its weight, by the unit load.
+double beam_sag(const plait_material& m, double L, double g) {
+    const auto ramp = [](const float(&knots)[4], double share) {
+        const auto k = std::min(static_cast<size_t>(3 * share), size_t{2});
+        return knots[k] + (3 * share - static_cast<double>(k)) * (knots[k + 1] - knots[k]);
+    };
+    constexpr int n = 2000;
+    double sag = 0, weight = 0, moment = 0; // of what is beyond s
+    for (int i = n - 1; i >= 0; --i) {
+        const double ds = L / n, s = (i + 0.5) * ds;
+        moment += weight * ds;
+        weight += m.line_density * ramp(m.density_ramp, s / L) * g * ds;
+        sag += moment * (L - s) / (m.bend_stiffness * ramp(m.stiffness_ramp, s / L)) * ds;
+    }
+    return sag;
+}
+
+TEST_P(Materials, RampsBendAsABeamWithThem) {
+    Strand level;
+    for (size_t i = 0; i < 33; ++i)
+        level.push_back({0.1f * static_cast<float>(i) / 32, 0, 0});
+    auto material = plait_material_defaults();
+    material.bend_stiffness = 1e-6f;
+    const float stiffness[] = {1, 0.3f, 0.6f, 0.1f}, density[] = {1, 2, 0.5f, 0.8f};
+    const double even = beam_sag(material, 0.1, 9.81);
+    std::copy_n(stiffness, 4, material.stiffness_ramp);
+    std::copy_n(density, 4, material.density_ramp);
+    const double sag = beam_sag(material, 0.1, 9.81);
+    EXPECT_GT(sag, 1.3 * even);
+    for (const plait_model model : {PLAIT_MODEL_ARTICULATED, PLAIT_MODEL_ROD}) {
+        auto desc = desc_of(model);
+        desc.params.drag = 30;
+        desc.params.gravity[1] = -9.81f;
+        desc.params.stretch_stiffness = 100;
+        material.stretch_stiffness = 100;
+        desc.materials = &material;
+        desc.material_count = 1;
+        plait::Sim sim(context, make_groom({level}), desc);
+        const double found = -double(after(sim, 120)[4 * 32 + 1]);
+        EXPECT_NEAR(found / sag, 1, 0.01) << model;
+    }
+}
+
+// As tip_stiffness and tip_density, which are ramps, too.
+TEST_P(Materials, AStraightRampIsTheTipsOfTheParams) {
+    for (const plait_model model : bending_models) {
+        auto desc = desc_of(model);
+        desc.params.tip_stiffness = 0.25f;
+        desc.params.tip_density = 0.5f;
+        plait::Sim tips(context, make_groom(tuft(3, 12)), desc);
+        desc.params.tip_stiffness = desc.params.tip_density = 1;
+        auto material = plait_material_defaults();
+        const float stiffness[] = {1, 0.75f, 0.5f, 0.25f};
+        const float density[] = {1, 1 - 0.5f / 3, 1 - 1 / 3.0f, 0.5f};
+        std::copy_n(stiffness, 4, material.stiffness_ramp);
+        std::copy_n(density, 4, material.density_ramp);
+        desc.materials = &material;
+        desc.material_count = 1;
+        plait::Sim ramps(context, make_groom(tuft(3, 12)), desc);
+        EXPECT_LT(largest_difference(after(ramps, 20), after(tips, 20)), 1e-4f) << model;
+    }
+}
+
+// Without a load: a curl of 0 is straight, one of 1 the groom, and the step that begins it is no
+// jump.
+TEST_P(Materials, CurlScalesTheShapeAtRest) {
+    for (const plait_model model : bending_models)
+        for (const float scale : {0.0f, 1.0f, 2.0f}) {
+            auto desc = desc_of(model);
+            std::fill_n(desc.params.gravity, 3, 0.0f);
+            desc.params.drag = 20;
+            desc.params.bend_stiffness = 1e-6f;
+            plait::Sim sim(context, make_groom(tuft(1, 12)), desc);
+            const auto groom = sim.read(PLAIT_FIELD_POSITION);
+            auto material = plait_material_defaults();
+            material.bend_stiffness = 1e-6f;
+            material.curl = scale;
+            ASSERT_EQ(plait_sim_set_materials(sim, &material, 1, {}), PLAIT_OK)
+                << plait_last_error();
+            plait_sim_reset(sim);
+            EXPECT_EQ(sim.read(PLAIT_FIELD_POSITION), groom) << model;
+            const auto rest = after(sim, 300);
+            const auto tip_distance = [](const std::vector<float>& x) {
+                return std::hypot(x[44] - x[0], x[45] - x[1], x[46] - x[2]);
+            };
+            const auto length_of = [](const std::vector<float>& x) {
+                float sum = 0;
+                for (size_t i = 4; i < x.size(); i += 4)
+                    sum += std::hypot(x[i] - x[i - 4], x[i + 1] - x[i - 3], x[i + 2] - x[i - 2]);
+                return sum;
+            };
+            if (scale == 0) {
+                EXPECT_NEAR(tip_distance(rest) / length_of(rest), 1, 1e-4) << model;
+            } else if (scale == 1) {
+                EXPECT_LT(largest_difference(rest, groom), 1e-5f) << model;
+            } else {
+                EXPECT_LT(tip_distance(rest), 0.97f * tip_distance(groom)) << model;
+            }
+        }
+}
+
+TEST_P(Materials, OutsideTheirRangesAreRefusedWhole) {
+    plait::Sim sim(context, make_groom(tuft(2, 6)), desc_of(PLAIT_MODEL_ROD));
+    std::vector<plait_material> list(2, plait_material_defaults());
+    std::vector<uint32_t> of{0, 1};
+    const auto is_refused = [&](const std::string& message) {
+        const std::string said = refusal(sim, list.data(), list.size(), plait::view(of));
+        EXPECT_NE(said.find(message), std::string::npos) << said;
+    };
+    list[1].line_density = 0;
+    is_refused("materials[1].line_density is 0, range is [1e-09, 1000]");
+    list[1] = plait_material_defaults();
+    list[0].stiffness_ramp[2] = NAN;
+    is_refused("materials[0].stiffness_ramp[2] is nan, range is [0, 100]");
+    list[0] = plait_material_defaults();
+    list[1].density_ramp[3] = 0;
+    is_refused("materials[1].density_ramp[3] is 0, range is [0.001, 1000]");
+    list[1] = plait_material_defaults();
+    list[0].curl = 5;
+    is_refused("materials[0].curl is 5, range is [0, 4]");
+    list[0] = plait_material_defaults();
+    of[1] = 2;
+    is_refused("strand_material[1] is 2, range is [0, 1], or PLAIT_MATERIAL_OF_PARAMS");
+    of = {0};
+    is_refused("strand_material.count is 1, the groom has 2 strands");
+    of = {0, 0};
+    list[1].struct_size = 8;
+    is_refused("materials[1].struct_size is 8");
+    EXPECT_NE(refusal(sim, nullptr, 1, {}).find("materials is NULL"), std::string::npos);
+    EXPECT_NE(refusal(sim, nullptr, 0, plait::view(of)).find("there are no materials"),
+              std::string::npos);
+    plait::Sim untouched(context, make_groom(tuft(2, 6)), desc_of(PLAIT_MODEL_ROD));
+    EXPECT_EQ(after(sim, 5), after(untouched, 5));
+}
+
+TEST_P(Materials, AreRefusedByTressfxWhoseStiffnessIsNone) {
+    auto desc = tressfx_desc();
+    const plait_material material = plait_material_defaults();
+    plait::Sim sim(context, make_groom(tuft(2, 6)), desc);
+    EXPECT_EQ(plait_sim_set_materials(sim, &material, 1, {}), PLAIT_INVALID_STATE);
+    desc.materials = &material;
+    desc.material_count = 1;
+    EXPECT_THROW(plait::Sim(context, make_groom(tuft(2, 6)), desc), plait::Error);
+    EXPECT_NE(std::string(plait_last_error()).find("material_count is 1"), std::string::npos);
+}
+
+// The caller's own: of an older plait.h, structs end earlier.
+TEST_P(Materials, MayBeOfAnOlderHeader) {
+    auto desc = desc_of(PLAIT_MODEL_ROD);
+    plait_material old = stiff();
+    old.struct_size = offsetof(plait_material, curl);
+    old.curl = NAN; // beyond it
+    desc.materials = &old;
+    desc.material_count = 1;
+    plait::Sim sim(context, make_groom(tuft(2, 6)), desc);
+    const plait_material now = stiff();
+    desc.materials = &now;
+    plait::Sim same(context, make_groom(tuft(2, 6)), desc);
+    EXPECT_EQ(after(sim, 5), after(same, 5));
+}
+
+} // namespace
