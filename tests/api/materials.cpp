@@ -74,10 +74,10 @@ TEST_P(Materials, EachStrandIsAsInASimOfItsMaterial) {
         plait::Sim sim(context, make_groom(tuft(5, 12)), desc);
         const auto mixed = after(sim, 20);
         for (size_t strand = 0; strand < of.size(); ++strand)
-            EXPECT_LE(largest_difference(
-                          strand_of(mixed, strand, 12),
-                          strand_of(alone[std::min<size_t>(of[strand], 2)], strand, 12)),
-                      model == PLAIT_MODEL_ROD ? 5e-6f : 0)
+            EXPECT_LE(
+                largest_difference(strand_of(mixed, strand, 12),
+                                   strand_of(alone[std::min<size_t>(of[strand], 2)], strand, 12)),
+                model == PLAIT_MODEL_ROD ? 5e-6f : 0)
                 << model << ", strand " << strand;
         const float apart = model == PLAIT_MODEL_CHAIN ? 0 : 0.01f;
         EXPECT_GE(largest_difference(alone[0], alone[1]), apart) << model;
