@@ -512,6 +512,8 @@ typedef struct plait_material {
     float section_ratio;     /* [1e-3, 1e3], default 1 */
     float curl;              /* scale of the turn of every joint at rest but the clamp, [0, 4]:
                                 0 straight, default 1: as groomed */
+    float clamp_stiffness;   /* scale of what holds the first segment in its direction at the root,
+                                bend and twist, [0, 100], default 1; 0: a hinge */
     float stiffness_ramp[4]; /* scale of bend and twist stiffness, each [0, 100], default 1 */
     float density_ramp[4];   /* scale of line_density, each [1e-3, 1e3], default 1 */
 } plait_material;

@@ -5,7 +5,7 @@
 namespace plait {
 
 plait_material default_material() {
-    return {sizeof(plait_material), 5e-6f, 4.7e-9f, 0, 0, 1, 1, {1, 1, 1, 1}, {1, 1, 1, 1}};
+    return {sizeof(plait_material), 5e-6f, 4.7e-9f, 0, 0, 1, 1, 1, {1, 1, 1, 1}, {1, 1, 1, 1}};
 }
 
 namespace {
@@ -17,6 +17,7 @@ Status check_material(const plait_material& s) {
     PLAIT_RANGE(twist_stiffness, 0, 1e3);
     PLAIT_RANGE(section_ratio, double(1e-3f), 1e3);
     PLAIT_RANGE(curl, 0, 4);
+    PLAIT_RANGE(clamp_stiffness, 0, 100);
     for (const float& knot : s.stiffness_ramp)
         PLAIT_TRY(check_range(format("stiffness_ramp[%td]", &knot - s.stiffness_ramp).c_str(),
                               double(knot), 0, 100));

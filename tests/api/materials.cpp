@@ -224,6 +224,26 @@ TEST_P(Materials, CurlScalesTheShapeAtRest) {
         }
 }
 
+// A bristle on a hinge hangs; clamped, it stands out.
+TEST_P(Materials, AClampWithoutStiffnessIsAHinge) {
+    Strand level;
+    for (size_t i = 0; i < 9; ++i)
+        level.push_back({0.1f * static_cast<float>(i) / 8, 0, 0});
+    auto material = plait_material_defaults();
+    material.bend_stiffness = 1e-5f;
+    for (const plait_model model : {PLAIT_MODEL_ARTICULATED, PLAIT_MODEL_ROD})
+        for (const float clamp : {1.0f, 0.0f}) {
+            auto desc = desc_of(model);
+            desc.params.drag = 10;
+            material.clamp_stiffness = clamp;
+            desc.materials = &material;
+            desc.material_count = 1;
+            plait::Sim sim(context, make_groom({level}), desc);
+            const auto x = after(sim, 300);
+            EXPECT_NEAR(x[4 * 8 + 1], clamp > 0 ? 0 : -0.1f, 1e-3f) << model;
+        }
+}
+
 TEST_P(Materials, OutsideTheirRangesAreRefusedWhole) {
     plait::Sim sim(context, make_groom(tuft(2, 6)), desc_of(PLAIT_MODEL_ROD));
     std::vector<plait_material> list(2, plait_material_defaults());

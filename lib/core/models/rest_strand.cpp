@@ -51,6 +51,7 @@ RestStrand::RestStrand(std::span<const float> positions, const Material& materia
         before = length[i];
         mass_before = own_mass;
     }
+    bend.front() *= double(material.clamp);
     mass.push_back(material.equal_masses ? mass_before : 0.5 * mass_before);
     set_frames();
     if (cross != 1) {

@@ -32,7 +32,8 @@ struct Material {
     float stretch_stiffness; // N; 0: by the strand's length
     float twist_stiffness;   // N m^2; 0: as bend_stiffness
     float section_ratio;
-    float curl; // scale of the joints' turns at rest
+    float curl;  // scale of the joints' turns at rest
+    float clamp; // scale of the stiffness of the first
     Ramp stiffness, density;
     bool equal_masses; // a limp chain's; a rod has half a mass at the tip
     bool inextensible;
