@@ -50,6 +50,8 @@ constexpr KnownMiss known_misses[] = {
     {"6b", "", "cosserat 1x3", 0.48, 0.586, 1.5}, // 0.33 to 0.69: two or three crossings
     {"6b", "", "cosserat 4x2 BDF2", 0.0405, 0.0266},
     {"6b", "", "rod 1x1", met, 0.00503},
+    {"6c", "240 Hz", "cosserat 1x3", 0.0586, 0.00663, 1.1}, // 0.059 to 0.065
+    {"6c", "480 Hz", "cosserat 1x3", 0.0354, 0.0294},
     {"7a", "", "chain 1x1", 0.0609, 0.0563},
     {"7a", "", "chain 4x1", 0.0141, 0.0141},
     {"7a", "", "cosserat 1x3", 0.209, 0.21},

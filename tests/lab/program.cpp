@@ -189,6 +189,12 @@ TEST_F(LabProgram, ends_well_on_interrupt_before_the_first_frame) {
         write("settling.json", R"({"strand": {"segments": 4}, "settle": 16000})");
     const pid_t pid = start({"run", settling, "--backend", "reference"}, path("text"));
     const auto watches = [&] { // the main thread leaves signals to another
+        std::error_code gone;
+        const auto program =
+            std::filesystem::read_symlink("/proc/" + std::to_string(pid) + "/exe", gone);
+        if (program.filename() !=
+            "plait-lab") // still a fork, in which the C library holds signals up
+            return false;
         const std::string status = contents("/proc/" + std::to_string(pid) + "/status");
         const size_t at = status.find("SigBlk:");
         return at != std::string::npos &&
