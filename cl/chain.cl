@@ -10,8 +10,6 @@
 #include "common/chain_tension.clh"
 #include "common/energy.clh"
 
-#define CHAIN_CORRECTION 0.5f /* s_damping of Mueller et al. 2012 */
-
 /* Project x on linearised edge lengths: J W J^T lambda = C, C capped at one rest length; W is the
  * inverse mass, less where contacts hold. */
 static inline void chain_solve_lengths(const lane_step* step, const lane_contacts* contacts,
@@ -119,7 +117,7 @@ static inline void chain_solve(const lane_step* step, lane_contacts* contacts, u
     vec3 before[PLAIT_VERTICES];
     chain_mobility hold[PLAIT_VERTICES];
     const mask all = (real)(0.0f) == (real)(0.0f);
-    const int rounds = contacts ? CHAIN_CONTACT_ROUNDS : 1;
+    const int rounds = contacts ? PLAIT_CHAIN_CONTACT_ROUNDS : 1;
     for (int round = 0; round < rounds; ++round) {
         mask touched = !all;
         if (contacts) {
@@ -181,7 +179,8 @@ __kernel void plait_chain(const uint item_count, const plait_lane_params params,
     for (int i = 1; i <= step.segments; ++i) {
         /* the sweep moved vertex i+1 as if pulled by i: i recoils */
         if (i < step.segments)
-            w[i] = axpy3((real)(-CHAIN_CORRECTION / step.h), sub3(x[i + 1], solved[i + 1]), w[i]);
+            w[i] = axpy3((real)(-PLAIT_CHAIN_VELOCITY_CORRECTION / step.h),
+                         sub3(x[i + 1], solved[i + 1]), w[i]);
     }
     lane_velocities(&step, x, y, w);
     real given = (real)(0.0f);

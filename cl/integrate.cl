@@ -12,9 +12,10 @@
 #include "common/pose.clh"
 #include "common/shape.clh"
 #include "common/strand.clh"
+#include "plait/constants.h"
 
 static float3 verlet(const plait_integrate_params* params, float3 pull, float3 x, float3 prev) {
-    const float kept = exp(-60.0f * params->damping * params->h);
+    const float kept = exp(-PLAIT_DAMPING_RATE * params->damping * params->h);
     return x + kept * (x - prev) + (params->h * params->h) * pull;
 }
 

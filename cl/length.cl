@@ -11,12 +11,13 @@
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/strand.clh"
 #include "common/vec.clh"
+#include "plait/constants.h"
 #include "plait/params.h"
 
 static void satisfy_edge(float rest_length, __local float4* a, __local float4* b) {
     const float4 xa = *a, xb = *b;
     const float3 d = xb.xyz - xa.xyz;
-    const float3 excess = (1.0f - rest_length / max(length3(d), 1e-7f)) * d;
+    const float3 excess = (1.0f - rest_length / max(length3(d), PLAIT_LENGTH_MIN_DISTANCE)) * d;
     const float share = is_free(xa) && is_free(xb) ? 0.5f : 1.0f;
     if (is_free(xa))
         *a = xa + (float4)(share * excess, 0.0f);

@@ -12,6 +12,7 @@
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/pose.clh"
 #include "common/strand.clh"
+#include "plait/constants.h"
 
 /* How far p1 and p2 go towards each other's place in the rest shape; b are rest positions. */
 static float3 shape_delta(float k, float3 b0, float3 b1, float3 b2, float3 p0, float3 p1,
@@ -47,7 +48,7 @@ __kernel void plait_local_shape(const uint item_count, const plait_local_shape_p
         return;
     const size_t root = (size_t)strand * params.vertex_stride;
     const float4 q = pose_load(pose, strand).q;
-    const float k = 0.5f * min(params.stiffness, 0.95f);
+    const float k = 0.5f * min(params.stiffness, PLAIT_LOCAL_SHAPE_MAX_STIFFNESS);
     for (uint iteration = 0u; iteration < params.iterations; ++iteration)
         shape_pass(k, vertex_count[strand], q, rest + root, position + root);
 }

@@ -14,7 +14,6 @@
 #define ROD_UNKNOWNS                                                                               \
     6 /* loops over them have constant bounds, so that all compilers unroll them                   \
        */
-#define ROD_HALVINGS 4
 
 /* What one segment adds: tension ks (edge - l t), director, EA and the gradients it causes. */
 typedef struct {
@@ -316,18 +315,18 @@ static inline void rod_newton(const rod_problem* rod, rod_state* s) {
     if (rod->contacts)
         contact_renew(rod->contacts, s->x);
     rod_state from = *s;
-    const real limit = rod_potential(rod, s) * 1.000001f + 1e-20f;
+    const real limit = rod_potential(rod, s) * PLAIT_ROD_POTENTIAL_FACTOR + PLAIT_ROD_POTENTIAL_MIN;
     rod_direction(rod, s, u);
     real alpha = (real)(1.0f);
     rod_move(rod, s, &from, u, alpha);
     mask rose = !(rod_potential(rod, s) <= limit);
-    for (int trial = 0; trial < ROD_HALVINGS && any_lane(rose); ++trial) {
+    for (int trial = 0; trial < PLAIT_ROD_HALVINGS && any_lane(rose); ++trial) {
         alpha = pick(rose, 0.5f * alpha, alpha);
         rod_move(rod, s, &from, u, alpha);
         rose = !(rod_potential(rod, s) <= limit);
     }
     if (any_lane(rose)) {
-        cosserat_iterate(rod, &from, 2, 0);
+        cosserat_iterate(rod, &from, PLAIT_ROD_FALLBACK_ITERATIONS, 0);
         rod_pick(rod, rose, s, &from);
     }
 }

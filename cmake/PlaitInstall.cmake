@@ -9,6 +9,7 @@ endif()
 list(TRANSFORM headers PREPEND ${PROJECT_SOURCE_DIR}/include/plait/)
 file(GLOB wrapper CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/include/plait/*.hpp)
 install(FILES ${headers} ${wrapper} ${PROJECT_SOURCE_DIR}/cl/shared/plait/params.h
+              ${PROJECT_SOURCE_DIR}/cl/shared/plait/constants.h
               ${PROJECT_SOURCE_DIR}/cl/shared/plait/stages.def
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/plait)
 
