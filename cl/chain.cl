@@ -27,13 +27,14 @@ static inline void chain_solve_lengths(const lane_step* step, const lane_contact
         real residual = fmin(dot3(edge, u[i]) - rest, rest);
         residual = pick(rest > (real)(0.0f), residual, (real)(0.0f)); /* past the tip */
         const real one = (real)(1.0f);
-        real diagonal = touches ? chain_yields(contacts, hold, i, u[i], u[i], one) +
-                                      chain_yields(contacts, hold, i + 1, u[i], u[i], one)
+        real diagonal = touches ? chain_inverse_mass(contacts, hold, i, u[i], u[i], one) +
+                                      chain_inverse_mass(contacts, hold, i + 1, u[i], u[i], one)
                                 : w0 + w1;
         if (i > 0) {
             const real cosine = dot3(u[i - 1], u[i]);
-            const real lower =
-                touches ? -chain_yields(contacts, hold, i, u[i - 1], u[i], cosine) : -cosine * w0;
+            const real lower = touches
+                                   ? -chain_inverse_mass(contacts, hold, i, u[i - 1], u[i], cosine)
+                                   : -cosine * w0;
             diagonal -= lower * upper[i - 1];
             residual -= lower * lambda[i - 1];
         }
@@ -41,8 +42,8 @@ static inline void chain_solve_lengths(const lane_step* step, const lane_contact
         if (i + 1 < step->segments) {
             const vec3 onward = unit3(sub3(x[i + 2], x[i + 1]), down);
             const real cosine = dot3(u[i], onward);
-            next =
-                touches ? -chain_yields(contacts, hold, i + 1, u[i], onward, cosine) : -cosine * w1;
+            next = touches ? -chain_inverse_mass(contacts, hold, i + 1, u[i], onward, cosine)
+                           : -cosine * w1;
         }
         upper[i] = next / diagonal;
         lambda[i] = residual / diagonal;
@@ -55,7 +56,7 @@ static inline void chain_solve_lengths(const lane_step* step, const lane_contact
         if (i < step->segments)
             pull = axpy3(lambda[i], u[i], pull);
         if (touches)
-            x[i] = add3(chain_move(contacts, hold, i, pull), x[i]);
+            x[i] = add3(chain_apply_mobility(contacts, hold, i, pull), x[i]);
         else
             x[i] = axpy3(1.0f / lane_material_at(step, i, PLAIT_LANE_MASS), pull, x[i]);
     }
@@ -86,7 +87,8 @@ static inline void chain_follow_leader(const lane_step* step, const lane_contact
     for (int i = 0; i < step->segments; ++i) {
         const real length = lane_material_at(step, i, PLAIT_LANE_LENGTH);
         const vec3 exact = axpy3(length, unit3(sub3(x[i + 1], x[i]), down), x[i]);
-        x[i + 1] = touches ? chain_keep_off(contacts, i + 1, x[i], length, x[i + 1], exact) : exact;
+        x[i + 1] =
+            touches ? chain_hold_depth(contacts, i + 1, x[i], length, x[i + 1], exact) : exact;
     }
 }
 
@@ -131,7 +133,7 @@ static inline void chain_solve(const lane_step* step, lane_contacts* contacts, u
             before[i] = x[i];
         if (touches) {
             chain_mobilities(contacts, x, hold);
-            chain_yield(contacts, hold, target, x);
+            chain_free_positions(contacts, hold, target, x);
         }
         chain_iterate_lengths(step, contacts, touches ? hold : 0, iterations, pulled & !touched, x);
         const mask takes = round == 0 ? all : touched;

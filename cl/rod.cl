@@ -206,7 +206,7 @@ static inline void rod_descent(const rod_problem* rod, const rod_state* s, int k
         force = add3(force, next->tension);
         torque = sub3(torque, rod_joint_moment(rod, s, k + 1, onward, next->bend));
     }
-    if (rod_touches(rod))
+    if (rod_in_contact(rod))
         force = add3(force, contact_term_at(rod->contacts, i, s->x[i]).force);
     g[0] = force.x;
     g[1] = force.y;
@@ -259,7 +259,7 @@ static inline void rod_direction(const rod_problem* rod, const rod_state* s,
         }
         const real inertia = rod_material(rod, k + 1, PLAIT_LANE_MASS) * rod->inertia;
         rod_diagonal(a, &e, inertia, tip ? zero : next.stretch, own, onward);
-        if (rod_touches(rod))
+        if (rod_in_contact(rod))
             rod_diagonal_contact(a, rod, s, k + 1);
         rod_descent(rod, s, k, &e, tip ? 0 : &next, row[k].z);
         if (k > 0)
@@ -331,19 +331,19 @@ static inline void rod_newton(const rod_problem* rod, rod_state* s) {
     }
 }
 
-static inline int rod_touched(const rod_problem* rod) {
+static inline int rod_was_in_contact(const rod_problem* rod) {
     return rod->contacts && any_lane(rod->contacts->lanes);
 }
 
 /* Newton steps, and for strands that touch something one more: what touches has to settle too. */
 static inline void rod_solve(const rod_problem* rod, rod_state* s, uint iterations) {
     rod_state untouched;
-    for (uint k = 0; k < iterations || (k == iterations && rod_touched(rod)); ++k) {
+    for (uint k = 0; k < iterations || (k == iterations && rod_was_in_contact(rod)); ++k) {
         if (k == iterations)
             untouched = *s;
         rod_newton(rod, s);
     }
-    if (rod_touched(rod))
+    if (rod_was_in_contact(rod))
         rod_pick(rod, !rod->contacts->lanes, s, &untouched);
 }
 

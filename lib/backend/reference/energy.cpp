@@ -9,9 +9,9 @@ namespace plait::reference {
 namespace {
 
 struct Balance {
-    double before, after; // J, the work of the substep in the former
-    double creep = 0;     // BDF2, J: what it may always have
-    double brought = 0;   // BDF2, J: of `before`, what the strand brought along
+    double before, after;      // J, the work of the substep in the former
+    double creep = 0;          // BDF2, J: what it may always have
+    double kinetic_before = 0; // BDF2, J: of `before`, the energy of motion before the substep
 };
 
 // What a vertex at x may always have.
@@ -58,7 +58,7 @@ Balance of_bdf2(const Substep& step, bool pairs, const std::vector<Vec3>& x,
                                : Vec3(x[i] - (motion.start[i] - motion.start[0]));
         const Vec3 force = motion.pull[i] + params.drag * (vec3(params.air) - v[i]);
         const double moves = held(pairs, before, ago), least = creep(mass[i], motion.h, x[i]);
-        sum.brought += mass[i] * moves + least;
+        sum.kinetic_before += mass[i] * moves + least;
         sum.before += mass[i] * (moves + force.dot(way)) + least;
         sum.after += mass[i] * held(pairs, now, before);
         weight += mass[i] * motion.pull[i].norm();
@@ -98,7 +98,7 @@ Limit limit_energy(const Substep& step, double released, const std::vector<Vec3>
     if (sum.after <= budget)
         return limit;
     if (step.params.bdf2 && paid + sum.creep < 0)
-        limit.way = (sum.brought + sum.creep) / (sum.brought - paid);
+        limit.way = (sum.kinetic_before + sum.creep) / (sum.kinetic_before - paid);
     limit.share = std::sqrt(budget / sum.after);
     for (size_t i = 1; i < x.size(); ++i)
         v[i] = limit.root + limit.share * (v[i] - limit.root);
