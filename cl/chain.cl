@@ -1,10 +1,14 @@
 /* chain: one step of an inextensible chain without bending.
  *
- * Items: strands, over lanes. Reads lane_strand, rest, pose, lane_material, capsule; moves the
- * state x, v. Predict, K tridiagonal length solves (Han & Harada 2013), the first of them with its
- * tension implicit where the step is coarse (ours), one exact follow-the-leader sweep with the
- * velocity correction of Mueller et al. 2012 applied to that sweep's displacement alone (ours).
- * K = 0 is Mueller's dynamic follow-the-leader.
+ * Items   strands, over lanes.
+ * Reads   lane_strand, rest, pose, lane_material, capsule.
+ * Moves   lane_x, lane_v, and the step before.
+ * Source  inertial targets; K tridiagonal length solves (Han & Harada 2013); one exact
+ *         follow-the-leader sweep with the velocity correction of Mueller et al. 2012, of which
+ *         K = 0 is the dynamic follow-the-leader.
+ * Changed the first length solve has its tension implicit where the step is coarse
+ *         (common/chain_tension.clh); the velocity correction counts the sweep's displacement
+ *         alone.
  */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/chain_tension.clh"

@@ -4,11 +4,12 @@
  * Reads   vertex_count, position, grid_density, grid_velocity.
  * Moves   position_prev, of the vertices it brakes: Verlet velocity is (position - prev) / h.
  * Source  Ugurca 2015, sections 4.3 and 4.4: a component of a vertex' velocity beyond 2 x the
- * voxel's mean of it keeps 0.9 of itself (ratio and factor). Changed PLAIT_DIFFUSE_FLOORED compares
- * with max(|mean|, floor * rms): where the mean is near 0, in hair that swings against itself, the
- * thesis rule brakes everything that moves at all. Components are those along the grid's axes.
- * PLAIT_TENT_TRILINEAR interpolates between the eight voxel centres around the vertex, so nothing
- * jumps at a voxel's face. */
+ *         voxel's mean of it keeps 0.9 of itself (ratio and factor).
+ * Changed PLAIT_DIFFUSE_FLOORED compares with max(|mean|, floor * rms): where the mean is near 0,
+ *         in hair that swings against itself, the thesis rule brakes everything that moves at all.
+ *         Components are those along the grid's axes. PLAIT_TENT_TRILINEAR interpolates between the
+ *         eight voxel centres around the vertex, so nothing jumps at a voxel's face.
+ */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/grid.clh"
 #include "common/strand.clh"

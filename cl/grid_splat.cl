@@ -4,9 +4,10 @@
  * Reads   vertex_count, position, position_prev.
  * Adds to grid_sum, per voxel five 64-bit sums: tent, tent v (3), tent |v|^2; and to grid_outside.
  * Source  Petrovic et al. 2005 (trilinear transfer to grid nodes); Ugurca 2015, eq. 4.1 and 4.2,
- * for PLAIT_TENT_VOXEL. Changed sums of integers: the same bits in any order of strands, on any
- * device whose products agree. Nodes are voxel centres; beyond the outermost ones all weight goes
- * to these. */
+ *         for PLAIT_TENT_VOXEL.
+ * Changed sums of integers: the same bits in any order of strands, on any device whose products
+ *         agree. Nodes are voxel centres; beyond the outermost ones all weight goes to these.
+ */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/grid.clh"
 #include "common/sum.clh"

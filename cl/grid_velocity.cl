@@ -4,7 +4,8 @@
  * Reads   grid_slot, position, position_prev, grid_density.
  * Writes  grid_velocity: mean along the grid's axes and, in w, the root mean square speed.
  * Source  Ugurca 2015, eq. 4.2: V = sum tent v / D, v by Verlet history.
- * Changed an empty voxel has velocity 0 instead of 0/0; the rms speed, for the floored rule. */
+ * Changed an empty voxel has velocity 0 instead of 0/0; the rms speed, for the floored rule.
+ */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/grid.clh"
 #include "common/reduce.clh"

@@ -5,8 +5,8 @@
  * Moves   position; position_prev and position_prev2 shift by one step.
  * Source  TressFX 4.1, integration and global shape; Han & Harada 2012, section 3.
  *         x' = x + exp(-60 d h) (x - x_prev) + h^2 (g + a); pinned vertices go to their skinned
- * rest. Changed h may be any step: the published damping factor is per frame and takes 60 Hz for
- * granted.
+ *         rest.
+ * Changed h may be any step: the published damping factor is per frame and takes 60 Hz for granted.
  */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/pose.clh"

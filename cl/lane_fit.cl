@@ -5,8 +5,8 @@
  * Reads   lane_slot, lane_material, lane_v, lane_x.
  * Writes  lane_x, lane_x_before, lane_v_before, of these strands.
  * Source  ours: x_i += sum over segments j < i of (l_j - |e_j|) e_j/|e_j|, e the old edges;
- * x_before = x - h v, both relative to the root, of which row 0 says where it is and how fast. A
- * strand that is not stretched keeps its bits.
+ *         x_before = x - h v, both relative to the root, of which row 0 says where it is and how
+ *         fast. A strand that is not stretched keeps its bits.
  */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/lane_scalar.clh"

@@ -3,10 +3,12 @@
  * Items   strands, over lanes.
  * Reads   lane_strand, vertex_count, lane_x, lane_v.
  * Adds to grid_sum, per voxel five 64-bit sums: tent, tent v (3), tent |v|^2; and to grid_outside.
- * Source  as grid_splat. Changed neighbouring strands pass through the same voxels: what a
- * work-item adds to one is added up in private memory, in the order of rows and then lanes, and
- * rounded once. Strands lie in lanes by their roots, so the sums do not depend on the order in
- * which work-items arrive. */
+ * Source  as grid_splat.
+ * Changed neighbouring strands pass through the same voxels: what a work-item adds to one is added
+ *         up in private memory, in the order of rows and then lanes, and rounded once. Strands lie
+ *         in lanes by their roots, so the sums do not depend on the order in which work-items
+ *         arrive.
+ */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/lane_grid.clh"
 #include "common/sum.clh"

@@ -5,9 +5,10 @@
  * Moves   position.
  * Source  Han & Harada 2012, section 3; TressFX 4.1. Edge d = x_(i+1) - x_i: both ends take half of
  *         (1 - l / max(|d|, 1e-7)) d, or a free one all of it beside a pinned one. Even edges
- * first, then odd ones: edges of a colour share no vertex. Changed any V, by padded strides in
- * work-group memory, and any count per strand; every work-item reaches every barrier. An edge of no
- * length stays so rather than turning into NaN. */
+ *         first, then odd ones: edges of a colour share no vertex.
+ * Changed any V, by padded strides in work-group memory, and any count per strand; every work-item
+ *         reaches every barrier. An edge of no length stays so rather than turning into NaN.
+ */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/strand.clh"
 #include "common/vec.clh"

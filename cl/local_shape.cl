@@ -8,7 +8,8 @@
  *         delta = k (R (b_(i+1) - b_i) + p_i - p_(i+1)), k = min(stiffness, 0.95) / 2;
  *         p_i -= delta and p_(i+1) += delta where free.
  * Changed all iterations run in one launch: the strand is one work-item's own, so none can read
- *         another's half-done pass (the original has no barrier between its iterations). */
+ *         another's half-done pass (the original has no barrier between its iterations).
+ */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/pose.clh"
 #include "common/strand.clh"

@@ -4,7 +4,8 @@
  * Reads   root_from, root_to (each strand's own pose, applied before the head's; only if per_root).
  * Writes  pose.
  * Why     interpolating roots over substeps takes 15 times the strain out of a 10 g shake; TressFX
- *         moves roots once per frame. */
+ *         moves roots once per frame.
+ */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/pose.clh"
 

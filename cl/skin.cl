@@ -4,9 +4,9 @@
  * Reads   bone_matrix, bone_index, bone_weight, rest (of the root).
  * Writes  pose.
  * Source  linear blend skinning; the rotation closest to the blend M in the Frobenius norm is that
- * of the unit quaternion q with the greatest q.N(M)q (Horn 1987), found by Jacobi's rotations
- * (1846). Unlike a polar decomposition this gives a rotation for every M, also where bones mirror
- * or fold.
+ *         of the unit quaternion q with the greatest q.N(M)q (Horn 1987), found by Jacobi's
+ *         rotations (1846). Unlike a polar decomposition this gives a rotation for every M, also
+ *         where bones mirror or fold.
  */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/pose.clh"

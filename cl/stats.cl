@@ -3,8 +3,9 @@
  * Items   strands.
  * Reads   rest_length, vertex_count, position, position_prev.
  * Writes  strand_stats: worst |l/l0 - 1| of a segment, vertices that are not finite (in position or
- *         history), longest |position - prev| in metres, mean |l/l0 - 1|.
- *         Segments with an end that is not finite, or of rest length 0, do not count. */
+ *         history), longest |position - prev| in metres, mean |l/l0 - 1|. Segments with an end that
+ *         is not finite, or of rest length 0, do not count.
+ */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/vec.clh"
 #include "plait/params.h"

@@ -7,8 +7,9 @@
  *         the present one, t = x0 - q prev0, a = |x1 - 2 prev1 + prev2_1|, c = 1 above a threshold,
  *         else vsp_coeff.
  * Changed PLAIT_SHOCK_CONTINUOUS: c rises linearly from vsp_coeff at the threshold to 1 at twice
- * it. The jump lets neighbouring strands, a hair's breadth apart in a, move differently. q is the
- * shortest rotation and safe at a half turn; a root segment of no length gives 1. */
+ *         it. The jump lets neighbouring strands, a hair's breadth apart in a, move differently. q
+ *         is the shortest rotation and safe at a half turn; a root segment of no length gives 1.
+ */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/quat.clh"
 #include "plait/params.h"

@@ -5,7 +5,8 @@
  * Writes  tangent, w 0; position of padding only.
  * Source  TressFX 4.1: n(x_(i+1) - x_i), the last vertex has the one before it.
  * Changed a segment of no length takes the direction of the nearest one towards the root that has
- *         some, else of the nearest towards the tip, else +y: a tangent is always a unit vector. */
+ *         some, else of the nearest towards the tip, else +y: a tangent is always a unit vector.
+ */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/vec.clh"
 #include "plait/params.h"

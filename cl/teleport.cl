@@ -3,9 +3,9 @@
  *
  * Items   vertices.
  * Reads   pose_from, pose_to.
- * Moves   position and both histories: x <- to(from^-1(x)).
- * Why     TressFX has no such call: a moved character's hair is dragged along, and a 30 m jump
- *         stretches its worst segment 640 times. */
+ * Moves   position and both histories: x <- to(from^-1(x)). Why TressFX has no such call: a moved
+ *         character's hair is dragged along, and a 30 m jump stretches its worst segment 640 times.
+ */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/pose.clh"
 

@@ -5,7 +5,8 @@
  * Moves   position and position_prev: p <- (1 - c) p + c (q p + t).
  * Source  TressFX 4.1, velocity shock propagation. Both are moved alike, so the velocity turns with
  *         the root but does not grow: the step's share of root motion is injected without inertia.
- * Changed pinned vertices beyond the second stay where integrate put them. */
+ * Changed pinned vertices beyond the second stay where integrate put them.
+ */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/quat.clh"
 #include "common/strand.clh"

@@ -9,9 +9,10 @@
  *         d = x_i - x_(i+1), x_i -= h^2 ((d x W) x d), i = 2 .. count-2.
  * Changed the published form, kept for parity, pushes against the wind and grows with the square of
  *         the unit of length; drag does neither and brakes in still air. Drag is applied
- * implicitly: h k|u_n| / (1 + h k|u_n|) of u_n per step, which cannot overshoot the wind. Both read
- * copies made before anything moves: the original reads a neighbour that the next work-item may
- * have moved already. */
+ *         implicitly: h k|u_n| / (1 + h k|u_n|) of u_n per step, which cannot overshoot the wind.
+ *         Both read copies made before anything moves: the original reads a neighbour that the next
+ *         work-item may have moved already.
+ */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/strand.clh"
 #include "common/vec.clh"
