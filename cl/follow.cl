@@ -16,8 +16,9 @@
 /* The offset turned by the root's pose and then by the segment at `vertex`, from its skinned rest
  * direction to the present one; the tip has the segment before it. `guide` is the first element of
  * the guide's row. */
-static float3 turn_offset(float3 offset, float4 root_q, size_t guide, uint vertex, uint count,
-                          __global const float4* rest, __global const float4* position) {
+static inline float3 turn_offset(float3 offset, float4 root_q, size_t guide, uint vertex,
+                                 uint count, __global const float4* rest,
+                                 __global const float4* position) {
     const size_t segment = guide + min(vertex, count - 2u);
     const float3 before = quat_rotate(root_q, rest[segment + 1].xyz - rest[segment].xyz);
     const float3 now = position[segment + 1].xyz - position[segment].xyz;

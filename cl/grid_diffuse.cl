@@ -21,15 +21,15 @@ typedef struct surroundings_t {
     float mean_square;
 } surroundings_t;
 
-static void add_node(surroundings_t* sum, float weight, float density, float4 velocity) {
+static inline void add_node(surroundings_t* sum, float weight, float density, float4 velocity) {
     sum->density += weight * density;
     sum->mean += weight * velocity.xyz;
     sum->mean_square += weight * (velocity.w * velocity.w);
 }
 
-static surroundings_t surroundings_at(const plait_grid_params* params, float3 g,
-                                      __global const float* density,
-                                      __global const float4* velocity) {
+static inline surroundings_t surroundings_at(const plait_grid_params* params, float3 g,
+                                             __global const float* density,
+                                             __global const float4* velocity) {
     surroundings_t sum = {0.0f, (float3)(0.0f), 0.0f};
     if (params->tent == PLAIT_TENT_VOXEL) {
         const uint voxel = world_to_voxel(params, g);
@@ -46,7 +46,7 @@ static surroundings_t surroundings_at(const plait_grid_params* params, float3 g,
 }
 
 /* Per component of v: which are to be braked. */
-static int3 outruns(const plait_grid_params* params, float3 v, surroundings_t around) {
+static inline int3 outruns(const plait_grid_params* params, float3 v, surroundings_t around) {
     float3 allowed = fabs(around.mean);
     if (params->diffuse_rule == PLAIT_DIFFUSE_FLOORED)
         allowed = max(allowed, params->diffuse_floor * sqrt(around.mean_square));

@@ -11,13 +11,13 @@
 #include "common/reduce.clh"
 
 /* (tent v, tent |v|^2) of a vertex. */
-static float4 weighted_velocity(const plait_grid_params* params, float3 x, float3 prev) {
+static inline float4 weighted_velocity(const plait_grid_params* params, float3 x, float3 prev) {
     const float tent = tent_voxel(grid_coordinates(params, x));
     const float3 v = grid_velocity_of(params, x, prev);
     return (float4)(tent * v, tent * dot3(v, v));
 }
 
-static float4 mean_and_rms(float4 sum, float density) {
+static inline float4 mean_and_rms(float4 sum, float density) {
     if (!(density > 0.0f))
         return (float4)(0.0f);
     return (float4)(sum.xyz / density, sqrt(sum.w / density));

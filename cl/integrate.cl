@@ -14,7 +14,8 @@
 #include "common/strand.clh"
 #include "plait/constants.h"
 
-static float3 verlet(const plait_integrate_params* params, float3 pull, float3 x, float3 prev) {
+static inline float3 verlet(const plait_integrate_params* params, float3 pull, float3 x,
+                            float3 prev) {
     const float kept = exp(-PLAIT_DAMPING_RATE * params->damping * params->h);
     return x + kept * (x - prev) + (params->h * params->h) * pull;
 }

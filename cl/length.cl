@@ -15,7 +15,7 @@
 #include "plait/constants.h"
 #include "plait/params.h"
 
-static void satisfy_edge(float rest_length, __local float4* a, __local float4* b) {
+static inline void satisfy_edge(float rest_length, __local float4* a, __local float4* b) {
     const float4 xa = *a, xb = *b;
     const float3 d = xb.xyz - xa.xyz;
     const float3 excess = (1.0f - rest_length / max(length3(d), PLAIT_LENGTH_MIN_DISTANCE)) * d;

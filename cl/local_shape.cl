@@ -16,14 +16,14 @@
 #include "plait/constants.h"
 
 /* How far p1 and p2 go towards each other's place in the rest shape; b are rest positions. */
-static float3 shape_delta(float k, float3 b0, float3 b1, float3 b2, float3 p0, float3 p1,
-                          float3 p2) {
+static inline float3 shape_delta(float k, float3 b0, float3 b1, float3 b2, float3 p0, float3 p1,
+                                 float3 p2) {
     return k * (turn_between(b1 - b0, p1 - p0, b2 - b1) + p1 - p2);
 }
 
 /* One pass over a strand of count >= 3 vertices, three neighbours at a time in registers. */
-static void shape_pass(float k, uint count, float4 q, __global const float4* rest,
-                       __global float4* position) {
+static inline void shape_pass(float k, uint count, float4 q, __global const float4* rest,
+                              __global float4* position) {
     float3 b0 = quat_rotate(q, rest[0].xyz), b1 = quat_rotate(q, rest[1].xyz);
     float4 p0 = position[0], p1 = position[1];
     for (uint i = 1u; i + 1u < count; ++i) {

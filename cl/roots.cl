@@ -9,7 +9,7 @@
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/pose.clh"
 
-static pose_t head_pose(const plait_roots_params* params) {
+static inline pose_t head_pose(const plait_roots_params* params) {
     const pose_t from = {vload4(0, params->head_from_q), vload4(0, params->head_from_t).xyz};
     const pose_t to = {vload4(0, params->head_to_q), vload4(0, params->head_to_t).xyz};
     return pose_interpolate(from, to, params->alpha);

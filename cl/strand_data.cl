@@ -15,7 +15,7 @@
 #include "plait/params.h"
 
 /* `a` in metres per step squared. */
-static float shock_blend(const plait_strand_data_params* params, float a) {
+static inline float shock_blend(const plait_strand_data_params* params, float a) {
     const float excess = a - params->vsp_accel_threshold;
     if (params->shock_form == PLAIT_SHOCK_THRESHOLD || params->vsp_accel_threshold <= 0.0f)
         return excess > 0.0f ? 1.0f : params->vsp_coeff;

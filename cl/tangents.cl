@@ -11,15 +11,15 @@
 #include "common/vec.clh"
 #include "plait/params.h"
 
-static float3 segment_direction(__global const float4* strand, uint segment) {
+static inline float3 segment_direction(__global const float4* strand, uint segment) {
     return normalize_or_zero(strand[segment + 1u].xyz - strand[segment].xyz);
 }
 
-static int is_direction(float3 unit_or_zero) {
+static inline int is_direction(float3 unit_or_zero) {
     return dot3(unit_or_zero, unit_or_zero) != 0.0f;
 }
 
-static float3 tangent_at(__global const float4* strand, uint segment, uint count) {
+static inline float3 tangent_at(__global const float4* strand, uint segment, uint count) {
     float3 direction = segment_direction(strand, segment);
     if (is_direction(direction))
         return direction;

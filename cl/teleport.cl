@@ -9,7 +9,7 @@
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/pose.clh"
 
-static float4 carry(pose_t from, pose_t to, float4 x) {
+static inline float4 carry(pose_t from, pose_t to, float4 x) {
     return (float4)(pose_apply(to, pose_apply_inverse(from, x.xyz)), x.w);
 }
 

@@ -12,7 +12,7 @@
 #include "common/strand.clh"
 #include "plait/params.h"
 
-static float4 propagate(float4 q, float4 translation_blend, float4 p) {
+static inline float4 propagate(float4 q, float4 translation_blend, float4 p) {
     const float c = translation_blend.w;
     const float3 carried = quat_rotate(q, p.xyz) + translation_blend.xyz;
     return (float4)((1.0f - c) * p.xyz + c * carried, p.w);
