@@ -8,21 +8,13 @@
 #pragma OPENCL FP_CONTRACT ON
 #include "common/articulated.clh"
 
-/* Most Newton steps of a strand that touches something: planes, pushes and what slips are renewed
- * between them, and the last is the one that changes neither. Fewer hold a hair that should slip:
- * the bound of friction lags by a step. */
-#define ARTICULATED_CONTACT_STEPS 6
-/* Of one that is still deep then: a collider that moves by several of its radii turns hair by more
- * than Newton's method sees in six steps. */
-#define ARTICULATED_DEEP_STEPS 10
-#define ARTICULATED_DEEP 0.1f /* segments: what is deeper is no balance of pull and push */
-
-/* Lanes with a vertex deeper than that, unless it is let out gently. */
+/* Lanes with a vertex deeper than PLAIT_ARTICULATED_DEEP, unless it is pushed out softly. */
 static inline mask articulated_deep(const rod_problem* rod, const rod_state* s) {
     mask deep = (real)(0.0f) > (real)(0.0f);
     for (int i = 1; i <= rod->step->segments; ++i)
         deep |= contact_excess(rod->contacts, i, s->x[i]) >
-                (ARTICULATED_DEEP - CONTACT_CLIP) * articulated_length(rod, i - 1);
+                (PLAIT_ARTICULATED_DEEP - PLAIT_CONTACT_MAX_PENETRATION) *
+                    articulated_length(rod, i - 1);
     return deep;
 }
 
@@ -32,10 +24,11 @@ static inline mask articulated_wants(const rod_problem* rod, const rod_state* s,
     const mask none = (real)(0.0f) > (real)(0.0f);
     if (k < iterations)
         return !none;
-    if (!rod->contacts || k >= ARTICULATED_DEEP_STEPS || !any_lane(rod->contacts->lanes))
+    if (!rod->contacts || k >= PLAIT_ARTICULATED_DEEP_STEPS || !any_lane(rod->contacts->lanes))
         return none;
-    return k < ARTICULATED_CONTACT_STEPS ? rod->contacts->lanes & (moved | rod->contacts->changed)
-                                         : rod->contacts->lanes & articulated_deep(rod, s);
+    return k < PLAIT_ARTICULATED_CONTACT_STEPS
+               ? rod->contacts->lanes & (moved | rod->contacts->changed)
+               : rod->contacts->lanes & articulated_deep(rod, s);
 }
 
 static inline void articulated_solve(const rod_problem* rod, rod_state* s, uint iterations) {

@@ -3,8 +3,10 @@
  * Items   strands.
  * Reads   rest_length, vertex_count.
  * Moves   position: free vertices beyond reach * (arc length from the root) are drawn back onto
- * that sphere around the root. Source  Kim, Chentanez & Mueller-Fischer 2012. Changed one
- * attachment, the root, along the strand instead of along geodesics of a mesh. */
+ *         that sphere around the root.
+ * Source  Kim, Chentanez & Mueller-Fischer 2012.
+ * Changed one attachment, the root, along the strand instead of along geodesics of a mesh.
+ */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/strand.clh"
 #include "common/vec.clh"

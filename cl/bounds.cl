@@ -2,7 +2,8 @@
  *
  * Items   runs of params.share elements.
  * Reads   points.
- * Writes  box. */
+ * Writes  box.
+ */
 #include "plait/params.h"
 
 __kernel void plait_bounds(const uint item_count, const plait_bounds_params params,

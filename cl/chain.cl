@@ -1,16 +1,18 @@
 /* chain: one step of an inextensible chain without bending.
  *
- * Items: strands, over lanes. Reads lane_strand, rest, pose, lane_material, capsule; moves the
- * state x, v. Predict, K tridiagonal length solves (Han & Harada 2013), the first of them with its
- * tension implicit where the step is coarse (ours), one exact follow-the-leader sweep with the
- * velocity correction of Mueller et al. 2012 applied to that sweep's displacement alone (ours).
- * K = 0 is Mueller's dynamic follow-the-leader.
+ * Items   strands, over lanes.
+ * Reads   lane_strand, rest, pose, lane_material, capsule.
+ * Moves   lane_x, lane_v, and the step before.
+ * Source  inertial targets; K tridiagonal length solves (Han & Harada 2013); one exact
+ *         follow-the-leader sweep with the velocity correction of Mueller et al. 2012, of which
+ *         K = 0 is the dynamic follow-the-leader.
+ * Changed the first length solve has its tension implicit where the step is coarse
+ *         (common/chain_tension.clh); the velocity correction counts the sweep's displacement
+ *         alone.
  */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/chain_tension.clh"
 #include "common/energy.clh"
-
-#define CHAIN_CORRECTION 0.5f /* s_damping of Mueller et al. 2012 */
 
 /* Project x on linearised edge lengths: J W J^T lambda = C, C capped at one rest length; W is the
  * inverse mass, less where contacts hold. */
@@ -29,13 +31,14 @@ static inline void chain_solve_lengths(const lane_step* step, const lane_contact
         real residual = fmin(dot3(edge, u[i]) - rest, rest);
         residual = pick(rest > (real)(0.0f), residual, (real)(0.0f)); /* past the tip */
         const real one = (real)(1.0f);
-        real diagonal = touches ? chain_yields(contacts, hold, i, u[i], u[i], one) +
-                                      chain_yields(contacts, hold, i + 1, u[i], u[i], one)
+        real diagonal = touches ? chain_inverse_mass(contacts, hold, i, u[i], u[i], one) +
+                                      chain_inverse_mass(contacts, hold, i + 1, u[i], u[i], one)
                                 : w0 + w1;
         if (i > 0) {
             const real cosine = dot3(u[i - 1], u[i]);
-            const real lower =
-                touches ? -chain_yields(contacts, hold, i, u[i - 1], u[i], cosine) : -cosine * w0;
+            const real lower = touches
+                                   ? -chain_inverse_mass(contacts, hold, i, u[i - 1], u[i], cosine)
+                                   : -cosine * w0;
             diagonal -= lower * upper[i - 1];
             residual -= lower * lambda[i - 1];
         }
@@ -43,8 +46,8 @@ static inline void chain_solve_lengths(const lane_step* step, const lane_contact
         if (i + 1 < step->segments) {
             const vec3 onward = unit3(sub3(x[i + 2], x[i + 1]), down);
             const real cosine = dot3(u[i], onward);
-            next =
-                touches ? -chain_yields(contacts, hold, i + 1, u[i], onward, cosine) : -cosine * w1;
+            next = touches ? -chain_inverse_mass(contacts, hold, i + 1, u[i], onward, cosine)
+                           : -cosine * w1;
         }
         upper[i] = next / diagonal;
         lambda[i] = residual / diagonal;
@@ -57,7 +60,7 @@ static inline void chain_solve_lengths(const lane_step* step, const lane_contact
         if (i < step->segments)
             pull = axpy3(lambda[i], u[i], pull);
         if (touches)
-            x[i] = add3(chain_move(contacts, hold, i, pull), x[i]);
+            x[i] = add3(chain_apply_mobility(contacts, hold, i, pull), x[i]);
         else
             x[i] = axpy3(1.0f / lane_material_at(step, i, PLAIT_LANE_MASS), pull, x[i]);
     }
@@ -88,7 +91,8 @@ static inline void chain_follow_leader(const lane_step* step, const lane_contact
     for (int i = 0; i < step->segments; ++i) {
         const real length = lane_material_at(step, i, PLAIT_LANE_LENGTH);
         const vec3 exact = axpy3(length, unit3(sub3(x[i + 1], x[i]), down), x[i]);
-        x[i + 1] = touches ? chain_keep_off(contacts, i + 1, x[i], length, x[i + 1], exact) : exact;
+        x[i + 1] =
+            touches ? chain_hold_depth(contacts, i + 1, x[i], length, x[i + 1], exact) : exact;
     }
 }
 
@@ -119,7 +123,7 @@ static inline void chain_solve(const lane_step* step, lane_contacts* contacts, u
     vec3 before[PLAIT_VERTICES];
     chain_mobility hold[PLAIT_VERTICES];
     const mask all = (real)(0.0f) == (real)(0.0f);
-    const int rounds = contacts ? CHAIN_CONTACT_ROUNDS : 1;
+    const int rounds = contacts ? PLAIT_CHAIN_CONTACT_ROUNDS : 1;
     for (int round = 0; round < rounds; ++round) {
         mask touched = !all;
         if (contacts) {
@@ -133,7 +137,7 @@ static inline void chain_solve(const lane_step* step, lane_contacts* contacts, u
             before[i] = x[i];
         if (touches) {
             chain_mobilities(contacts, x, hold);
-            chain_yield(contacts, hold, target, x);
+            chain_free_positions(contacts, hold, target, x);
         }
         chain_iterate_lengths(step, contacts, touches ? hold : 0, iterations, pulled & !touched, x);
         const mask takes = round == 0 ? all : touched;
@@ -181,7 +185,8 @@ __kernel void plait_chain(const uint item_count, const plait_lane_params params,
     for (int i = 1; i <= step.segments; ++i) {
         /* the sweep moved vertex i+1 as if pulled by i: i recoils */
         if (i < step.segments)
-            w[i] = axpy3((real)(-CHAIN_CORRECTION / step.h), sub3(x[i + 1], solved[i + 1]), w[i]);
+            w[i] = axpy3((real)(-PLAIT_CHAIN_VELOCITY_CORRECTION / step.h),
+                         sub3(x[i + 1], solved[i + 1]), w[i]);
     }
     lane_velocities(&step, x, y, w);
     real given = (real)(0.0f);

@@ -5,7 +5,8 @@
  * Moves   position: displacements beyond C are scaled by C / |displacement|.
  * Source  TressFX 4.1, which scales by C^2 / |displacement|^2: the faster a vertex, the shorter its
  *         step.
- * Changed the scale; pinned vertices follow their root however far it goes. */
+ * Changed the scale; pinned vertices follow their root however far it goes.
+ */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/strand.clh"
 #include "common/vec.clh"

@@ -13,7 +13,8 @@
 #include "common/capsule.clh"
 #include "common/strand.clh"
 
-static float3 collide_with(__global const float4* capsules, uint index, float3 x, float3 prev) {
+static inline float3 collide_with(__global const float4* capsules, uint index, float3 x,
+                                  float3 prev) {
     const capsule_t now = capsule_at(capsules, index);
     if (!capsule_may_hold(now, x))
         return x;

@@ -2,20 +2,23 @@
  *
  * Items   vertices of follows: strand f here is row guide_count + f of position.
  * Reads   rest, pose, vertex_count of the guides; follow_guide, follow_offset; position of the
- * guides. Writes  position of the follows, w of the guide's; padding is a copy of the tip. Source
- * TressFX 4.1: x_follow = x_guide + (tip_separation i/count + 1) offset. Changed
- * PLAIT_FOLLOW_ROTATING turns the offset by the root's pose and then with the segment, by the
- *         shortest rotation from its skinned rest direction. Published offsets are fixed in rest
- *         space, so follows keep standing to the same side of the world when the head turns, and a
- *         lock folds flat when it swings along its offset. */
+ *         guides.
+ * Writes  position of the follows, w of the guide's; padding is a copy of the tip.
+ * Source  TressFX 4.1: x_follow = x_guide + (tip_separation i/count + 1) offset.
+ * Changed PLAIT_FOLLOW_ROTATING turns the offset by the root's pose and then with the segment, by
+ *         the shortest rotation from its skinned rest direction. Published offsets are fixed in
+ *         rest space, so follows keep standing to the same side of the world when the head turns,
+ *         and a lock folds flat when it swings along its offset.
+ */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/pose.clh"
 
 /* The offset turned by the root's pose and then by the segment at `vertex`, from its skinned rest
  * direction to the present one; the tip has the segment before it. `guide` is the first element of
  * the guide's row. */
-static float3 turn_offset(float3 offset, float4 root_q, size_t guide, uint vertex, uint count,
-                          __global const float4* rest, __global const float4* position) {
+static inline float3 turn_offset(float3 offset, float4 root_q, size_t guide, uint vertex,
+                                 uint count, __global const float4* rest,
+                                 __global const float4* position) {
     const size_t segment = guide + min(vertex, count - 2u);
     const float3 before = quat_rotate(root_q, rest[segment + 1].xyz - rest[segment].xyz);
     const float3 now = position[segment + 1].xyz - position[segment].xyz;

@@ -5,7 +5,8 @@
  * Moves   position: x <- x + s (x0 - x) for the first `range` of each strand, x0 the skinned rest.
  * Source  Han & Harada 2012, section 3; TressFX 4.1.
  * Changed a stage of its own, so that it can run after velocity_shock: published, it acts before,
- * and the shock then carries vertices away from the goal they were just given. */
+ *         and the shock then carries vertices away from the goal they were just given.
+ */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/pose.clh"
 #include "common/shape.clh"

@@ -4,8 +4,9 @@
  * Reads   grid_slot, position.
  * Writes  grid_density.
  * Source  Ugurca 2015, eq. 4.1: D = sum (1 - |Px - x|)(1 - |Py - y|)(1 - |Pz - z|), the tent 1 at
- * the voxel's centre and 0 at its faces. Changed slots are read in parallel and added in a fixed
- * tree: the same slots, the same bits. */
+ *         the voxel's centre and 0 at its faces.
+ * Changed slots are read in parallel and added in a fixed tree: the same slots, the same bits.
+ */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/grid.clh"
 #include "common/reduce.clh"

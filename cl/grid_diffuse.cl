@@ -4,11 +4,12 @@
  * Reads   vertex_count, position, grid_density, grid_velocity.
  * Moves   position_prev, of the vertices it brakes: Verlet velocity is (position - prev) / h.
  * Source  Ugurca 2015, sections 4.3 and 4.4: a component of a vertex' velocity beyond 2 x the
- * voxel's mean of it keeps 0.9 of itself (ratio and factor). Changed PLAIT_DIFFUSE_FLOORED compares
- * with max(|mean|, floor * rms): where the mean is near 0, in hair that swings against itself, the
- * thesis rule brakes everything that moves at all. Components are those along the grid's axes.
- * PLAIT_TENT_TRILINEAR interpolates between the eight voxel centres around the vertex, so nothing
- * jumps at a voxel's face. */
+ *         voxel's mean of it keeps 0.9 of itself (ratio and factor).
+ * Changed PLAIT_DIFFUSE_FLOORED compares with max(|mean|, floor * rms): where the mean is near 0,
+ *         in hair that swings against itself, the thesis rule brakes everything that moves at all.
+ *         Components are those along the grid's axes. PLAIT_TENT_TRILINEAR interpolates between the
+ *         eight voxel centres around the vertex, so nothing jumps at a voxel's face.
+ */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/grid.clh"
 #include "common/strand.clh"
@@ -20,15 +21,15 @@ typedef struct surroundings_t {
     float mean_square;
 } surroundings_t;
 
-static void add_node(surroundings_t* sum, float weight, float density, float4 velocity) {
+static inline void add_node(surroundings_t* sum, float weight, float density, float4 velocity) {
     sum->density += weight * density;
     sum->mean += weight * velocity.xyz;
     sum->mean_square += weight * (velocity.w * velocity.w);
 }
 
-static surroundings_t surroundings_at(const plait_grid_params* params, float3 g,
-                                      __global const float* density,
-                                      __global const float4* velocity) {
+static inline surroundings_t surroundings_at(const plait_grid_params* params, float3 g,
+                                             __global const float* density,
+                                             __global const float4* velocity) {
     surroundings_t sum = {0.0f, (float3)(0.0f), 0.0f};
     if (params->tent == PLAIT_TENT_VOXEL) {
         const uint voxel = world_to_voxel(params, g);
@@ -45,7 +46,7 @@ static surroundings_t surroundings_at(const plait_grid_params* params, float3 g,
 }
 
 /* Per component of v: which are to be braked. */
-static int3 outruns(const plait_grid_params* params, float3 v, surroundings_t around) {
+static inline int3 outruns(const plait_grid_params* params, float3 v, surroundings_t around) {
     float3 allowed = fabs(around.mean);
     if (params->diffuse_rule == PLAIT_DIFFUSE_FLOORED)
         allowed = max(allowed, params->diffuse_floor * sqrt(around.mean_square));

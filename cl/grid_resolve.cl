@@ -3,7 +3,8 @@
  * Items   voxels.
  * Reads   grid_sum.
  * Writes  grid_density; grid_velocity: mean along the grid's axes and, in w, the rms speed.
- * Source  Ugurca 2015, eq. 4.2: V = sum tent v / D. An empty voxel has velocity 0. */
+ * Source  Ugurca 2015, eq. 4.2: V = sum tent v / D. An empty voxel has velocity 0.
+ */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/sum.clh"
 #include "plait/params.h"

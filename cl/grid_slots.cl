@@ -6,7 +6,8 @@
  *         the voxel in this step, others in the next. grid_outside counts vertices outside.
  * Source  Ugurca 2015, section 4.2, figs. 4.1 and 4.6.
  * Changed outside the grid is counted, not indexed; slot_hash pcg differs per frame and vertex. The
- *         one atomic is for that count, where a vertex is outside. */
+ *         one atomic is for that count, where a vertex is outside.
+ */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/grid.clh"
 

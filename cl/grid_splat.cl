@@ -4,15 +4,16 @@
  * Reads   vertex_count, position, position_prev.
  * Adds to grid_sum, per voxel five 64-bit sums: tent, tent v (3), tent |v|^2; and to grid_outside.
  * Source  Petrovic et al. 2005 (trilinear transfer to grid nodes); Ugurca 2015, eq. 4.1 and 4.2,
- * for PLAIT_TENT_VOXEL. Changed sums of integers: the same bits in any order of strands, on any
- * device whose products agree. Nodes are voxel centres; beyond the outermost ones all weight goes
- * to these. */
+ *         for PLAIT_TENT_VOXEL.
+ * Changed sums of integers: the same bits in any order of strands, on any device whose products
+ *         agree. Nodes are voxel centres; beyond the outermost ones all weight goes to these.
+ */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/grid.clh"
 #include "common/sum.clh"
 
 /* Velocity as far as the sums hold it; NaN, of an overflow, as 0. */
-static float3 summable_velocity(const plait_grid_params* params, float3 x, float3 prev) {
+static inline float3 summable_velocity(const plait_grid_params* params, float3 x, float3 prev) {
     const float3 v = grid_velocity_of(params, x, prev);
     const float3 limited = clamp(v, -PLAIT_SUM_MAX_SPEED, PLAIT_SUM_MAX_SPEED);
     return select((float3)(0.0f), limited, isequal(v, v));
@@ -29,7 +30,7 @@ typedef struct run_t {
     float energy[SPLAT_NODES];   /* tent |v|^2 */
 } run_t;
 
-static void run_begin(run_t* run, stencil_t cell, uint nodes) {
+static inline void run_begin(run_t* run, stencil_t cell, uint nodes) {
     run->cell = cell;
     for (uint node = 0u; node < nodes; ++node) {
         run->moments[node] = (float4)(0.0f);
@@ -37,12 +38,12 @@ static void run_begin(run_t* run, stencil_t cell, uint nodes) {
     }
 }
 
-static void run_add(run_t* run, uint node, float weight, float3 v) {
+static inline void run_add(run_t* run, uint node, float weight, float3 v) {
     run->moments[node] += weight * (float4)(v, 1.0f);
     run->energy[node] += weight * dot3(v, v);
 }
 
-static void run_end(const run_t* run, uint nodes, __global uint* sums) {
+static inline void run_end(const run_t* run, uint nodes, __global uint* sums) {
     if (run->cell.low == GRID_OUTSIDE)
         return;
     const float4 scale = (float4)((float3)(PLAIT_SUM_MOMENTUM_SCALE), PLAIT_SUM_DENSITY_SCALE);
@@ -59,7 +60,7 @@ static void run_end(const run_t* run, uint nodes, __global uint* sums) {
 }
 
 /* The cell of a vertex; its `low` is GRID_OUTSIDE outside the grid. */
-static stencil_t cell_of(const plait_grid_params* params, float3 g) {
+static inline stencil_t cell_of(const plait_grid_params* params, float3 g) {
     stencil_t cell = {GRID_OUTSIDE, (uint3)(0u), (float3)(0.0f)};
     const uint voxel = world_to_voxel(params, g);
     if (voxel == GRID_OUTSIDE)

@@ -4,19 +4,20 @@
  * Reads   grid_slot, position, position_prev, grid_density.
  * Writes  grid_velocity: mean along the grid's axes and, in w, the root mean square speed.
  * Source  Ugurca 2015, eq. 4.2: V = sum tent v / D, v by Verlet history.
- * Changed an empty voxel has velocity 0 instead of 0/0; the rms speed, for the floored rule. */
+ * Changed an empty voxel has velocity 0 instead of 0/0; the rms speed, for the floored rule.
+ */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/grid.clh"
 #include "common/reduce.clh"
 
 /* (tent v, tent |v|^2) of a vertex. */
-static float4 weighted_velocity(const plait_grid_params* params, float3 x, float3 prev) {
+static inline float4 weighted_velocity(const plait_grid_params* params, float3 x, float3 prev) {
     const float tent = tent_voxel(grid_coordinates(params, x));
     const float3 v = grid_velocity_of(params, x, prev);
     return (float4)(tent * v, tent * dot3(v, v));
 }
 
-static float4 mean_and_rms(float4 sum, float density) {
+static inline float4 mean_and_rms(float4 sum, float density) {
     if (!(density > 0.0f))
         return (float4)(0.0f);
     return (float4)(sum.xyz / density, sqrt(sum.w / density));

@@ -5,16 +5,18 @@
  * Moves   position; position_prev and position_prev2 shift by one step.
  * Source  TressFX 4.1, integration and global shape; Han & Harada 2012, section 3.
  *         x' = x + exp(-60 d h) (x - x_prev) + h^2 (g + a); pinned vertices go to their skinned
- * rest. Changed h may be any step: the published damping factor is per frame and takes 60 Hz for
- * granted.
+ *         rest.
+ * Changed h may be any step: the published damping factor is per frame and takes 60 Hz for granted.
  */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/pose.clh"
 #include "common/shape.clh"
 #include "common/strand.clh"
+#include "plait/constants.h"
 
-static float3 verlet(const plait_integrate_params* params, float3 pull, float3 x, float3 prev) {
-    const float kept = exp(-60.0f * params->damping * params->h);
+static inline float3 verlet(const plait_integrate_params* params, float3 pull, float3 x,
+                            float3 prev) {
+    const float kept = exp(-PLAIT_DAMPING_RATE * params->damping * params->h);
     return x + kept * (x - prev) + (params->h * params->h) * pull;
 }
 

@@ -3,8 +3,10 @@
  * Items   strands, over lanes.
  * Reads   lane_strand, vertex_count, lane_x, grid_density, grid_velocity.
  * Moves   lane_v, with BDF2 lane_v_before, of the vertices it brakes; never of a root.
- * Source  as grid_diffuse. Changed velocities are braked where they are kept: none is the
- * difference of two positions; those of the step before as much, see lane_pack. */
+ * Source  as grid_diffuse.
+ * Changed velocities are braked where they are kept: none is the difference of two positions; those
+ *         of the step before as much, see lane_pack.
+ */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/lane_grid.clh"
 

@@ -5,20 +5,19 @@
  * Reads   lane_slot, lane_material, lane_v, lane_x.
  * Writes  lane_x, lane_x_before, lane_v_before, of these strands.
  * Source  ours: x_i += sum over segments j < i of (l_j - |e_j|) e_j/|e_j|, e the old edges;
- * x_before = x - h v, both relative to the root, of which row 0 says where it is and how fast. A
- * strand that is not stretched keeps its bits.
+ *         x_before = x - h v, both relative to the root, of which row 0 says where it is and how
+ *         fast. A strand that is not stretched keeps its bits.
  */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/lane_scalar.clh"
 #include "common/vec.clh"
+#include "plait/constants.h"
 #include "plait/params.h"
-
-#define LANE_FIT_ROUNDING 1e-5f /* of a length: less is float32's */
 
 /* What an edge lacks of its length. */
 static inline float3 to_length(float3 edge, float length) {
     const float now = length3(edge);
-    if (fabs(now - length) <= LANE_FIT_ROUNDING * length)
+    if (fabs(now - length) <= PLAIT_LANE_FIT_TOLERANCE * length)
         return (float3)(0.0f);
     return length * normalize_or_zero(edge) - edge;
 }

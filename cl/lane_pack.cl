@@ -5,7 +5,8 @@
  * Reads   lane_strand, vertex_count, position, position_prev.
  * Moves   lane_x, lane_v, with BDF2 lane_v_before, of every vertex but the root.
  * Source  ours: what changed the velocity changes that of the step before by as much. BDF2, which
- * goes on from (4v - v_before)/3, would else make 3/2 of it in the end. */
+ *         goes on from (4v - v_before)/3, would else make 3/2 of it in the end.
+ */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/lane_scalar.clh"
 #include "plait/params.h"

@@ -3,10 +3,12 @@
  * Items   strands, over lanes.
  * Reads   lane_strand, vertex_count, lane_x, lane_v.
  * Adds to grid_sum, per voxel five 64-bit sums: tent, tent v (3), tent |v|^2; and to grid_outside.
- * Source  as grid_splat. Changed neighbouring strands pass through the same voxels: what a
- * work-item adds to one is added up in private memory, in the order of rows and then lanes, and
- * rounded once. Strands lie in lanes by their roots, so the sums do not depend on the order in
- * which work-items arrive. */
+ * Source  as grid_splat.
+ * Changed neighbouring strands pass through the same voxels: what a work-item adds to one is added
+ *         up in private memory, in the order of rows and then lanes, and rounded once. Strands lie
+ *         in lanes by their roots, so the sums do not depend on the order in which work-items
+ *         arrive.
+ */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/lane_grid.clh"
 #include "common/sum.clh"
@@ -20,7 +22,7 @@ typedef struct {
     float8 moments[SPLAT_HELD]; /* tent v (xyz), tent, tent |v|^2 */
 } splat_t;
 
-static void splat_flush(const splat_t* splat, uint held, __global uint* sums) {
+static inline void splat_flush(const splat_t* splat, uint held, __global uint* sums) {
     const float8 moments = splat->moments[held];
     const float4 scale = (float4)((float3)(PLAIT_SUM_MOMENTUM_SCALE), PLAIT_SUM_DENSITY_SCALE);
     const float4 first = sum_round(scale * moments.lo);
@@ -33,7 +35,8 @@ static void splat_flush(const splat_t* splat, uint held, __global uint* sums) {
     sum_add(words + 8, convert_long(energy.x));
 }
 
-static void splat_add(splat_t* splat, uint voxel, uint held, float8 moments, __global uint* sums) {
+static inline void splat_add(splat_t* splat, uint voxel, uint held, float8 moments,
+                             __global uint* sums) {
     if (splat->voxel[held] != voxel) {
         if (splat->voxel[held] != SPLAT_NONE)
             splat_flush(splat, held, sums);
@@ -44,8 +47,8 @@ static void splat_add(splat_t* splat, uint voxel, uint held, float8 moments, __g
 }
 
 /* A vertex' share in the eight voxels around it. */
-static void splat_corners(splat_t* splat, const lane_grid* grid, uint3 cell, float3 high,
-                          float8 moments, __global uint* sums) {
+static inline void splat_corners(splat_t* splat, const lane_grid* grid, uint3 cell, float3 high,
+                                 float8 moments, __global uint* sums) {
     const uint n = (uint)grid->count;
     for (uint corner = 0u; corner < (n > 1u ? 8u : 1u); ++corner) {
         const uint3 at = cell + (uint3)(corner & 1u, corner >> 1 & 1u, corner >> 2);

@@ -2,7 +2,8 @@
  *
  * Items   vertices.
  * Reads   position.
- * Writes  position_last_frame. */
+ * Writes  position_last_frame.
+ */
 #include "plait/params.h"
 
 __kernel void plait_last_frame(const uint item_count, const plait_layout_params params,

@@ -5,18 +5,20 @@
  * Moves   position.
  * Source  Han & Harada 2012, section 3; TressFX 4.1. Edge d = x_(i+1) - x_i: both ends take half of
  *         (1 - l / max(|d|, 1e-7)) d, or a free one all of it beside a pinned one. Even edges
- * first, then odd ones: edges of a colour share no vertex. Changed any V, by padded strides in
- * work-group memory, and any count per strand; every work-item reaches every barrier. An edge of no
- * length stays so rather than turning into NaN. */
+ *         first, then odd ones: edges of a colour share no vertex.
+ * Changed any V, by padded strides in work-group memory, and any count per strand; every work-item
+ *         reaches every barrier. An edge of no length stays so rather than turning into NaN.
+ */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/strand.clh"
 #include "common/vec.clh"
+#include "plait/constants.h"
 #include "plait/params.h"
 
-static void satisfy_edge(float rest_length, __local float4* a, __local float4* b) {
+static inline void satisfy_edge(float rest_length, __local float4* a, __local float4* b) {
     const float4 xa = *a, xb = *b;
     const float3 d = xb.xyz - xa.xyz;
-    const float3 excess = (1.0f - rest_length / max(length3(d), 1e-7f)) * d;
+    const float3 excess = (1.0f - rest_length / max(length3(d), PLAIT_LENGTH_MIN_DISTANCE)) * d;
     const float share = is_free(xa) && is_free(xb) ? 0.5f : 1.0f;
     if (is_free(xa))
         *a = xa + (float4)(share * excess, 0.0f);

@@ -8,20 +8,22 @@
  *         delta = k (R (b_(i+1) - b_i) + p_i - p_(i+1)), k = min(stiffness, 0.95) / 2;
  *         p_i -= delta and p_(i+1) += delta where free.
  * Changed all iterations run in one launch: the strand is one work-item's own, so none can read
- *         another's half-done pass (the original has no barrier between its iterations). */
+ *         another's half-done pass (the original has no barrier between its iterations).
+ */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/pose.clh"
 #include "common/strand.clh"
+#include "plait/constants.h"
 
 /* How far p1 and p2 go towards each other's place in the rest shape; b are rest positions. */
-static float3 shape_delta(float k, float3 b0, float3 b1, float3 b2, float3 p0, float3 p1,
-                          float3 p2) {
+static inline float3 shape_delta(float k, float3 b0, float3 b1, float3 b2, float3 p0, float3 p1,
+                                 float3 p2) {
     return k * (turn_between(b1 - b0, p1 - p0, b2 - b1) + p1 - p2);
 }
 
 /* One pass over a strand of count >= 3 vertices, three neighbours at a time in registers. */
-static void shape_pass(float k, uint count, float4 q, __global const float4* rest,
-                       __global float4* position) {
+static inline void shape_pass(float k, uint count, float4 q, __global const float4* rest,
+                              __global float4* position) {
     float3 b0 = quat_rotate(q, rest[0].xyz), b1 = quat_rotate(q, rest[1].xyz);
     float4 p0 = position[0], p1 = position[1];
     for (uint i = 1u; i + 1u < count; ++i) {
@@ -47,7 +49,7 @@ __kernel void plait_local_shape(const uint item_count, const plait_local_shape_p
         return;
     const size_t root = (size_t)strand * params.vertex_stride;
     const float4 q = pose_load(pose, strand).q;
-    const float k = 0.5f * min(params.stiffness, 0.95f);
+    const float k = 0.5f * min(params.stiffness, PLAIT_LOCAL_SHAPE_MAX_STIFFNESS);
     for (uint iteration = 0u; iteration < params.iterations; ++iteration)
         shape_pass(k, vertex_count[strand], q, rest + root, position + root);
 }

@@ -4,7 +4,8 @@
  * Reads   position_local (the step before the last), position and pose (the last), pose_now.
  * Writes  position_out: pose_now(lerp(position_local, pose^-1(position), alpha)), w of position.
  * Why     fixed steps shown at another rate stutter. Interpolating in the root's frame leaves hair
- * one step late against itself but never against the head. */
+ *         one step late against itself but never against the head.
+ */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/pose.clh"
 

@@ -2,7 +2,8 @@
  *
  * Items   vertices, padding included (its rest position is the tip's).
  * Reads   rest, pose.
- * Writes  position (w, the inverse mass, is kept) and both histories, equal to it. */
+ * Writes  position (w, the inverse mass, is kept) and both histories, equal to it.
+ */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/pose.clh"
 

@@ -14,7 +14,6 @@
 #define ROD_UNKNOWNS                                                                               \
     6 /* loops over them have constant bounds, so that all compilers unroll them                   \
        */
-#define ROD_HALVINGS 4
 
 /* What one segment adds: tension ks (edge - l t), director, EA and the gradients it causes. */
 typedef struct {
@@ -207,7 +206,7 @@ static inline void rod_descent(const rod_problem* rod, const rod_state* s, int k
         force = add3(force, next->tension);
         torque = sub3(torque, rod_joint_moment(rod, s, k + 1, onward, next->bend));
     }
-    if (rod_touches(rod))
+    if (rod_in_contact(rod))
         force = add3(force, contact_term_at(rod->contacts, i, s->x[i]).force);
     g[0] = force.x;
     g[1] = force.y;
@@ -260,7 +259,7 @@ static inline void rod_direction(const rod_problem* rod, const rod_state* s,
         }
         const real inertia = rod_material(rod, k + 1, PLAIT_LANE_MASS) * rod->inertia;
         rod_diagonal(a, &e, inertia, tip ? zero : next.stretch, own, onward);
-        if (rod_touches(rod))
+        if (rod_in_contact(rod))
             rod_diagonal_contact(a, rod, s, k + 1);
         rod_descent(rod, s, k, &e, tip ? 0 : &next, row[k].z);
         if (k > 0)
@@ -316,35 +315,35 @@ static inline void rod_newton(const rod_problem* rod, rod_state* s) {
     if (rod->contacts)
         contact_renew(rod->contacts, s->x);
     rod_state from = *s;
-    const real limit = rod_potential(rod, s) * 1.000001f + 1e-20f;
+    const real limit = rod_potential(rod, s) * PLAIT_ROD_POTENTIAL_FACTOR + PLAIT_ROD_POTENTIAL_MIN;
     rod_direction(rod, s, u);
     real alpha = (real)(1.0f);
     rod_move(rod, s, &from, u, alpha);
     mask rose = !(rod_potential(rod, s) <= limit);
-    for (int trial = 0; trial < ROD_HALVINGS && any_lane(rose); ++trial) {
+    for (int trial = 0; trial < PLAIT_ROD_HALVINGS && any_lane(rose); ++trial) {
         alpha = pick(rose, 0.5f * alpha, alpha);
         rod_move(rod, s, &from, u, alpha);
         rose = !(rod_potential(rod, s) <= limit);
     }
     if (any_lane(rose)) {
-        cosserat_iterate(rod, &from, 2, 0);
+        cosserat_iterate(rod, &from, PLAIT_ROD_FALLBACK_ITERATIONS, 0);
         rod_pick(rod, rose, s, &from);
     }
 }
 
-static inline int rod_touched(const rod_problem* rod) {
+static inline int rod_was_in_contact(const rod_problem* rod) {
     return rod->contacts && any_lane(rod->contacts->lanes);
 }
 
 /* Newton steps, and for strands that touch something one more: what touches has to settle too. */
 static inline void rod_solve(const rod_problem* rod, rod_state* s, uint iterations) {
     rod_state untouched;
-    for (uint k = 0; k < iterations || (k == iterations && rod_touched(rod)); ++k) {
+    for (uint k = 0; k < iterations || (k == iterations && rod_was_in_contact(rod)); ++k) {
         if (k == iterations)
             untouched = *s;
         rod_newton(rod, s);
     }
-    if (rod_touched(rod))
+    if (rod_was_in_contact(rod))
         rod_pick(rod, !rod->contacts->lanes, s, &untouched);
 }
 

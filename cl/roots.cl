@@ -4,11 +4,12 @@
  * Reads   root_from, root_to (each strand's own pose, applied before the head's; only if per_root).
  * Writes  pose.
  * Why     interpolating roots over substeps takes 15 times the strain out of a 10 g shake; TressFX
- *         moves roots once per frame. */
+ *         moves roots once per frame.
+ */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/pose.clh"
 
-static pose_t head_pose(const plait_roots_params* params) {
+static inline pose_t head_pose(const plait_roots_params* params) {
     const pose_t from = {vload4(0, params->head_from_q), vload4(0, params->head_from_t).xyz};
     const pose_t to = {vload4(0, params->head_to_q), vload4(0, params->head_to_t).xyz};
     return pose_interpolate(from, to, params->alpha);

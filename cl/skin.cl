@@ -4,9 +4,9 @@
  * Reads   bone_matrix, bone_index, bone_weight, rest (of the root).
  * Writes  pose.
  * Source  linear blend skinning; the rotation closest to the blend M in the Frobenius norm is that
- * of the unit quaternion q with the greatest q.N(M)q (Horn 1987), found by Jacobi's rotations
- * (1846). Unlike a polar decomposition this gives a rotation for every M, also where bones mirror
- * or fold.
+ *         of the unit quaternion q with the greatest q.N(M)q (Horn 1987), found by Jacobi's
+ *         rotations (1846). Unlike a polar decomposition this gives a rotation for every M, also
+ *         where bones mirror or fold.
  */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/pose.clh"
@@ -15,7 +15,7 @@
 #define SKIN_ROUNDING 1e-14f /* squared share of the diagonal: what is off it is rounding */
 
 /* Turns axes p and q of the symmetric a so that a_pq = 0, and the vectors v with them. */
-static void jacobi_rotate(float a[4][4], float v[4][4], int p, int q) {
+static inline void jacobi_rotate(float a[4][4], float v[4][4], int p, int q) {
     if (a[p][q] == 0.0f)
         return;
     const float theta = (a[q][q] - a[p][p]) / (2.0f * a[p][q]);
@@ -40,7 +40,7 @@ static void jacobi_rotate(float a[4][4], float v[4][4], int p, int q) {
 }
 
 /* The unit quaternion of the rotation closest to the matrix of these rows. */
-static float4 closest_rotation(float3 r0, float3 r1, float3 r2) {
+static inline float4 closest_rotation(float3 r0, float3 r1, float3 r2) {
     const float3 most = fmax(fabs(r0), fmax(fabs(r1), fabs(r2)));
     const float size = fmax(fmax(most.x, most.y), most.z);
     if (!(size > 0.0f))

@@ -2,7 +2,8 @@
  *
  * Items   vertices.
  * Reads   pose, position.
- * Writes  position_local: pose^-1(position), w kept. */
+ * Writes  position_local: pose^-1(position), w kept.
+ */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/pose.clh"
 

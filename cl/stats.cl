@@ -3,19 +3,20 @@
  * Items   strands.
  * Reads   rest_length, vertex_count, position, position_prev.
  * Writes  strand_stats: worst |l/l0 - 1| of a segment, vertices that are not finite (in position or
- *         history), longest |position - prev| in metres, mean |l/l0 - 1|.
- *         Segments with an end that is not finite, or of rest length 0, do not count. */
+ *         history), longest |position - prev| in metres, mean |l/l0 - 1|. Segments with an end that
+ *         is not finite, or of rest length 0, do not count.
+ */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/vec.clh"
 #include "plait/params.h"
 
-static bool is_finite(float3 x) {
+static inline bool is_finite(float3 x) {
     return all(isfinite(x));
 }
 
 /* (worst, sum, count) of stretch over the segments of a strand. */
-static float3 stretch(uint count, __global const float* rest_length,
-                      __global const float4* position) {
+static inline float3 stretch(uint count, __global const float* rest_length,
+                             __global const float4* position) {
     float3 total = (float3)(0.0f);
     for (uint i = 0u; i + 1u < count; ++i) {
         const float3 a = position[i].xyz, b = position[i + 1u].xyz;

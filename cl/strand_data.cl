@@ -7,14 +7,15 @@
  *         the present one, t = x0 - q prev0, a = |x1 - 2 prev1 + prev2_1|, c = 1 above a threshold,
  *         else vsp_coeff.
  * Changed PLAIT_SHOCK_CONTINUOUS: c rises linearly from vsp_coeff at the threshold to 1 at twice
- * it. The jump lets neighbouring strands, a hair's breadth apart in a, move differently. q is the
- * shortest rotation and safe at a half turn; a root segment of no length gives 1. */
+ *         it. The jump lets neighbouring strands, a hair's breadth apart in a, move differently. q
+ *         is the shortest rotation and safe at a half turn; a root segment of no length gives 1.
+ */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/quat.clh"
 #include "plait/params.h"
 
 /* `a` in metres per step squared. */
-static float shock_blend(const plait_strand_data_params* params, float a) {
+static inline float shock_blend(const plait_strand_data_params* params, float a) {
     const float excess = a - params->vsp_accel_threshold;
     if (params->shock_form == PLAIT_SHOCK_THRESHOLD || params->vsp_accel_threshold <= 0.0f)
         return excess > 0.0f ? 1.0f : params->vsp_coeff;

@@ -5,20 +5,21 @@
  * Writes  tangent, w 0; position of padding only.
  * Source  TressFX 4.1: n(x_(i+1) - x_i), the last vertex has the one before it.
  * Changed a segment of no length takes the direction of the nearest one towards the root that has
- *         some, else of the nearest towards the tip, else +y: a tangent is always a unit vector. */
+ *         some, else of the nearest towards the tip, else +y: a tangent is always a unit vector.
+ */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/vec.clh"
 #include "plait/params.h"
 
-static float3 segment_direction(__global const float4* strand, uint segment) {
+static inline float3 segment_direction(__global const float4* strand, uint segment) {
     return normalize_or_zero(strand[segment + 1u].xyz - strand[segment].xyz);
 }
 
-static int is_direction(float3 unit_or_zero) {
+static inline int is_direction(float3 unit_or_zero) {
     return dot3(unit_or_zero, unit_or_zero) != 0.0f;
 }
 
-static float3 tangent_at(__global const float4* strand, uint segment, uint count) {
+static inline float3 tangent_at(__global const float4* strand, uint segment, uint count) {
     float3 direction = segment_direction(strand, segment);
     if (is_direction(direction))
         return direction;

@@ -3,13 +3,13 @@
  *
  * Items   vertices.
  * Reads   pose_from, pose_to.
- * Moves   position and both histories: x <- to(from^-1(x)).
- * Why     TressFX has no such call: a moved character's hair is dragged along, and a 30 m jump
- *         stretches its worst segment 640 times. */
+ * Moves   position and both histories: x <- to(from^-1(x)). Why TressFX has no such call: a moved
+ *         character's hair is dragged along, and a 30 m jump stretches its worst segment 640 times.
+ */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/pose.clh"
 
-static float4 carry(pose_t from, pose_t to, float4 x) {
+static inline float4 carry(pose_t from, pose_t to, float4 x) {
     return (float4)(pose_apply(to, pose_apply_inverse(from, x.xyz)), x.w);
 }
 

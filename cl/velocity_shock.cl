@@ -5,13 +5,14 @@
  * Moves   position and position_prev: p <- (1 - c) p + c (q p + t).
  * Source  TressFX 4.1, velocity shock propagation. Both are moved alike, so the velocity turns with
  *         the root but does not grow: the step's share of root motion is injected without inertia.
- * Changed pinned vertices beyond the second stay where integrate put them. */
+ * Changed pinned vertices beyond the second stay where integrate put them.
+ */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/quat.clh"
 #include "common/strand.clh"
 #include "plait/params.h"
 
-static float4 propagate(float4 q, float4 translation_blend, float4 p) {
+static inline float4 propagate(float4 q, float4 translation_blend, float4 p) {
     const float c = translation_blend.w;
     const float3 carried = quat_rotate(q, p.xyz) + translation_blend.xyz;
     return (float4)((1.0f - c) * p.xyz + c * carried, p.w);

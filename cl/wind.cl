@@ -9,16 +9,17 @@
  *         d = x_i - x_(i+1), x_i -= h^2 ((d x W) x d), i = 2 .. count-2.
  * Changed the published form, kept for parity, pushes against the wind and grows with the square of
  *         the unit of length; drag does neither and brakes in still air. Drag is applied
- * implicitly: h k|u_n| / (1 + h k|u_n|) of u_n per step, which cannot overshoot the wind. Both read
- * copies made before anything moves: the original reads a neighbour that the next work-item may
- * have moved already. */
+ *         implicitly: h k|u_n| / (1 + h k|u_n|) of u_n per step, which cannot overshoot the wind.
+ *         Both read copies made before anything moves: the original reads a neighbour that the next
+ *         work-item may have moved already.
+ */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/strand.clh"
 #include "common/vec.clh"
 #include "plait/params.h"
 
-static float3 drag_displacement(const plait_wind_params* params, float3 tangent, float3 x,
-                                float3 prev) {
+static inline float3 drag_displacement(const plait_wind_params* params, float3 tangent, float3 x,
+                                       float3 prev) {
     const float3 air = (float3)(params->wind[0], params->wind[1], params->wind[2]);
     const float3 u = air - (x - prev) / params->h;
     const float3 across = u - dot3(u, tangent) * tangent;
@@ -26,33 +27,33 @@ static float3 drag_displacement(const plait_wind_params* params, float3 tangent,
     return (params->h * rate / (1.0f + rate)) * across;
 }
 
-static float3 wind_corner(const plait_wind_params* params, uint corner) {
+static inline float3 wind_corner(const plait_wind_params* params, uint corner) {
     return vload4(corner, params->corner).xyz;
 }
 
-static float3 published_wind(const plait_wind_params* params, uint strand) {
+static inline float3 published_wind(const plait_wind_params* params, uint strand) {
     const float a = (float)(strand % 20u) / 20.0f;
     const float3 even = wind_corner(params, 0u) + wind_corner(params, 2u);
     const float3 odd = wind_corner(params, 1u) + wind_corner(params, 3u);
     return a * even + (1.0f - a) * odd;
 }
 
-static float3 published_displacement(const plait_wind_params* params, uint strand, float3 x,
-                                     float3 next) {
+static inline float3 published_displacement(const plait_wind_params* params, uint strand, float3 x,
+                                            float3 next) {
     const float3 d = x - next;
     const float3 force = -cross3(cross3(d, published_wind(params, strand)), d);
     return (params->h * params->h) * force;
 }
 
 /* The segment towards the tip; at the last vertex the one before it. */
-static float3 wind_tangent(strand_item_t item, uint count, __local const float4* shared) {
+static inline float3 wind_tangent(strand_item_t item, uint count, __local const float4* shared) {
     const uint last = item.vertex + 1u < count ? 0u : item.local_next;
     const uint from = item.local_index - last;
     return normalize_or_zero(shared[from + item.local_next].xyz - shared[from].xyz);
 }
 
-static float3 wind_displacement(const plait_wind_params* params, strand_item_t item, uint count,
-                                float3 prev, __local const float4* shared) {
+static inline float3 wind_displacement(const plait_wind_params* params, strand_item_t item,
+                                       uint count, float3 prev, __local const float4* shared) {
     const float3 x = shared[item.local_index].xyz;
     if (params->form == PLAIT_WIND_DRAG)
         return drag_displacement(params, wind_tangent(item, count, shared), x, prev);

@@ -9,7 +9,8 @@ endif()
 list(TRANSFORM headers PREPEND ${PROJECT_SOURCE_DIR}/include/plait/)
 file(GLOB wrapper CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/include/plait/*.hpp)
 install(FILES ${headers} ${wrapper} ${PROJECT_SOURCE_DIR}/cl/shared/plait/params.h
-              ${PROJECT_SOURCE_DIR}/cl/shared/plait/stages.def
+              ${PROJECT_SOURCE_DIR}/cl/shared/plait/constants.h
+              ${PROJECT_SOURCE_DIR}/cl/shared/plait/stages.def ${PROJECT_SOURCE_DIR}/cl/shared/plait/buffers.def
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/plait)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/plait)

@@ -22,11 +22,11 @@
  *            the like list all of a kind; what has no object is named for what it returns
  *            (plait_version, plait_last_error). A value of `enum plait_x_y` is PLAIT_X_Y_<VALUE>,
  *            but of plait_result, PLAIT_<VALUE>. Every enum takes 32 bits (its _FORCE_32).
- * Structs:   begin with struct_size; fill them, also those that are written to, with their
- *            `plait_*_init` (or by value, `plait_*_defaults`) and then change fields. A shorter one
- *            (of an older plait.h) leaves the rest at its defaults. A longer one (of a newer) is
- *            taken where all that this library does not know is zero, and refused with the first
- *            byte that is not; none is longer than PLAIT_STRUCT_SIZE_MAX.
+ * Structs:   begin with struct_size; initialise all of them, outputs included, with their
+ *            `plait_*_init` (or by value, `plait_*_defaults`) and then change fields. Fields that a
+ *            shorter one lacks (of an older plait.h) have their defaults. What this library does
+ *            not know of a longer one (of a newer) has to be zero: the first byte that is not is
+ *            an error. None is longer than PLAIT_STRUCT_SIZE_MAX.
  *
  * @source  Each stage's formula, paper and equation: docs/stages. Models: docs/models.
  * @since   0.1.0, all of it.
@@ -57,7 +57,7 @@ extern "C" {
 #define PLAIT_VERSION_MINOR 1
 #define PLAIT_VERSION_PATCH 0
 
-/* Bytes, of any struct in any version: a struct_size beyond is a struct that nobody filled. */
+/* Bytes, of any struct in any version: a struct_size beyond is one that was not initialised. */
 #define PLAIT_STRUCT_SIZE_MAX 4096
 
 /* ---- results -------------------------------------------------------------------------------- */
@@ -187,30 +187,30 @@ typedef struct plait_context_desc {
     const plait_stage_source* stage_sources;
     size_t stage_source_count;
     uint32_t lanes; /* strands per work-item in the strand models: 1, 4, 8, 16; 0: the device's */
-    /* Folder, made where it is not there, in which built kernels are kept for later processes, a
-       file for each; what is damaged, or of another driver, is built anew and replaced. NULL: they
-       live as long as a context of the device in this process */
+    /* Folder, created if missing, that keeps built kernels for later processes, one file each; a
+       file that is damaged or of another driver is rebuilt and replaced. NULL: kernels live as
+       long as a context of the device in this process */
     const char* program_folder;
 } plait_context_desc;
 
 PLAIT_API void plait_context_desc_init(plait_context_desc* desc, size_t size);
 
-/* What one context of a device has built, the others in the process share, whatever their threads;
- * but for plait_opencl_context_create's, which build in the caller's.
+/* Contexts of one device share built kernels within the process, on any threads, except those of
+ * plait_opencl_context_create, which build in the caller's OpenCL context.
  * @errors NOT_FOUND (no such device; the message lists those there are), COMPILE, OUT_OF_MEMORY,
  * BACKEND, IO (program_folder). `desc` NULL: all defaults. */
 PLAIT_API plait_result plait_context_create(const plait_context_desc* desc, plait_context** out);
-/* Its device and memory go with the last of its sims, or now; `context` itself is not used again.
- * Sims that are left go on as they were. */
+/* `context` is invalid afterwards. Its sims stay valid; its device and memory are released with the
+ * last of them, or now if there is none. */
 PLAIT_API void plait_context_destroy(plait_context* context);
 /* The device it is on, and its `lanes`. */
 PLAIT_API plait_result plait_context_describe(const plait_context* context, plait_device_info* out);
 
 /* ---- grooms --------------------------------------------------------------------------------- */
 
-/* What to do with strands that cannot be simulated as they are. Nothing is mended silently. */
+/* What to do with strands that cannot be simulated as they are. Nothing is repaired silently. */
 typedef enum plait_repair_policy {
-    PLAIT_REPAIR_POLICY_MEND = 0,   /* mend, count, report the first offender */
+    PLAIT_REPAIR_POLICY_MEND = 0,   /* repair, count, report the first offender */
     PLAIT_REPAIR_POLICY_REFUSE = 1, /* fail with BAD_DATA at the first offender */
     PLAIT_REPAIR_POLICY_FORCE_32 = 0x7fffffff
 } plait_repair_policy;
@@ -265,12 +265,12 @@ typedef struct plait_groom_info {
     float min_length; /* m, of a strand */
     float mean_length;
     float max_length;
-    /* 1 where mean_length is that of hair, 5 mm to 2 m; else the plait_import_options.scale, on top
-       of the one given, by which it would be: 0.01 of a groom in centimetres, 1e-3 in millimetres,
-       100 or 1000 of one that was scaled down twice, else the power of ten that comes nearest. A
-       guess from the mean length alone */
+    /* 1 if mean_length is that of hair, 5 mm to 2 m; else the plait_import_options.scale, on top
+       of the one given, with which it would be: 0.01 for a groom in centimetres, 1e-3 in
+       millimetres, 100 or 1000 for one that was scaled down twice, else the nearest power of ten.
+       A guess from the mean length alone */
     float likely_scale;
-    uint64_t repairs[PLAIT_REPAIR_COUNT]; /* strands or segments mended, by kind */
+    uint64_t repairs[PLAIT_REPAIR_COUNT]; /* strands or segments repaired, by kind */
     uint64_t repairs_total;
     char first_repair[192]; /* "strand 17, vertex 3: segment of 0 m ..." or "" */
 } plait_groom_info;
@@ -322,7 +322,7 @@ typedef enum plait_model {
 #define PLAIT_BDF2_OF_MODEL 0xffffffffu
 
 /* Forms of a formula: PUBLISHED and THRESHOLD as in TressFX 4, THESIS as in Ugurca 2015; the others
- * are our corrections. What each mends: docs/models/tressfx.md. */
+ * are our corrections. What each corrects: docs/models/tressfx.md. */
 typedef enum plait_wind_form {
     PLAIT_WIND_FORM_PUBLISHED = 0,
     PLAIT_WIND_FORM_DRAG = 1,
@@ -365,14 +365,14 @@ typedef enum plait_diffuse_rule {
     PLAIT_DIFFUSE_RULE_FORCE_32 = 0x7fffffff
 } plait_diffuse_rule;
 
-/* Whether the groom is the shape of strands without a load, so that they sag from it, or the shape
- * in which their own weight is in balance: lengths and rest rotations of the joints are then solved
- * for, in closed form, for gravity as it acts while the head stands unturned. Found anew when
- * plait_sim_set_params changes gravity or the material. What came of it: plait_sim_describe. */
+/* Whether the groom is the unloaded shape of the strands, from which they sag, or their equilibrium
+ * under their own weight: lengths and rest rotations of the joints are then computed, in closed
+ * form, for gravity with the head unrotated, and again when plait_sim_set_params changes gravity or
+ * the material. plait_sim_describe reports the result. */
 typedef enum plait_sag_free {
     PLAIT_SAG_FREE_OFF = 0,
     PLAIT_SAG_FREE_REST = 1,    /* joints too weak for the groom keep their stiffness, and sag */
-    PLAIT_SAG_FREE_STIFFEN = 2, /* they get the stiffness that holds it, stably */
+    PLAIT_SAG_FREE_STIFFEN = 2, /* these joints get the stiffness that holds it, stably */
     PLAIT_SAG_FREE_FORCE_32 = 0x7fffffff
 } plait_sag_free;
 
@@ -404,9 +404,9 @@ typedef struct plait_sim_params {
                            PLAIT_BDF2_OF_MODEL (default): 0, articulated 1 */
     float line_density; /* rho A, kg/m, [1e-9, 1e3], default 5e-6 */
     float bend_stiffness;    /* EI, N m^2, [0, 1e3], default 4.7e-9 (a hair of 70 um at 4 GPa) */
-    float stretch_stiffness; /* EA, N, [0, 1e9]; default 0: what lets a strand of its length give 1
-                                % at 10 g (the hair's own 15 N only slows the solve). Models
-                                cosserat and rod: the others cannot stretch */
+    float stretch_stiffness; /* EA, N, [0, 1e9]; default 0: chosen so that the strand stretches 1 %
+                                under its weight at 10 g (a hair's own 15 N only slows the
+                                solve). Models cosserat and rod: the others cannot stretch */
     float twist_stiffness;   /* GJ, N m^2, [0, 1e3]; default 0: as bend_stiffness. Models rod and
                                 articulated; cosserat always twists as it bends */
     float section_ratio; /* EI2/EI of an elliptic section, [1e-3, 1e3], default 1: round. A strand
@@ -418,11 +418,11 @@ typedef struct plait_sim_params {
     float drag;          /* 1/s, relative to the wind, [0, 1e4], default 2: a swing halves its
                             amplitude in 0.7 s */
 
-    /* what artists may add to any model, once per substep */
-    uint32_t shape_constraints; /* all but tressfx: 1: also global_* and local_* above, after
-                                   the solve; default 0. tressfx: always */
-    float attachment; /* farthest from the root, as a share of the arc length, [0, 100]; default 0:
-                         off; 1: no stretch of the strand as a whole */
+    /* artistic constraints for any model, once per substep */
+    uint32_t shape_constraints; /* strand models: 1: global_* and local_* above act after the
+                                   solve; default 0. tressfx: they always act */
+    float attachment; /* largest distance from the root over arc length, [0, 100]; default 0: off;
+                         1: the strand as a whole does not stretch */
 
     /* air */
     float wind[3];       /* m/s, each [-1e3, 1e3], default 0; with no drag: no wind stage */
@@ -446,8 +446,8 @@ typedef struct plait_sim_params {
                              grid_in_world */
     float grid_edge;      /* whole edge, m, [0, 1e6]; 0: a cube around the groom's bounds x 1.5 */
 
-    float accelerate_values[16]; /* each [-1e6, 1e6], default 0: told to the caller's own kernel of
-                                    accelerate, which says what they mean; a warning if none runs */
+    float accelerate_values[16]; /* each [-1e6, 1e6], default 0: passed to the caller's kernel for
+                                    accelerate, which defines them; a warning if none runs */
 } plait_sim_params;
 
 PLAIT_API void plait_sim_params_init(plait_sim_params* params, size_t size);
@@ -459,8 +459,8 @@ typedef enum plait_param_kind {
     PLAIT_PARAM_KIND_FORCE_32 = 0x7fffffff
 } plait_param_kind;
 
-/* A field of plait_sim_params, for what reads, shows or binds all of them. Texts are static. Its
- * default: that of plait_sim_params_init. `iterations` may also be PLAIT_ITERATIONS_OF_MODEL,
+/* A field of plait_sim_params, for code that reads, shows or binds them all. Texts are static. Its
+ * default is that of plait_sim_params_init. `iterations` may also be PLAIT_ITERATIONS_OF_MODEL,
  * `bdf2` PLAIT_BDF2_OF_MODEL. */
 typedef struct plait_param_info {
     uint32_t struct_size;
@@ -480,7 +480,7 @@ PLAIT_API void plait_param_info_init(plait_param_info* info, size_t size);
 /* All of them, in the order of the struct: a list, whose elements given have their struct_size. */
 PLAIT_API plait_result plait_params_list(plait_param_info* dst, size_t* count);
 
-/* What a hair is made of. */
+/* Material and section of a hair. */
 typedef struct plait_fibre {
     uint32_t struct_size;
     float density;        /* kg/m^3, [1, 1e5], default 1300 */
@@ -530,13 +530,13 @@ typedef struct plait_sim_desc {
     uint32_t substeps; /* per fixed step, [1, 1000], default 1 */
     uint32_t max_steps_per_call;     /* [1, 1000]; time beyond is dropped and counted, default 8 */
     uint32_t interpolate_output;     /* 1: positions follow dt, one fixed step late; default 0 */
-    uint32_t keep_last_frame;        /* 1: POSITION_LAST_FRAME is there; default 0 */
-    uint32_t accelerations;          /* 1: ACCELERATION is there, and pulls; default 0 */
+    uint32_t keep_last_frame;        /* 1: POSITION_LAST_FRAME exists; default 0 */
+    uint32_t accelerations;          /* 1: ACCELERATION exists and acts; default 0 */
     uint32_t follows_per_guide;      /* [0, 64], default 0 */
     float follow_radius;             /* m, [0, 1], default 0.003 */
     uint64_t seed;                   /* follow offsets and slot hash */
-    plait_view strand_stiffness;     /* float [guides] or empty: what scales each strand's bend and
-                                        twist stiffness, [0, 1e6]; not chain. Copied */
+    plait_view strand_stiffness;     /* float [guides] or empty: factor of each strand's bend and
+                                    twist stiffness, [0, 1e6]; not chain. Copied */
     const plait_material* materials; /* [material_count] or NULL. Copied, as by
                                         plait_sim_set_materials, which changes them later */
     size_t material_count;
@@ -547,10 +547,10 @@ typedef struct plait_sim_desc {
 
 PLAIT_API void plait_sim_desc_init(plait_sim_desc* desc, size_t size);
 
-/* Builds now what sims and strands of the models `models`, `count` of them, will run, for strands
- * of up to `vertices_per_strand` (a groom's max_vertices): for a loading screen. plait_sim_create
- * builds what its sim runs by itself, and then finds it; the models that its strands are switched
- * to later are what it cannot know. May take seconds, without leaving anything behind but programs.
+/* Builds now the kernels of the `count` models `models`, for strands of up to `vertices_per_strand`
+ * (a groom's max_vertices): for a loading screen. plait_sim_create builds those of its own model
+ * unless they are built; it cannot know the models that its strands are switched to later. May take
+ * seconds; nothing but the programs is kept.
  * @errors UNSUPPORTED (the backend lacks a stage), COMPILE */
 PLAIT_API plait_result plait_context_prepare(plait_context* context, const plait_model* models,
                                              size_t count, uint32_t vertices_per_strand);
@@ -558,20 +558,20 @@ PLAIT_API plait_result plait_context_prepare(plait_context* context, const plait
 /* Strands are stored [strands][V], V the groom's longest; shorter strands are padded with copies of
  * their tip. Guides come first, then follows, guide by guide. The head starts at the identity.
  * `desc` NULL: all defaults. Context and groom may be destroyed before the sim.
- * To the context's log go warnings: strands whose lengths are not hair's, a sag-free start that was
- * not reached or took much stiffening (plait_sim_info.warning), and parameters away from their
- * defaults that no strand's model reads; these also from plait_sim_set_params, of what it changes.
+ * Logs warnings: strands whose lengths are not those of hair, a sag-free start that was not reached
+ * or needed much stiffening (plait_sim_info.warning), and parameters away from their defaults that
+ * no strand's model reads; of these plait_sim_set_params warns, too, for what it changes.
  * @errors UNSUPPORTED (tressfx: V beyond the device's work-group; the backend lacks a stage),
  *         COMPILE. */
 PLAIT_API plait_result plait_sim_create(plait_context* context, const plait_groom* groom,
                                         const plait_sim_desc* desc, plait_sim** out);
 PLAIT_API void plait_sim_destroy(plait_sim* sim);
 
-/* Every vertex to its rest position at the present roots, at rest; clock and accumulator to 0. Does
- * not wait. */
+/* Sets every vertex to its rest position at the present roots, and velocities, clock and
+ * accumulator to 0. Does not wait. */
 PLAIT_API plait_result plait_sim_reset(plait_sim* sim);
 
-/* What a sim is, what it has done, and what came of its sag-free start. */
+/* What a sim is, what it has done, and the result of its sag-free start. */
 typedef struct plait_sim_info {
     uint32_t struct_size;
     plait_model model; /* that it was made with; now: plait_sim_get_models */
@@ -624,10 +624,10 @@ PLAIT_API plait_result plait_sim_set_materials(plait_sim* sim, const plait_mater
 
 /* The model of every guide strand, `count` of them, from the next step on: any but tressfx, in a
  * sim that was made with one of these. Strands of one model are stepped together, whatever their
- * order. x and v stay; a strand that leaves chain gets orientations along its segments with the
- * least twist; one that enters articulated is taken to its lengths. Parameters are one set: of each
- * the strand's model reads what it has. plait_sim_reset and set_params keep the models, save and
- * restore carry them. See docs/models/switching.md.
+ * order. Positions and velocities stay; a strand that leaves chain gets orientations along its
+ * segments with the least twist; one that enters articulated is set to its rest lengths. There is
+ * one set of parameters, of which each model reads its own. plait_sim_reset and set_params keep the
+ * models; save and restore include them. See docs/models/switching.md.
  * @errors INVALID_STATE: the sim is of model tressfx; UNSUPPORTED: the backend lacks a stage.
  *         A call that fails changes nothing. */
 PLAIT_API plait_result plait_sim_set_models(plait_sim* sim, const plait_model* models,
@@ -655,7 +655,7 @@ PLAIT_API plait_result plait_sim_set_roots(plait_sim* sim, const plait_roots* ro
 PLAIT_API plait_result plait_sim_teleport(plait_sim* sim, const plait_roots* roots);
 
 /* Advance by dt seconds, [0, 10]: enqueues the fixed steps that fit; the rest waits for the next
- * call. Returns before the device is done, whatever moves (docs/threading.md).
+ * call. Returns before the device is done (docs/threading.md).
  * Failures of the device may come with a later call, at the latest with one that waits. */
 PLAIT_API plait_result plait_sim_step(plait_sim* sim, double dt);
 
@@ -676,11 +676,11 @@ typedef enum plait_field {
        creation, a teleport or a reset POSITION itself. With keep_last_frame */
     PLAIT_FIELD_POSITION_LAST_FRAME = 9,
     /* float[4] [2]: least and greatest x, y, z of POSITION, w 0; of what is finite, and if nothing
-       is, FLT_MAX and -FLT_MAX. Reckoned on the device when it is asked for */
+       is, FLT_MAX and -FLT_MAX. Computed on the device when it is read */
     PLAIT_FIELD_BOUNDS = 10,
-    /* float[4] [guides][V], m/s^2, in the world: what pulls at a vertex beside gravity and air, in
-       every model, until it is written again; 0 at first. The caller writes it, or his own kernel
-       of the stage accelerate does before each fixed step. Not part of a snapshot. With
+    /* float[4] [guides][V], m/s^2, in the world: acceleration of a vertex beside gravity and air,
+       in every model, until it is written again; 0 at first. The caller writes it, or the caller's
+       kernel for the stage accelerate does before each fixed step. Not part of a snapshot. With
        accelerations */
     PLAIT_FIELD_ACCELERATION = 11,
     PLAIT_FIELD_COUNT = 12,
@@ -735,11 +735,11 @@ typedef struct plait_stage_time {
 PLAIT_API plait_result plait_sim_get_stage_times(plait_sim* sim, plait_stage_time* dst,
                                                  size_t* count, uint32_t reset);
 
-/* Of a sim; a caller who takes them more seldom gets the newest. */
+/* Per sim; of more launches between two calls the newest are kept. */
 #define PLAIT_LAUNCHES_KEPT 65536
 
-/* One run of one stage on the device, in ns of the device's clock, which begins anywhere. Where its
- * driver tells no times all three are 0. */
+/* One run of one stage on the device. Times in ns of the device's clock, whose origin is arbitrary;
+ * all three are 0 where its driver reports none. */
 typedef struct plait_launch {
     uint32_t struct_size;
     char stage[32];
@@ -753,14 +753,14 @@ typedef struct plait_launch {
 PLAIT_API void plait_launch_init(plait_launch* launch, size_t size);
 
 /* What has run for the sim since its creation or the last call, the oldest first: a list, whose
- * elements given have their struct_size. Waits. What is written is forgotten.
+ * elements given have their struct_size. Waits. What is written to dst is removed.
  * @errors INVALID_STATE: its context was made without profile = 1 */
 PLAIT_API plait_result plait_sim_take_launches(plait_sim* sim, plait_launch* dst, size_t* count);
 
 /* The dynamic state (no parameters) as bytes that restore on any device, into a sim of
  * the same groom, model, step and substeps. dst == NULL: its size. Both wait. It has a checksum of
- * its bytes and a fingerprint of the groom's strands as imported; beyond these every value is held
- * to its range, so that what restores is a state that the sim can go on from.
+ * its bytes and a fingerprint of the groom's strands as imported. Every value is checked against
+ * its range, too, so that a state that is restored is one the sim can continue from.
  * @errors BAD_DATA (not a snapshot, damaged, cut, a value out of range), INVALID_ARGUMENT (of
  * another groom, model or step), UNSUPPORTED (of another version). What is refused changes nothing.
  */

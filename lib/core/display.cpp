@@ -1,6 +1,7 @@
 #include "core/display.hpp"
 
 #include "base/hash.hpp"
+#include "core/choices.hpp"
 #include "core/groom.hpp"
 
 #include <Eigen/Geometry>
@@ -91,7 +92,7 @@ void Display::update(Schedule& schedule, const Layout& layout, const State& stat
         schedule.add(
             PLAIT_STAGE_follow, layout.follows * layout.row,
             plait_follow_params{layout.row, layout.guides, params.tip_separation,
-                                static_cast<plait_u32>(params.follow_form)},
+                                of_kernels(params.follow_form)},
             {&state.rest, &pose, &state.vertex_count, &follow_guide_, &follow_offset_, &shown});
     schedule.add(PLAIT_STAGE_tangents, layout.vertices(), plait_layout_params{layout.row},
                  {&state.vertex_count, &shown, &tangent_});

@@ -1,5 +1,6 @@
 #include "core/interhair.hpp"
 
+#include "core/choices.hpp"
 #include "core/groom.hpp"
 #include "core/pose.hpp"
 
@@ -80,12 +81,11 @@ plait_grid_params grid_params(const InterHair::Step& step) {
     std::copy_n(frame.q, 4, g.q);
     transform(frame, own ? p.grid_origin : step.cube.origin, g.t);
     g.h = step.h;
-    g.slot_hash = static_cast<plait_u32>(p.slot_hash);
+    g.slot_hash = of_kernels(p.slot_hash);
     g.frame = static_cast<plait_u32>(step.frame);
     g.seed = static_cast<plait_u32>(step.seed ^ (step.seed >> 32));
-    g.tent =
-        p.interhair == PLAIT_INTERHAIR_SLOTS ? PLAIT_TENT_VOXEL : static_cast<plait_u32>(p.tent);
-    g.diffuse_rule = static_cast<plait_u32>(p.diffuse_rule);
+    g.tent = p.interhair == PLAIT_INTERHAIR_SLOTS ? PLAIT_TENT_VOXEL : of_kernels(p.tent);
+    g.diffuse_rule = of_kernels(p.diffuse_rule);
     g.diffuse_ratio = p.diffuse_ratio;
     g.diffuse_factor = p.diffuse_factor;
     g.diffuse_floor = p.diffuse_floor;

@@ -1,6 +1,7 @@
 #include "core/param_table.hpp"
 
 #include "base/format.hpp"
+#include "core/models/traits.hpp"
 #include "core/params.hpp"
 
 #include <cstddef>
@@ -21,17 +22,19 @@ constexpr const char* slot_hashes[] = {"thesis", "pcg"};
 constexpr const char* tents[] = {"voxel", "trilinear"};
 constexpr const char* diffuse_rules[] = {"thesis", "floored"};
 
-constexpr const char* models[] = {"tressfx", "chain", "cosserat", "rod", "articulated"};
-
-// Who reads a parameter.
-constexpr uint32_t bit(plait_model model) {
-    return 1u << model;
+// Who reads a parameter: the models of which a trait holds.
+constexpr uint32_t models_that(bool ModelTraits::*has) {
+    uint32_t mask = 0;
+    for (const ModelTraits& row : model_table)
+        mask |= row.*has ? 1u << row.model : 0u;
+    return mask;
 }
-constexpr uint32_t tressfx = bit(PLAIT_MODEL_TRESSFX);
-constexpr uint32_t stretching = bit(PLAIT_MODEL_COSSERAT) | bit(PLAIT_MODEL_ROD);
-constexpr uint32_t twisting = bit(PLAIT_MODEL_ROD) | bit(PLAIT_MODEL_ARTICULATED);
-constexpr uint32_t rods = stretching | twisting;
-constexpr uint32_t strand_models = bit(PLAIT_MODEL_CHAIN) | rods;
+constexpr uint32_t tressfx = 1u << PLAIT_MODEL_TRESSFX;
+constexpr uint32_t stretching = models_that(&ModelTraits::stretches);
+constexpr uint32_t twisting = models_that(&ModelTraits::twists);
+constexpr uint32_t rods = models_that(&ModelTraits::bends);
+constexpr uint32_t strand_models = models_that(&ModelTraits::switches);
+static_assert((rods & tressfx) == 0 && (strand_models & tressfx) == 0);
 constexpr uint32_t every_model = tressfx | strand_models;
 
 struct Place {
@@ -141,9 +144,9 @@ bool is_of_shape(const plait_param_info& param) {
 
 std::string names(uint32_t mask) {
     std::string text;
-    for (size_t i = 0; i < std::size(models); ++i)
-        if (mask & (1u << i))
-            text += (text.empty() ? "" : ", ") + std::string(models[i]);
+    for (const ModelTraits& row : model_table)
+        if (mask & (1u << row.model))
+            text += (text.empty() ? "" : ", ") + std::string(row.name);
     return text;
 }
 
@@ -162,7 +165,7 @@ std::span<const plait_param_info> param_table() {
 
 const char* model_name(plait_model model) {
     const auto number = static_cast<uint32_t>(model);
-    return number < std::size(models) ? models[number] : "?";
+    return number < std::size(model_table) ? model_table[number].name : "?";
 }
 
 std::string ignored_warning(const plait_param_info& param, const plait_sim_params& before,

@@ -38,7 +38,7 @@ sources | xargs --no-run-if-empty grep -nE '^[[:space:]]*#[[:space:]]*include[[:
     }
     # "" for the language'\''s own headers and for files beside the includer
     function layer_of_include(name, quoted) {
-        if (name ~ /^plait\/(params\.h|stages\.def)$/) return "shared"
+        if (name ~ /^plait\/(params\.h|constants\.h|(stages|buffers)\.def)$/) return "shared"
         if (name ~ /^plait\//) return "face"
         if (match(name, /^backend\/(reference|opencl)\//)) return substr(name, 1, RLENGTH - 1)
         if (name ~ /^(base|backend|core|io|api|assets)\//) { split(name, part, "/"); return part[1] }

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# places.sh ROOT: one name, six places. Each stage of stages.def has its kernel, reference, test and
+# places.sh ROOT: one name everywhere. Each stage of stages.def has its kernel, reference, test and
 # page under its own name, and no such file is left over for a stage that is gone. The table of stages in
 # docs/stages/README.md is what stages.def generates, row by row.
 set -euo pipefail

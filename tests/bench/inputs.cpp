@@ -25,17 +25,29 @@ constexpr float grid_size = 4 * (head_radius + strand_length);
 
 constexpr uint32_t voxels = grid_edge_count * grid_edge_count * grid_edge_count;
 
-// ---- parameters: a struct without its overload here does not compile
-// ------------------------------
+// ---- parameters -------------------------------------------------------------------------------
 
+// Structs of nothing else than the layout and the step; any other without an overload below does not
+// compile.
+template <typename Params> void fill(Params& p, const Shape& shape) {
+    constexpr bool tiled = requires {
+        p.tile;
+    }
+    , steps = requires {
+        p.h;
+    };
+    static_assert(sizeof(Params) == 4 * (1 + tiled + steps), "other fields need values");
+    p.vertex_stride = shape.vertices;
+    if constexpr (tiled)
+        p.tile = shape.tile;
+    if constexpr (steps)
+        p.h = step;
+}
 void fill(plait_roots_params& p, const Shape&) {
     p.head_from_q[3] = p.head_to_q[3] = 1;
     p.head_to_t[0] = 0.01f;
     p.alpha = 1;
     p.per_root = 1;
-}
-void fill(plait_layout_params& p, const Shape& shape) {
-    p.vertex_stride = shape.vertices;
 }
 void fill(plait_integrate_params& p, const Shape& shape) {
     p = {shape.vertices, step, 0.08f, 0.4f, 0.3f, {0, -9.81f, 0}, 0};
@@ -96,9 +108,6 @@ void fill(plait_lane_params& p, const Shape& shape) {
 void fill(plait_accelerate_params& p, const Shape& shape) {
     p = {shape.vertices, step, 0, {}};
 }
-void fill(plait_lane_tile_params& p, const Shape& shape) {
-    p = {shape.vertices, shape.tile};
-}
 void fill(plait_lane_grid_params& p, const Shape& shape) {
     plait_grid_params grid{};
     fill(grid, shape);
@@ -117,9 +126,6 @@ void fill(plait_lane_grid_params& p, const Shape& shape) {
 }
 void fill(plait_lane_state_params& p, const Shape& shape) {
     p = {shape.vertices, shape.tile, 0};
-}
-void fill(plait_lane_layout_params& p, const Shape& shape) {
-    p = {shape.vertices, shape.tile, step};
 }
 void fill(plait_lane_move_params& p, const Shape& shape) {
     p = {shape.vertices, shape.tile, 3};
@@ -291,6 +297,7 @@ Words bone_matrices() {
     return words;
 }
 
+// What is not zero.
 using Maker = Words (*)(const Shape&);
 
 const std::map<std::string, Maker>& makers() {
@@ -302,17 +309,13 @@ const std::map<std::string, Maker>& makers() {
         return lane_rows<4>(
             s, {0, 0, -std::numbers::sqrt2_v<float> / 2, std::numbers::sqrt2_v<float> / 2});
     };
-    constexpr Maker zeros = [](const Shape& s) { return Words(4 * s.total()); };
     static const std::map<std::string, Maker> table = {
         {"rest", still},
         {"position", still},
         {"position_prev", moved},
         {"position_prev2", moved_twice},
         {"position_local", moved},
-        {"position_out", zeros},
-        {"position_last_frame", zeros},
         {"points", still},
-        {"box", [](const Shape&) { return Words(size_t{8} * most_runs); }},
         {"bone_matrix", [](const Shape&) { return bone_matrices(); }},
         {"bone_index",
          [](const Shape& s) {
@@ -322,12 +325,6 @@ const std::map<std::string, Maker>& makers() {
              return words;
          }},
         {"bone_weight", [](const Shape& s) { return vectors(s.strands, 0.4f, 0.3f, 0.2f, 0.1f); }},
-        {"tangent", zeros},
-        {"acceleration", zeros},
-        {"lane_acceleration",
-         [](const Shape& s) {
-             return lane_rows<3>(s, {0, 0, 0});
-         }},
         {"pose", poses},
         {"pose_from", poses},
         {"pose_to", poses},
@@ -335,7 +332,6 @@ const std::map<std::string, Maker>& makers() {
         {"root_from", poses},
         {"root_to", poses},
         {"strand_motion", poses},
-        {"strand_stats", [](const Shape& s) { return Words(4 * size_t{s.strands}); }},
         {"vertex_count", [](const Shape& s) { return Words(s.strands, s.vertices); }},
         {"rest_length", lengths},
         {"capsule", [](const Shape&) { return capsules(); }},
@@ -369,8 +365,6 @@ const std::map<std::string, Maker>& makers() {
         {"lane_to", lane_positions},
         {"lane_q", downwards},
         {"lane_q_before", downwards},
-        {"words", [](const Shape&) { return Words(size_t{voxels} * slot_capacity); }},
-        {"grid_outside", [](const Shape&) { return Words(1); }},
         {"grid_sum", [](const Shape&) { return Words(size_t{voxels} * PLAIT_SUM_STRIDE, 1); }},
         {"grid_density", [](const Shape&) { return densities(); }},
         {"grid_velocity", [](const Shape&) { return vectors(voxels, 0.01f, 0.01f, 0.01f, 0.02f); }},
@@ -422,6 +416,20 @@ uint32_t item_width(plait_stage stage, const Shape& shape) {
     }
 }
 
+// Elements of a buffer by buffers.def, whose expressions take these names.
+size_t elements_of(const std::string& name, plait_stage stage, const Shape& shape) {
+    constexpr size_t VOXELS = voxels, SLOTS = slot_capacity, COLLIDERS = colliders;
+    const size_t ITEMS = item_count(stage, shape), STRANDS = shape.strands, ROW = shape.vertices,
+                 VERTICES = shape.total(), POINTS = VERTICES,
+                 TILED = (STRANDS + shape.tile - 1) / shape.tile * shape.tile * ROW,
+                 FOLLOWERS = stage == PLAIT_STAGE_follow ? STRANDS : 0;
+#define PLAIT_BUFFER(buffer, when, extent, components)                                             \
+    if (name == #buffer)                                                                           \
+        return extent;
+#include <plait/buffers.def>
+    return 0;
+}
+
 std::vector<uint32_t> typical_buffer(const plait_stage_info& stage, const plait_stage_arg& arg,
                                      const Shape& shape) {
     if (stage.stage == PLAIT_STAGE_follow && std::string(arg.name) == "position")
@@ -431,10 +439,13 @@ std::vector<uint32_t> typical_buffer(const plait_stage_info& stage, const plait_
         name.ends_with("acceleration"))
         return {}; // hair that gravity alone pulls
     const auto maker = makers().find(arg.name);
-    if (maker == makers().end())
+    if (maker != makers().end())
+        return maker->second(shape);
+    const size_t elements = elements_of(arg.name, stage.stage, shape);
+    if (elements == 0)
         throw std::runtime_error(std::string("stage ") + stage.name + ": no typical contents for " +
                                  arg.name);
-    return maker->second(shape);
+    return Words(elements * (arg.element == PLAIT_ELEMENT_FLOAT4 ? 4 : 1)); // zeros
 }
 
 uint64_t traffic(const plait_stage_info& stage, const Shape& shape) {

@@ -1,125 +1,55 @@
-// Every field of every parameter struct. The sensitivity check refuses a struct with a gap here.
+// Every field of every parameter struct, from fields.inc, which list_fields.cmake writes from
+// params.h. What the sensitivity check does to one follows from its type; exceptions by name.
 #include "case.hpp"
 
+#include <algorithm>
 #include <cstddef>
+#include <iterator>
+#include <string_view>
+#include <type_traits>
+#include <utility>
 
 namespace plait::cases {
+namespace {
+
+// uint that sizes buffers, or says where in one to begin
+constexpr std::string_view of_layout[] = {
+    "vertex_stride", "tile",     "collider_count", "collider_first", "guide_count",
+    "edge_count",    "capacity", "share",          "boxes",          "components"};
+// uint that takes one of two values
+constexpr std::string_view choices[] = {"per_root",  "accelerates", "history",
+                                        "bdf2",      "shock_form",  "form",
+                                        "slot_hash", "tent",        "diffuse_rule"};
+// float4 of which w is not used
+constexpr std::string_view vectors[] = {"head_from_t", "head_to_t", "t", "wind", "corner"};
+
+template <size_t N> bool has(const std::string_view (&names)[N], std::string_view name) {
+    return std::find(std::begin(names), std::end(names), name) != std::end(names);
+}
+
+template <typename T> FieldKind kind_of(std::string_view type, std::string_view name) {
+    if (std::is_same_v<std::remove_all_extents_t<T>, float>)
+        return has(vectors, name) ? FieldKind::vector : FieldKind::real;
+    if (has(of_layout, name) || (type == "plait_bounds_params" && name == "count"))
+        return FieldKind::layout;
+    return has(choices, name) ? FieldKind::choice : FieldKind::count;
+}
+
+std::map<std::string, std::vector<Field>> all_fields() {
+    std::map<std::string, std::vector<Field>> all;
+    std::vector<Field> fields;
+#define PLAIT_FIELD(type, field)                                                                   \
+    fields.push_back({#field, offsetof(type, field), sizeof(type::field) / 4,                      \
+                      kind_of<decltype(type::field)>(#type, #field)});
+#define PLAIT_STRUCT(type) all[#type] = std::exchange(fields, {});
+#include "fields.inc"
+    return all;
+}
+
+} // namespace
 
 const std::vector<Field>& fields_of(const char* params_type) {
-#define FIELD(type, name, kind)                                                                    \
-    { #name, offsetof(type, name), sizeof(type::name) / 4, FieldKind::kind }
-    static const std::map<std::string, std::vector<Field>> fields = {
-        {"plait_roots_params",
-         {FIELD(plait_roots_params, head_from_q, real),
-          FIELD(plait_roots_params, head_from_t, vector),
-          FIELD(plait_roots_params, head_to_q, real), FIELD(plait_roots_params, head_to_t, vector),
-          FIELD(plait_roots_params, alpha, real), FIELD(plait_roots_params, per_root, choice)}},
-        {"plait_layout_params", {FIELD(plait_layout_params, vertex_stride, layout)}},
-        {"plait_integrate_params",
-         {FIELD(plait_integrate_params, vertex_stride, layout),
-          FIELD(plait_integrate_params, h, real), FIELD(plait_integrate_params, damping, real),
-          FIELD(plait_integrate_params, global_stiffness, real),
-          FIELD(plait_integrate_params, global_range, real),
-          FIELD(plait_integrate_params, gravity, real),
-          FIELD(plait_integrate_params, accelerates, choice)}},
-        {"plait_accelerate_params",
-         {FIELD(plait_accelerate_params, vertex_stride, layout),
-          FIELD(plait_accelerate_params, h, real), FIELD(plait_accelerate_params, time, real),
-          FIELD(plait_accelerate_params, value, real)}},
-        {"plait_global_shape_params",
-         {FIELD(plait_global_shape_params, vertex_stride, layout),
-          FIELD(plait_global_shape_params, stiffness, real),
-          FIELD(plait_global_shape_params, range, real)}},
-        {"plait_strand_data_params",
-         {FIELD(plait_strand_data_params, vertex_stride, layout),
-          FIELD(plait_strand_data_params, vsp_coeff, real),
-          FIELD(plait_strand_data_params, vsp_accel_threshold, real),
-          FIELD(plait_strand_data_params, shock_form, choice)}},
-        {"plait_local_shape_params",
-         {FIELD(plait_local_shape_params, vertex_stride, layout),
-          FIELD(plait_local_shape_params, stiffness, real),
-          FIELD(plait_local_shape_params, iterations, count)}},
-        {"plait_wind_params",
-         {FIELD(plait_wind_params, vertex_stride, layout), FIELD(plait_wind_params, h, real),
-          FIELD(plait_wind_params, form, choice), FIELD(plait_wind_params, drag, real),
-          FIELD(plait_wind_params, wind, vector), FIELD(plait_wind_params, corner, vector)}},
-        {"plait_length_params",
-         {FIELD(plait_length_params, vertex_stride, layout),
-          FIELD(plait_length_params, iterations, count)}},
-        {"plait_collide_params",
-         {FIELD(plait_collide_params, vertex_stride, layout),
-          FIELD(plait_collide_params, collider_count, layout),
-          FIELD(plait_collide_params, collider_first, layout)}},
-        {"plait_clamp_params",
-         {FIELD(plait_clamp_params, vertex_stride, layout),
-          FIELD(plait_clamp_params, max_displacement, real)}},
-        {"plait_attach_params",
-         {FIELD(plait_attach_params, vertex_stride, layout),
-          FIELD(plait_attach_params, reach, real)}},
-        {"plait_follow_params",
-         {FIELD(plait_follow_params, vertex_stride, layout),
-          FIELD(plait_follow_params, guide_count, layout),
-          FIELD(plait_follow_params, tip_separation, real),
-          FIELD(plait_follow_params, form, choice)}},
-        {"plait_grid_clear_params", {FIELD(plait_grid_clear_params, value, count)}},
-        {"plait_grid_params",
-         {FIELD(plait_grid_params, vertex_stride, layout),
-          FIELD(plait_grid_params, edge_count, layout), FIELD(plait_grid_params, capacity, layout),
-          FIELD(plait_grid_params, voxel_edge, real), FIELD(plait_grid_params, q, real),
-          FIELD(plait_grid_params, t, vector), FIELD(plait_grid_params, h, real),
-          FIELD(plait_grid_params, slot_hash, choice), FIELD(plait_grid_params, frame, count),
-          FIELD(plait_grid_params, seed, count), FIELD(plait_grid_params, tent, choice),
-          FIELD(plait_grid_params, diffuse_rule, choice),
-          FIELD(plait_grid_params, diffuse_ratio, real),
-          FIELD(plait_grid_params, diffuse_factor, real),
-          FIELD(plait_grid_params, diffuse_floor, real)}},
-        {"plait_lane_grid_params",
-         {FIELD(plait_lane_grid_params, vertex_stride, layout),
-          FIELD(plait_lane_grid_params, tile, layout),
-          FIELD(plait_lane_grid_params, edge_count, layout),
-          FIELD(plait_lane_grid_params, voxel_edge, real), FIELD(plait_lane_grid_params, q, real),
-          FIELD(plait_lane_grid_params, t, vector), FIELD(plait_lane_grid_params, tent, choice),
-          FIELD(plait_lane_grid_params, diffuse_rule, choice),
-          FIELD(plait_lane_grid_params, diffuse_ratio, real),
-          FIELD(plait_lane_grid_params, diffuse_factor, real),
-          FIELD(plait_lane_grid_params, diffuse_floor, real),
-          FIELD(plait_lane_grid_params, history, choice)}},
-        {"plait_lane_params",
-         {FIELD(plait_lane_params, vertex_stride, layout), FIELD(plait_lane_params, tile, layout),
-          FIELD(plait_lane_params, h, real), FIELD(plait_lane_params, iterations, count),
-          FIELD(plait_lane_params, bdf2, choice), FIELD(plait_lane_params, drag, real),
-          FIELD(plait_lane_params, gravity, real), FIELD(plait_lane_params, air, real),
-          FIELD(plait_lane_params, collider_count, layout),
-          FIELD(plait_lane_params, collider_first, layout),
-          FIELD(plait_lane_params, contact_rate, real),
-          FIELD(plait_lane_params, contact_slip, real),
-          FIELD(plait_lane_params, accelerates, choice)}},
-        {"plait_lane_tile_params",
-         {FIELD(plait_lane_tile_params, vertex_stride, layout),
-          FIELD(plait_lane_tile_params, tile, layout)}},
-        {"plait_lane_state_params",
-         {FIELD(plait_lane_state_params, vertex_stride, layout),
-          FIELD(plait_lane_state_params, tile, layout),
-          FIELD(plait_lane_state_params, history, choice)}},
-        {"plait_bounds_params",
-         {FIELD(plait_bounds_params, count, layout), FIELD(plait_bounds_params, share, layout),
-          FIELD(plait_bounds_params, boxes, layout)}},
-        {"plait_lane_history_params",
-         {FIELD(plait_lane_history_params, vertex_stride, layout),
-          FIELD(plait_lane_history_params, tile, layout), FIELD(plait_lane_history_params, h, real),
-          FIELD(plait_lane_history_params, history, choice)}},
-        {"plait_lane_layout_params",
-         {FIELD(plait_lane_layout_params, vertex_stride, layout),
-          FIELD(plait_lane_layout_params, tile, layout), FIELD(plait_lane_layout_params, h, real)}},
-        {"plait_lane_move_params",
-         {FIELD(plait_lane_move_params, vertex_stride, layout),
-          FIELD(plait_lane_move_params, tile, layout),
-          FIELD(plait_lane_move_params, components, layout)}},
-        {"plait_output_params",
-         {FIELD(plait_output_params, vertex_stride, layout),
-          FIELD(plait_output_params, alpha, real)}},
-    };
-#undef FIELD
+    static const std::map<std::string, std::vector<Field>> fields = all_fields();
     static const std::vector<Field> none;
     const auto found = fields.find(params_type);
     return found == fields.end() ? none : found->second;

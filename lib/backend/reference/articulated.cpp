@@ -11,20 +11,12 @@
 // the force on all that hangs on the segment. Source: docs/models/articulated.md.
 #include "backend/reference/rod_model.hpp"
 
+#include <plait/constants.h>
+
 #include <algorithm>
 
 namespace plait::reference {
 namespace {
-
-constexpr double least_twist = 1e-3;  // stiffness of a turn about itself, in mu l^2
-constexpr double noise = 1e-5;        // a potential that rises by a smaller share has not risen
-constexpr double shorter = 0.4;       // of a turn whose potential rose
-constexpr int trials = 3;             // of shorter turns
-constexpr double moved = 1e-9;        // squared chord from a director to its segment: no rounding
-constexpr double settled = 0.05;      // segments: a step that moves vertices less is the last
-constexpr uint32_t contact_steps = 6; // at most, of a strand that touches something
-constexpr uint32_t deep_steps = 10;   // while it is deep
-constexpr double too_deep = 0.08;     // beyond what a solve may leave, in segments
 
 Mat3 cross_matrix(const Vec3& t) {
     Mat3 m;
@@ -60,7 +52,7 @@ void RodModel::load() {
     q = q_start_;
     for (size_t i = 0; i < segments(); ++i) {
         const Vec3 along = unit_or(start[i + 1] - start[i], director(i));
-        if ((along - director(i)).squaredNorm() > moved)
+        if ((along - director(i)).squaredNorm() > PLAIT_ARTICULATED_MISALIGNED)
             q[i] = turned_towards(q[i], along);
     }
     rebuild();
@@ -76,7 +68,7 @@ void RodModel::follow_target() {
             q[i] = turned_towards(q[i], along);
         x[i + 1] = x[i] + length_[i] * along;
     }
-    if (!(energy() <= stays * (1 + noise)))
+    if (!(energy() <= stays * (1 + PLAIT_ARTICULATED_POTENTIAL_RISE)))
         *this = from;
 }
 
@@ -111,8 +103,8 @@ void RodModel::add_vertices(Eigen::MatrixXd& H, Eigen::VectorXd& g) const {
         const double length = length_[segment];
         H.block<3, 3>(3 * i, 3 * i) +=
             std::max(0.0, pull.dot(t)) * length * (Mat3::Identity() - t * t.transpose());
-        H.block<3, 3>(3 * i, 3 * i) +=
-            least_twist * mass_[segment + 1] * inertia_ * length * length * Mat3::Identity();
+        H.block<3, 3>(3 * i, 3 * i) += PLAIT_ARTICULATED_TWIST * mass_[segment + 1] * inertia_ *
+                                       length * length * Mat3::Identity();
     }
 }
 
@@ -170,13 +162,15 @@ void RodModel::follow_turns(const RodModel& from, const Eigen::VectorXd& w) {
 }
 
 bool RodModel::turn_segments() {
-    const double before = energy(), limit = before + std::abs(before) * noise + 1e-20;
+    const double before = energy(), limit = before +
+                                            std::abs(before) * PLAIT_ARTICULATED_POTENTIAL_RISE +
+                                            PLAIT_ROD_POTENTIAL_MIN;
     const RodModel from = *this;
     const Eigen::VectorXd w = turns();
     follow_turns(from, w);
     double share = 1;
-    for (int trial = 0; trial < trials && !(energy() <= limit); ++trial) {
-        share *= shorter;
+    for (int trial = 0; trial < PLAIT_ARTICULATED_SHORTER_STEPS && !(energy() <= limit); ++trial) {
+        share *= PLAIT_ARTICULATED_SHORTEN;
         for (size_t i = 0; i < segments(); ++i)
             q[i] = turned(from.q[i], share * w.segment<3>(3 * static_cast<Eigen::Index>(i)));
         rebuild();
@@ -184,14 +178,15 @@ bool RodModel::turn_segments() {
     if (!(energy() <= limit))
         *this = from;
     for (size_t i = 1; i < x.size(); ++i)
-        if ((x[i] - from.x[i]).norm() > settled * length_before_[i])
+        if ((x[i] - from.x[i]).norm() > PLAIT_ARTICULATED_CONVERGED * length_before_[i])
             return true;
     return false;
 }
 
 bool RodModel::deep() const {
     for (size_t i = 1; contacts_ && i < x.size(); ++i)
-        if (contacts_->excess(i, x[i]) > too_deep * length_before_[i])
+        if (contacts_->excess(i, x[i]) >
+            (PLAIT_ARTICULATED_DEEP - PLAIT_CONTACT_MAX_PENETRATION) * length_before_[i])
             return true;
     return false;
 }
@@ -212,9 +207,9 @@ void RodModel::articulate(uint32_t steps) {
 
 // Beyond those that every strand takes.
 bool RodModel::wants_step(uint32_t k, bool moved) const {
-    if (!touched() || k >= deep_steps)
+    if (!touched() || k >= PLAIT_ARTICULATED_DEEP_STEPS)
         return false;
-    return k < contact_steps ? moved || contacts_->changed() : deep();
+    return k < PLAIT_ARTICULATED_CONTACT_STEPS ? moved || contacts_->changed() : deep();
 }
 
 void articulated(uint32_t item_count, const plait_lane_params& params,

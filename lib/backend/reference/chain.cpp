@@ -8,6 +8,8 @@
 #include "backend/reference/contact.hpp"
 #include "backend/reference/energy.hpp"
 
+#include <plait/constants.h>
+
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -61,14 +63,13 @@ void project_lengths(const Links& links, const std::vector<Mat3>& W, std::vector
 
 // A vertex swings sideways faster than the step, pulled by what hangs on it: h^2 T/(m l).
 bool coarse(const Links& links, const Motion& motion) {
-    constexpr double limit = 0.2;
     double below = 0;
     for (size_t i = links.length.size(); i > 0; --i) {
         const double l = links.length[i - 1], m = links.mass[i];
         if (l == 0)
             continue; // past the tip
         below += m * motion.pull[i].norm();
-        if (links.reach * below > limit * m * l)
+        if (links.reach * below > PLAIT_CHAIN_IMPLICIT_TENSION * m * l)
             return true;
     }
     return false;
@@ -124,15 +125,14 @@ void sweep(const Links& links, const Contacts* contacts, std::vector<Vec3>& x) {
     }
 }
 
-// Four rounds of contact: where inertia, tension in coarse steps, and contact alone put a vertex,
+// Rounds of contact: where inertia, tension in coarse steps, and contact alone put a vertex,
 // then the lengths.
 std::vector<Vec3> solve(const Links& links, const Motion& motion, const plait_lane_params& params,
                         Contacts* contacts) {
-    constexpr int rounds = 4;
     const bool pulls = params.iterations > 0 && !params.bdf2 && coarse(links, motion);
     const std::vector<Vec3> target = pulls ? pulled(links, motion) : motion.y;
     std::vector<Vec3> x = target;
-    for (int round = 0; round < (contacts ? rounds : 1); ++round) {
+    for (int round = 0; round < (contacts ? PLAIT_CHAIN_CONTACT_ROUNDS : 1); ++round) {
         if (contacts)
             contacts->renew(x);
         const bool touched = contacts && contacts->touched();
@@ -195,7 +195,7 @@ void chain(uint32_t item_count, const plait_lane_params& params, const chain_arg
         std::vector<Vec3> x = solved;
         follow(links, held, x);
         for (size_t i = 1; i + 1 < x.size(); ++i)
-            motion.w[i] -= (x[i + 1] - solved[i + 1]) / (2 * motion.h);
+            motion.w[i] -= PLAIT_CHAIN_VELOCITY_CORRECTION * (x[i + 1] - solved[i + 1]) / motion.h;
         std::vector<Vec3> v = motion.velocities(x);
         // The sweep is exact in lengths alone: springs that it pressed give nothing.
         const double given = held ? held->work(x) - std::max(held->work_of_springs(x), 0.0) : 0;

@@ -3,21 +3,14 @@
 // remembered as a depth, the way out for what starts inside.
 #include "backend/reference/contact.hpp"
 
+#include <plait/constants.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
 namespace plait::reference {
 namespace {
-
-constexpr double settled = 0.05;         // a smaller share of friction's bound is no change
-constexpr double started_inside = 0.005; // deeper at the substep's begin, in segments
-constexpr double deepest = 0.02;         // after a solve, in segments
-constexpr double soft = 10;              // stiffness for what started inside, in m/h^2
-constexpr double most_held = 0.1;        // friction on a vertex, in EA
-constexpr int newton_steps = 4;          // towards the first crossing
-constexpr double same_side = 0.5;        // cosine of 60 degrees
-constexpr double reach = 0.5;            // of the length from a root that is inside
 
 // A tangent plane of the capsule's distance: `height` of the end of the way above it.
 struct Plane {
@@ -31,7 +24,7 @@ std::optional<Plane> first_crossing(const Capsule& capsule, const Vec3& from, co
     const Vec3 way = to - from;
     double t = 0;
     Surface at = surface(capsule, from);
-    for (int k = 0; k < newton_steps; ++k) {
+    for (int k = 0; k < PLAIT_SWEEP_STEPS; ++k) {
         const double slope = at.normal.dot(way);
         if (slope >= 0)
             return {};
@@ -61,7 +54,7 @@ Contacts::Touch Contacts::touch(size_t collider, size_t vertex, const Vec3& x) c
     Touch found = touch_surface(path, vertex, x);
     const double root_depth = -surface(path.end, motion_.root).distance;
     if (found.gap < 0) {
-        const double sunk = std::max(root_depth - reach * arc_[vertex], 0.0);
+        const double sunk = std::max(root_depth - PLAIT_CONTACT_ROOT_CLEARANCE * arc_[vertex], 0.0);
         found.gap += sunk;
         found.start += sunk;
     }
@@ -91,9 +84,9 @@ Contacts::Touch Contacts::touch_surface(const CapsulePath& path, size_t vertex,
     }
     if (!crosses)
         return nearest;
-    const bool inside = at_anchor.distance < -started_inside * length_[vertex];
+    const bool inside = at_anchor.distance < -PLAIT_CONTACT_TOLERANCE * length_[vertex];
     const bool beyond = at_anchor.distance > 0 && at_end.distance > 0;
-    const bool other_side = !(at_end.normal.dot(swept.normal) > same_side);
+    const bool other_side = !(at_end.normal.dot(swept.normal) > PLAIT_SWEEP_SAME_SIDE);
     return inside || beyond || other_side ? swept : nearest;
 }
 
@@ -106,7 +99,8 @@ bool Contacts::meets(size_t collider, size_t vertex, const Vec3& x) const {
     if ((wide.b - wide.a).norm() <= std::abs(wide.ra - wide.rb)) // one sphere holds the other
         wide.a = wide.b = wide.ra < wide.rb ? wide.b : wide.a;
     wide.ra = wide.rb = std::max(wide.ra, wide.rb);
-    return surface(wide, end).distance <= (end - anchor).norm() + started_inside * length_[vertex];
+    return surface(wide, end).distance <=
+           (end - anchor).norm() + PLAIT_CONTACT_TOLERANCE * length_[vertex];
 }
 
 std::optional<Contacts::Touch> Contacts::nearest(size_t vertex, const Vec3& x) const {
@@ -154,7 +148,7 @@ Contacts::Contact Contacts::renewed(size_t vertex, const Vec3& x) const {
     now.anchor = motion_.start[vertex];
     if (!found || length_[vertex] == 0)
         return now;
-    const double tolerance = started_inside * length_[vertex];
+    const double tolerance = PLAIT_CONTACT_TOLERANCE * length_[vertex];
     const double left = -before.stiffness * (before.normal.dot(x) - before.offset);
     const bool was = solved_ && before.stiffness > 0;
     const bool pressed = solved_ ? was && left > 0 : found->start < 0;
@@ -168,7 +162,9 @@ Contacts::Contact Contacts::renewed(size_t vertex, const Vec3& x) const {
     if (D > tolerance) {
         now.stiff = depth > D;
         if (!now.stiff)
-            stiffness = std::max(soft * mass_[vertex] / (motion_.h * motion_.h), most / D);
+            stiffness =
+                std::max(PLAIT_CONTACT_RECOVERY_STIFFNESS * mass_[vertex] / (motion_.h * motion_.h),
+                         most / D);
         level = D - most / stiffness;
     }
     now.normal = found->normal;
@@ -180,8 +176,8 @@ Contacts::Contact Contacts::renewed(size_t vertex, const Vec3& x) const {
         return now;
     now.stiffness = stiffness;
     now.push = was ? std::max(left, 0.0) : std::min(stiff * std::max(D, 0.0), most);
-    now.friction = std::min(found->friction, most_held * stretch_[vertex] * length_[vertex] /
-                                                 std::max(now.push, 1e-30));
+    now.friction = std::min(found->friction, PLAIT_CONTACT_MAX_FRICTION * stretch_[vertex] *
+                                                 length_[vertex] / std::max(now.push, 1e-30));
     const Vec3 u = slip_of(now, x);
     if (slides(solved_ ? before : Contact{}, now, u, motion_.h * motion_.h / mass_[vertex]))
         now.slide = u.normalized();
@@ -195,8 +191,8 @@ bool Contacts::differ(const Contact& before, const Contact& now) {
     if ((before.stiffness > 0) != (now.stiffness > 0))
         return true;
     const double bound = now.friction * now.push, had = before.friction * before.push;
-    return now.stiffness > 0 &&
-           (before.sticks() != now.sticks() || std::abs(bound - had) > settled * bound);
+    return now.stiffness > 0 && (before.sticks() != now.sticks() ||
+                                 std::abs(bound - had) > PLAIT_CONTACT_FRICTION_CHANGE * bound);
 }
 
 void Contacts::renew(const std::vector<Vec3>& x) {
@@ -250,7 +246,7 @@ double Contacts::model(size_t vertex, const Vec3& x) const {
 }
 
 double Contacts::depth_allowed(size_t vertex) const {
-    return at_[vertex].stiff ? deepest * length_[vertex] : INFINITY;
+    return at_[vertex].stiff ? PLAIT_CONTACT_MAX_PENETRATION * length_[vertex] : INFINITY;
 }
 
 double Contacts::excess(size_t vertex, const Vec3& x) const {
@@ -287,7 +283,7 @@ Vec3 Contacts::keep_off(size_t i, const Vec3& leader, double length, const Vec3&
 // depth from which on a vertex counts as started inside.
 double Contacts::released(size_t vertex, const Vec3& x, double begin) const {
     const Contact& at = at_[vertex];
-    const double most = started_inside * length_[vertex];
+    const double most = PLAIT_CONTACT_TOLERANCE * length_[vertex];
     const double before = std::clamp(begin, 0.0, most);
     const double after = std::clamp(at.level + at.offset - at.normal.dot(x), 0.0, most);
     return mass_[vertex] * params_.contact_rate / 2 * (before * before - after * after);

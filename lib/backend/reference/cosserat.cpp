@@ -1,10 +1,12 @@
 // cosserat: alternate exact positions and closed-form orientations, with Anderson acceleration of
 // depth one on the orientations: with residual r = g - q of a sweep that takes q to g,
-//   theta = <r, r - r_> / (|r - r_|^2 + 1e-12) in [-20, 0.9],  q <- n(g - theta (g - g_)),
+//   theta = <r, r - r_> / (|r - r_|^2 + eps) in [min, max],  q <- n(g - theta (g - g_)),
 // the underscore one iteration earlier; taken back to g if the energy, positions solved, rises
-// above that of the iteration before. 1e-12: residuals of a millionth are a float's rounding.
+// above that of the iteration before. eps, min, max: PLAIT_ANDERSON_* of constants.h.
 // Source: Hsu et al. 2025; exact positions, acceleration and its guard: ours.
 #include "backend/reference/rod_model.hpp"
+
+#include <plait/constants.h>
 
 #include <algorithm>
 #include <limits>
@@ -45,13 +47,15 @@ void RodModel::alternate(uint32_t count, bool renew) {
         const Eigen::VectorXd g = coefficients(q), r = g - start;
         if (k > 0) {
             const Eigen::VectorXd d = r - r_before;
-            const double theta = std::clamp(r.dot(d) / (1e-12 + d.squaredNorm()), -20.0, 0.9);
+            const double theta =
+                std::clamp(r.dot(d) / (PLAIT_ANDERSON_REGULARISATION + d.squaredNorm()),
+                           PLAIT_ANDERSON_MIN, PLAIT_ANDERSON_MAX);
             q = rotations(g - theta * (g - g_before));
         }
         g_before = g;
         r_before = r;
         solve_positions();
-        if (energy() > limit * 1.000001) {
+        if (energy() > limit * PLAIT_ROD_POTENTIAL_FACTOR) {
             q = plain;
             solve_positions();
         } else {

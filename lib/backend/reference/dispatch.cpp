@@ -22,9 +22,9 @@ class Binder {
     Binder(const plait_dispatch& dispatch, const Shape& shape)
         : dispatch_(dispatch), shape_(shape) {}
 
-    template <typename T> void bind(View<T>& view, const char* argument) {
+    template <typename T> void bind(View<T>& view, BufferName name, const char* argument) {
         using Element = std::remove_const_t<T>;
-        const size_t needed = shape_.elements(argument);
+        const size_t needed = shape_.elements(name);
         Buffer* buffer = next(argument);
         if (!buffer && needed > 0)
             throw BadDispatch(format("%s is null", argument));
@@ -68,9 +68,10 @@ template <typename Params> Params copy_params(const plait_dispatch& dispatch) {
 }
 
 // perform_X: the body between PLAIT_STAGE and PLAIT_STAGE_END binds X's arguments one by one.
-#define PLAIT_BIND_READ(name) binder.bind(args.name, #name);
-#define PLAIT_BIND_WRITE(name) binder.bind(args.name, #name);
-#define PLAIT_BIND_READWRITE(name) binder.bind(args.name, #name);
+#define PLAIT_BIND(name) binder.bind(args.name, BufferName::name, #name);
+#define PLAIT_BIND_READ(name) PLAIT_BIND(name)
+#define PLAIT_BIND_WRITE(name) PLAIT_BIND(name)
+#define PLAIT_BIND_READWRITE(name) PLAIT_BIND(name)
 #define PLAIT_BIND_LOCAL(name)
 
 #define PLAIT_STAGE(name, space, params_type, summary)                                             \

@@ -1,5 +1,7 @@
 #include "backend/reference/energy.hpp"
 
+#include <plait/constants.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,14 +9,14 @@ namespace plait::reference {
 namespace {
 
 struct Balance {
-    double before, after; // J, the work of the substep in the former
-    double creep = 0;     // BDF2, J: what it may always have
-    double brought = 0;   // BDF2, J: of `before`, what the strand brought along
+    double before, after;      // J, the work of the substep in the former
+    double creep = 0;          // BDF2, J: what it may always have
+    double kinetic_before = 0; // BDF2, J: of `before`, the energy of motion before the substep
 };
 
-// 1e-5 of its distance from the root a vertex may always move
+// What a vertex at x may always have.
 double creep(double mass, double h, const Vec3& x) {
-    return 1e-10 * mass / 2 * x.squaredNorm() / (h * h);
+    return PLAIT_ENERGY_ROUNDING * mass / 2 * x.squaredNorm() / (h * h);
 }
 
 // What positions are relative to moves at, as the balance takes it.
@@ -56,14 +58,13 @@ Balance of_bdf2(const Substep& step, bool pairs, const std::vector<Vec3>& x,
                                : Vec3(x[i] - (motion.start[i] - motion.start[0]));
         const Vec3 force = motion.pull[i] + params.drag * (vec3(params.air) - v[i]);
         const double moves = held(pairs, before, ago), least = creep(mass[i], motion.h, x[i]);
-        sum.brought += mass[i] * moves + least;
+        sum.kinetic_before += mass[i] * moves + least;
         sum.before += mass[i] * (moves + force.dot(way)) + least;
         sum.after += mass[i] * held(pairs, now, before);
         weight += mass[i] * motion.pull[i].norm();
         reach += length[i];
     }
-    // truncated solves leave creeping hair more than it has
-    sum.creep = 1e-5 * weight * reach;
+    sum.creep = PLAIT_ENERGY_BDF2_ALLOWANCE * weight * reach;
     return sum;
 }
 
@@ -79,7 +80,9 @@ bool counts_pairs(const Substep& step) {
             continue;
         turned += mass[i] * (motion.v[i] - motion.v_before[i]).squaredNorm();
         const double fall = (2 * params.h * motion.pull[i]).squaredNorm();
-        may += mass[i] * (0.2 * (motion.v[i] - motion.root_velocity).squaredNorm() + fall);
+        may +=
+            mass[i] *
+            (PLAIT_ENERGY_BDF2_CHANGE * (motion.v[i] - motion.root_velocity).squaredNorm() + fall);
     }
     return turned <= may;
 }
@@ -91,11 +94,11 @@ Limit limit_energy(const Substep& step, double released, const std::vector<Vec3>
     const Balance sum =
         step.params.bdf2 ? of_bdf2(step, pairs, x, v) : of_backward_euler(step, x, v);
     const double paid = released + sum.before;
-    const double budget = std::max({paid, sum.creep, 1e-30}); // what moves less is left alone
+    const double budget = std::max({paid, sum.creep, PLAIT_ENERGY_MIN});
     if (sum.after <= budget)
         return limit;
     if (step.params.bdf2 && paid + sum.creep < 0)
-        limit.way = (sum.brought + sum.creep) / (sum.brought - paid);
+        limit.way = (sum.kinetic_before + sum.creep) / (sum.kinetic_before - paid);
     limit.share = std::sqrt(budget / sum.after);
     for (size_t i = 1; i < x.size(); ++i)
         v[i] = limit.root + limit.share * (v[i] - limit.root);

@@ -5,6 +5,8 @@
 // length (d = 0.08 keeps 92 % of the velocity at 60 Hz).
 #include "backend/reference/stages.hpp"
 
+#include <plait/constants.h>
+
 #include <cmath>
 
 namespace plait::reference {
@@ -13,7 +15,7 @@ namespace {
 Vec3 verlet(const Vec3& x, const Vec3& previous, const Vec3& pull,
             const plait_integrate_params& params) {
     const double h = params.h;
-    const double kept = std::exp(-60.0 * params.damping * h);
+    const double kept = std::exp(-PLAIT_DAMPING_RATE * params.damping * h);
     return x + kept * (x - previous) + h * h * pull;
 }
 

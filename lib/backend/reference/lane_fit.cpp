@@ -3,10 +3,10 @@
 // the root, row 0 is the root's own.
 #include "backend/reference/lanes.hpp"
 
+#include <plait/constants.h>
+
 namespace plait::reference {
 namespace {
-
-constexpr double rounding = 1e-5; // of a length
 
 std::vector<Vec3> fitted(const Lane& lane, const View<double>& x,
                          const View<const double>& material, uint32_t vertices) {
@@ -17,7 +17,7 @@ std::vector<Vec3> fitted(const Lane& lane, const View<double>& x,
         const double length =
             material[lane.index(i - 1, PLAIT_LANE_LENGTH, PLAIT_LANE_MATERIAL_COMPONENTS)];
         const Vec3 edge = now - last;
-        const bool holds = std::abs(edge.norm() - length) <= rounding * length;
+        const bool holds = std::abs(edge.norm() - length) <= PLAIT_LANE_FIT_TOLERANCE * length;
         list[i] = list[i - 1] + (holds ? edge : Vec3(length * direction(edge)));
         last = now;
     }

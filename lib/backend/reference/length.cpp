@@ -5,6 +5,8 @@
 // Source: Mueller et al. 2007, "Position based dynamics", section 3.3; red/black as in TressFX.
 #include "backend/reference/stages.hpp"
 
+#include <plait/constants.h>
+
 #include <algorithm>
 
 namespace plait::reference {
@@ -14,7 +16,7 @@ void correct_edge(Vec4& a, Vec4& b, double rest_length) {
     if (pinned(a) && pinned(b))
         return;
     const Vec3 d = xyz(b) - xyz(a);
-    const Vec3 delta = (1 - rest_length / std::max(d.norm(), 1e-7)) * d;
+    const Vec3 delta = (1 - rest_length / std::max(d.norm(), PLAIT_LENGTH_MIN_DISTANCE)) * d;
     const double share_of_a = pinned(a) ? 0 : pinned(b) ? 1 : 0.5;
     set_xyz(a, xyz(a) + share_of_a * delta);
     set_xyz(b, xyz(b) - (1 - share_of_a) * delta);

@@ -6,6 +6,8 @@
 // Source: Han & Harada 2012, section 3.2.
 #include "backend/reference/stages.hpp"
 
+#include <plait/constants.h>
+
 #include <algorithm>
 
 namespace plait::reference {
@@ -36,7 +38,8 @@ void bend_joint(const Strand& strand, uint32_t i, double k, const local_shape_ar
 
 void local_shape(uint32_t item_count, const plait_local_shape_params& params,
                  const local_shape_args& args) {
-    const double k = std::min(static_cast<double>(params.stiffness), 0.95) / 2;
+    const double k =
+        std::min(static_cast<double>(params.stiffness), PLAIT_LOCAL_SHAPE_MAX_STIFFNESS) / 2;
     for (size_t s = 0; s < item_count; ++s) {
         const Strand strand{s * params.vertex_stride,
                             vertices_of(args.vertex_count, s, params.vertex_stride),

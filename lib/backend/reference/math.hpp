@@ -1,4 +1,4 @@
-// float64 vectors, poses and the two conventions of stages.def: n(x) and the shortest-arc turn.
+// float64 vectors, poses and two conventions of docs/backends.md: n(x) and the shortest-arc turn.
 #pragma once
 
 #include "backend/reference/view.hpp"

@@ -6,6 +6,8 @@
 // strand that touches something takes one step more.
 #include "backend/reference/rod_model.hpp"
 
+#include <plait/constants.h>
+
 #include <algorithm>
 
 namespace plait::reference {
@@ -78,13 +80,12 @@ Eigen::VectorXd RodModel::direction() const {
 }
 
 void RodModel::newton() {
-    constexpr int halvings = 4;
     renew_contacts();
-    const double limit = energy() * 1.000001 + 1e-20;
+    const double limit = energy() * PLAIT_ROD_POTENTIAL_FACTOR + PLAIT_ROD_POTENTIAL_MIN;
     const RodModel from = *this;
     const Eigen::VectorXd u = direction();
     double alpha = 1;
-    for (int trial = 0; trial <= halvings; ++trial, alpha /= 2) {
+    for (int trial = 0; trial <= PLAIT_ROD_HALVINGS; ++trial, alpha /= 2) {
         for (size_t i = 0; i < segments(); ++i) {
             const auto at = unknowns * static_cast<Eigen::Index>(i);
             const Vec3 turn = alpha * u.segment<3>(at + W);
@@ -95,7 +96,7 @@ void RodModel::newton() {
             return;
     }
     *this = from;
-    alternate(2, false);
+    alternate(PLAIT_ROD_FALLBACK_ITERATIONS, false);
 }
 
 void rod(uint32_t item_count, const plait_lane_params& params, const rod_args& args) {

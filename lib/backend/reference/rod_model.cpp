@@ -1,19 +1,16 @@
 #include "backend/reference/rod_model.hpp"
 
+#include <plait/constants.h>
+
 #include <algorithm>
 
 namespace plait::reference {
 namespace {
 
-// Share of the last turn: a wrong one must die out, the sooner where no budget takes it.
+// Share of the last turn that an orientation starts with.
 double repeated(const plait_lane_params& params) {
-    return params.bdf2 ? 0.97 : 0.99;
+    return params.bdf2 ? PLAIT_ROD_EXTRAPOLATION_BDF2 : PLAIT_ROD_EXTRAPOLATION;
 }
-
-// m/s^2: most that a strand in contact is stretched or compressed by is what this pull of all its
-// mass does, nine times its weight on Earth.
-constexpr double most_pull = 9 * 9.80665;
-constexpr double least_limit = 1e-3; // nor is any held closer
 
 double dot(const Quat& a, const Quat& b) {
     return a.coeffs().dot(b.coeffs());
@@ -94,7 +91,8 @@ double RodModel::strain_limit() const {
     double mass = 0;
     for (size_t i = 1; i < mass_.size(); ++i)
         mass += length_before_[i] > 0 ? mass_[i] : 0; // none past the tip
-    return std::max(most_pull * mass / (stretch_[0] * length_[0]), least_limit);
+    return std::max(PLAIT_ROD_MAX_ACCELERATION * mass / (stretch_[0] * length_[0]),
+                    PLAIT_ROD_MIN_STRAIN);
 }
 
 // Planes are stiffer than EA, and a solve that is cut short does not let what they push run to the

@@ -2,14 +2,16 @@
 
 #include "backend/reference/view.hpp"
 
-#include <cstring>
-
 namespace plait::reference {
 namespace {
 
 void check_range(const char* name, size_t value, size_t low, size_t high) {
     if (value < low || value > high)
         throw BadDispatch(format("%s is %zu, allowed %zu..%zu", name, value, low, high));
+}
+
+size_t needed(bool read, size_t extent) {
+    return read ? extent : 0;
 }
 
 constexpr size_t max_voxels_per_edge = 64;
@@ -74,60 +76,20 @@ void Shape::check_items(const plait_dispatch& dispatch, plait_space space) const
         check_range("item_count", items_, 0, voxels_);
 }
 
-size_t Shape::elements(const char* argument) const {
-    const auto is = [argument](auto... names) {
-        return ((std::strcmp(argument, names) == 0) || ...);
-    };
-    if (is("position"))
-        return vertices_ + followers_ * stride_;
-    if (is("rest", "rest_length", "position_prev", "position_prev2", "position_local",
-           "position_out", "position_last_frame", "tangent"))
-        return vertices_;
-    if (is("acceleration"))
-        return accelerates_ ? vertices_ : 0;
-    if (is("lane_acceleration"))
-        return accelerates_ ? tiled_vertices_ * 3 : 0;
-    if (is("vertex_count", "strand_stats"))
-        return strands_;
-    if (is("pose", "pose_from", "pose_to", "pose_now"))
-        return strands_ * PLAIT_POSE_STRIDE;
-    if (is("root_from", "root_to"))
-        return per_root_ ? strands_ * PLAIT_POSE_STRIDE : 0;
-    if (is("strand_motion"))
-        return strands_ * PLAIT_MOTION_STRIDE;
-    if (is("capsule"))
-        return colliders_ * PLAIT_CAPSULE_STRIDE;
-    if (is("follow_guide", "follow_offset"))
-        return followers_;
-    if (is("lane_x", "lane_v"))
-        return tiled_vertices_ * 3;
-    if (is("lane_x_before", "lane_v_before"))
-        return history_ ? tiled_vertices_ * 3 : 0;
-    if (is("lane_q", "lane_q_before", "lane_rest"))
-        return tiled_vertices_ * 4;
-    if (is("lane_material"))
-        return tiled_vertices_ * PLAIT_LANE_MATERIAL_COMPONENTS;
-    if (is("lane_slot"))
-        return 2 * items_;
-    if (is("bone_index", "bone_weight"))
-        return 4 * strands_;
-    if (is("points"))
-        return points_;
-    if (is("box"))
-        return 2 * items_;
-    if (is("lane_strand", "lane_from", "lane_to", "bone_matrix"))
-        return 0;
-    if (is("words"))
-        return items_;
-    if (is("grid_slot"))
-        return voxels_ * capacity_;
-    if (is("grid_density", "grid_velocity"))
-        return voxels_;
-    if (is("grid_sum"))
-        return voxels_ * PLAIT_SUM_STRIDE;
-    if (is("grid_outside"))
-        return 1;
-    throw BadDispatch(format("%s: an argument of no known size", argument));
+// The names are those in which buffers.def is written.
+size_t Shape::elements(BufferName buffer) const {
+    constexpr bool ALWAYS = true;
+    const bool PER_ROOT = per_root_, HISTORY = history_, ACCELERATES = accelerates_;
+    const size_t ITEMS = items_, STRANDS = strands_, VERTICES = vertices_, TILED = tiled_vertices_,
+                 FOLLOWERS = followers_, ROW = stride_, COLLIDERS = colliders_, VOXELS = voxels_,
+                 SLOTS = capacity_, POINTS = points_;
+    switch (buffer) {
+#define PLAIT_BUFFER(name, when, extent, components)                                               \
+    case BufferName::name:                                                                         \
+        return needed(when, extent);
+#include <plait/buffers.def>
+    }
+    return 0;
 }
 
 } // namespace plait::reference

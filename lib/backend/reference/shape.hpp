@@ -7,6 +7,12 @@
 
 namespace plait::reference {
 
+// The buffers of buffers.def.
+enum class BufferName {
+#define PLAIT_BUFFER(name, when, extent, components) name,
+#include <plait/buffers.def>
+};
+
 class Shape {
   public:
     // Throws BadDispatch if a parameter, the item count or the item width is out of range.
@@ -43,7 +49,7 @@ class Shape {
 
     // Elements the dispatch needs of a buffer. 0: it may be null, or its size follows from the data
     // (slots name vertices) and is checked on access.
-    size_t elements(const char* argument) const;
+    size_t elements(BufferName buffer) const;
 
   private:
     void set_stride(uint32_t vertex_stride);

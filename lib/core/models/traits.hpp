@@ -4,6 +4,7 @@
 #include <plait/plait.h>
 #include <plait/plait_backend.h>
 
+#include <iterator>
 #include <span>
 #include <string>
 
@@ -22,8 +23,25 @@ struct ModelTraits {
     bool halves_tip;     // half a mass at the tip; else equal masses, a limp chain's
 };
 
-// In the order of plait_model.
-std::span<const ModelTraits> all_models();
+// In the order of plait_model; fields as above.
+inline constexpr ModelTraits model_table[] = {
+    {PLAIT_MODEL_TRESSFX, "tressfx", PLAIT_STAGE_COUNT, 0, 0, false, false, false, false, false},
+    {PLAIT_MODEL_CHAIN, "chain", PLAIT_STAGE_chain, 1, 0, true, false, false, false, false},
+    {PLAIT_MODEL_COSSERAT, "cosserat", PLAIT_STAGE_cosserat, 3, 0, true, true, false, true, true},
+    {PLAIT_MODEL_ROD, "rod", PLAIT_STAGE_rod, 1, 0, true, true, true, true, true},
+    {PLAIT_MODEL_ARTICULATED, "articulated", PLAIT_STAGE_articulated, 1, 1, true, true, true, false,
+     true},
+};
+static_assert([] {
+    for (size_t i = 0; i < std::size(model_table); ++i)
+        if (static_cast<size_t>(model_table[i].model) != i)
+            return false;
+    return true;
+}());
+
+inline std::span<const ModelTraits> all_models() {
+    return model_table;
+}
 inline const ModelTraits& traits_of(plait_model model) {
     return all_models()[static_cast<size_t>(model)];
 }

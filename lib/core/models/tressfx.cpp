@@ -1,5 +1,6 @@
 // The parity model: TressFX 4.1's stages in published order, or with velocity shock propagation
 // before the global shape constraint. A stage that would change nothing is left out.
+#include "core/choices.hpp"
 #include "core/model.hpp"
 #include "core/models/constraints.hpp"
 #include "core/models/wind_cone.hpp"
@@ -77,7 +78,7 @@ void TressFx::shock(Schedule& schedule, const Substep& at) const {
         return;
     schedule.add(PLAIT_STAGE_strand_data, at.layout.guides,
                  plait_strand_data_params{at.layout.row, p.vsp_coeff, p.vsp_accel_threshold,
-                                          static_cast<plait_u32>(p.shock_form)},
+                                          of_kernels(p.shock_form)},
                  {&s.position, &s.position_prev, &s.position_prev2, &strand_motion_});
     schedule.add(PLAIT_STAGE_velocity_shock, at.layout.guide_vertices(),
                  plait_layout_params{at.layout.row},
@@ -92,7 +93,7 @@ void wind(Schedule& schedule, const Substep& at) {
     plait_wind_params params{};
     params.vertex_stride = at.layout.row;
     params.h = at.h;
-    params.form = static_cast<plait_u32>(p.wind_form);
+    params.form = of_kernels(p.wind_form);
     params.drag = p.air_drag;
     for (size_t i = 0; i < 3; ++i)
         params.wind[i] = p.wind[i];

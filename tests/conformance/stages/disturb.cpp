@@ -13,51 +13,21 @@ using cases::FieldKind;
 using cases::Outputs;
 using cases::Setup;
 
-// Components in the order they lie in, "-" for one that no stage may read.
 struct Layout {
     const char* argument;
     const char* components;
 };
-constexpr const char* pose = "q.x q.y q.z q.w t.x t.y t.z -";
-constexpr const char* capsule =
-    "begin.a.x begin.a.y begin.a.z begin.a.radius begin.b.x begin.b.y begin.b.z begin.b.radius "
-    "end.a.x end.a.y end.a.z end.a.radius end.b.x end.b.y end.b.z end.b.radius "
-    "turn.x turn.y turn.z turn.w friction - - -";
 constexpr Layout layouts[] = {
-    {"pose", pose},
-    {"pose_from", pose},
-    {"pose_to", pose},
-    {"pose_now", pose},
-    {"root_from", pose},
-    {"root_to", pose},
-    {"strand_motion", "q.x q.y q.z q.w t.x t.y t.z blend"},
-    {"capsule", capsule},
-    {"lane_material", "length stretch bend mass twist cross"},
-    {"lane_rest", "x y z w"},
-    {"lane_q", "x y z w"},
-    {"lane_q_before", "x y z w"},
-    {"lane_x", "x y z"},
-    {"lane_v", "x y z"},
-    {"lane_x_before", "x y z"},
-    {"lane_v_before", "x y z"},
-    {"rest", "x y z -"},
-    {"position", "x y z w"},
-    {"position_local", "x y z -"},
-    {"position_prev", "x y z -"},
-    {"position_prev2", "x y z -"},
-    {"follow_offset", "x y z -"},
-    {"grid_velocity", "x y z rms"},
-    {"rest_length", "all"},
-    {"grid_density", "all"},
-    {"lane_from", "all"}, // of what kind it is differs
-    {"lane_to", "all"},
+#define PLAIT_BUFFER(name, when, extent, components) {#name, components},
+#include <plait/buffers.def>
 };
 
+// Components in the order they lie in, "-" for one that no stage may read.
 std::vector<std::string> words_of(const char* argument) {
     const auto found = std::find_if(std::begin(layouts), std::end(layouts), [&](const Layout& l) {
         return std::strcmp(l.argument, argument) == 0;
     });
-    std::istringstream text(found == std::end(layouts) ? "?" : found->components);
+    std::istringstream text(found == std::end(layouts) ? "" : found->components);
     std::vector<std::string> words;
     for (std::string word; text >> word;)
         words.push_back(word);

@@ -1,0 +1,138 @@
+/* Tuned constants of the stages: as much of their specification as the formulae. Kernels and the
+ * float64 reference take them from here; docs/constants.md lists them, and a test compares the two.
+ *
+ * Compiled as C99, C++20 and OpenCL C 1.2: float in OpenCL C, double elsewhere. Lengths in segment
+ * lengths are those of the segment before the vertex. h' is the step of the integrator: the
+ * substep, 2/3 of it for BDF2. What only one backend needs (list sizes, rounding of float32)
+ * stands beside its use.
+ */
+#ifndef PLAIT_CONSTANTS_H
+#define PLAIT_CONSTANTS_H
+
+#ifdef __OPENCL_C_VERSION__
+#define PLAIT_NUMBER(digits) digits##f
+#else
+#define PLAIT_NUMBER(digits) digits
+#endif
+
+/* ---- tressfx: integrate, local_shape, length ---------------------------------------------------
+ */
+
+/* 1/s: rate of exp(-rate d h), so that the damping d means at any step what it does at 60 Hz.
+ * TressFX 4.1. */
+#define PLAIT_DAMPING_RATE PLAIT_NUMBER(60.0)
+/* Largest stiffness of the local shape constraint; a joint moves by half of it. TressFX 4.1. */
+#define PLAIT_LOCAL_SHAPE_MAX_STIFFNESS PLAIT_NUMBER(0.95)
+/* m: shortest distance that the length constraint divides by. Ours. */
+#define PLAIT_LENGTH_MIN_DISTANCE PLAIT_NUMBER(1e-7)
+
+/* ---- contact of the strand models --------------------------------------------------------------
+ */
+
+/* Segment lengths: penetration tolerance. A vertex deeper at the substep's begin started inside and
+ * is pushed out softly; no contact spring pushes with more than it does at this depth. Ours. */
+#define PLAIT_CONTACT_TOLERANCE PLAIT_NUMBER(0.005)
+/* Segment lengths: largest penetration after a solve; what is deeper is projected there. Ours. */
+#define PLAIT_CONTACT_MAX_PENETRATION PLAIT_NUMBER(0.02)
+/* m/h'^2, m the vertex's mass: least stiffness that pushes out what started inside. Ours. */
+#define PLAIT_CONTACT_RECOVERY_STIFFNESS PLAIT_NUMBER(10.0)
+/* Relative change of friction's bound mu N below which a contact has not changed. Ours. */
+#define PLAIT_CONTACT_FRICTION_CHANGE PLAIT_NUMBER(0.05)
+/* EA: largest friction on a vertex. A strand that a collider caught is released before it stretches
+ * without end and snaps back. Ours. */
+#define PLAIT_CONTACT_MAX_FRICTION PLAIT_NUMBER(0.1)
+/* Arc length from the root: how far out of a surface that holds the root a vertex has to come. All
+ * of it would have the strand stand on end; the surface itself would stretch it. Ours. */
+#define PLAIT_CONTACT_ROOT_CLEARANCE PLAIT_NUMBER(0.5)
+/* Newton steps to the first crossing; exact to 1e-3 r at half a radius off the axis. Ours. */
+#define PLAIT_SWEEP_STEPS 4
+/* Cosine of 60 degrees: normals farther apart belong to different sides of a capsule. Ours. */
+#define PLAIT_SWEEP_SAME_SIDE PLAIT_NUMBER(0.5)
+
+/* ---- energy budget of the strand models --------------------------------------------------------
+ */
+
+/* J: smallest budget; a strand with less does not move. Ours. */
+#define PLAIT_ENERGY_MIN PLAIT_NUMBER(1e-30)
+/* Squared share of its distance from the root by which a vertex may move in a substep beyond the
+ * budget: positions are float32, and slower creep would wait for their rounding. Ours. */
+#define PLAIT_ENERGY_ROUNDING PLAIT_NUMBER(1e-10)
+/* m g L: what BDF2 leaves to all that moves; truncated solves give creeping hair more than it has.
+ * Ours. */
+#define PLAIT_ENERGY_BDF2_ALLOWANCE PLAIT_NUMBER(1e-5)
+/* Squared relative change of velocities in a substep, beside twice gravity's, up to which BDF2 is
+ * counted by G. Ours. */
+#define PLAIT_ENERGY_BDF2_CHANGE PLAIT_NUMBER(0.2)
+
+/* ---- chain -------------------------------------------------------------------------------------
+ */
+
+/* Rounds of contact and length solves of a strand in contact. Ours. */
+#define PLAIT_CHAIN_CONTACT_ROUNDS 4
+/* h'^2 T/(m l) at rest above which the first length solve takes its tension implicitly; below it
+ * the lengths alone are more accurate. Ours. */
+#define PLAIT_CHAIN_IMPLICIT_TENSION PLAIT_NUMBER(0.2)
+/* Share of the sweep's displacement over h' that the vertex before loses in velocity: s_damping of
+ * Mueller et al. 2012. */
+#define PLAIT_CHAIN_VELOCITY_CORRECTION PLAIT_NUMBER(0.5)
+
+/* ---- cosserat and rod --------------------------------------------------------------------------
+ */
+
+/* Share of the last substep's rotation that an orientation starts with. All of it would be the most
+ * accurate start, none costs ten times the error, but a truncated solve never loses a wrong
+ * rotation. Less with BDF2, whose budget keeps the rotation. Ours. */
+#define PLAIT_ROD_EXTRAPOLATION PLAIT_NUMBER(0.99)
+#define PLAIT_ROD_EXTRAPOLATION_BDF2 PLAIT_NUMBER(0.97)
+/* m/s^2: strain bound in contact, the strain that this acceleration of all the strand's mass causes:
+ * 9 g, under 1 % with the EA the library chooses. Ours. */
+#define PLAIT_ROD_MAX_ACCELERATION PLAIT_NUMBER(88.26)
+/* Smallest such bound: what solves leave in stiff EA. Ours. */
+#define PLAIT_ROD_MIN_STRAIN PLAIT_NUMBER(1e-3)
+/* Squared residual (of quaternions) added to Anderson's denominator: residuals of a millionth are
+ * float32's rounding, which extrapolation would multiply by up to 20. Ours. */
+#define PLAIT_ANDERSON_REGULARISATION PLAIT_NUMBER(1e-12)
+/* Bounds of Anderson's coefficient theta. Ours. */
+#define PLAIT_ANDERSON_MIN (-PLAIT_NUMBER(20.0))
+#define PLAIT_ANDERSON_MAX PLAIT_NUMBER(0.9)
+/* A potential has risen if it exceeds this factor of the one before, plus the smallest difference
+ * (J) where it is compared in `rod` and `articulated`. Ours. */
+#define PLAIT_ROD_POTENTIAL_FACTOR PLAIT_NUMBER(1.000001)
+#define PLAIT_ROD_POTENTIAL_MIN PLAIT_NUMBER(1e-20)
+/* Step halvings of the line search; where all fail, so many iterations of cosserat. Ours. */
+#define PLAIT_ROD_HALVINGS 4
+#define PLAIT_ROD_FALLBACK_ITERATIONS 2
+
+/* ---- articulated -------------------------------------------------------------------------------
+ */
+
+/* mu l^2: stiffness of the rotation about a segment's own axis, beside its joint's: that of limp
+ * hair alone would be singular. Ours. */
+#define PLAIT_ARTICULATED_TWIST PLAIT_NUMBER(1e-3)
+/* A potential has risen if by more than this share: below it float32 picks at random. Ours. */
+#define PLAIT_ARTICULATED_POTENTIAL_RISE PLAIT_NUMBER(1e-5)
+/* Line search: factor of each shorter step, and how many there are. Ours. */
+#define PLAIT_ARTICULATED_SHORTEN PLAIT_NUMBER(0.4)
+#define PLAIT_ARTICULATED_SHORTER_STEPS 3
+/* Segment lengths: a Newton step in contact that moves no vertex farther may be the last. Ours. */
+#define PLAIT_ARTICULATED_CONVERGED PLAIT_NUMBER(0.05)
+/* Squared chord between a segment's direction and its director above which somebody moved the
+ * vertices and it is no rounding. Ours. */
+#define PLAIT_ARTICULATED_MISALIGNED PLAIT_NUMBER(1e-9)
+/* Most Newton steps of a strand in contact: planes, normal forces and slip directions are renewed
+ * between them, and the last is the one that changes neither. Fewer hold a hair that should slip,
+ * since the bound of friction lags by a step. Ours. */
+#define PLAIT_ARTICULATED_CONTACT_STEPS 6
+/* Most of one that is still deep then, and how deep that is (segment lengths): a collider that moves
+ * by several of its radii turns hair by more than Newton's method sees in six steps, and what is
+ * deeper is no balance of forces. Ours. */
+#define PLAIT_ARTICULATED_DEEP_STEPS 10
+#define PLAIT_ARTICULATED_DEEP PLAIT_NUMBER(0.1)
+
+/* ---- switching ---------------------------------------------------------------------------------
+ */
+
+/* Of a length: lane_fit leaves a segment that is off by less, float32's rounding. Ours. */
+#define PLAIT_LANE_FIT_TOLERANCE PLAIT_NUMBER(1e-5)
+
+#endif
