@@ -11,9 +11,13 @@ defined=$(sed -nE 's/^#define (PLAIT_[A-Z0-9_]+) (.+)$/\1 \2/p' "$header" |
     sed -E 's/PLAIT_NUMBER\(([^)]*)\)/\1/; s/ \((.*)\)$/ \1/')
 [ -n "$defined" ] || { echo "$header: no constant found"; exit 1; }
 diff <(echo "$listed") <(echo "$defined") || { echo "docs/constants.md is not $header; the lines marked > belong there"; bad=1; }
-for name in $(cut -d' ' -f1 <<<"$defined"); do
-    grep -rqw "$name" cl --include='*.cl' --include='*.clh' || { echo "$name: no kernel reads it"; bad=1; }
-    grep -rqw "$name" lib/backend/reference || { echo "$name: the reference does not read it"; bad=1; }
+
+# Names in the files of a folder, each once.
+names_in() { grep -rohE --include='*.cl' --include='*.clh' --include='*.[ch]pp' 'PLAIT_[A-Z0-9_]+' "$1" | sort -u; }
+names=$(cut -d' ' -f1 <<<"$defined" | sort)
+for folder in cl lib/backend/reference; do
+    unread=$(comm -23 <(echo "$names") <(names_in "$folder"))
+    [ -z "$unread" ] || { echo "nothing in $folder reads: ${unread//$'\n'/, }"; bad=1; }
 done
 echo "$(wc -l <<<"$defined") constants"
 exit $bad
