@@ -641,8 +641,8 @@ typedef enum plait_field {
     PLAIT_FIELD_BOUNDS = 10,
     /* float[4] [guides][V], m/s^2, in the world: what pulls at a vertex beside gravity and air, in
        every model, until it is written again; 0 at first. The caller writes it, or his own kernel
-       of the stage accelerate does before each fixed step. Not part of a snapshot. With
-       accelerations */
+       of the stage accelerate does before each fixed step. Of a vertex with a component that is
+       not finite or beyond 1e4 it is taken as 0. Not part of a snapshot. With accelerations */
     PLAIT_FIELD_ACCELERATION = 11,
     PLAIT_FIELD_COUNT = 12,
     PLAIT_FIELD_FORCE_32 = 0x7fffffff
@@ -669,7 +669,7 @@ typedef struct plait_sim_stats {
     double time;                  /* s simulated */
     float max_stretch;            /* worst |l/l0 - 1| of any segment, now */
     float mean_stretch;
-    uint64_t nonfinite;    /* vertices, now */
+    uint64_t nonfinite;    /* vertices, now; and those whose ACCELERATION is taken as 0 */
     float max_speed;       /* m/s, now */
     uint64_t grid_outside; /* vertices outside the grid in the last inter-hair step */
     uint64_t device_bytes; /* buffers of this sim */
