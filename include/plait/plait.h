@@ -530,6 +530,7 @@ PLAIT_API plait_result plait_context_prepare(plait_context* context, const plait
 /* Strands are stored [strands][V], V the groom's longest; shorter strands are padded with copies of
  * their tip. Guides come first, then follows, guide by guide. The head starts at the identity.
  * `desc` NULL: all defaults. Context and groom may be destroyed before the sim.
+ * Waits: what is on the device when it returns is the hair at rest, ready to be drawn or stepped.
  * To the context's log go warnings: strands whose lengths are not hair's, a sag-free start that was
  * not reached or took much stiffening (plait_sim_info.warning), and parameters away from their
  * defaults that no strand's model reads; these also from plait_sim_set_params, of what it changes.
@@ -619,6 +620,14 @@ PLAIT_API plait_result plait_sim_teleport(plait_sim* sim, const plait_roots* roo
  * call. Returns before the device is done, whatever moves (docs/threading.md).
  * Failures of the device may come with a later call, at the latest with one that waits. */
 PLAIT_API plait_result plait_sim_step(plait_sim* sim, double dt);
+
+/* The same for many sims, `count` of them: each as plait_sim_step would, to the same bits, but put
+ * on the device together, where the work of one fills what another leaves idle. For crowds of small
+ * sims; with profile = 1 one runs after another, so that each is timed. All are of `context`, none
+ * is NULL or there twice: else the message names the index, and no sim has moved. Where the device
+ * fails it names the sim it was at: those before it have been stepped, those after it have not. */
+PLAIT_API plait_result plait_context_step(plait_context* context, plait_sim* const* sims,
+                                          size_t count, double dt);
 
 /* Wait for the device; reports failures of the steps before. */
 PLAIT_API plait_result plait_sim_wait(plait_sim* sim);

@@ -48,7 +48,8 @@ class Sim {
     Sim& operator=(const Sim&) = delete;
     ~Sim();
 
-    // Fills what is shown before the first step. UNSUPPORTED if the backend lacks a stage.
+    // Fills what is shown before the first step, and waits for it: else the first step would.
+    // UNSUPPORTED if the backend lacks a stage.
     Status start();
 
     Status reset();
