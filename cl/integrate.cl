@@ -37,7 +37,7 @@ __kernel void plait_integrate(const uint item_count, const plait_integrate_param
     const float4 prev = position_prev[item];
     float3 pull = (float3)(params.gravity[0], params.gravity[1], params.gravity[2]);
     if (params.accelerates)
-        pull += acceleration[item].xyz;
+        pull += checked_acceleration(acceleration[item].xyz);
     float3 moved = pose_apply(pose_load(pose, strand), rest[item].xyz);
     if (is_free(x))
         moved = global_shape(verlet(&params, pull, x.xyz, prev.xyz), moved, params.global_stiffness,

@@ -2,9 +2,15 @@
  *
  * Items   strands, over lanes.
  * Reads   lane_strand, vertex_count, acceleration.
- * Writes  lane_acceleration: 0 past the tip, where it would pull at masses that are not there.
+ * Writes  lane_acceleration: 0 past the tip, where it would pull at masses that are not there, and
+ *         where a component is not finite or beyond PLAIT_MOST_ACCELERATION.
  */
 #include "common/lane_step.clh"
+
+static inline mask is_allowed(vec3 a) {
+    const real most = (real)(PLAIT_MOST_ACCELERATION);
+    return (fabs(a.x) <= most) & (fabs(a.y) <= most) & (fabs(a.z) <= most);
+}
 
 __kernel void plait_lane_accelerate(const uint item_count, const plait_lane_tile_params params,
                                     __global const uint* lane_strand,
@@ -21,6 +27,7 @@ __kernel void plait_lane_accelerate(const uint item_count, const plait_lane_tile
     const vec3 zero = vec3_of((real)(0.0f), (real)(0.0f), (real)(0.0f));
     for (uint i = 0; i < PLAIT_VERTICES; ++i) {
         const vec3 own = gather3(acceleration, &strands, PLAIT_VERTICES, i);
-        store3(lane_acceleration, place, i, pick3((real)((float)i) < count, own, zero));
+        const mask pulls = ((real)((float)i) < count) & is_allowed(own);
+        store3(lane_acceleration, place, i, pick3(pulls, own, zero));
     }
 }

@@ -558,6 +558,7 @@ PLAIT_API plait_result plait_context_prepare(plait_context* context, const plait
 /* Strands are stored [strands][V], V the groom's longest; shorter strands are padded with copies of
  * their tip. Guides come first, then follows, guide by guide. The head starts at the identity.
  * `desc` NULL: all defaults. Context and groom may be destroyed before the sim.
+ * Waits: what is on the device when it returns is the hair at rest, ready to be drawn or stepped.
  * Logs warnings: strands whose lengths are not those of hair, a sag-free start that was not reached
  * or needed much stiffening (plait_sim_info.warning), and parameters away from their defaults that
  * no strand's model reads; of these plait_sim_set_params warns, too, for what it changes.
@@ -659,6 +660,14 @@ PLAIT_API plait_result plait_sim_teleport(plait_sim* sim, const plait_roots* roo
  * Failures of the device may come with a later call, at the latest with one that waits. */
 PLAIT_API plait_result plait_sim_step(plait_sim* sim, double dt);
 
+/* The same for many sims, `count` of them: each as plait_sim_step would, to the same bits, but put
+ * on the device together, where the work of one fills what another leaves idle. For crowds of small
+ * sims; with profile = 1 one runs after another, so that each is timed. All are of `context`, none
+ * is NULL or there twice: else the message names the index, and no sim has moved. Where the device
+ * fails it names the sim it was at: those before it have been stepped, those after it have not. */
+PLAIT_API plait_result plait_context_step(plait_context* context, plait_sim* const* sims,
+                                          size_t count, double dt);
+
 /* Wait for the device; reports failures of the steps before. */
 PLAIT_API plait_result plait_sim_wait(plait_sim* sim);
 
@@ -680,7 +689,8 @@ typedef enum plait_field {
     PLAIT_FIELD_BOUNDS = 10,
     /* float[4] [guides][V], m/s^2, in the world: acceleration of a vertex beside gravity and air,
        in every model, until it is written again; 0 at first. The caller writes it, or the caller's
-       kernel for the stage accelerate does before each fixed step. Not part of a snapshot. With
+       kernel for the stage accelerate does before each fixed step. Where a component is not
+       finite or beyond 1e4 it is taken as 0. Not part of a snapshot. With
        accelerations */
     PLAIT_FIELD_ACCELERATION = 11,
     PLAIT_FIELD_COUNT = 12,
@@ -708,7 +718,7 @@ typedef struct plait_sim_stats {
     double time;                  /* s simulated */
     float max_stretch;            /* worst |l/l0 - 1| of any segment, now */
     float mean_stretch;
-    uint64_t nonfinite;    /* vertices, now */
+    uint64_t nonfinite;    /* vertices, now; and those whose ACCELERATION is taken as 0 */
     float max_speed;       /* m/s, now */
     uint64_t grid_outside; /* vertices outside the grid in the last inter-hair step */
     uint64_t device_bytes; /* buffers of this sim */

@@ -89,6 +89,11 @@ class Context : public detail::Owner<plait_context, plait_context_destroy> {
         return info;
     }
 
+    // Sims of this context: context.step({head, beard}, dt).
+    void step(const std::vector<plait_sim*>& sims, double dt) const {
+        check(plait_context_step(get(), sims.data(), sims.size(), dt));
+    }
+
   private:
     static plait_context* create(const plait_context_desc& desc) {
         plait_context* handle = nullptr;

@@ -121,8 +121,15 @@ typedef struct plait_stage_launch {
     uint64_t queued_ns, begin_ns, end_ns; /* all 0: unknown */
 } plait_stage_launch;
 
+typedef enum plait_overlap {
+    PLAIT_OVERLAP_BEGIN = 0, /* sequences follow, each behind all that was submitted before */
+    PLAIT_OVERLAP_NEXT = 1,  /* the next sequence: it and those before touch no common buffer */
+    PLAIT_OVERLAP_END = 2,   /* what follows is behind all of them */
+    PLAIT_OVERLAP_FORCE_32 = 0x7fffffff
+} plait_overlap;
+
 typedef struct plait_device_api {
-    uint32_t struct_size;
+    uint32_t struct_size; /* sizeof, or less by optional functions, which are then absent */
     void (*destroy)(plait_device*);
     plait_result (*describe)(plait_device*, plait_device_info*);
     int (*supports)(plait_device*, plait_stage);
@@ -158,6 +165,13 @@ typedef struct plait_device_api {
     void* (*native_buffer)(plait_device*, plait_buffer*);
     /* cl_command_queue for opencl; NULL elsewhere. */
     void* (*native_queue)(plait_device*);
+
+    /* ---- optional: NULL, or beyond struct_size ---- */
+
+    /* Between BEGIN and END come submit, buffer_upload and NEXT alone. Each sequence is in order;
+     * different ones may run at once, and need not begin before END. Where BEGIN fails there is
+     * nothing to end. Without it all is one sequence. */
+    plait_result (*overlap)(plait_device*, plait_overlap what);
 } plait_device_api;
 
 typedef struct plait_open_info {

@@ -6,7 +6,8 @@
 
 struct plait_context {
     plait::Context context;
-    size_t users = 1; // its handle, until destroyed, and its sims
+    size_t users = 1;   // its handle, until destroyed, and its sims
+    uint64_t lists = 0; // of sims that were given to it, counted
 
     plait_context(const plait::ContextRules& rules, plait::Device opened,
                   const plait_device_info& described)
@@ -26,6 +27,8 @@ struct plait_groom {
 struct plait_sim {
     plait::Sim sim;
     plait_context& owner;
+    uint64_t list = 0; // the last one that it was in, and where
+    size_t place = 0;
 
     plait_sim(plait_context& context, plait::SimParts parts)
         : sim(context.context, std::move(parts)), owner(context) {

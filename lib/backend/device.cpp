@@ -2,6 +2,8 @@
 
 #include "base/format.hpp"
 
+#include <cstddef>
+
 namespace plait {
 
 Result<Device> Device::open(const plait_backend_api& backend, const plait_open_info& info) {
@@ -80,6 +82,13 @@ Status Device::prepare(std::span<const plait_dispatch> list) {
 
 Status Device::wait() {
     return perform("wait", [&] { return api_->wait(handle_); });
+}
+
+Status Device::overlap(plait_overlap what) {
+    const size_t end = offsetof(plait_device_api, overlap) + sizeof api_->overlap;
+    if (api_->struct_size < end || !api_->overlap)
+        return {};
+    return perform("overlap", [&] { return api_->overlap(handle_, what); });
 }
 
 Status Device::stage_costs(plait_stage_cost* dst, bool reset) {

@@ -78,6 +78,8 @@ class Device {
     Status submit(std::span<const plait_dispatch> list);
     Status prepare(std::span<const plait_dispatch> list); // builds what the list needs
     Status wait();
+    // Nothing where the backend has no such function: all is one sequence then.
+    Status overlap(plait_overlap what);
     Status stage_costs(plait_stage_cost* dst, bool reset); // dst[PLAIT_STAGE_COUNT]
     Status take_launches(plait_stage_launch* dst, size_t& count);
 

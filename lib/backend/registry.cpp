@@ -4,6 +4,7 @@
 #include "backend/module.hpp"
 #include "base/format.hpp"
 
+#include <cstddef>
 #include <cstring>
 #include <initializer_list>
 #include <mutex>
@@ -88,9 +89,11 @@ Status check(const plait_backend_api* api) {
                               std::strlen(api->name), sizeof(plait_device_info::backend) - 1));
     if (const char* missing = missing_function(*api))
         return refused(api->name, format("%s is NULL", missing));
-    if (api->device->struct_size != sizeof(plait_device_api))
-        return refused(api->name, format("device->struct_size is %u, this library has %zu",
-                                         api->device->struct_size, sizeof(plait_device_api)));
+    constexpr size_t least = offsetof(plait_device_api, overlap); // the first optional one
+    if (api->device->struct_size < least || api->device->struct_size > sizeof(plait_device_api))
+        return refused(api->name,
+                       format("device->struct_size is %u, this library has %zu to %zu",
+                              api->device->struct_size, least, sizeof(plait_device_api)));
     if (const char* missing = missing_function(*api->device))
         return refused(api->name, format("%s is NULL", missing));
     return {};

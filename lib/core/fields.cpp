@@ -16,9 +16,9 @@ Error is_off(const char* what) {
 
 // What the caller may write: as far as grooms and heads may be, and as fast as gravity may get hair
 // in a second.
-constexpr float farthest = 1e6f;  // m
-constexpr float fastest = 1e4f;   // m/s
-constexpr float strongest = 1e4f; // m/s^2
+constexpr float farthest = 1e6f;                     // m
+constexpr float fastest = 1e4f;                      // m/s
+constexpr float strongest = PLAIT_MOST_ACCELERATION; // m/s^2
 
 // Of xyz; w is not read.
 Status check_vectors(const float* values, size_t count, const char* field, float most) {

@@ -100,6 +100,7 @@ Status Sim::start() {
     model_->reset(schedule_, present());
     display_.keep(schedule_, layout_, state_);
     PLAIT_TRY(show_at_once());
+    PLAIT_TRY(wait());
     log_warnings(default_params(), "");
     return {};
 }

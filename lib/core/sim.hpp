@@ -52,7 +52,8 @@ class Sim {
     Sim& operator=(const Sim&) = delete;
     ~Sim();
 
-    // Fills what is shown before the first step. UNSUPPORTED if the backend lacks a stage.
+    // Fills what is shown before the first step, and waits for it: else the first step would.
+    // UNSUPPORTED if the backend lacks a stage.
     Status start();
 
     Status reset();
@@ -134,6 +135,7 @@ class Sim {
     void add_bounds();
     Status make_bounds();
     Status check_models(std::span<const plait_model> models) const;
+    Result<uint64_t> accelerations_ignored() const;
     uint64_t device_bytes() const;
     uint32_t models_in_use() const;    // bits 1u << plait_model
     std::string warning() const;       // plait_sim_info.warning

@@ -1,6 +1,8 @@
 // Health and cost of a sim.
 #include "core/sim.hpp"
 
+#include <plait/params.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -23,6 +25,12 @@ void reduce(std::span<const Float4> strands, plait_sim_stats& out) {
     out.mean_stretch = static_cast<float>(stretch / double(strands.size()));
 }
 
+bool is_allowed(const Float4& acceleration) {
+    return std::all_of(acceleration.begin(), acceleration.begin() + 3, [](float a) {
+        return std::abs(a) <= PLAIT_MOST_ACCELERATION; // NaN is not
+    });
+}
+
 } // namespace
 
 void Sim::add_stats() {
@@ -42,6 +50,9 @@ Status Sim::stats(plait_sim_stats& out) {
     std::pmr::vector<Float4> strands(layout_.guides, &context_.memory);
     PLAIT_TRY(device().read(strand_stats_, strands.data()));
     reduce(strands, out);
+    const auto ignored = accelerations_ignored();
+    PLAIT_TRY(ignored);
+    out.nonfinite += *ignored;
     out.max_speed /= substep_length();
     uint32_t outside = 0;
     if (grid_.outside())
@@ -60,6 +71,22 @@ Status Sim::stats(plait_sim_stats& out) {
     out.joints_stiffened = sag.stiffened;
     out.worst_stiffening = static_cast<float>(sag.stiffening);
     return {};
+}
+
+// Vertices whose acceleration the stages take as 0. Only a kernel of the caller's, or the caller on
+// the device, can have written such a one.
+Result<uint64_t> Sim::accelerations_ignored() const {
+    if (!state_.acceleration)
+        return uint64_t{0};
+    std::pmr::vector<uint32_t> counts(layout_.guides, &context_.memory);
+    std::pmr::vector<Float4> accelerations(layout_.guide_vertices(), &context_.memory);
+    PLAIT_TRY(device().read(state_.vertex_count, 0, counts.size(), counts.data()));
+    PLAIT_TRY(device().read(state_.acceleration, accelerations.data()));
+    uint64_t ignored = 0;
+    for (size_t strand = 0; strand < counts.size(); ++strand)
+        for (size_t i = 0; i < counts[strand]; ++i)
+            ignored += !is_allowed(accelerations[strand * layout_.row + i]);
+    return ignored;
 }
 
 uint64_t Sim::device_bytes() const {

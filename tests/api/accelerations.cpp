@@ -212,6 +212,53 @@ TEST(AccelerationsOnOpenCL, AreFilledByTheCallersOwnKernel) {
     }
 }
 
+// Writes what value[0] says to vertex 2 of strand 1, past the tip of strand 0, and 3 m/s^2
+// elsewhere.
+constexpr const char* writes_anything =
+    "#include <plait/params.h>\n"
+    "__kernel void plait_accelerate(const uint item_count,\n"
+    "    const plait_accelerate_params params, __global const uint* vertex_count,\n"
+    "    __global const float4* position, __global const float4* position_prev,\n"
+    "    __global float4* acceleration) {\n"
+    "    const uint i = get_global_id(0);\n"
+    "    if (i >= item_count)\n"
+    "        return;\n"
+    "    const float bad = params.value[0] > 0.0f ? params.value[1] : NAN;\n"
+    "    const uint stride = params.vertex_stride;\n"
+    "    const int is_bad = i == stride + 2 || i == stride - 1;\n"
+    "    acceleration[i] = (float4)(3.0f, is_bad ? bad : 0.0f, 0.0f, 0.0f);\n"
+    "}\n";
+
+// As if the caller had written 0 there; counted, but not where there is no vertex.
+TEST(AccelerationsOnOpenCL, OutOfRangeAreZeroAndCounted) {
+    const plait_stage_source source{"accelerate", writes_anything, "anything.cl"};
+    auto context_desc = plait_context_desc_defaults();
+    context_desc.backend = "opencl";
+    context_desc.stage_sources = &source;
+    context_desc.stage_source_count = 1;
+    const plait::Context own(context_desc);
+    const auto plain = make_context("opencl");
+    const Strands strands{curl({0, 0, 0}, 6), curl({0, 0.1f, 0}, 8)};
+    auto values = everywhere(2 * 8, {3, 0, 0});
+    std::fill_n(values.begin() + 4 * (8 + 2), 4, 0.0f);
+    for (const plait_model model : every_model) {
+        plait::Sim expected(plain, make_groom(strands), pulled(model));
+        write(expected, values);
+        run(expected, 5);
+        EXPECT_EQ(expected.stats().nonfinite, 0u);
+        const float numbers[][2] = {{0, 0}, {1, 1e6f}, {1, -1.1e4f}}; // the first is NaN
+        for (const auto& number : numbers) {
+            auto desc = pulled(model);
+            std::copy_n(number, 2, desc.params.accelerate_values);
+            plait::Sim sim(own, make_groom(strands), desc);
+            run(sim, 5);
+            EXPECT_EQ(sim.read(PLAIT_FIELD_POSITION), expected.read(PLAIT_FIELD_POSITION))
+                << model << ", " << number[1];
+            EXPECT_EQ(sim.stats().nonfinite, 1u) << model << ", " << number[1];
+        }
+    }
+}
+
 // A context with a kernel of the caller's, or with none, and what it warns of.
 struct Warned {
     explicit Warned(bool own) : context(create(own)) {}

@@ -130,6 +130,8 @@ TEST(Arguments, NullPointers) {
         {"out is NULL", [](O& o) { return plait_context_describe(o.context, nullptr); }},
         {"context is NULL", [](O&) { return plait_context_prepare(nullptr, nullptr, 0, 16); }},
         {"models is NULL", [](O& o) { return plait_context_prepare(o.context, nullptr, 0, 16); }},
+        {"context is NULL", [](O&) { return plait_context_step(nullptr, nullptr, 0, 0); }},
+        {"sims is NULL", [](O& o) { return plait_context_step(o.context, nullptr, 1, 0); }},
         {"desc is NULL", [](O& o) { return plait_groom_create(nullptr, nullptr, &o.no_groom); }},
         {"out is NULL", [&](O&) { return plait_groom_create(&groom, nullptr, nullptr); }},
         {"path is NULL", [](O& o) { return plait_groom_load(nullptr, nullptr, &o.no_groom); }},

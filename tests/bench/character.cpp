@@ -22,8 +22,9 @@ constexpr const char* scenes[] = {"alone", "bodies", "everything"};
 
 struct Crowd {
     uint32_t sims, strands; // of each
+    bool together;          // in one call, else one after another
 };
-constexpr Crowd crowds[] = {{100, 500}, {1, 50000}};
+constexpr Crowd crowds[] = {{100, 500, true}, {100, 500, false}, {1, 50000, true}};
 
 plait_collider_desc desc_of(const plait_generator::Capsule& capsule) {
     plait_collider_desc desc = plait_collider_desc_defaults();
@@ -48,8 +49,8 @@ class Character {
   public:
     Character(plait_context* context, plait_groom* groom, plait_model model, Scene scene);
 
-    void begin_frame(); // does not wait
-    void end_frame();
+    void aim(); // at where the next frame ends
+    plait_sim* sim() const { return sim_.get(); }
 
   private:
     Sim sim_;
@@ -70,7 +71,7 @@ Character::Character(plait_context* context, plait_groom* groom, plait_model mod
     }
 }
 
-void Character::begin_frame() {
+void Character::aim() {
     const float turn = static_cast<float>(number_++ % frames_of_turn) / frames_of_turn;
     const float half = 0.25f * std::sin(6.2831853f * turn); // rad, about y
     plait_roots roots = plait_roots_defaults();
@@ -78,20 +79,43 @@ void Character::begin_frame() {
     check(plait_sim_set_roots(sim_.get(), &roots));
     for (const plait_collider_id collider : on_head_)
         check(plait_collider_set_pose(sim_.get(), collider, &roots.head));
-    check(plait_sim_step(sim_.get(), 1.0 / 60 + 1e-9));
 }
 
-void Character::end_frame() {
-    check(plait_sim_wait(sim_.get()));
-}
+// All characters of one context.
+class Stage {
+  public:
+    Stage(const plait_device_info& device, plait_groom* groom, plait_model model, Scene scene,
+          const Crowd& crowd)
+        : context_(make_context(device)), together_(crowd.together) {
+        for (uint32_t i = 0; i < crowd.sims; ++i) {
+            characters_.emplace_back(context_.get(), groom, model, scene);
+            sims_.push_back(characters_.back().sim());
+        }
+    }
 
-double seconds_of_frame(std::vector<Character>& characters) {
-    const auto start = std::chrono::steady_clock::now();
-    for (Character& character : characters)
-        character.begin_frame();
-    characters.back().end_frame(); // the queue is in order
-    return seconds_since(start);
-}
+    double seconds_of_frame() {
+        const auto start = std::chrono::steady_clock::now();
+        for (Character& character : characters_)
+            character.aim();
+        step(1.0 / 60 + 1e-9);
+        check(plait_sim_wait(sims_.back())); // waits for all that was put on the device
+        return seconds_since(start);
+    }
+
+  private:
+    void step(double dt) {
+        if (together_)
+            check(plait_context_step(context_.get(), sims_.data(), sims_.size(), dt));
+        else
+            for (plait_sim* sim : sims_)
+                check(plait_sim_step(sim, dt));
+    }
+
+    Context context_;
+    std::vector<Character> characters_;
+    std::vector<plait_sim*> sims_;
+    bool together_;
+};
 
 std::string row_name(uint32_t device, const std::string& group, uint32_t strands, const char* model,
                      Scene scene) {
@@ -116,17 +140,16 @@ Groom long_hair(uint32_t strands) {
     return Groom(groom);
 }
 
-// Seconds of a frame, a mean over whole turns, since what touches changes with the turn. The
-// characters are stepped one after another, on one context.
-double measure_turns(benchmark::State& state, std::vector<Character>& characters) {
+// Seconds of a frame, a mean over whole turns, since what touches changes with the turn.
+double measure_turns(benchmark::State& state, Stage& stage) {
     for (uint32_t i = 0; i < settling; ++i)
-        seconds_of_frame(characters);
+        stage.seconds_of_frame();
     double total = 0;
     uint64_t frames = 0;
     for ([[maybe_unused]] auto _ : state) {
         double turn = 0;
         for (uint32_t i = 0; i < frames_of_turn; ++i)
-            turn += seconds_of_frame(characters);
+            turn += stage.seconds_of_frame();
         state.SetIterationTime(turn);
         total += turn;
         frames += frames_of_turn;
@@ -136,23 +159,21 @@ double measure_turns(benchmark::State& state, std::vector<Character>& characters
     return seconds;
 }
 
-void register_crowd(uint32_t index, const Crowd& crowd, const NamedModel& named,
+void register_crowd(uint32_t index, const Crowd& crowd, const NamedModel& named, Scene scene,
                     const std::shared_ptr<Grooms>& grooms, Results& results) {
-    register_row(row_name(index, "sims:" + std::to_string(crowd.sims), crowd.strands, named.name,
-                          Scene::everything),
-                 results, [=, &named, &results](benchmark::State& state) {
-                     Groom& groom = (*grooms)[crowd.strands];
-                     if (!groom)
-                         groom = long_hair(crowd.strands);
-                     DeviceResults& device = results.devices[index];
-                     const Context context = make_context(device.device);
-                     std::vector<Character> characters;
-                     for (uint32_t i = 0; i < crowd.sims; ++i)
-                         characters.emplace_back(context.get(), groom.get(), named.model,
-                                                 Scene::everything);
-                     device.crowd_seconds[{crowd.sims, crowd.strands, named.name}] =
-                         measure_turns(state, characters);
-                 });
+    const std::string group =
+        "sims:" + std::to_string(crowd.sims) + (crowd.together ? "" : "/apart");
+    register_row(
+        row_name(index, group, crowd.strands, named.name, scene), results,
+        [=, &named, &results](benchmark::State& state) {
+            Groom& groom = (*grooms)[crowd.strands];
+            if (!groom)
+                groom = long_hair(crowd.strands);
+            DeviceResults& device = results.devices[index];
+            Stage stage(device.device, groom.get(), named.model, scene, crowd);
+            device.crowd_seconds[{crowd.sims, crowd.strands, named.name, scene, crowd.together}] =
+                measure_turns(state, stage);
+        });
 }
 
 } // namespace
@@ -168,18 +189,18 @@ void register_characters(uint32_t index, Results& results) {
                                  if (!groom)
                                      groom = long_hair(strands);
                                  DeviceResults& device = results.devices[index];
-                                 const Context context = make_context(device.device);
-                                 std::vector<Character> one;
-                                 one.emplace_back(context.get(), groom.get(), named.model, scene);
+                                 Stage one(device.device, groom.get(), named.model, scene,
+                                           {1, strands, true});
                                  device.character_seconds[{strands, named.name, scene}] =
                                      measure_turns(state, one);
                              });
     for (const NamedModel& named : models)
-        register_crowd(index, {1, few_strands}, named, grooms, results);
+        register_crowd(index, {1, few_strands, true}, named, Scene::everything, grooms, results);
     for (const NamedModel& named : models)
         if (named.model == plait_sim_desc_defaults().model)
-            for (const Crowd& crowd : crowds)
-                register_crowd(index, crowd, named, grooms, results);
+            for (const Scene scene : {Scene::alone, Scene::bodies, Scene::everything})
+                for (const Crowd& crowd : crowds)
+                    register_crowd(index, crowd, named, scene, grooms, results);
 }
 
 } // namespace bench

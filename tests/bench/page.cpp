@@ -202,20 +202,35 @@ std::string character_table(const DeviceResults& results) {
            rows;
 }
 
+// Over one sim of as many strands; 0: not measured.
+double over_one(const DeviceResults& results, const CrowdKey& key, double seconds) {
+    const auto one =
+        results.crowd_seconds.find({1, key.sims * key.strands, key.model, key.scene, true});
+    return one == results.crowd_seconds.end() ? 0 : seconds / one->second;
+}
+
 std::string crowd_table(const DeviceResults& results) {
     if (results.crowd_seconds.empty())
         return "";
+    constexpr const char* scenes[] = {"alone", "+ 14 capsules", "+ grid"};
     std::string rows;
-    for (const auto& [key, seconds] : results.crowd_seconds)
-        rows += text("| %u | %u | %s | %.3g | %.0f |\n", key.sims, key.strands, key.model.c_str(),
+    for (const auto& [key, seconds] : results.crowd_seconds) {
+        const double ratio = over_one(results, key, seconds);
+        rows += text("| %u | %u | %s | %s | %s | %.3g | %.0f |", key.sims, key.strands,
+                     key.model.c_str(), scenes[static_cast<int>(key.scene)],
+                     key.sims == 1  ? ""
+                     : key.together ? "one"
+                                    : "one each",
                      1e3 * seconds, 1e6 * seconds / key.sims);
+        rows += key.sims > 1 && ratio > 0 ? text(" %.2f |\n", ratio) : " |\n";
+    }
     constexpr char head[] =
-        "\n## Small, and many\n\nThe same character with everything on: little hair, of whose step "
-        "the "
-        "part is large that does not depend on its size; and many sims of one context, stepped one "
-        "after "
-        "another and waited for once, beside one sim of as many strands.\n\n"
-        "| sims | strands of each | model | ms/frame | us/sim |\n|---:|---:|---|---:|---:|\n";
+        "\n## Small, and many\n\nThe same character: little hair, of whose step the part is large "
+        "that does not depend on its size; and many sims of one context, in one call of "
+        "`plait_context_step` or one after another by `plait_sim_step`, and waited for once, "
+        "beside one sim of as many strands.\n\n"
+        "| sims | strands of each | model | with | calls | ms/frame | us/sim | x one sim |\n"
+        "|---:|---:|---|---|---|---:|---:|---:|\n";
     return head + rows;
 }
 
@@ -240,8 +255,9 @@ std::string csv(const Options& options, const DeviceResults& results) {
         rows += text("character %s %s,%u,%u,%.9g,,\n", key.model.c_str(),
                      scenes[static_cast<int>(key.scene)], key.strands, model_vertices, seconds);
     for (const auto& [key, seconds] : results.crowd_seconds)
-        rows += text("sims:%u %s everything,%u,%u,%.9g,,\n", key.sims, key.model.c_str(),
-                     key.strands, model_vertices, seconds);
+        rows += text("sims:%u%s %s %s,%u,%u,%.9g,,\n", key.sims, key.together ? "" : " apart",
+                     key.model.c_str(), scenes[static_cast<int>(key.scene)], key.strands,
+                     model_vertices, seconds);
     return rows;
 }
 

@@ -39,10 +39,12 @@ struct SceneKey {
     auto operator<=>(const SceneKey&) const = default;
 };
 
-// So many sims on one context, each with so many strands.
+// So many sims on one context, each with so many strands, in one call or in one for each.
 struct CrowdKey {
     uint32_t sims, strands;
     std::string model;
+    Scene scene;
+    bool together;
     auto operator<=>(const CrowdKey&) const = default;
 };
 
@@ -52,7 +54,7 @@ struct DeviceResults {
     std::map<std::pair<uint32_t, Interhair>, double> step_seconds;    // of tressfx, by strands
     std::map<std::pair<uint32_t, std::string>, double> model_seconds; // by strands and model
     std::map<SceneKey, double> character_seconds;
-    std::map<CrowdKey, double> crowd_seconds; // of a frame of all of them, with everything on
+    std::map<CrowdKey, double> crowd_seconds; // of a frame of all of them
     double copy_rate = 0;                     // bytes/s, read and written; 0: not measured
     double flop_rate = 0;                     // of multiply-adds, two each
 };

@@ -21,6 +21,9 @@ typedef uint32_t plait_u32;
 #define PLAIT_MIN_VERTICES 2
 #define PLAIT_MAX_VERTICES 256
 
+/* m/s^2: where a component of a vertex's acceleration is beyond it, or not finite, it has none. */
+#define PLAIT_MOST_ACCELERATION 1e4f
+
 /* A slot of the voxel grid that holds no vertex. */
 #define PLAIT_SLOT_EMPTY 0xffffffffu
 

@@ -149,6 +149,10 @@ void* native_queue(plait_device* device) {
     return unwrap(device).queue();
 }
 
+plait_result overlap(plait_device* device, plait_overlap what) {
+    return perform(device, [&](Device& self) { return self.overlap(what); });
+}
+
 constexpr plait_device_api device_functions = {
     .struct_size = sizeof(plait_device_api),
     .destroy = destroy,
@@ -167,6 +171,7 @@ constexpr plait_device_api device_functions = {
     .last_error = last_error,
     .native_buffer = native_buffer,
     .native_queue = native_queue,
+    .overlap = overlap,
 };
 
 constexpr plait_backend_api backend_functions = {

@@ -19,7 +19,9 @@ Status check_part(const Buffer& buffer, size_t first, size_t count, const char* 
 
 Device::Device(Session session, Log log, const Calls& calls, ProgramFolder folder)
     : session_(std::move(session)), log_(log), folder_(std::move(folder)), calls_(calls),
-      staging_(Context::share(session_.programs->context()), session_.candidate.device, calls) {
+      staging_(Context::share(session_.programs->context()), session_.candidate.device, calls),
+      side_queues_(Context::share(session_.programs->context()), session_.candidate.device,
+                   session_.candidate.info.compute_units, calls) {
     for (int stage = 0; stage < PLAIT_STAGE_COUNT; ++stage) {
         const std::string name = plait_stage_describe(static_cast<plait_stage>(stage))->name;
         const std::string_view text = stage_text(name);
@@ -83,7 +85,7 @@ Status Device::upload(const Buffer& buffer, size_t first, size_t count, const vo
     PLAIT_TRY(check_part(buffer, first, count, "write to"));
     if (count == 0)
         return {};
-    return staging_.upload(queue(), buffer.memory.get(), first * buffer.element_bytes,
+    return staging_.upload(work_queue(), buffer.memory.get(), first * buffer.element_bytes,
                            count * buffer.element_bytes, src, "write to buffer " + buffer.name);
 }
 

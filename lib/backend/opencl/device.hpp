@@ -5,6 +5,7 @@
 #include "backend/opencl/enumerate.hpp"
 #include "backend/opencl/flight.hpp"
 #include "backend/opencl/range.hpp"
+#include "backend/opencl/side_queues.hpp"
 #include "backend/opencl/staging.hpp"
 
 #include <array>
@@ -39,6 +40,7 @@ class Device {
 
     const plait_device_info& info() const { return session_.candidate.info; }
     cl_command_queue queue() const { return session_.queue.get(); }
+    const SideQueues& side_queues() const { return side_queues_; }
     bool supports(plait_stage stage) const;
 
     Result<std::unique_ptr<Buffer>> create(const plait_buffer_desc& desc);
@@ -48,6 +50,7 @@ class Device {
     Status read(const Buffer& buffer, size_t first, size_t count, void* dst);
 
     Status submit(std::span<const plait_dispatch> list);
+    Status overlap(plait_overlap what);
     Status prepare(std::span<const plait_dispatch> list); // waits where there was something to do
     Status wait();
     Status costs(plait_stage_cost* dst, bool reset);
@@ -67,6 +70,9 @@ class Device {
     Result<const StageKernel*> kernel(const plait_stage_info& stage, uint32_t vertices);
     Result<WorkRange> range_of(const plait_stage_info& stage, const plait_dispatch& dispatch,
                                const StageKernel& built) const;
+    cl_command_queue work_queue() const {
+        return side_queues_.open() ? side_queues_.queue() : queue();
+    }
     Status enqueue(const plait_dispatch& dispatch, bool last);
     Status launch(const plait_stage_info& stage, const StageKernel& built, const WorkRange& range,
                   cl_event* event) const;
@@ -78,6 +84,7 @@ class Device {
     Calls calls_;
     Flight flight_;
     Staging staging_;
+    SideQueues side_queues_;
     std::array<std::optional<StageText>, PLAIT_STAGE_COUNT> texts_;
     std::bitset<PLAIT_STAGE_COUNT> own_texts_; // the user's
     std::map<std::pair<plait_stage, uint32_t>, StageKernel> kernels_;

@@ -27,7 +27,8 @@ void Staging::release(Slot& slot) {
     clEnqueueUnmapMemObject(mapping_.get(), slot.memory.get(), slot.host, 0, nullptr, nullptr);
 }
 
-// Events of one queue end in order, so the first that has not ends the search.
+// Events of one queue end in order, so the first that has not ends the search; those of side queues
+// wait here for the oldest of all.
 Status Staging::free_taken() {
     while (!slots_.empty() && slots_.front().taken) {
         cl_int status = CL_QUEUED;
@@ -39,6 +40,7 @@ Status Staging::free_taken() {
         if (status > CL_COMPLETE)
             return {};
         slots_.front().taken = {};
+        slots_.front().queue = {};
         under_way_ -= slots_.front().size;
         slots_.splice(slots_.end(), slots_, slots_.begin());
         if (status < 0)
@@ -47,10 +49,10 @@ Status Staging::free_taken() {
     return {};
 }
 
-Status Staging::make_room(cl_command_queue queue, size_t bytes) {
+Status Staging::make_room(size_t bytes) {
     PLAIT_TRY(free_taken());
     while (under_way_ > 0 && bytes > most_bytes - std::min(most_bytes, under_way_)) {
-        if (const cl_int code = calls_.flush(queue))
+        if (const cl_int code = calls_.flush(slots_.front().queue.get()))
             return late_failure(code, "clFlush");
         cl_event oldest = slots_.front().taken.get();
         if (const cl_int code = clWaitForEvents(1, &oldest))
@@ -94,7 +96,7 @@ Result<Staging::Slot*> Staging::slot(size_t bytes) {
 
 Status Staging::upload(cl_command_queue queue, cl_mem to, size_t offset, size_t bytes,
                        const void* src, const std::string& what) {
-    PLAIT_TRY(make_room(queue, bytes));
+    PLAIT_TRY(make_room(bytes));
     auto found = slot(bytes);
     PLAIT_TRY(found);
     Slot& free = **found;
@@ -105,6 +107,7 @@ Status Staging::upload(cl_command_queue queue, cl_mem to, size_t offset, size_t 
     if (code != CL_SUCCESS)
         return late_failure(code, what);
     free.taken = Event(event);
+    free.queue = Queue::share(queue);
     under_way_ += free.size;
     // Behind those under way, ahead of the free ones.
     const auto at = std::ranges::find_if(slots_, [&](const Slot& s) { return &s == &free; });

@@ -33,10 +33,11 @@ class Staging {
         void* host = nullptr;
         size_t size = 0; // bytes
         Event taken;     // none: free
+        Queue queue;     // that takes it
     };
 
     Status free_taken();
-    Status make_room(cl_command_queue queue, size_t bytes);
+    Status make_room(size_t bytes);
     Result<Slot*> slot(size_t bytes);
     Status map(Slot& slot);
     void release(Slot& slot);

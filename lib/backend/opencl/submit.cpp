@@ -103,7 +103,7 @@ Status Device::enqueue(const plait_dispatch& dispatch, bool last) {
 
 Status Device::launch(const plait_stage_info& stage, const StageKernel& built,
                       const WorkRange& range, cl_event* event) const {
-    const cl_int code = calls_.enqueue_kernel(queue(), built.kernel.get(), 1, nullptr,
+    const cl_int code = calls_.enqueue_kernel(work_queue(), built.kernel.get(), 1, nullptr,
                                               &range.global, &range.local, 0, nullptr, event);
     if (code != CL_SUCCESS)
         return failure(code, format("stage %s: clEnqueueNDRangeKernel of %zu work-items in groups "
@@ -150,9 +150,20 @@ Status Device::submit(std::span<const plait_dispatch> list) {
     for (const plait_dispatch& dispatch : list)
         if (dispatch.item_count > 0)
             PLAIT_TRY(enqueue(dispatch, &dispatch == &list.back()));
+    if (side_queues_.open())
+        return {}; // flushed with all the others when they end
     if (const cl_int code = calls_.flush(queue()))
         return late_failure(code, "clFlush");
     return {};
+}
+
+// With profiling all is one sequence: what a launch takes beside others is not its own time.
+Status Device::overlap(plait_overlap what) {
+    if (session_.profile)
+        return {};
+    if (what == PLAIT_OVERLAP_BEGIN)
+        return side_queues_.begin(queue());
+    return what == PLAIT_OVERLAP_NEXT ? side_queues_.next() : side_queues_.end(queue());
 }
 
 } // namespace plait::opencl

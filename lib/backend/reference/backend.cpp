@@ -156,6 +156,7 @@ constexpr plait_device_api device_api = {
     last_error,
     native_buffer,
     native_queue,
+    nullptr, // overlap: it runs each list while it is submitted
 };
 
 constexpr plait_backend_api backend_api = {

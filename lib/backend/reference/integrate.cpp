@@ -33,7 +33,7 @@ void integrate(uint32_t item_count, const plait_integrate_params& params,
         const Vec3 rest = pose_of(args.pose, strand).apply(xyz(args.rest[item]));
         Vec3 pull = vec3(params.gravity);
         if (params.accelerates)
-            pull += xyz(args.acceleration[item]);
+            pull += checked_acceleration(args.acceleration[item]);
         Vec3 next = pinned(now) ? rest : verlet(xyz(now), xyz(previous), pull, params);
         if (i < static_cast<double>(params.global_range) * count)
             next += params.global_stiffness * (rest - next);

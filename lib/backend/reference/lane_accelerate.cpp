@@ -10,9 +10,11 @@ void lane_accelerate(uint32_t item_count, const plait_lane_tile_params& params,
         const Lane lane(slot, params.vertex_stride, params.tile);
         const uint32_t count = vertices_of(args.vertex_count, strand, params.vertex_stride);
         for (uint32_t i = 0; i < params.vertex_stride; ++i) {
-            const Vec4 own = i < count ? args.acceleration[strand * params.vertex_stride + i]
-                                       : Vec4(Vec4::Zero());
-            lane.store(args.lane_acceleration, i, xyz(own));
+            const Vec3 own =
+                i < count
+                    ? checked_acceleration(args.acceleration[strand * params.vertex_stride + i])
+                    : Vec3::Zero();
+            lane.store(args.lane_acceleration, i, own);
         }
     }
 }

@@ -6,6 +6,10 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <plait/params.h>
+
+#include <cmath>
+
 namespace plait::reference {
 
 using Vec3 = Eigen::Vector3d;
@@ -17,6 +21,13 @@ inline Vec3 xyz(const Vec4& v) {
 }
 inline void set_xyz(Vec4& v, const Vec3& p) {
     v.head<3>() = p;
+}
+// What pulls at a vertex, m/s^2: none of it where a component is not finite or out of range.
+inline Vec3 checked_acceleration(const Vec4& a) {
+    for (int c = 0; c < 3; ++c)
+        if (!(std::abs(a[c]) <= double(PLAIT_MOST_ACCELERATION)))
+            return Vec3::Zero();
+    return xyz(a);
 }
 inline Vec4 with_w(const Vec3& p, double w) {
     return {p.x(), p.y(), p.z(), w};

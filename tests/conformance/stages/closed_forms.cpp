@@ -44,6 +44,38 @@ void integrate_is_free_fall(Bench& bench) {
     expect_near(out[4], {0, 0, 0, 0, 1, 0, 0, 0, 2.03f, -.03f, .26f, 1, 9, 9, 9, 1});
 }
 
+// A component that is not finite or too large, and a vertex whose components may be just as they
+// are; past the tip of the second strand nothing pulls.
+const float most = PLAIT_MOST_ACCELERATION;
+const std::vector<float> pulls = {NAN, 2, 3, 0,      1, -INFINITY, 3,    0, 1, 2, 1.001f * most,
+                                  0,   1, 2, -1e30f, 0, 1,         most, 3, 0, 4, 5,
+                                  6,   0};
+const std::vector<float> allowed = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, most, 3, 0, 0, 0};
+
+void accelerations_out_of_range_do_not_pull_at_lanes(Bench& bench) {
+    const auto out = bench.run(
+        PLAIT_STAGE_lane_accelerate, 2, 3, plait_lane_tile_params{3, 1},
+        {null_array(), uints({3, 2}), float4s(pulls), lane_floats(std::vector<float>(18, 7), 3)});
+    expect_near(out[3], allowed, 0);
+}
+
+void accelerations_out_of_range_do_not_pull_at_vertices(Bench& bench) {
+    std::vector<float> x, fallen;
+    for (size_t i = 0; i < 6; ++i) {
+        x.insert(x.end(), {0, 0, 0, 1});
+        for (size_t c = 0; c < 3; ++c)
+            fallen.push_back(0.01f * allowed[3 * i + c]);
+        fallen.push_back(1);
+    }
+    const plait_integrate_params params = {3, 0.1f, 0, 0, 0, {0, 0, 0}, 1};
+    std::vector<float> poses = unit_pose;
+    poses.insert(poses.end(), unit_pose.begin(), unit_pose.end());
+    const auto out = bench.run(PLAIT_STAGE_integrate, 6, 1, params,
+                               {float4s(x), uints({3, 2}), float4s(poses), float4s(pulls),
+                                float4s(x), float4s(x), float4s(x)});
+    expect_near(out[4], fallen, 1e-4); // of 100 m
+}
+
 void global_shape_goes_part_of_the_way(Bench& bench) {
     const auto out =
         bench.run(PLAIT_STAGE_global_shape, 3, 1, plait_global_shape_params{3, 0.25f, 0.6f},
@@ -301,6 +333,8 @@ void expect_near(const Array& got, const std::vector<float>& expected, double to
 const std::vector<ClosedForm>& strand_closed_forms() {
     static const std::vector<ClosedForm> list = {
         PLAIT_CLOSED_FORM(integrate_is_free_fall),
+        PLAIT_CLOSED_FORM(accelerations_out_of_range_do_not_pull_at_lanes),
+        PLAIT_CLOSED_FORM(accelerations_out_of_range_do_not_pull_at_vertices),
         PLAIT_CLOSED_FORM(global_shape_goes_part_of_the_way),
         PLAIT_CLOSED_FORM(length_splits_by_movability),
         PLAIT_CLOSED_FORM(length_is_red_then_black),
