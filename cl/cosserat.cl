@@ -10,6 +10,8 @@
 #pragma OPENCL FP_CONTRACT ON
 #include "common/cosserat.clh"
 
+#define COSSERAT_STRAIN 1e-3f /* what solves leave in stiff EA */
+
 __kernel void plait_cosserat(const uint item_count, const plait_lane_params params,
                              __global const uint* lane_strand, __global const float4* rest,
                              __global const float4* pose, __global const real* lane_material,
@@ -29,11 +31,12 @@ __kernel void plait_cosserat(const uint item_count, const plait_lane_params para
     lane_contacts contacts;
     contact_begin(&contacts, &step, &params, capsule, lane_x);
     rod_factors factors;
-    const rod_problem rod =
+    rod_problem rod =
         rod_problem_of(&step, y, lane_rest, params.collider_count > 0 ? &contacts : 0, &factors);
+    rod.sections = 1;
     rod_load(&rod, &params, &s, lane_q, lane_q_before);
 
     cosserat_iterate(&rod, &s, params.iterations, 1);
 
-    rod_store(&rod, &params, state, &s, w, lane_q, lane_q_before, 1);
+    rod_store(&rod, &params, state, &s, w, lane_q, lane_q_before, COSSERAT_STRAIN);
 }

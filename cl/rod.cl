@@ -15,6 +15,7 @@
     6 /* loops over them have constant bounds, so that all compilers unroll them                   \
        */
 #define ROD_HALVINGS 4
+#define ROD_STRAIN 0.04f /* of strands in contact; held closer, what drags them turns them less */
 
 /* What one segment adds: tension ks (edge - l t), director, EA and the gradients it causes. */
 typedef struct {
@@ -373,5 +374,5 @@ __kernel void plait_rod(const uint item_count, const plait_lane_params params,
     cosserat_iterate(&rod, &s, 1, 1);
     rod_solve(&rod, &s, params.iterations);
 
-    rod_store(&rod, &params, state, &s, w, lane_q, lane_q_before, 0);
+    rod_store(&rod, &params, state, &s, w, lane_q, lane_q_before, ROD_STRAIN);
 }

@@ -29,8 +29,8 @@ constexpr uint32_t bit(plait_model model) {
 }
 constexpr uint32_t tressfx = bit(PLAIT_MODEL_TRESSFX);
 constexpr uint32_t stretching = bit(PLAIT_MODEL_COSSERAT) | bit(PLAIT_MODEL_ROD);
-constexpr uint32_t twisting = bit(PLAIT_MODEL_ROD) | bit(PLAIT_MODEL_ARTICULATED);
-constexpr uint32_t rods = stretching | twisting;
+constexpr uint32_t flat = bit(PLAIT_MODEL_ROD) | bit(PLAIT_MODEL_ARTICULATED);
+constexpr uint32_t rods = stretching | flat;
 constexpr uint32_t strand_models = bit(PLAIT_MODEL_CHAIN) | rods;
 constexpr uint32_t every_model = tressfx | strand_models;
 
@@ -103,8 +103,8 @@ constexpr plait_param_info table[] = {
     of(rods, real(AT(line_density), "kg/m", 1e-9, 1e3)),
     of(rods, real(AT(bend_stiffness), "N m^2", 0, 1e3)),
     of(stretching, real(AT(stretch_stiffness), "N", 0, 1e9)),
-    of(twisting, real(AT(twist_stiffness), "N m^2", 0, 1e3)),
-    of(twisting, real(AT(section_ratio), "", 1e-3, 1e3)),
+    of(rods, real(AT(twist_stiffness), "N m^2", 0, 1e3)),
+    of(flat, real(AT(section_ratio), "", 1e-3, 1e3)),
     of(rods, real(AT(tip_stiffness), "", 0, 100)),
     of(strand_models, real(AT(tip_density), "", 1e-3, 1e3)),
     of(strand_models, real(AT(drag), "1/s", 0, 1e4)),

@@ -66,8 +66,10 @@ Material LanePart::material_of(const plait_sim_params& params) const {
     Material material{params.line_density,  params.bend_stiffness, params.stretch_stiffness,
                       params.tip_stiffness, params.tip_density,    params.twist_stiffness,
                       params.section_ratio, !traits_.halves_tip,   !traits_.stretches};
-    if (!traits_.twists)
-        material.twist_stiffness = 0, material.section_ratio = 1;
+    if (!traits_.bends)
+        material.twist_stiffness = 0;
+    if (!traits_.flat)
+        material.section_ratio = 1;
     return material;
 }
 

@@ -8,7 +8,7 @@
 namespace plait {
 namespace {
 
-// model, name, stage, iterations, bdf2, switches, bends, twists, stretches, halves_tip
+// model, name, stage, iterations, bdf2, switches, bends, flat, stretches, halves_tip
 constexpr ModelTraits table[] = {
     {PLAIT_MODEL_TRESSFX, "tressfx", PLAIT_STAGE_COUNT, 0, 0, false, false, false, false, false},
     {PLAIT_MODEL_CHAIN, "chain", PLAIT_STAGE_chain, 1, 0, true, false, false, false, false},
