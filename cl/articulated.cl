@@ -67,5 +67,5 @@ __kernel void plait_articulated(const uint item_count, const plait_lane_params p
     articulated_load(&rod, &s, state, lane_q);
     articulated_start(&rod, &s);
     articulated_solve(&rod, &s, params.iterations);
-    rod_store(&rod, &params, state, &s, w, lane_q, lane_q_before, 0);
+    rod_store(&rod, &params, state, &s, w, lane_q, lane_q_before, 0.0f);
 }

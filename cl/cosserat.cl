@@ -29,11 +29,12 @@ __kernel void plait_cosserat(const uint item_count, const plait_lane_params para
     lane_contacts contacts;
     contact_begin(&contacts, &step, &params, capsule, lane_x);
     rod_factors factors;
-    const rod_problem rod =
+    rod_problem rod =
         rod_problem_of(&step, y, lane_rest, params.collider_count > 0 ? &contacts : 0, &factors);
+    rod.sections = 1;
     rod_load(&rod, &params, &s, lane_q, lane_q_before);
 
     cosserat_iterate(&rod, &s, params.iterations, 1);
 
-    rod_store(&rod, &params, state, &s, w, lane_q, lane_q_before, 1);
+    rod_store(&rod, &params, state, &s, w, lane_q, lane_q_before, PLAIT_ROD_MIN_STRAIN);
 }

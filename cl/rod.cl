@@ -372,5 +372,5 @@ __kernel void plait_rod(const uint item_count, const plait_lane_params params,
     cosserat_iterate(&rod, &s, 1, 1);
     rod_solve(&rod, &s, params.iterations);
 
-    rod_store(&rod, &params, state, &s, w, lane_q, lane_q_before, 0);
+    rod_store(&rod, &params, state, &s, w, lane_q, lane_q_before, PLAIT_ROD_CONTACT_STRAIN);
 }

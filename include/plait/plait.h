@@ -407,8 +407,8 @@ typedef struct plait_sim_params {
     float stretch_stiffness; /* EA, N, [0, 1e9]; default 0: chosen so that the strand stretches 1 %
                                 under its weight at 10 g (a hair's own 15 N only slows the
                                 solve). Models cosserat and rod: the others cannot stretch */
-    float twist_stiffness;   /* GJ, N m^2, [0, 1e3]; default 0: as bend_stiffness. Models rod and
-                                articulated; cosserat always twists as it bends */
+    float twist_stiffness;   /* GJ, N m^2, [0, 1e3]; default 0: as bend_stiffness. Models cosserat,
+                                rod and articulated */
     float section_ratio; /* EI2/EI of an elliptic section, [1e-3, 1e3], default 1: round. A strand
                             curls about the axis of bend_stiffness. Models rod and articulated */
     float tip_stiffness; /* bend and twist stiffness at the tip / at the root, linear between,

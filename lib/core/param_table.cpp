@@ -31,7 +31,7 @@ constexpr uint32_t models_that(bool ModelTraits::*has) {
 }
 constexpr uint32_t tressfx = 1u << PLAIT_MODEL_TRESSFX;
 constexpr uint32_t stretching = models_that(&ModelTraits::stretches);
-constexpr uint32_t twisting = models_that(&ModelTraits::twists);
+constexpr uint32_t flat = models_that(&ModelTraits::flat);
 constexpr uint32_t rods = models_that(&ModelTraits::bends);
 constexpr uint32_t strand_models = models_that(&ModelTraits::switches);
 static_assert((rods & tressfx) == 0 && (strand_models & tressfx) == 0);
@@ -106,8 +106,8 @@ constexpr plait_param_info table[] = {
     of(rods, real(AT(line_density), "kg/m", 1e-9, 1e3)),
     of(rods, real(AT(bend_stiffness), "N m^2", 0, 1e3)),
     of(stretching, real(AT(stretch_stiffness), "N", 0, 1e9)),
-    of(twisting, real(AT(twist_stiffness), "N m^2", 0, 1e3)),
-    of(twisting, real(AT(section_ratio), "", 1e-3, 1e3)),
+    of(rods, real(AT(twist_stiffness), "N m^2", 0, 1e3)),
+    of(flat, real(AT(section_ratio), "", 1e-3, 1e3)),
     of(rods, real(AT(tip_stiffness), "", 0, 100)),
     of(strand_models, real(AT(tip_density), "", 1e-3, 1e3)),
     of(strand_models, real(AT(drag), "1/s", 0, 1e4)),

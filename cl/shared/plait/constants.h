@@ -87,7 +87,9 @@
 /* m/s^2: strain bound in contact, the strain that this acceleration of all the strand's mass causes:
  * 9 g, under 1 % with the EA the library chooses. Ours. */
 #define PLAIT_ROD_MAX_ACCELERATION PLAIT_NUMBER(88.26)
-/* Smallest such bound: what solves leave in stiff EA. Ours. */
+/* Smallest such bound in rod: held closer, hair is not dragged along by what turns. Ours. */
+#define PLAIT_ROD_CONTACT_STRAIN PLAIT_NUMBER(0.04)
+/* In cosserat: what solves leave in stiff EA. Ours. */
 #define PLAIT_ROD_MIN_STRAIN PLAIT_NUMBER(1e-3)
 /* Squared residual (of quaternions) added to Anderson's denominator: residuals of a millionth are
  * float32's rounding, which extrapolation would multiply by up to 20. Ours. */

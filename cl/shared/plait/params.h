@@ -272,7 +272,7 @@ typedef struct plait_lane_move_params {
     1 /* EA_i/l_i, N/m; 0 past the tip; chain, articulated: bounds friction alone */
 #define PLAIT_LANE_BEND 2 /* 4EI/lbar of the joint before segment i, N m; 0 past the tip */
 #define PLAIT_LANE_MASS 3 /* m_i, kg; 1 past the tip */
-/* Only `rod` and `articulated` read these; 0 where a strand is round and twists as it bends. The
+/* `cosserat`, `rod`, `articulated`; 0 where a strand is round and twists as it bends. The
  * joint's axes are those of q_(i-1) r_i: x along the segment, about y a strand bends by EI, about z
  * by EI2. */
 #define PLAIT_LANE_TWIST 4 /* 4(GJ - EI)/lbar of the joint before segment i, N m */

@@ -66,7 +66,8 @@ void RodModel::alternate(uint32_t count, bool renew) {
 
 void cosserat(uint32_t item_count, const plait_lane_params& params, const cosserat_args& args) {
     step_rods(item_count, params, args, [&](RodModel& rod) {
-        rod.hold_lengths_in_contact();
+        rod.hold_lengths_in_contact(PLAIT_ROD_MIN_STRAIN);
+        rod.sweep_sections();
         rod.alternate(params.iterations);
     });
 }

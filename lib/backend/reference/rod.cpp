@@ -3,7 +3,7 @@
 // Hessian is EA l J^T J + kb/4 |w_i - w_{i-1}|^2 (kb + kt, kb, kb + kc in the joint's axes) +
 // max(0, l t.F)(I - t t^T), F the tension: without the last, geometric term it diverges under
 // tension. Up to four halvings of the step; where all fail, two iterations of cosserat instead. A
-// strand that touches something takes one step more.
+// strand that touches something takes one step more, and ends it within 4 % of its lengths.
 #include "backend/reference/rod_model.hpp"
 
 #include <plait/constants.h>
@@ -101,6 +101,7 @@ void RodModel::newton() {
 
 void rod(uint32_t item_count, const plait_lane_params& params, const rod_args& args) {
     step_rods(item_count, params, args, [&](RodModel& model) {
+        model.hold_lengths_in_contact(PLAIT_ROD_CONTACT_STRAIN);
         model.alternate(1);
         for (uint32_t k = 0; k < params.iterations; ++k)
             model.newton();

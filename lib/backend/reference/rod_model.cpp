@@ -16,6 +16,17 @@ double dot(const Quat& a, const Quat& b) {
     return a.coeffs().dot(b.coeffs());
 }
 
+const Quat unit_x(0, 1, 0, 0), unit_z(0, 0, 0, 1);
+
+// b such that -<q, b> is, but for a constant, the tangent at q of
+//   k_x <q, along>^2/2 + k_z <q, across>^2/2 - m |q|^2/2,  m = max(k_x, k_z, 0),
+// which is concave and on the unit sphere the section's energy but for a constant.
+Vec4 section_pull(const Vec3& k, const Quat& q, const Quat& along, const Quat& across) {
+    const double m = std::max({k.x(), k.z(), 0.0});
+    return m * q.coeffs() - k.x() * dot(q, along) * along.coeffs() -
+           k.z() * dot(q, across) * across.coeffs();
+}
+
 } // namespace
 
 RodModel::RodModel(const RodBuffers& buffers, const plait_lane_params& params, size_t slot,
@@ -91,8 +102,7 @@ double RodModel::strain_limit() const {
     double mass = 0;
     for (size_t i = 1; i < mass_.size(); ++i)
         mass += length_before_[i] > 0 ? mass_[i] : 0; // none past the tip
-    return std::max(PLAIT_ROD_MAX_ACCELERATION * mass / (stretch_[0] * length_[0]),
-                    PLAIT_ROD_MIN_STRAIN);
+    return std::max(PLAIT_ROD_MAX_ACCELERATION * mass / (stretch_[0] * length_[0]), least_limit_);
 }
 
 // Planes are stiffer than EA, and a solve that is cut short does not let what they push run to the
@@ -118,7 +128,7 @@ void RodModel::store(const RodBuffers& buffers) {
             renew_contacts(); // where there is no room, depth gives way, not length
         else
             contacts_->clip(x);
-        if (touched() && holds_)
+        if (touched() && least_limit_ > 0)
             hold_lengths();
         given += contacts_->work_of_new(x);
     }
@@ -252,8 +262,8 @@ void RodModel::solve_positions() {
 }
 
 // q minimises -EA <edge, t> - <q, b>: q ~ v b e + lambda b, with v = -2 EA edge, b the neighbours'
-// pull, and lambda the root of lambda^2 = |v|^2 + |v b e + lambda b|: a fixed point that draws from
-// |v| + |b| by half a step at least.
+// pull and what their sections add, and lambda the root of lambda^2 = |v|^2 + |v b e + lambda b|: a
+// fixed point that draws from |v| + |b| by half a step at least.
 void RodModel::sweep_orientations() {
     for (size_t i = 0; i < segments(); ++i) {
         const Quat from_root = expected(i);
@@ -261,7 +271,13 @@ void RodModel::sweep_orientations() {
         if (i + 1 < segments()) {
             const Quat from_tip = q[i + 1] * rest_[i + 1].conjugate();
             pull += bend_[i + 1] * std::copysign(1.0, dot(q[i], from_tip)) * from_tip.coeffs();
+            const Quat back = rest_[i + 1].conjugate();
+            if (sweeps_sections_)
+                pull += section_pull(section_[i + 1], q[i], q[i + 1] * unit_x * back,
+                                     q[i + 1] * unit_z * back);
         }
+        if (sweeps_sections_)
+            pull += section_pull(section_[i], q[i], from_root * unit_x, from_root * unit_z);
         Quat v, b(pull);
         v.w() = 0;
         v.vec() = -2 * stretch_[i] * length_[i] * (x[i + 1] - x[i]);

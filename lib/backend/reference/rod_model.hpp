@@ -46,8 +46,10 @@ class RodModel {
     double elastic(const std::vector<Vec3>& at, const std::vector<Quat>& turned) const;
     // Minimise over all positions for the present orientations.
     void solve_positions();
-    // Minimise over one orientation after another, root to tip.
+    // Minimise over one orientation after another, root to tip; without sections unless these are
+    // swept, too.
     void sweep_orientations();
+    void sweep_sections() { sweeps_sections_ = true; }
     // `count` accelerated iterations, see cosserat.cpp; `renew`: contacts before every solve.
     void alternate(uint32_t count, bool renew = true);
     // One damped Gauss-Newton step, see rod.cpp.
@@ -56,8 +58,8 @@ class RodModel {
     void articulate(uint32_t steps);
     // Contacts of the end of the step; did anything touch in it?
     void renew_contacts();
-    // What touches ends the substep with its lengths.
-    void hold_lengths_in_contact() { holds_ = true; }
+    // What touches ends the substep with its lengths, but for a strain of this or of its weight's.
+    void hold_lengths_in_contact(double least) { least_limit_ = least; }
     bool touched() const { return contacts_ && contacts_->touched(); }
 
     std::vector<Vec3> x; // relative to the root
@@ -101,7 +103,8 @@ class RodModel {
     bool deep() const; // any vertex, deeper than pull and push balance
 
     bool inextensible_;
-    bool holds_ = false; // lengths, of a strand that touched
+    bool sweeps_sections_ = false;
+    double least_limit_ = 0; // strain of a strand that touched; 0: any
     const plait_lane_params* params_;
     Lane lane_;
     Motion motion_;

@@ -18,7 +18,7 @@ struct ModelTraits {
     uint32_t bdf2;       // by default
     bool switches;       // strands over lanes, which may change to another such model
     bool bends;          // has joints, orientations and a rest shape that gravity may be in
-    bool twists;         // with a stiffness of its own, and sections may be elliptic
+    bool flat;           // sections may be elliptic
     bool stretches;      // by EA
     bool halves_tip;     // half a mass at the tip; else equal masses, a limp chain's
 };

@@ -263,7 +263,8 @@ void add_all(Subject& subject) {
         if (subject.name() == "reference" && params == "plait_lane_params")
             add<KeepsClear>(subject, stage + "_keeps_clear", stage_case);
     }
-    for (const auto* forms : {&strand_closed_forms(), &grid_closed_forms(), &energy_closed_forms()})
+    for (const auto* forms : {&strand_closed_forms(), &grid_closed_forms(), &energy_closed_forms(),
+                              &section_closed_forms()})
         for (const ClosedForm& form : *forms)
             add<Solves>(subject, form.name, form);
 }

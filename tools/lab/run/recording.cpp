@@ -107,8 +107,7 @@ plait_sim_desc describe(const Scene& scene, const Method& method) {
     p.bend_stiffness = static_cast<float>(scene.material.bend_stiffness);
     p.stretch_stiffness = static_cast<float>(scene.material.stretch_stiffness);
     p.tip_stiffness = static_cast<float>(scene.material.tip_stiffness);
-    if (scene.material.twist_ratio > 0 &&
-        (desc.model == PLAIT_MODEL_ROD || desc.model == PLAIT_MODEL_ARTICULATED))
+    if (scene.material.twist_ratio > 0 && method.model->twists)
         p.twist_stiffness =
             static_cast<float>(scene.material.twist_ratio * scene.material.bend_stiffness);
     p.drag = static_cast<float>(scene.drag);

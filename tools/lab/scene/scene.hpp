@@ -16,7 +16,7 @@ struct Material {
     double line_density = 5e-6;     // rho A, kg/m
     double bend_stiffness = 4.7e-9; // EI, N m^2; 0: limp
     double stretch_stiffness = 0;   // EA, N; 0: the library's choice for the length
-    double twist_ratio = 0;         // GJ / EI, model rod; 0: as it bends
+    double twist_ratio = 0;         // GJ / EI; 0: as it bends
     double tip_stiffness = 1;       // EI at the tip / at the root
 };
 
