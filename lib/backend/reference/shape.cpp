@@ -96,7 +96,7 @@ size_t Shape::elements(const char* argument) const {
     if (is("strand_motion"))
         return strands_ * PLAIT_MOTION_STRIDE;
     if (is("capsule"))
-        return colliders_ * PLAIT_CAPSULE_STRIDE;
+        return colliders_ * PLAIT_COLLIDER_STRIDE;
     if (is("follow_guide", "follow_offset"))
         return followers_;
     if (is("lane_x", "lane_v"))

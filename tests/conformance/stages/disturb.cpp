@@ -22,7 +22,7 @@ constexpr const char* pose = "q.x q.y q.z q.w t.x t.y t.z -";
 constexpr const char* capsule =
     "begin.a.x begin.a.y begin.a.z begin.a.radius begin.b.x begin.b.y begin.b.z begin.b.radius "
     "end.a.x end.a.y end.a.z end.a.radius end.b.x end.b.y end.b.z end.b.radius "
-    "turn.x turn.y turn.z turn.w friction - - -";
+    "turn.x turn.y turn.z turn.w friction kind - -";
 constexpr Layout layouts[] = {
     {"pose", pose},
     {"pose_from", pose},
