@@ -1,4 +1,4 @@
-/* collide: push free vertices out of tapered capsules, with Coulomb friction.
+/* collide: push free vertices out of colliders, with Coulomb friction.
  *
  * Items   vertices.
  * Reads   vertex_count, capsule (both ends of its step), position_prev.
@@ -10,21 +10,17 @@
  * coefficient * push and never reverses the slip. Limit   a vertex is tested where it is, not along
  * its way: see docs/stages/collide.md. */
 #pragma OPENCL FP_CONTRACT OFF
-#include "common/capsule.clh"
+#include "common/collider.clh"
 #include "common/strand.clh"
 
-static inline float3 collide_with(__global const float4* capsules, uint index, float3 x,
-                                  float3 prev) {
-    const capsule_t now = capsule_at(capsules, index);
-    if (!capsule_may_hold(now, x))
-        return x;
-    const contact_t contact = capsule_contact(now, x);
+static inline float3 collide_with(__global const float4* colliders, uint index, float3 x, float3 prev) {
+    const contact_t contact = collider_contact(colliders, index, x);
     if (!(contact.distance < 0.0f))
         return x;
     const float depth = -contact.distance;
     const float3 pushed = x + depth * contact.normal;
-    const float3 slip = capsule_carry_back(capsules, index, pushed) - prev;
-    return pushed + coulomb(slip, contact.normal, depth, capsule_friction(capsules, index));
+    const float3 slip = collider_carry_back(colliders, index, pushed) - prev;
+    return pushed + coulomb(slip, contact.normal, depth, collider_friction(colliders, index));
 }
 
 __kernel void plait_collide(const uint item_count, const plait_collide_params params,

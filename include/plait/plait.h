@@ -782,15 +782,31 @@ PLAIT_API plait_result plait_sim_hash(plait_sim* sim, uint64_t* out);
 
 /* ---- colliders ------------------------------------------------------------------------------ */
 
-/* A tapered capsule: the hull of two spheres. */
+typedef enum plait_collider_kind {
+    PLAIT_COLLIDER_KIND_CAPSULE = 0, /* tapered: the hull of two spheres */
+    PLAIT_COLLIDER_KIND_PLANE = 1,   /* all that lies under a plane */
+    PLAIT_COLLIDER_KIND_BOX = 2,     /* with rounded edges */
+    PLAIT_COLLIDER_KIND_FORCE_32 = 0x7fffffff
+} plait_collider_kind;
+
+/* What hair stays out of. A kind reads the fields that name it, and friction and pose; the others
+ * are kept and not looked at. Lengths are in metres, in the collider's own frame. */
 typedef struct plait_collider_desc {
     uint32_t struct_size;
-    float a[3];      /* m, in the collider's own frame */
-    float b[3];      /* a == b: a sphere */
-    float radius_a;  /* m, (0, 1e3] */
-    float radius_b;  /* the same */
+    float a[3];      /* one end of a capsule, a point of a plane, the centre of a box; +-1e6 */
+    float b[3];      /* capsule: the other end; a == b: a sphere */
+    float radius_a;  /* capsule: at a, (0, 1e3] */
+    float radius_b;  /* capsule: at b, the same */
     float friction;  /* Coulomb coefficient, [0, 10] */
     plait_pose pose; /* at creation */
+
+    plait_collider_kind kind;
+    float normal[3];       /* plane: outward, where hair may be; components in +-1e6, and any length
+                              in [1e-6, 2e6] */
+    float half_extents[3]; /* box: half its edges before it is rounded, [0, 1e3]; 0 in all three: a
+                              sphere, in two: a capsule */
+    float rounding;        /* box: all within this of it belongs to it, [0, 1e3] */
+    float orientation[4];  /* box: a unit quaternion, x y z w, from its edges to the own frame */
 } plait_collider_desc;
 
 PLAIT_API void plait_collider_desc_init(plait_collider_desc* desc, size_t size);

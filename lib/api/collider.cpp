@@ -3,6 +3,8 @@
 #include "api/structs.hpp"
 #include "core/params.hpp"
 
+#include <algorithm>
+
 using namespace plait;
 
 namespace {
@@ -12,6 +14,9 @@ plait_collider_desc default_collider() {
     desc.struct_size = sizeof desc;
     desc.radius_a = desc.radius_b = 0.1f;
     desc.pose = identity_pose;
+    desc.normal[1] = 1;
+    std::fill_n(desc.half_extents, 3, 0.1f);
+    desc.orientation[3] = 1;
     return desc;
 }
 

@@ -5,11 +5,13 @@
 #include <plait/params.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstring>
 
 namespace plait {
 namespace {
 
-constexpr size_t capsule_floats = size_t{4} * PLAIT_CAPSULE_STRIDE;
+constexpr size_t collider_floats = size_t{4} * PLAIT_COLLIDER_STRIDE;
 
 // Id: generation above, slot index + 1 below, so that zero is no collider.
 plait_collider_id make_id(size_t index, uint32_t generation) {
@@ -22,26 +24,72 @@ void take_shape(Colliders::Slot& slot, const plait_collider_desc& desc) {
     slot.radius_a = desc.radius_a;
     slot.radius_b = desc.radius_b;
     slot.friction = desc.friction;
+    slot.kind = static_cast<uint32_t>(desc.kind);
+    std::copy_n(desc.normal, 3, slot.normal);
+    std::copy_n(desc.half_extents, 3, slot.half_extents);
+    slot.rounding = desc.rounding;
+    std::copy_n(desc.orientation, 4, slot.orientation);
 }
 
 bool same(const plait_pose& a, const plait_pose& b) {
     return std::ranges::equal(a.q, b.q) && std::ranges::equal(a.t, b.t);
 }
 
-// The path from `begin` to `end`; returns where the next capsule goes.
+void pack_capsule(const Colliders::Slot& slot, const plait_pose& pose, float* out) {
+    transform(pose, slot.a, out);
+    out[3] = slot.radius_a;
+    transform(pose, slot.b, out + 4);
+    out[7] = slot.radius_b;
+}
+
+void pack_plane(const Colliders::Slot& slot, const plait_pose& pose, float* out) {
+    transform(pose, slot.a, out);
+    const double x = double(slot.normal[0]), y = double(slot.normal[1]), z = double(slot.normal[2]);
+    const double length = std::hypot(x, y, z);
+    const float unit[3] = {static_cast<float>(x / length), static_cast<float>(y / length),
+                           static_cast<float>(z / length)};
+    plait_pose turned = pose;
+    std::fill_n(turned.t, 3, 0.0f);
+    transform(turned, unit, out + 4);
+    out[3] = out[7] = 0;
+}
+
+// Its orientation lies where a capsule has its other end at the substep's begin.
+void pack_box(const Colliders::Slot& slot, const plait_pose& begin, const plait_pose& end,
+              float* out) {
+    float* const now = out + size_t{4} * PLAIT_COLLIDER_END;
+    transform(begin, slot.a, out);
+    transform(end, slot.a, now);
+    out[3] = now[3] = slot.rounding;
+    plait_pose own = identity_pose;
+    std::copy_n(slot.orientation, 4, own.q);
+    rotation_product(end, own, out + 4);
+    std::copy_n(slot.half_extents, 3, now + 4);
+    now[7] = 0;
+}
+
+// The path from `begin` to `end`; returns where the next collider goes.
 float* pack(const Colliders::Slot& slot, const plait_pose& begin, const plait_pose& end,
             float* out) {
-    for (const plait_pose* pose : {&begin, &end}) {
-        transform(*pose, slot.a, out);
-        out[3] = slot.radius_a;
-        transform(*pose, slot.b, out + 4);
-        out[7] = slot.radius_b;
-        out += 8;
+    float* const now = out + size_t{4} * PLAIT_COLLIDER_END;
+    switch (static_cast<plait_collider_kind>(slot.kind)) {
+    case PLAIT_COLLIDER_KIND_PLANE:
+        pack_plane(slot, begin, out);
+        pack_plane(slot, end, now);
+        break;
+    case PLAIT_COLLIDER_KIND_BOX:
+        pack_box(slot, begin, end, out);
+        break;
+    default:
+        pack_capsule(slot, begin, out);
+        pack_capsule(slot, end, now);
     }
-    turn(begin, end, out);
-    std::fill_n(out + 4, 4, 0.0f);
-    out[4] = slot.friction;
-    return out + 8;
+    turn(begin, end, out + size_t{4} * PLAIT_COLLIDER_TURN);
+    float* const last = out + size_t{4} * PLAIT_COLLIDER_FRICTION;
+    std::fill_n(last, 4, 0.0f);
+    last[0] = slot.friction;
+    last[1] = static_cast<float>(slot.kind);
+    return out + collider_floats;
 }
 
 } // namespace
@@ -57,11 +105,12 @@ Result<size_t> Colliders::find(plait_collider_id id) const {
 
 // Room for the paths of `count` colliders on the device; doubles, so that adding many is cheap.
 Status Colliders::reserve(Device& device, size_t count) {
-    if (buffer_.count() >= capsules(count) * PLAIT_CAPSULE_STRIDE)
+    if (buffer_.count() >= capsules(count) * PLAIT_COLLIDER_STRIDE)
         return {};
-    const size_t room = std::max(capsules(count), buffer_.count() / PLAIT_CAPSULE_STRIDE * 2);
-    packed_.reserve(room * capsule_floats);
-    PLAIT_TRY(device.create(buffer_, PLAIT_ELEMENT_FLOAT4, room * PLAIT_CAPSULE_STRIDE, "capsule"));
+    const size_t room = std::max(capsules(count), buffer_.count() / PLAIT_COLLIDER_STRIDE * 2);
+    packed_.reserve(room * collider_floats);
+    PLAIT_TRY(
+        device.create(buffer_, PLAIT_ELEMENT_FLOAT4, room * PLAIT_COLLIDER_STRIDE, "capsule"));
     uploaded_ = false;
     return {};
 }
@@ -101,14 +150,23 @@ Result<plait_collider_desc> Colliders::describe(plait_collider_id id) const {
     const auto index = find(id);
     if (!index)
         return index.error();
-    const Slot& slot = slots_[*index];
+    plait_collider_desc desc = shape_of(slots_[*index]);
+    desc.pose = slots_[*index].target;
+    return desc;
+}
+
+plait_collider_desc Colliders::shape_of(const Slot& slot) {
     plait_collider_desc desc{};
     std::copy_n(slot.a, 3, desc.a);
     std::copy_n(slot.b, 3, desc.b);
     desc.radius_a = slot.radius_a;
     desc.radius_b = slot.radius_b;
     desc.friction = slot.friction;
-    desc.pose = slot.target;
+    std::memcpy(&desc.kind, &slot.kind, sizeof desc.kind); // of a snapshot it may be any number
+    std::copy_n(slot.normal, 3, desc.normal);
+    std::copy_n(slot.half_extents, 3, desc.half_extents);
+    desc.rounding = slot.rounding;
+    std::copy_n(slot.orientation, 4, desc.orientation);
     return desc;
 }
 
@@ -142,7 +200,7 @@ Status Colliders::begin_step(Device& device, double end) {
     }
     if (uploaded_ || count_ == 0)
         return {};
-    packed_.resize(capsules(count_) * capsule_floats);
+    packed_.resize(capsules(count_) * collider_floats);
     float* out = packed_.data();
     for (uint32_t i = 0; i < substeps_; ++i) // as the roots go
         for (const Slot& slot : slots_)

@@ -1,4 +1,4 @@
-// Tapered capsules and their paths; ids are generational, so a stale one is refused.
+// Colliders and their paths; ids are generational, so a stale one is refused.
 #pragma once
 
 #include "backend/device.hpp"
@@ -24,7 +24,9 @@ class Colliders {
     size_t list(std::span<plait_collider_id> dst) const; // as many as fit; their number
 
     uint32_t count() const { return count_; }
-    const Buffer& capsules() const { return buffer_; } // float4 [substeps][count][6]
+    const Buffer& capsules() const {
+        return buffer_;
+    } // float4 [substeps][count][PLAIT_COLLIDER_STRIDE]
 
     // As Roots: the step's path ends at share `end` of the call's. Uploads what moved.
     Status begin_step(Device& device, double end);
@@ -34,14 +36,21 @@ class Colliders {
     struct Slot {
         uint32_t generation = 0;
         uint32_t alive = 0;
+        // the shape, as the fields of plait_collider_desc
+        uint32_t kind = 0;
         float a[3] = {};
         float b[3] = {};
         float radius_a = 0;
         float radius_b = 0;
         float friction = 0;
+        float normal[3] = {};
+        float half_extents[3] = {};
+        float rounding = 0;
+        float orientation[4] = {};
         plait_pose at = identity_pose, target = identity_pose; // of the call
         plait_pose from = identity_pose, to = identity_pose;   // of the step
     };
+    static plait_collider_desc shape_of(const Slot& slot); // its pose is zero
     std::span<const Slot> slots() const { return slots_; }
     Status assign(Device& device, std::span<const Slot> slots);
 

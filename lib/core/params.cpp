@@ -5,6 +5,8 @@
 #include "core/pose.hpp"
 #include "core/ranges.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstring>
 #include <limits>
@@ -213,13 +215,45 @@ Status set_fibre(plait_sim_params& params, const plait_fibre& s) {
     return {};
 }
 
-Status check_collider(const plait_collider_desc& s) {
-    PLAIT_RANGE_3(a, -1e6, 1e6);
+namespace {
+
+Status check_capsule(const plait_collider_desc& s) {
     PLAIT_RANGE_3(b, -1e6, 1e6);
     PLAIT_RANGE_OPEN(radius_a, 0, 1e3);
     PLAIT_RANGE_OPEN(radius_b, 0, 1e3);
-    PLAIT_RANGE(friction, 0, 10);
     return {};
+}
+
+Status check_plane(const plait_collider_desc& s) {
+    PLAIT_RANGE_3(normal, -1e6, 1e6);
+    const double length = std::hypot(double(s.normal[0]), double(s.normal[1]), double(s.normal[2]));
+    return check_range("length of normal", length, 1e-6, 2e6);
+}
+
+Status check_box(const plait_collider_desc& s) {
+    PLAIT_RANGE_3(half_extents, 0, 1e3);
+    PLAIT_RANGE(rounding, 0, 1e3);
+    plait_pose turned = identity_pose;
+    std::copy_n(s.orientation, 4, turned.q);
+    if (const auto checked = checked_pose(turned, "orientation"); !checked)
+        return checked.error();
+    return {};
+}
+
+} // namespace
+
+Status check_collider(const plait_collider_desc& s) {
+    PLAIT_RANGE_ENUM(kind, PLAIT_COLLIDER_KIND_BOX);
+    PLAIT_RANGE_3(a, -1e6, 1e6);
+    PLAIT_RANGE(friction, 0, 10);
+    switch (s.kind) {
+    case PLAIT_COLLIDER_KIND_PLANE:
+        return check_plane(s);
+    case PLAIT_COLLIDER_KIND_BOX:
+        return check_box(s);
+    default:
+        return check_capsule(s);
+    }
 }
 
 } // namespace plait

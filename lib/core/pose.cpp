@@ -48,17 +48,23 @@ plait_pose interpolate(const plait_pose& from, const plait_pose& to, double shar
     return pose;
 }
 
-void turn(const plait_pose& from, const plait_pose& to, float out[4]) {
-    const double a[4] = {to.q[0], to.q[1], to.q[2], to.q[3]};
-    const double b[4] = {-from.q[0], -from.q[1], -from.q[2], from.q[3]};
+void rotation_product(const plait_pose& after, const plait_pose& first, float out[4]) {
+    const double a[4] = {after.q[0], after.q[1], after.q[2], after.q[3]};
+    const double b[4] = {first.q[0], first.q[1], first.q[2], first.q[3]};
     const double q[4] = {a[3] * b[0] + a[0] * b[3] + a[1] * b[2] - a[2] * b[1],
                          a[3] * b[1] + a[1] * b[3] + a[2] * b[0] - a[0] * b[2],
                          a[3] * b[2] + a[2] * b[3] + a[0] * b[1] - a[1] * b[0],
                          a[3] * b[3] - a[0] * b[0] - a[1] * b[1] - a[2] * b[2]};
-    const bool equal = std::equal(from.q, from.q + 4, to.q);
     const double norm = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
     for (size_t i = 0; i < 4; ++i)
-        out[i] = equal ? identity_pose.q[i] : static_cast<float>(q[i] / norm);
+        out[i] = static_cast<float>(q[i] / norm);
+}
+
+void turn(const plait_pose& from, const plait_pose& to, float out[4]) {
+    const plait_pose back = {{-from.q[0], -from.q[1], -from.q[2], from.q[3]}, {}};
+    rotation_product(to, back, out);
+    if (std::equal(from.q, from.q + 4, to.q))
+        std::copy_n(identity_pose.q, 4, out);
 }
 
 void transform(const plait_pose& pose, const float p[3], float out[3]) {

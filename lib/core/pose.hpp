@@ -20,6 +20,9 @@ plait_pose interpolate(const plait_pose& from, const plait_pose& to, double shar
 // the identity for equal ones.
 void turn(const plait_pose& from, const plait_pose& to, float out[4]);
 
+// The rotation of `after` after that of `first`, a unit quaternion, x y z w.
+void rotation_product(const plait_pose& after, const plait_pose& first, float out[4]);
+
 // q*p + t
 void transform(const plait_pose& pose, const float p[3], float out[3]);
 

@@ -37,13 +37,13 @@ struct SnapshotHeader {
     uint32_t reserved;
 };
 static_assert(sizeof(SnapshotHeader) == 72 + 112 + 32);
-static_assert(sizeof(Colliders::Slot) == sizeof(float) * (2 + 9 + 28),
+static_assert(sizeof(Colliders::Slot) == sizeof(float) * (2 + 21 + 28),
               "no padding: slots are saved as bytes");
 
 namespace {
 
 constexpr uint32_t magic = 0x74696c70; // "plit"
-constexpr uint32_t version = 2;
+constexpr uint32_t version = 3;
 
 // Of a position (m) or a velocity (m/s): a head and a groom may be 1e6 m away each.
 constexpr float largest = 4e6f;
@@ -105,13 +105,7 @@ Status check_slot(const Colliders::Slot& slot, size_t index) {
             return malformed(format("collider %zu is gone, but not all of it is zero", index));
         return {};
     }
-    plait_collider_desc desc{};
-    std::copy_n(slot.a, 3, desc.a);
-    std::copy_n(slot.b, 3, desc.b);
-    desc.radius_a = slot.radius_a;
-    desc.radius_b = slot.radius_b;
-    desc.friction = slot.friction;
-    if (const auto status = check_collider(desc); !status)
+    if (const auto status = check_collider(Colliders::shape_of(slot)); !status)
         return malformed(format("collider %zu: %s", index, status.error().message.c_str()));
     for (const plait_pose* pose : {&slot.at, &slot.target, &slot.from, &slot.to})
         PLAIT_TRY(check_pose(*pose, "collider"));

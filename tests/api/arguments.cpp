@@ -113,6 +113,18 @@ template <typename Change> Bad collider(const char* sentence, Change change) {
                 return plait_collider_create(o.sim, &desc, &id);
             }};
 }
+template <typename Change> Bad plane(const char* sentence, Change change) {
+    return collider(sentence, [change](plait_collider_desc& desc) {
+        desc.kind = PLAIT_COLLIDER_KIND_PLANE;
+        change(desc);
+    });
+}
+template <typename Change> Bad box(const char* sentence, Change change) {
+    return collider(sentence, [change](plait_collider_desc& desc) {
+        desc.kind = PLAIT_COLLIDER_KIND_BOX;
+        change(desc);
+    });
+}
 
 TEST(Arguments, NullPointers) {
     using O = Objects;
@@ -440,6 +452,17 @@ TEST(Arguments, TheRest) {
         collider("friction", [](C& c) { c.friction = 11; }),
         collider("a[1]", [](C& c) { c.a[1] = NAN; }),
         collider("desc->pose: quaternion", [](C& c) { c.pose.q[0] = 1; }),
+        collider("kind is 3, range is [0, 2]",
+                 [](C& c) { c.kind = static_cast<plait_collider_kind>(3); }),
+        plane("length of normal is 0, range is [1e-06, 2e+06]", [](C& c) { c.normal[1] = 0; }),
+        plane("normal[2] is nan, range is [-1e+06, 1e+06]", [](C& c) { c.normal[2] = NAN; }),
+        plane("a[0] is nan", [](C& c) { c.a[0] = NAN; }),
+        plane("friction is -1", [](C& c) { c.friction = -1; }),
+        box("half_extents[1] is -1, range is [0, 1000]", [](C& c) { c.half_extents[1] = -1; }),
+        box("half_extents[2] is 2000", [](C& c) { c.half_extents[2] = 2000; }),
+        box("rounding is -0.5, range is [0, 1000]", [](C& c) { c.rounding = -0.5f; }),
+        box("orientation: quaternion norm is 1.41421, range is 1 +- 0.001",
+            [](C& c) { c.orientation[0] = 1; }),
         {"radius_a is 0, range is (0, 1000]",
          [](O& o) {
              auto desc = plait_collider_desc_defaults();

@@ -1,6 +1,10 @@
 // Colliders: hair stays out of them, and ids do not come back.
 #include "support.hpp"
 
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+
 namespace {
 
 class Colliders : public OnBackend {};
@@ -108,6 +112,70 @@ TEST_P(Colliders, ANewShapeIsThatOfAColliderMadeSo) {
     changed.step(frame);
     made.step(frame);
     EXPECT_NE(changed.read(PLAIT_FIELD_POSITION), made.read(PLAIT_FIELD_POSITION));
+}
+
+// All fields, those that its kind does not read, too.
+TEST_P(Colliders, EveryKindIsReadBack) {
+    plait::Sim sim(context, make_groom(tuft(1, 4)));
+    auto desc = plait_collider_desc_defaults();
+    EXPECT_EQ(desc.kind, PLAIT_COLLIDER_KIND_CAPSULE);
+    desc.kind = PLAIT_COLLIDER_KIND_BOX;
+    desc.half_extents[2] = 0.3f;
+    desc.rounding = 0.02f;
+    desc.orientation[2] = 0.6f;
+    desc.orientation[3] = 0.8f;
+    desc.normal[0] = 7;
+    const auto id = sim.create_collider(desc);
+    auto back = sim.describe_collider(id);
+    EXPECT_EQ(std::memcmp(&back, &desc, sizeof desc), 0);
+    desc.kind = PLAIT_COLLIDER_KIND_PLANE;
+    desc.normal[2] = 2;
+    sim.set_collider_shape(id, desc);
+    back = sim.describe_collider(id);
+    EXPECT_EQ(std::memcmp(&back, &desc, sizeof desc), 0);
+}
+
+// A desc of a plait.h that knew capsules alone ends with its pose.
+TEST_P(Colliders, AnOlderDescIsOfACapsule) {
+    plait::Sim sim(context, make_groom(tuft(1, 4)));
+    auto desc = plait_collider_desc_defaults();
+    desc.kind = PLAIT_COLLIDER_KIND_BOX;
+    desc.struct_size = offsetof(plait_collider_desc, kind);
+    EXPECT_EQ(sim.describe_collider(sim.create_collider(desc)).kind, PLAIT_COLLIDER_KIND_CAPSULE);
+}
+
+// A table that comes up under hanging hair, turned and moved by its pose, in both kinds.
+TEST_P(Colliders, HairStaysAboveATable) {
+    const auto groom = make_groom(tuft(3, 8));
+    for (const plait_collider_kind kind : {PLAIT_COLLIDER_KIND_PLANE, PLAIT_COLLIDER_KIND_BOX}) {
+        plait::Sim sim(context, groom, tressfx_desc()); // which pushes out exactly
+        auto desc = plait_collider_desc_defaults();
+        desc.kind = kind;
+        desc.a[0] = kind == PLAIT_COLLIDER_KIND_BOX ? -0.5f : 0; // its top at the own x = 0
+        desc.normal[0] = 2;
+        desc.normal[1] = 0;
+        desc.half_extents[0] = 0.49f;
+        desc.half_extents[1] = desc.half_extents[2] = 2;
+        desc.rounding = 0.01f;
+        desc.pose.q[2] = desc.pose.q[3] = std::sqrt(0.5f); // x to y
+        desc.pose.t[1] = -0.22f;
+        const auto id = sim.create_collider(desc);
+        for (int i = 0; i < 20; ++i) {
+            desc.pose.t[1] += 0.01f;
+            sim.set_collider_pose(id, desc.pose);
+            sim.step(frame);
+        }
+        const auto p = sim.read(PLAIT_FIELD_POSITION);
+        bool touched = false;
+        for (size_t i = 0; i < p.size(); i += 4) {
+            const float above = p[i + 1] - desc.pose.t[1];
+            touched = touched || above < 1e-5f;
+            if (p[i + 3] != 0) {
+                EXPECT_GT(above, -1e-5f) << "kind " << kind << ", vertex " << i / 4;
+            }
+        }
+        EXPECT_TRUE(touched) << "kind " << kind;
+    }
 }
 
 TEST_P(Colliders, ADestroyedColliderIsGone) {

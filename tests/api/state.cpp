@@ -23,6 +23,9 @@ void stir(plait::Sim& sim) {
     auto collider = plait_collider_desc_defaults();
     collider.pose.t[1] = -0.15f;
     const auto id = sim.create_collider(collider);
+    auto floor = collider;
+    floor.kind = PLAIT_COLLIDER_KIND_PLANE;
+    sim.create_collider(floor);
     const std::vector<plait_pose> own(6, {{0, 0, 0, 1}, {0.01f, 0, 0}});
     auto roots = head_at({0.02f, 0, 0});
     roots.root_poses = plait::view(own);
@@ -157,8 +160,8 @@ TEST_P(State, ASnapshotSaysWhatIsWrongWithIt) {
     bytes[0] = 'x';
     said(bytes, "begins with");
     bytes = saved;
-    bytes[4] = 1;
-    said(bytes, "version 1, this library reads version 2");
+    bytes[4] = 2;
+    said(bytes, "version 2, this library reads version 3");
     bytes = saved;
     bytes.back() ^= 1;
     said(bytes, "damaged or cut");

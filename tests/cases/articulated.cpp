@@ -12,7 +12,7 @@ Case articulated_case() {
                     {"lane_q_before", 4e-4},
                     {"lane_x_before", 2e-5},
                     {"lane_v_before", 1e-3}},
-                   unread_of_capsules()};
+                   unread_of_colliders()};
     for (const Size& size : sizes())
         for (const uint32_t bdf2 : {0u, 1u})
             result.setups.push_back(
@@ -33,6 +33,12 @@ Case articulated_case() {
         for (const uint32_t bdf2 : {0u, 1u})
             result.setups.push_back(lane_setup(size, make_lane_hair_in_contact(size, 32, 100.0f),
                                                lane_params(size, 1, bdf2), true));
+    for (const Size& size : contact_sizes())
+        for (const uint32_t far : {0u, 70u})
+            result.setups.push_back(lane_setup(size,
+                                               make_lane_hair_on_surfaces(size, 48, 100.0f, far),
+                                               lane_params(size, 1, far == 0), true));
+    result.flags.push_back("capsule.kind");
     return result;
 }
 

@@ -14,7 +14,7 @@ Case chain_case() {
         {},
         {{"lane_x", 2e-5}, {"lane_v", 1e-3}, {"lane_x_before", 2e-5}, {"lane_v_before", 1e-3}}};
     result.ratios = {"lane_material.mass"}; // there is no stiffness to hold it against
-    result.unread = unread_of_capsules();
+    result.unread = unread_of_colliders();
     for (const char* stiffness : {"stretch", "bend", "twist", "cross"})
         result.unread.push_back(std::string("lane_material.") + stiffness);
     for (const Size& size : sizes())
@@ -43,6 +43,14 @@ Case chain_case() {
                 result.setups.push_back(
                     lane_setup(size, make_lane_hair_in_contact(size, seed, 0.05f), params, false));
             }
+    for (const Size& size : contact_sizes())
+        for (const uint32_t far : {0u, 70u}) {
+            plait_lane_params params = lane_params(size, 1, far == 0);
+            params.contact_rate = 3e4f;
+            result.setups.push_back(
+                lane_setup(size, make_lane_hair_on_surfaces(size, 48, 0.05f, far), params, false));
+        }
+    result.flags.push_back("capsule.kind");
     return result;
 }
 

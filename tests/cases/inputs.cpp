@@ -120,8 +120,8 @@ std::string name_of(const Size& size) {
     return std::to_string(size.strands) + " x " + std::to_string(size.stride);
 }
 
-const std::vector<std::string>& unread_of_capsules() {
-    static const std::vector<std::string> list = {"capsule.begin.a.radius", "capsule.begin.b"};
+const std::vector<std::string>& unread_of_colliders() {
+    static const std::vector<std::string> list = {"capsule.begin.a.radius"};
     return list;
 }
 

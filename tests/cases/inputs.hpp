@@ -52,8 +52,8 @@ Hair make_hair(const Size& size, uint32_t seed);
 // Of every vertex, padding too, up to `most` in any direction; w 0: [strands][V] float4.
 std::vector<float> accelerations(const Size& size, double most);
 
-// Of a capsule at the substep's begin only the place of a is read: turned as the capsule turns, it
-// says where any other point was.
-const std::vector<std::string>& unread_of_capsules();
+// Of a collider at the substep's begin its first point alone is read, not the radius there: turned
+// as the collider turns, it says where any other point was.
+const std::vector<std::string>& unread_of_colliders();
 
 } // namespace plait::cases

@@ -86,23 +86,72 @@ void add_strand(LaneHair& lanes, Random& random, uint32_t count, uint32_t stride
     }
 }
 
+Point place_of(const LaneHair& lanes, size_t vertex) {
+    const size_t stride = lanes.hair.size.stride;
+    const float* root = &lanes.x[3 * (vertex / stride) * stride];
+    const float* x = &lanes.x[3 * vertex];
+    return {root[0] + x[0], root[1] + x[1], root[2] + x[2]};
+}
+
 // A tapered capsule whose side is `gap` (m) off the start of a vertex, down the way that forces
 // drive it, and moves a little.
 void add_capsule(LaneHair& lanes, Random& random, size_t vertex, double gap, float friction) {
-    const size_t stride = lanes.hair.size.stride, strand = vertex / stride;
-    const float* root = &lanes.x[3 * strand * stride];
-    const float* x = &lanes.x[3 * vertex];
     const Point down = sum(direction_of({20, -40, 30}), random_step(random, 0.2));
     const Point across = cross(down, random.direction());
     const double radius = random.uniform(0.03, 0.04);
-    const Point middle = sum({root[0] + x[0], root[1] + x[1], root[2] + x[2]}, down, radius + gap);
+    const Point middle = sum(place_of(lanes, vertex), down, radius + gap);
     const Point to = sum(middle, random_step(random, 0.03));
     for (const Point& at : {middle, to})
         for (const double side : {-1.0, 1.0})
             append(lanes.capsules,
                    with_radius(sum(at, across, 0.04 * side), radius - 0.005 * side));
     append(lanes.capsules, small_turn(random, 0.3));
-    append(lanes.capsules, std::array<double, 4>{double(friction), 0, 0, 0});
+    append(lanes.capsules, Quat{double(friction), double{PLAIT_KIND_CAPSULE}, 0, 0});
+}
+
+// The same with a box, whose face, or an edge of it, is as far off.
+void add_box(LaneHair& lanes, Random& random, size_t vertex, double gap, float friction) {
+    const Point down = sum(direction_of({20, -40, 30}), random_step(random, 0.2));
+    const Quat orientation = random.rotation();
+    const Point half = {random.uniform(0.02, 0.05), random.uniform(0.02, 0.05),
+                        random.uniform(0.02, 0.05)};
+    const double rounding = random.below(2) == 0 ? 0 : 0.01;
+    double reach = rounding; // of the box along `down`
+    for (size_t axis = 0; axis < 3; ++axis) {
+        Point unit = {0, 0, 0};
+        unit[axis] = 1;
+        const Point edge = rotate(orientation, unit);
+        reach += half[axis] * std::abs(edge[0] * down[0] + edge[1] * down[1] + edge[2] * down[2]);
+    }
+    const Point middle = sum(place_of(lanes, vertex), down, 0.7 * reach + gap);
+    append(lanes.capsules, with_radius(middle, rounding));
+    append(lanes.capsules, orientation);
+    append(lanes.capsules, with_radius(sum(middle, random_step(random, 0.03)), rounding));
+    append(lanes.capsules, with_radius(half, 0));
+    append(lanes.capsules, small_turn(random, 0.3));
+    append(lanes.capsules, Quat{double(friction), double{PLAIT_KIND_BOX}, 0, 0});
+}
+
+// A plane `gap` below the vertex that lies lowest, the way that forces drive it.
+void add_plane(LaneHair& lanes, Random& random, double gap, float friction) {
+    const Point down = sum(direction_of({20, -40, 30}), random_step(random, 0.2));
+    const Point normal = direction_of(sum({0, 0, 0}, down, -1));
+    const auto height = [&](const Point& p) {
+        return p[0] * normal[0] + p[1] * normal[1] + p[2] * normal[2];
+    };
+    Point lowest = place_of(lanes, 1);
+    for (size_t s = 0; s < lanes.hair.size.strands; ++s)
+        for (uint32_t i = 1; i < lanes.hair.vertex_count[s]; ++i)
+            if (const Point p = place_of(lanes, s * lanes.hair.size.stride + i);
+                height(p) < height(lowest))
+                lowest = p;
+    const Point point = sum(lowest, normal, -gap);
+    append(lanes.capsules, with_radius(point, 0));
+    append(lanes.capsules, with_radius(normal, 0));
+    append(lanes.capsules, with_radius(sum(point, random_step(random, 0.03)), 0));
+    append(lanes.capsules, with_radius(normal, 0));
+    append(lanes.capsules, small_turn(random, 0.1));
+    append(lanes.capsules, Quat{double(friction), double{PLAIT_KIND_PLANE}, 0, 0});
 }
 
 std::vector<float> without_w(const std::vector<float>& float4s) {
@@ -116,7 +165,7 @@ std::vector<float> without_w(const std::vector<float>& float4s) {
 // All strands inside: what a kernel meets that reads the capsules of the substep before.
 std::vector<float> capsules_of_two_substeps(const std::vector<float>& capsules) {
     std::vector<float> both;
-    for (size_t i = 0; i < capsules.size(); i += size_t{4} * PLAIT_CAPSULE_STRIDE) {
+    for (size_t i = 0; i < capsules.size(); i += size_t{4} * PLAIT_COLLIDER_STRIDE) {
         for (int sphere = 0; sphere < 4; ++sphere)
             append(both, with_radius({0, 0, 0}, 9));
         append(both, Quat{0, 0, 0, 1});
@@ -146,6 +195,27 @@ LaneHair make_lane_hair_in_contact(const Size& size, uint32_t seed, float fricti
         add_capsule(lanes, random, vertex, s % 3 == 2 ? -0.015 : 0.004, s % 2 ? 0.3f : friction);
         if (s % 4 == 1) // deep around the root, too
             add_capsule(lanes, random, s * size.stride + 1, -0.025, friction);
+    }
+    return lanes;
+}
+
+LaneHair make_lane_hair_on_surfaces(const Size& size, uint32_t seed, float friction, uint32_t far) {
+    LaneHair lanes = make_lane_hair(size, seed);
+    Random random(seed + 4);
+    for (uint32_t i = 0; i < far; ++i) { // out of reach
+        const size_t first = lanes.capsules.size();
+        add_box(lanes, random, 1, 9, friction);
+        lanes.capsules[first + size_t{4} * PLAIT_COLLIDER_STRIDE - 3] =
+            i % 2 ? PLAIT_KIND_BOX : PLAIT_KIND_CAPSULE;
+    }
+    add_plane(lanes, random, -0.003, friction);
+    for (size_t s = 0; s < size.strands; ++s) {
+        const size_t vertex = s * size.stride + lanes.hair.vertex_count[s] / 2;
+        const double gap = s % 3 == 2 ? -0.01 : 0.004;
+        if (s % 4 == 3)
+            add_capsule(lanes, random, vertex, gap, 0.3f);
+        else
+            add_box(lanes, random, vertex, gap, s % 2 ? 0.3f : friction);
     }
     return lanes;
 }
@@ -252,9 +322,9 @@ Setup lane_setup(const Size& size, const LaneHair& lanes, const plait_lane_param
     setup.buffers.push_back(lane_floats(lanes.v_before, 3));
     plait_lane_params with_capsules = params;
     with_capsules.collider_count = with_capsules.collider_first =
-        static_cast<uint32_t>(lanes.capsules.size() / (4 * PLAIT_CAPSULE_STRIDE));
+        static_cast<uint32_t>(lanes.capsules.size() / (4 * PLAIT_COLLIDER_STRIDE));
     if (with_capsules.collider_count > 0)
-        setup.name += ", " + std::to_string(with_capsules.collider_count) + " capsules";
+        setup.name += ", " + std::to_string(with_capsules.collider_count) + " colliders";
     return setup.with(with_capsules);
 }
 

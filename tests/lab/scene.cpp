@@ -203,6 +203,21 @@ TEST_F(LabScene, refusals_of_what_contradicts_itself) {
     EXPECT_THAT(refusal(R"({"motion": [{"type": "turn", "degrees": 3}]})"),
                 HasSubstr("motion[0].to is missing"));
     EXPECT_THAT(refusal(R"({"colliders": [{"a": [0,0,0]}]})"), HasSubstr("radius_a is missing"));
+    EXPECT_THAT(refusal(R"({"colliders": [{"plane": {"point": [0,0,0]}}]})"),
+                HasSubstr("colliders[0].plane.normal is missing"));
+    EXPECT_THAT(refusal(R"({"colliders": [{"plane": {"normal": [0,0,0]}}]})"),
+                HasSubstr("shorter than 1e-6"));
+    EXPECT_THAT(refusal(R"({"colliders": [{"box": {"half_extents": [1,-1,1]}}]})"),
+                HasSubstr("box.half_extents"));
+    EXPECT_THAT(
+        refusal(R"({"colliders": [{"box": {"half_extents": [1,1,1], "orientation": [1,0,0,1]}}]})"),
+        HasSubstr("unit quaternion"));
+    EXPECT_THAT(
+        refusal(
+            R"({"colliders": [{"box": {"half_extents": [1,1,1]}, "plane": {"normal": [0,1,0]}}]})"),
+        HasSubstr("one of the two"));
+    EXPECT_THAT(refusal(R"({"colliders": [{"box": {"half_extents": [1,1,1]}, "a": [0,0,0]}]})"),
+                HasSubstr("colliders[0].a"));
     EXPECT_THAT(refusal(R"({"reference": {}})"), HasSubstr("reference.table is missing"));
     EXPECT_THAT(refusal(R"({"measure": [{"metric": "tilt", "strand": 1}]})"),
                 HasSubstr("measure[0].strand is 1"));

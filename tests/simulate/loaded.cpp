@@ -127,4 +127,50 @@ TEST(Hand, is_where_its_keyframes_put_it) {
     }
 }
 
+// All of its mesh is on the surface, and the triangles, seen from outside, hold its volume.
+TEST(Hand, is_drawn_as_a_box) {
+    for (const float rounding : {0.0f, 0.02f}) {
+        simulate::Collider collider{plait_collider_desc_defaults(), false, {}};
+        collider.shape.kind = PLAIT_COLLIDER_KIND_BOX;
+        collider.shape.a[0] = 0.5f;
+        collider.shape.half_extents[1] = 0.05f;
+        collider.shape.rounding = rounding;
+        collider.shape.orientation[2] = 0.6f, collider.shape.orientation[3] = 0.8f;
+        collider.keyframes = {{0.0f, {}}};
+        const simulate::Hand hand(collider);
+        const Eigen::Quaternionf turn(0.8f, 0.0f, 0.0f, 0.6f);
+        const Eigen::Vector3f centre(0.5f, 0.0f, 0.0f), half(collider.shape.half_extents);
+        for (const Eigen::Vector3f& p : hand.mesh().vertices) {
+            const Eigen::Vector3f d = (turn.conjugate() * (p - centre)).cwiseAbs() - half;
+            EXPECT_NEAR(d.cwiseMax(0.0f).norm(), rounding, 1e-6f);
+        }
+        double volume = 0;
+        for (const auto& [a, b, c] : hand.mesh().triangles) {
+            const auto at = [&](uint32_t k) -> Eigen::Vector3f {
+                return hand.mesh().vertices[k] - centre;
+            };
+            volume += double(at(a).dot(at(b).cross(at(c)))) / 6;
+        }
+        const double r = double(rounding), x = 0.2, y = 0.1, z = 0.2, pi = 3.14159265358979;
+        const double whole = x * y * z + 2 * r * (x * y + y * z + z * x) +
+                             pi * r * r * (x + y + z) + 4 * pi / 3 * r * r * r;
+        EXPECT_NEAR(volume, whole, 0.003 * whole) << "rounding " << rounding;
+    }
+}
+
+TEST(Hand, is_drawn_as_a_square_of_a_plane) {
+    simulate::Collider collider{plait_collider_desc_defaults(), false, {}};
+    collider.shape.kind = PLAIT_COLLIDER_KIND_PLANE;
+    collider.shape.a[1] = -0.2f;
+    collider.shape.normal[0] = 3.0f, collider.shape.normal[1] = 4.0f;
+    collider.keyframes = {{0.0f, {}}};
+    const simulate::Hand hand(collider);
+    const Eigen::Vector3f point(0.0f, -0.2f, 0.0f), normal(0.6f, 0.8f, 0.0f);
+    const auto& v = hand.mesh().vertices;
+    for (const Eigen::Vector3f& p : v)
+        EXPECT_NEAR(normal.dot(p - point), 0.0f, 1e-6f);
+    for (const auto& [a, b, c] : hand.mesh().triangles)
+        EXPECT_NEAR((v[b] - v[a]).cross(v[c] - v[a]).normalized().dot(normal), 1.0f, 1e-5f);
+}
+
 } // namespace

@@ -106,6 +106,25 @@ TEST_F(SceneFile, the_model_is_the_librarys_default) {
     EXPECT_EQ(read("{}").sim.model, plait_sim_desc_defaults().model);
 }
 
+TEST_F(SceneFile, colliders_are_planes_and_boxes_too) {
+    const Scene scene = read(R"({"colliders": [
+        {"plane": {"point": [0, -1, 0], "normal": [0, 3, 0]}, "friction": 0.5},
+        {"box": {"centre": [1, 2, 3], "half_extents": [0.5, 0.1, 0], "rounding": 0.01,
+                 "orientation": [0, 0.6, 0, 0.8]}, "moves_with_head": false}]})");
+    const plait_collider_desc& plane = (*scene.colliders)[0].shape;
+    EXPECT_EQ(plane.kind, PLAIT_COLLIDER_KIND_PLANE);
+    EXPECT_FLOAT_EQ(plane.a[1], -1.0f);
+    EXPECT_FLOAT_EQ(plane.normal[1], 3.0f);
+    EXPECT_FLOAT_EQ(plane.friction, 0.5f);
+    const plait_collider_desc& box = (*scene.colliders)[1].shape;
+    EXPECT_EQ(box.kind, PLAIT_COLLIDER_KIND_BOX);
+    EXPECT_FLOAT_EQ(box.a[2], 3.0f);
+    EXPECT_FLOAT_EQ(box.half_extents[1], 0.1f);
+    EXPECT_FLOAT_EQ(box.rounding, 0.01f);
+    EXPECT_FLOAT_EQ(box.orientation[3], 0.8f);
+    EXPECT_FALSE((*scene.colliders)[1].moves_with_head);
+}
+
 TEST_F(SceneFile, moving_colliders_have_keyframes) {
     const Scene scene = read(R"({"moving_colliders": [{"a": [0, 1, 0], "radius_a": 0.03,
         "keyframes": [{"time": 0, "x": 1}, {"time": 0.5, "y": 2, "yaw": 90}]}]})");

@@ -30,14 +30,27 @@ typedef uint32_t plait_u32;
 /* float4 elements per item in packed buffers. */
 #define PLAIT_POSE_STRIDE 2   /* pose: quaternion (x,y,z,w); translation (x,y,z,0) */
 #define PLAIT_MOTION_STRIDE 2 /* strand_motion: quaternion; (translation, blend c) */
-#define PLAIT_CAPSULE_STRIDE 6
+#define PLAIT_COLLIDER_STRIDE 6
 
-/* Elements of a capsule; the buffer holds all colliders of a step's first substep, then all of its
- * second, and so on. */
-#define PLAIT_CAPSULE_BEGIN 0    /* (a,ra)(b,rb) at the substep's begin */
-#define PLAIT_CAPSULE_END 2      /* (a,ra)(b,rb) at its end */
-#define PLAIT_CAPSULE_TURN 4     /* the quaternion that turns the one into the other */
-#define PLAIT_CAPSULE_FRICTION 5 /* (friction,0,0,0) */
+/* Elements of a collider, in the buffers that stages call `capsule` after the commonest kind; they
+ * hold all colliders of a step's first substep, then all of its second, and so on. What moves is
+ * rigid: its first point goes from BEGIN to END and all turns about it.
+ *
+ *            capsule          plane                     box
+ *   BEGIN    (a,ra)           (point,0)                 (centre,rounding)
+ *     + 1    (b,rb)           (normal,0)                its orientation at the end, x y z w
+ *   END      (a,ra)           (point,0)                 (centre,rounding)
+ *     + 1    (b,rb)           (normal,0)                (half extents,0)
+ * Normals are unit and outward; half extents are of the box before it is rounded. */
+#define PLAIT_COLLIDER_BEGIN 0    /* at the substep's begin; only its xyz is read of all kinds */
+#define PLAIT_COLLIDER_END 2      /* at its end */
+#define PLAIT_COLLIDER_TURN 4     /* the quaternion that turns the one into the other */
+#define PLAIT_COLLIDER_FRICTION 5 /* (friction,kind,0,0) */
+
+/* Kinds, as floats; a plane is all that lies under it. */
+#define PLAIT_KIND_CAPSULE 0.0f
+#define PLAIT_KIND_PLANE 1.0f
+#define PLAIT_KIND_BOX 2.0f
 
 /* grid_sum: per voxel, five 64-bit sums as (low, high) words: density, momentum xyz, tent*|v|^2. */
 #define PLAIT_SUM_COUNT 5
@@ -138,7 +151,7 @@ typedef struct plait_length_params {
     plait_u32 iterations;
 } plait_length_params;
 
-/* collide: push out of tapered capsules (a sphere has a == b) with Coulomb friction. */
+/* collide: push out of colliders with Coulomb friction. */
 typedef struct plait_collide_params {
     plait_u32 vertex_stride;
     plait_u32 collider_count;

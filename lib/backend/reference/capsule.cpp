@@ -1,7 +1,5 @@
 #include "backend/reference/capsule.hpp"
 
-#include <plait/params.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -33,18 +31,6 @@ Vec3 normal_on_axis(const Capsule& capsule) {
 }
 
 } // namespace
-
-CapsulePath capsule_path(const View<const Vec4>& buffer, size_t collider) {
-    const auto at = [&](size_t row) -> Vec4 {
-        return buffer[collider * PLAIT_CAPSULE_STRIDE + row];
-    };
-    const auto ends = [&](size_t row) {
-        const Vec4 a = at(row), b = at(row + 1);
-        return Capsule{xyz(a), xyz(b), a.w(), b.w()};
-    };
-    return {ends(PLAIT_CAPSULE_BEGIN), ends(PLAIT_CAPSULE_END), quat(at(PLAIT_CAPSULE_TURN)),
-            at(PLAIT_CAPSULE_FRICTION).x()};
-}
 
 Surface surface(const Capsule& capsule, const Vec3& x) {
     const double k = foot(capsule, x);

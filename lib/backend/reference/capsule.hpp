@@ -15,25 +15,12 @@ struct Capsule {
     double radius(double k) const { return ra + k * (rb - ra); }
 };
 
-// What a point sees of a capsule.
+// What a point sees of a collider.
 struct Surface {
     double distance; // to the surface, negative inside
     Vec3 normal;
 };
 
-// A rigid capsule over a substep.
-struct CapsulePath {
-    Capsule begin, end;
-    Quat turn; // from begin to end
-    double friction;
-
-    // Where the capsule carries a point of the begin, and whence it carried one.
-    Vec3 carried(const Vec3& x) const { return end.a + turn * (x - begin.a); }
-    Vec3 carried_from(const Vec3& x) const { return begin.a + turn.conjugate() * (x - end.a); }
-};
-
-// Capsule `collider` of a buffer.
-CapsulePath capsule_path(const View<const Vec4>& buffer, size_t collider);
 Surface surface(const Capsule& capsule, const Vec3& x);
 
 } // namespace plait::reference

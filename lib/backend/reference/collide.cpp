@@ -1,8 +1,8 @@
-// collide: push vertices out of tapered capsules, with Coulomb friction.
+// collide: push vertices out of colliders, with Coulomb friction.
 // Friction takes at most mu * (push depth) off the tangential part of the vertex's displacement
 // relative to the surface, and never reverses it
 // (Mueller et al. 2007, section 3.4, with the depth in place of a restitution model).
-#include "backend/reference/capsule.hpp"
+#include "backend/reference/collider.hpp"
 #include "backend/reference/stages.hpp"
 
 #include <algorithm>
@@ -26,14 +26,14 @@ void collide(uint32_t item_count, const plait_collide_params& params, const coll
         Vec4& position = args.position[item];
         if (i >= vertices_of(args.vertex_count, strand, params.vertex_stride) || pinned(position))
             continue;
-        for (size_t collider = 0; collider < params.collider_count; ++collider) {
-            const CapsulePath path = capsule_path(args.capsule, params.collider_first + collider);
-            const Surface at = surface(path.end, xyz(position));
+        for (size_t index = 0; index < params.collider_count; ++index) {
+            const Collider collider = collider_at(args.capsule, params.collider_first + index);
+            const Surface at = collider.surface(xyz(position));
             if (!(at.distance < 0))
                 continue;
             const Vec3 pushed = xyz(position) - at.distance * at.normal;
-            const Vec3 relative = path.carried_from(pushed) - xyz(args.position_prev[item]);
-            set_xyz(position, rub(pushed, relative, at, path.friction));
+            const Vec3 relative = collider.carried_from(pushed) - xyz(args.position_prev[item]);
+            set_xyz(position, rub(pushed, relative, at, collider.friction));
         }
     }
 }

@@ -12,18 +12,18 @@
 namespace plait::reference {
 namespace {
 
-// A tangent plane of the capsule's distance: `height` of the end of the way above it.
-struct Plane {
+// A tangent plane of a collider's distance: `height` of the end of the way above it.
+struct Tangent {
     Vec3 normal;
     double height;
 };
 
 // The distance along the way is convex: Newton from outside comes to the first zero and not beyond.
 // Nothing if the way ends or turns away before.
-std::optional<Plane> first_crossing(const Capsule& capsule, const Vec3& from, const Vec3& to) {
+std::optional<Tangent> first_crossing(const Collider& collider, const Vec3& from, const Vec3& to) {
     const Vec3 way = to - from;
     double t = 0;
-    Surface at = surface(capsule, from);
+    Surface at = collider.surface(from);
     for (int k = 0; k < PLAIT_SWEEP_STEPS; ++k) {
         const double slope = at.normal.dot(way);
         if (slope >= 0)
@@ -31,17 +31,30 @@ std::optional<Plane> first_crossing(const Capsule& capsule, const Vec3& from, co
         t += std::max(at.distance, 0.0) / -slope;
         if (t >= 1)
             return {};
-        at = surface(capsule, from + t * way);
+        at = collider.surface(from + t * way);
     }
-    return Plane{at.normal, at.distance + (1 - t) * at.normal.dot(way)};
+    return Tangent{at.normal, at.distance + (1 - t) * at.normal.dot(way)};
+}
+
+// At least this far from a collider, and from most no farther than that: of a capsule with the
+// greater radius all along.
+double clearance(const Collider& collider, const Vec3& x) {
+    const Capsule* capsule = std::get_if<Capsule>(&collider.body);
+    if (!capsule)
+        return collider.surface(x).distance;
+    Capsule wide = *capsule;
+    if ((wide.b - wide.a).norm() <= std::abs(wide.ra - wide.rb)) // one sphere holds the other
+        wide.a = wide.b = wide.ra < wide.rb ? wide.b : wide.a;
+    wide.ra = wide.rb = std::max(wide.ra, wide.rb);
+    return surface(wide, x).distance;
 }
 
 } // namespace
 
-Contacts::Contacts(const plait_lane_params& params, const View<const Vec4>& capsules,
+Contacts::Contacts(const plait_lane_params& params, const View<const Vec4>& colliders,
                    const Motion& motion, std::vector<double> length, std::vector<double> stretch,
                    std::vector<double> mass)
-    : params_(params), capsules_(capsules), motion_(motion), length_(std::move(length)),
+    : params_(params), colliders_(colliders), motion_(motion), length_(std::move(length)),
       stretch_(std::move(stretch)), mass_(std::move(mass)), arc_(length_.size()),
       at_(params.vertex_stride) {
     std::partial_sum(length_.begin(), length_.end(), arc_.begin());
@@ -49,10 +62,9 @@ Contacts::Contacts(const plait_lane_params& params, const View<const Vec4>& caps
 
 // Under a surface that holds the root deeper, a vertex need come no farther out of it than half the
 // length from the root.
-Contacts::Touch Contacts::touch(size_t collider, size_t vertex, const Vec3& x) const {
-    const CapsulePath path = capsule_path(capsules_, params_.collider_first + collider);
-    Touch found = touch_surface(path, vertex, x);
-    const double root_depth = -surface(path.end, motion_.root).distance;
+Contacts::Touch Contacts::touch(const Collider& collider, size_t vertex, const Vec3& x) const {
+    Touch found = touch_surface(collider, vertex, x);
+    const double root_depth = -collider.surface(motion_.root).distance;
     if (found.gap < 0) {
         const double sunk = std::max(root_depth - PLAIT_CONTACT_ROOT_CLEARANCE * arc_[vertex], 0.0);
         found.gap += sunk;
@@ -61,18 +73,17 @@ Contacts::Touch Contacts::touch(size_t collider, size_t vertex, const Vec3& x) c
     return found;
 }
 
-Contacts::Touch Contacts::touch_surface(const CapsulePath& path, size_t vertex,
+Contacts::Touch Contacts::touch_surface(const Collider& collider, size_t vertex,
                                         const Vec3& x) const {
-    const Capsule& now = path.end;
     const Vec3 start = motion_.root + motion_.start[vertex], end = motion_.root + x;
-    const Vec3 anchor = path.carried(start);
-    const Surface at_anchor = surface(now, anchor), at_end = surface(now, end);
-    Touch nearest{at_end.distance, at_anchor.distance, path.friction, at_end.normal,
+    const Vec3 anchor = collider.carried(start);
+    const Surface at_anchor = collider.surface(anchor), at_end = collider.surface(end);
+    Touch nearest{at_end.distance, at_anchor.distance, collider.friction, at_end.normal,
                   anchor - motion_.root};
     Touch swept = nearest;
     bool crosses = true;
     if (at_anchor.distance > 0) {
-        const auto plane = first_crossing(now, anchor, end);
+        const auto plane = first_crossing(collider, anchor, end);
         crosses = plane.has_value();
         if (crosses) {
             swept.normal = plane->normal;
@@ -90,22 +101,17 @@ Contacts::Touch Contacts::touch_surface(const CapsulePath& path, size_t vertex,
     return inside || beyond || other_side ? swept : nearest;
 }
 
-// No farther from the capsule, the greater radius all along, than from where it would have carried
-// the vertex.
-bool Contacts::meets(size_t collider, size_t vertex, const Vec3& x) const {
-    const CapsulePath path = capsule_path(capsules_, params_.collider_first + collider);
-    const Vec3 end = motion_.root + x, anchor = path.carried(motion_.root + motion_.start[vertex]);
-    Capsule wide = path.end;
-    if ((wide.b - wide.a).norm() <= std::abs(wide.ra - wide.rb)) // one sphere holds the other
-        wide.a = wide.b = wide.ra < wide.rb ? wide.b : wide.a;
-    wide.ra = wide.rb = std::max(wide.ra, wide.rb);
-    return surface(wide, end).distance <=
-           (end - anchor).norm() + PLAIT_CONTACT_TOLERANCE * length_[vertex];
+// No farther from the collider than from where it would have carried the vertex.
+bool Contacts::meets(const Collider& collider, size_t vertex, const Vec3& x) const {
+    const Vec3 end = motion_.root + x;
+    const Vec3 anchor = collider.carried(motion_.root + motion_.start[vertex]);
+    return clearance(collider, end) <= (end - anchor).norm() + PLAIT_CONTACT_TOLERANCE * length_[vertex];
 }
 
 std::optional<Contacts::Touch> Contacts::nearest(size_t vertex, const Vec3& x) const {
     std::optional<Touch> best;
-    for (size_t collider = 0; collider < params_.collider_count; ++collider) {
+    for (size_t index = 0; index < params_.collider_count; ++index) {
+        const Collider collider = collider_at(colliders_, params_.collider_first + index);
         if (!meets(collider, vertex, x))
             continue;
         const Touch candidate = touch(collider, vertex, x);

@@ -1,9 +1,9 @@
-// Contact of one strand with tapered capsules, as terms of an incremental potential: per vertex one
+// Contact of one strand with colliders, as terms of an incremental potential: per vertex one
 // plane n.x = o with a push s/2 min(n.x - o, 0)^2, and friction mu N psi(|u|) against the anchor,
 // psi quadratic up to the slip e and linear beyond, u the tangential part of x - anchor.
 #pragma once
 
-#include "backend/reference/capsule.hpp"
+#include "backend/reference/collider.hpp"
 #include "backend/reference/lanes.hpp"
 
 #include <optional>
@@ -16,7 +16,7 @@ class Contacts {
   public:
     // `length[i]` and `stretch[i]`, EA/l, of the segment before vertex i, 0 past the tip; `mass[i]`
     // of vertex i.
-    Contacts(const plait_lane_params& params, const View<const Vec4>& capsules,
+    Contacts(const plait_lane_params& params, const View<const Vec4>& colliders,
              const Motion& motion, std::vector<double> length, std::vector<double> stretch,
              std::vector<double> mass);
 
@@ -63,14 +63,14 @@ class Contacts {
         bool stiff = false;          // from outside: it may not be left deep
         bool sticks() const { return slide.isZero(0); }
     };
-    // A vertex and the capsule it is nearest to.
+    // A vertex and the collider it is nearest to.
     struct Touch {
         double gap, start, friction;
         Vec3 normal, anchor;
     };
-    Touch touch(size_t collider, size_t vertex, const Vec3& x) const;
-    Touch touch_surface(const CapsulePath& path, size_t vertex, const Vec3& x) const;
-    bool meets(size_t collider, size_t vertex, const Vec3& x) const;
+    Touch touch(const Collider& collider, size_t vertex, const Vec3& x) const;
+    Touch touch_surface(const Collider& collider, size_t vertex, const Vec3& x) const;
+    bool meets(const Collider& collider, size_t vertex, const Vec3& x) const;
     std::optional<Touch> nearest(size_t vertex, const Vec3& x) const;
     Contact renewed(size_t vertex, const Vec3& x) const;
     bool slides(const Contact& before, const Contact& now, const Vec3& u, double mobility) const;
@@ -81,7 +81,7 @@ class Contacts {
     double released(size_t vertex, const Vec3& x, double begin) const;
 
     const plait_lane_params& params_;
-    const View<const Vec4>& capsules_;
+    const View<const Vec4>& colliders_;
     const Motion& motion_;
     std::vector<double> length_, stretch_, mass_, arc_; // arc_[i]: from the root to vertex i
     std::vector<Contact> at_;

@@ -157,6 +157,88 @@ void collide_rubs(Bench& bench) {
     expect_near(floats(out), {.3f, .5f, .5f * std::sin(.05f), 1});
 }
 
+std::vector<float> row(const std::vector<std::vector<float>>& elements) {
+    std::vector<float> packed;
+    for (const auto& element : elements)
+        packed.insert(packed.end(), element.begin(), element.end());
+    return packed;
+}
+
+// Through `p`, which moves by `motion` along x.
+std::vector<float> plane(const Point& p, const std::vector<float>& normal, float friction,
+                         float motion = 0) {
+    const std::vector<float> n = {normal[0], normal[1], normal[2], 0};
+    return row({{p[0], p[1], p[2], 0},
+                n,
+                {p[0] + motion, p[1], p[2], 0},
+                n,
+                {0, 0, 0, 1},
+                {friction, PLAIT_KIND_PLANE, 0, 0}});
+}
+
+std::vector<float> box(const Point& half, float rounding, const std::vector<float>& orientation) {
+    return row({{0, 0, 0, rounding},
+                orientation,
+                {0, 0, 0, rounding},
+                {half[0], half[1], half[2], 0},
+                {0, 0, 0, 1},
+                {0, PLAIT_KIND_BOX, 0, 0}});
+}
+
+void collide_pushes_out_of_planes(Bench& bench) {
+    const auto p = plane({5, .1f, -7}, {0, 1, 0}, 0);
+    expect_near(floats(touch(bench, p, {.3f, -2, .1f}, {.3f, -2, .1f})), {.3f, .1f, .1f, 1});
+    expect_near(floats(touch(bench, p, {.3f, .2f, 0}, {.3f, 2, 0})), {.3f, .2f, 0, 1}, 0);
+    const auto leaning = plane({0, 0, 0}, {.6f, .8f, 0}, 0);
+    expect_near(floats(touch(bench, leaning, {-1, 0, 3}, {0, 0, 0})), {-.64f, .48f, 3, 1});
+    // .3 m deep, slipped by .1 m along the surface: friction takes .06 m, or carries along
+    const auto rub = [&](float friction, float motion) {
+        return floats(touch(bench, plane({0, .5f, 0}, {0, 1, 0}, friction, motion), {.3f, .2f, 0},
+                            {.2f, .5f, 0}));
+    };
+    expect_near(rub(.2f, 0), {.24f, .5f, 0, 1});
+    expect_near(rub(9, .1f), {.3f, .5f, 0, 1});
+}
+
+void collide_pushes_out_of_boxes(Bench& bench) {
+    const auto push = [&](const std::vector<float>& b, const Point& x) {
+        return floats(touch(bench, b, x, x));
+    };
+    const auto sharp = box({.4f, .2f, .3f}, 0, {0, 0, 0, 1});
+    expect_near(push(sharp, {.3f, .15f, .1f}), {.3f, .2f, .1f, 1}); // the nearest face
+    expect_near(push(sharp, {-.35f, .1f, .1f}), {-.4f, .1f, .1f, 1});
+    expect_near(push(sharp, {.1f, 0, -.25f}), {.1f, 0, -.3f, 1});
+    expect_near(push(sharp, {.3f, .21f, 0}), {.3f, .21f, 0, 1}, 0);
+    const auto rounded = box({.4f, .2f, .3f}, .1f, {0, 0, 0, 1});
+    expect_near(push(rounded, {.3f, .25f, .1f}), {.3f, .3f, .1f, 1});
+    expect_near(push(rounded, {.3f, .15f, .1f}), {.3f, .3f, .1f, 1});    // in the box without it
+    expect_near(push(rounded, {.43f, .24f, .1f}), {.46f, .28f, .1f, 1}); // an edge
+    expect_near(push(rounded, {.42f, -.21f, .32f}),
+                {.4f + .2f / 3, -.2f - .1f / 3, .3f + .2f / 3, 1}); // a corner
+    // a quarter about z: its x lies along y
+    const float s = std::sqrt(.5f);
+    const auto turned = box({.4f, .2f, .3f}, 0, {0, 0, s, s});
+    expect_near(push(turned, {.1f, .35f, 0}), {.1f, .4f, 0, 1});
+    expect_near(push(turned, {.19f, .1f, 0}), {.2f, .1f, 0, 1});
+}
+
+// Without width it is a capsule, without extents a sphere.
+void collide_box_becomes_a_capsule(Bench& bench) {
+    auto rod = box({.5f, 0, 0}, .25f, {0, 0, 0, 1});
+    auto ball = box({0, 0, 0}, .25f, {.36f, -.48f, .64f, .48f});
+    auto as_rod = row({{-.5f, 0, 0, .25f}, {.5f, 0, 0, .25f}});
+    auto as_ball = row({{0, 0, 0, .25f}, {0, 0, 0, .25f}});
+    for (auto* c : {&as_rod, &as_ball}) {
+        const std::vector<float> ends = *c;
+        *c = row({ends, ends, {0, 0, 0, 1}, {0, PLAIT_KIND_CAPSULE, 0, 0}});
+    }
+    for (const Point& x : {Point{.1f, .2f, .05f}, Point{.6f, -.1f, .1f}, Point{-.55f, .02f, .2f},
+                           Point{.05f, -.1f, .15f}}) {
+        expect_near(floats(touch(bench, rod, x, x)), touch(bench, as_rod, x, x));
+        expect_near(floats(touch(bench, ball, x, x)), touch(bench, as_ball, x, x));
+    }
+}
+
 void local_shape_straightens(Bench& bench) {
     // k = 0.8/2; the target of vertex 2 is (2, 0, 0); vertex 1 is pinned, then free.
     const auto bend = [&](float w, uint32_t iterations) {
@@ -340,6 +422,9 @@ const std::vector<ClosedForm>& strand_closed_forms() {
         PLAIT_CLOSED_FORM(length_is_red_then_black),
         PLAIT_CLOSED_FORM(collide_pushes_to_the_surface),
         PLAIT_CLOSED_FORM(collide_rubs),
+        PLAIT_CLOSED_FORM(collide_pushes_out_of_planes),
+        PLAIT_CLOSED_FORM(collide_pushes_out_of_boxes),
+        PLAIT_CLOSED_FORM(collide_box_becomes_a_capsule),
         PLAIT_CLOSED_FORM(local_shape_straightens),
         PLAIT_CLOSED_FORM(wind_drags_across_the_strand),
         PLAIT_CLOSED_FORM(wind_as_published_blows_backwards),

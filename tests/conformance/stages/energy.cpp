@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace plait::conformance {
 
@@ -163,6 +164,21 @@ double depth_in(const Vec4& a, const Vec4& b, const Vec3& x) {
     return -above(low);
 }
 
+// Of a collider whose rows lie from `row` on, at the substep's end.
+double depth_under(const Array& colliders, size_t row, const Vec3& x) {
+    const auto at = [&](size_t element) { return quat_at(colliders, row + element).coeffs(); };
+    const Vec4 a = at(PLAIT_COLLIDER_END), b = at(PLAIT_COLLIDER_END + 1);
+    const double kind = at(PLAIT_COLLIDER_FRICTION).y();
+    if (kind == double{PLAIT_KIND_CAPSULE})
+        return depth_in(a, b, x);
+    if (kind == double{PLAIT_KIND_PLANE})
+        return b.head<3>().dot(a.head<3>() - x);
+    // of a box: how far the nearest face, or all of it, is
+    const Quat q = quat_at(colliders, row + PLAIT_COLLIDER_BEGIN + 1);
+    const Vec3 beyond = (q.conjugate() * (x - a.head<3>())).cwiseAbs() - b.head<3>();
+    return a.w() - (beyond.maxCoeff() > 0 ? beyond.cwiseMax(0).norm() : beyond.maxCoeff());
+}
+
 // What the contacts' springs hold: as at l/200 in all that is deeper.
 double held(const Strand& s, const Setup& setup, const State& at, bool bends) {
     const auto& p = setup.params_as<plait_lane_params>();
@@ -171,9 +187,8 @@ double held(const Strand& s, const Setup& setup, const State& at, bool bends) {
     for (size_t i = 1; i < s.mass.size(); ++i) {
         double depth = 0;
         for (size_t c = p.collider_first; c < p.collider_first + p.collider_count; ++c) {
-            const size_t row = PLAIT_CAPSULE_STRIDE * c + PLAIT_CAPSULE_END;
-            const Quat a = quat_at(capsules, row), b = quat_at(capsules, row + 1);
-            depth = std::max(depth, depth_in(a.coeffs(), b.coeffs(), s.root_at + at.x[i]));
+            const Vec3 x = s.root_at + at.x[i];
+            depth = std::max(depth, depth_under(capsules, PLAIT_COLLIDER_STRIDE * c, x));
         }
         depth = std::min(depth, s.length[i - 1] / 200);
         sum += s.mass[i] * double(p.contact_rate) / 2 * depth * depth;
@@ -221,11 +236,11 @@ void stop(Setup& setup, bool bends) {
             setup.buffers[at.x].floats[3 * k * setup.width + c] = static_cast<float>(root[c]);
     }
     std::vector<float>& capsules = setup.buffers[at.capsules].floats;
-    for (size_t c = 0; c < capsules.size(); c += size_t{4} * PLAIT_CAPSULE_STRIDE) {
+    for (size_t c = 0; c < capsules.size(); c += size_t{4} * PLAIT_COLLIDER_STRIDE) {
         float* capsule = &capsules[c];
-        std::copy_n(capsule + 4 * PLAIT_CAPSULE_END, 8, capsule + 4 * PLAIT_CAPSULE_BEGIN);
+        std::copy_n(capsule + 4 * PLAIT_COLLIDER_END, 4, capsule + 4 * PLAIT_COLLIDER_BEGIN);
         const float none[] = {0, 0, 0, 1};
-        std::copy_n(none, 4, capsule + 4 * PLAIT_CAPSULE_TURN);
+        std::copy_n(none, 4, capsule + 4 * PLAIT_COLLIDER_TURN);
     }
 }
 
@@ -234,18 +249,22 @@ void stop(Setup& setup, bool bends) {
 void no_contact_gives_energy(Bench& bench, plait_stage stage, uint32_t iterations, bool bends,
                              bool sections) {
     Count count;
-    for (const Size& size : contact_sizes())
-        for (const uint32_t seed : {32u, 39u}) {
-            const plait_lane_params params = lane_params(size, iterations, 0);
-            Setup setup =
-                lane_setup(size, make_lane_hair_in_contact(size, seed, 0.3f), params, bends);
-            stop(setup, bends);
-            for (int i = 0; i < 12; ++i) {
-                const Setup next = after(bench, stage, setup);
-                check_substep(setup, next, bends, sections, count);
-                setup = next;
-            }
+    std::vector<std::pair<Size, LaneHair>> hairs;
+    for (const Size& size : contact_sizes()) {
+        for (const uint32_t seed : {32u, 39u})
+            hairs.emplace_back(size, make_lane_hair_in_contact(size, seed, 0.3f));
+        for (const uint32_t seed : {36u, 45u})
+            hairs.emplace_back(size, make_lane_hair_on_surfaces(size, seed, 0.3f, 0));
+    }
+    for (const auto& [size, hair] : hairs) {
+        Setup setup = lane_setup(size, hair, lane_params(size, iterations, 0), bends);
+        stop(setup, bends);
+        for (int i = 0; i < 12; ++i) {
+            const Setup next = after(bench, stage, setup);
+            check_substep(setup, next, bends, sections, count);
+            setup = next;
         }
+    }
     EXPECT_GT(count.limited, count.all / 100); // else nothing was tried
     EXPECT_LT(count.limited, count.all);
 }

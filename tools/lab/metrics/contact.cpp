@@ -87,7 +87,7 @@ Vec3 end_of(const float* p) {
 }
 
 // Inside the hull of two spheres: depth below its surface, m.
-double depth_in(const plait_collider_desc& shape, const Pose& pose, const Vec3& x) {
+double depth_in_capsule(const plait_collider_desc& shape, const Pose& pose, const Vec3& x) {
     const Vec3 a = pose * end_of(shape.a), b = pose * end_of(shape.b);
     const double ra = static_cast<double>(shape.radius_a), rb = static_cast<double>(shape.radius_b);
     double deepest = -1e9;
@@ -99,6 +99,41 @@ double depth_in(const plait_collider_desc& shape, const Pose& pose, const Vec3& 
             break;
     }
     return deepest;
+}
+
+// Of a rounded box: the nearest face's plane inside the box without its rounding.
+double depth_in_box(const plait_collider_desc& shape, const Vec3& x) {
+    const float* q = shape.orientation;
+    const Eigen::Quaterniond turn{double(q[3]), double(q[0]), double(q[1]), double(q[2])};
+    const Vec3 offset = turn.normalized().conjugate() * (x - end_of(shape.a));
+    const Vec3 beyond = offset.cwiseAbs() - end_of(shape.half_extents);
+    const double most = beyond.maxCoeff();
+    return double(shape.rounding) - (most > 0 ? beyond.cwiseMax(0).norm() : most);
+}
+
+double depth_in(const plait_collider_desc& shape, const Pose& pose, const Vec3& x) {
+    const Vec3 own = pose.q.conjugate() * (x - pose.t);
+    switch (shape.kind) {
+    case PLAIT_COLLIDER_KIND_PLANE:
+        return end_of(shape.normal).normalized().dot(end_of(shape.a) - own);
+    case PLAIT_COLLIDER_KIND_BOX:
+        return depth_in_box(shape, own);
+    default:
+        return depth_in_capsule(shape, pose, x);
+    }
+}
+
+// How far its surface is from its middle where that is nearest, and its middle; of what hair can be
+// behind.
+double thickness(const plait_collider_desc& shape) {
+    if (shape.kind == PLAIT_COLLIDER_KIND_BOX)
+        return end_of(shape.half_extents).minCoeff() + double(shape.rounding);
+    return double(shape.radius_a);
+}
+
+Vec3 middle_of(const plait_collider_desc& shape) {
+    const bool capsule = shape.kind == PLAIT_COLLIDER_KIND_CAPSULE;
+    return 0.5 * (end_of(shape.a) + end_of(capsule ? shape.b : shape.a));
 }
 
 // Deepest of the edges below the collider's surface, m.
@@ -153,12 +188,14 @@ Value passed_through(const MetricInput& in) {
         return none("needs colliders");
     const SceneCollider& collider = in.scene.colliders.front();
     const Frame& last = in.recording.frames.back();
+    if (collider.shape.kind == PLAIT_COLLIDER_KIND_PLANE)
+        return none("needs a first collider that hair can be behind");
     const Pose from = collider.motion.at(0), to = collider.motion.at(last.time);
-    const Vec3 centre = 0.5 * (end_of(collider.shape.a) + end_of(collider.shape.b));
+    const Vec3 centre = middle_of(collider.shape);
     const Vec3 way = to * centre - from * centre;
     if (way.isZero())
         return none("needs a collider that goes somewhere");
-    const double radius = static_cast<double>(collider.shape.radius_a);
+    const double radius = thickness(collider.shape);
     size_t passed = 0;
     for (const auto& x : last.x)
         passed +=

@@ -1,6 +1,6 @@
 #include "scene.hpp"
 
-#include "common/capsule_reader.hpp"
+#include "common/collider_reader.hpp"
 #include "hash.hpp"
 #include "methods/models.hpp"
 #include "metrics/metrics.hpp"
@@ -198,8 +198,8 @@ void read_time(JsonReader& top, Scene& scene) {
                                  " steps at this rate, outside [0, 1000000]");
 }
 
-SceneCollider read_collider(JsonReader in, double unit_time) {
-    SceneCollider collider{read_capsule(in), {}};
+SceneCollider read_moving(JsonReader in, double unit_time) {
+    SceneCollider collider{common::read_collider(in), {}};
     if (const Json* motion = in.value("motion"))
         collider.motion = read_motion(in, *motion, "motion", unit_time);
     in.finish();
@@ -418,7 +418,7 @@ Scene read_scene(const Json& document, const Origin& origin) {
     if (const Json* motion = top.value("motion"))
         scene.motion = read_motion(top, *motion, "motion", scene.unit_time);
     top.each("colliders", [&](const JsonReader& in) {
-        scene.colliders.push_back(read_collider(in, scene.unit_time));
+        scene.colliders.push_back(read_moving(in, scene.unit_time));
     });
     read_measures(top, scene);
     top.finish();

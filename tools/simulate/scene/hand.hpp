@@ -19,7 +19,7 @@ class Hand {
 
   private:
     plait_collider_desc shape_;
-    std::array<float, 3> middle_; // of the capsule, about which it turns
+    std::array<float, 3> middle_; // about which it turns
     std::shared_ptr<const Motion> motion_;
     HeadMesh mesh_;
 };

@@ -1,6 +1,6 @@
 #include "scene.hpp"
 
-#include "common/capsule_reader.hpp"
+#include "common/collider_reader.hpp"
 
 #include <cmath>
 #include <filesystem>
@@ -105,7 +105,7 @@ void read_head(JsonReader& top, const Origin& origin, HeadChoice& head) {
 void read_colliders(JsonReader& top, std::optional<std::vector<Collider>>& colliders) {
     std::vector<Collider> list;
     const bool given = top.each("colliders", [&](JsonReader in) {
-        Collider collider{read_capsule(in), true, {}};
+        Collider collider{read_collider(in), true, {}};
         in.flag("moves_with_head", collider.moves_with_head);
         in.finish();
         list.push_back(collider);
@@ -114,10 +114,10 @@ void read_colliders(JsonReader& top, std::optional<std::vector<Collider>>& colli
         colliders = std::move(list);
 }
 
-// Keyframes as a motion file has them: of the capsule about its middle, in its rest orientation.
+// Keyframes as a motion file has them: of the collider about its middle, in its rest orientation.
 void read_moving_colliders(JsonReader& top, std::vector<Collider>& colliders) {
     top.each("moving_colliders", [&](JsonReader in) {
-        Collider collider{read_capsule(in), false, {}};
+        Collider collider{read_collider(in), false, {}};
         in.each("keyframes",
                 [&](JsonReader key) { collider.keyframes.push_back(read_keyframe(key)); });
         if (const std::string problem = keyframe_problem(collider.keyframes); !problem.empty())

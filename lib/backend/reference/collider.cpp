@@ -1,0 +1,42 @@
+#include "backend/reference/collider.hpp"
+
+#include <plait/params.h>
+
+namespace plait::reference {
+
+Surface surface(const Plane& plane, const Vec3& x) {
+    return {plane.normal.dot(x - plane.point), plane.normal};
+}
+
+Surface surface(const Box& box, const Vec3& x) {
+    const Vec3 local = box.orientation.conjugate() * (x - box.centre);
+    const Vec3 beyond = local.cwiseAbs() - box.half; // each face's plane
+    const Vec3 sides = local.unaryExpr([](double v) { return v < 0 ? -1.0 : 1.0; });
+    const Vec3 out = sides.cwiseProduct(beyond.cwiseMax(0));
+    if (out.norm() > 1e-15)
+        return {out.norm() - box.rounding, box.orientation * out.normalized()};
+    Eigen::Index axis;
+    const double nearest = beyond.maxCoeff(&axis);
+    return {nearest - box.rounding, box.orientation * Vec3(sides[axis] * Vec3::Unit(axis))};
+}
+
+Surface Collider::surface(const Vec3& x) const {
+    return std::visit([&](const auto& shape) { return reference::surface(shape, x); }, body);
+}
+
+Collider collider_at(const View<const Vec4>& buffer, size_t index) {
+    const auto at = [&](size_t row) -> Vec4 { return buffer[index * PLAIT_COLLIDER_STRIDE + row]; };
+    const Vec4 begin = at(PLAIT_COLLIDER_BEGIN), first = at(PLAIT_COLLIDER_END);
+    const Vec4 second = at(PLAIT_COLLIDER_END + 1), last = at(PLAIT_COLLIDER_FRICTION);
+    const double kind = last.y();
+    Collider collider{Capsule{xyz(first), xyz(second), first.w(), second.w()}, xyz(begin),
+                      xyz(first), quat(at(PLAIT_COLLIDER_TURN)), last.x()};
+    if (kind == double{PLAIT_KIND_PLANE})
+        collider.body = Plane{xyz(first), xyz(second)};
+    else if (kind == double{PLAIT_KIND_BOX})
+        collider.body =
+            Box{xyz(first), xyz(second), quat(at(PLAIT_COLLIDER_BEGIN + 1)), first.w()};
+    return collider;
+}
+
+} // namespace plait::reference

@@ -1,0 +1,294 @@
+// Contact of the strand models with planes and boxes: what a plane at any tilt and friction's angle
+// say in closed form, kinds that are each other's limits, and nothing that passes through.
+#include "stability/one_strand.hpp"
+
+#include <cstdio>
+#include <ostream>
+
+namespace plait::test {
+namespace {
+
+constexpr float g = 9.81f; // m/s^2
+constexpr float length = 0.3f;
+constexpr double pi = 3.14159265358979;
+
+using Points = std::vector<std::array<float, 4>>;
+
+// A model as it is used: `chain` needs substeps to come to rest at all.
+struct Use {
+    plait_model model;
+    uint32_t substeps;
+};
+
+void PrintTo(const Use& use, std::ostream* out) {
+    *out << "model " << use.model << ", " << use.substeps << " substeps";
+}
+
+plait_sim_desc desc_of(const Use& use) {
+    plait_sim_desc desc = plait_sim_desc_defaults();
+    desc.model = use.model;
+    desc.substeps = use.substeps;
+    desc.params.gravity[1] = -g;
+    desc.params.drag = 1;
+    return desc;
+}
+
+plait_collider_id add(const OneStrand& strand, const plait_collider_desc& desc) {
+    plait_collider_id id{};
+    PLAIT_EXPECT(plait_collider_create(strand.sim(), &desc, &id));
+    return id;
+}
+
+void move(const OneStrand& strand, plait_collider_id id, Vec3 t) {
+    const plait_pose pose = {{0.0f, 0.0f, 0.0f, 1.0f}, {t[0], t[1], t[2]}};
+    PLAIT_EXPECT(plait_collider_set_pose(strand.sim(), id, &pose));
+}
+
+plait_collider_desc plane(Vec3 point, Vec3 normal, float friction) {
+    plait_collider_desc desc = plait_collider_desc_defaults();
+    desc.kind = PLAIT_COLLIDER_KIND_PLANE;
+    std::copy(point.begin(), point.end(), desc.a);
+    std::copy(normal.begin(), normal.end(), desc.normal);
+    desc.friction = friction;
+    return desc;
+}
+
+plait_collider_desc box(Vec3 centre, Vec3 half_extents, float rounding, float friction) {
+    plait_collider_desc desc = plait_collider_desc_defaults();
+    desc.kind = PLAIT_COLLIDER_KIND_BOX;
+    std::copy(centre.begin(), centre.end(), desc.a);
+    std::copy(half_extents.begin(), half_extents.end(), desc.half_extents);
+    desc.rounding = rounding;
+    desc.friction = friction;
+    return desc;
+}
+
+plait_collider_desc capsule(Vec3 a, Vec3 b, float radius, float friction) {
+    plait_collider_desc desc = plait_collider_desc_defaults();
+    std::copy(a.begin(), a.end(), desc.a);
+    std::copy(b.begin(), b.end(), desc.b);
+    desc.radius_a = desc.radius_b = radius;
+    desc.friction = friction;
+    return desc;
+}
+
+double largest_move(const Points& a, const Points& b) {
+    double most = 0;
+    for (size_t i = 0; i < a.size(); ++i)
+        most = std::max(most, std::hypot(double(a[i][0]) - double(b[i][0]),
+                                         double(a[i][1]) - double(b[i][1]),
+                                         double(a[i][2]) - double(b[i][2])));
+    return most;
+}
+
+// Where a strand along x comes to, after `seconds`, with one collider.
+Points rest_on(const Use& use, const plait_collider_desc& collider, double seconds) {
+    OneStrand strand({17, length, {1.0f, 0.0f, 0.0f}}, desc_of(use));
+    add(strand, collider);
+    strand.run(seconds);
+    return strand.read(PLAIT_FIELD_POSITION);
+}
+
+class Surfaces : public testing::TestWithParam<Use> {};
+
+INSTANTIATE_TEST_SUITE_P(Models, Surfaces,
+                         testing::Values(Use{PLAIT_MODEL_CHAIN, 4}, Use{PLAIT_MODEL_COSSERAT, 1},
+                                         Use{PLAIT_MODEL_ROD, 1}, Use{PLAIT_MODEL_ARTICULATED, 1}));
+
+// The root is 1 cm above; the plane leans about an axis of its own.
+TEST_P(Surfaces, hair_rests_on_a_plane_at_any_tilt) {
+    for (const double degrees : {0.0, 20.0, 50.0, 80.0}) {
+        const double s = std::sin(degrees * pi / 180), c = std::cos(degrees * pi / 180);
+        const Vec3 n = {static_cast<float>(-0.6 * s), static_cast<float>(c),
+                        static_cast<float>(0.8 * s)};
+        const Vec3 point = {-0.01f * n[0], -0.01f * n[1], -0.01f * n[2]};
+        const Points x = rest_on(GetParam(), plane(point, n, 0.3f), 4.0);
+        double deepest = 0;
+        int touching = 0;
+        for (size_t i = 1; i < x.size(); ++i) {
+            double above = 0;
+            for (size_t k = 0; k < 3; ++k)
+                above += double(n[k]) * (double(x[i][k]) - double(point[k]));
+            deepest = std::max(deepest, -above);
+            touching += above < 1e-4;
+        }
+        EXPECT_LT(deepest, 1e-4) << degrees << " degrees";
+        EXPECT_GT(touching, 4) << degrees << " degrees";
+    }
+}
+
+// ---- a plane under the strand that leans by more or less than friction's angle -----------------
+
+class Slope {
+  public:
+    // `degrees` beyond the angle of friction. Down the slope is -z.
+    Slope(plait_model model, float friction, double degrees) {
+        const double angle = std::atan(double(friction)) + degrees * pi / 180;
+        plait_sim_desc desc = desc_of({model, 1});
+        desc.params.drag = 0.0f;
+        desc.params.bend_stiffness = 1e-10f; // hardly holds: the strand slides as one
+        down_ = {0.0f, static_cast<float>(-std::sin(angle)), static_cast<float>(-std::cos(angle))};
+        strand_ = std::make_unique<OneStrand>(StrandShape{17, length, {1.0f, 0.0f, 0.0f}}, desc);
+        add(*strand_, plane({5.0f, 0.0f, 0.0f}, {0.0f, -down_[2], down_[1]}, friction));
+        expected_ = double(g) * (std::sin(angle) - double(friction) * std::cos(angle));
+    }
+    // m/s of the tip, down the slope, over a number of steps.
+    double speed(int steps) {
+        const double from = along();
+        for (int i = 0; i < steps; ++i)
+            strand_->step();
+        return (along() - from) * 60 / steps;
+    }
+    double expected() const { return expected_; } // m/s^2
+
+  private:
+    double along() const {
+        const auto tip = strand_->tip();
+        return double(tip[1]) * double(down_[1]) + double(tip[2]) * double(down_[2]);
+    }
+    std::unique_ptr<OneStrand> strand_;
+    Vec3 down_ = {};
+    double expected_ = 0;
+};
+
+TEST(SlopeFriction, holds_a_degree_below_its_angle) {
+    for (const plait_model model : {PLAIT_MODEL_CHAIN, PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD}) {
+        Slope slope(model, 0.3f, -1);
+        slope.speed(60);
+        EXPECT_LT(slope.speed(60), 1e-3 * double(length)) << "model " << model;
+    }
+}
+
+TEST(SlopeFriction, lets_go_a_degree_above) {
+    for (const plait_model model : {PLAIT_MODEL_CHAIN, PLAIT_MODEL_ROD}) {
+        Slope slope(model, 0.3f, 1);
+        slope.speed(20);
+        EXPECT_GT(slope.speed(5), 0.02) << "model " << model;
+    }
+}
+
+TEST(SlopeFriction, is_mu_times_the_push_while_it_slides) {
+    for (const plait_model model : {PLAIT_MODEL_CHAIN, PLAIT_MODEL_ROD}) {
+        Slope slope(model, 0.3f, 10);
+        slope.speed(2);
+        const double before = slope.speed(1);
+        slope.speed(5);
+        const double after = slope.speed(1);
+        EXPECT_NEAR((after - before) * 60 / 6, slope.expected(), 0.05 * slope.expected())
+            << "model " << model;
+    }
+}
+
+TEST_P(Surfaces, moving_plane_drags_hair_along) {
+    for (const float friction : {0.0f, 1.0f}) {
+        OneStrand strand({17, length, {1.0f, 0.0f, 0.0f}}, desc_of(GetParam()));
+        const auto table = add(strand, plane({0, -0.05f, 0}, {0, 1, 0}, friction));
+        strand.run(3.0);
+        const Points before = strand.read(PLAIT_FIELD_POSITION);
+        for (int i = 1; i <= 30; ++i) {
+            move(strand, table, {0.0f, 0.0f, 0.001f * static_cast<float>(i)});
+            strand.step();
+        }
+        const double moved = largest_move(before, strand.read(PLAIT_FIELD_POSITION));
+        if (friction > 0.0f)
+            EXPECT_GT(moved, 0.01);
+        else
+            EXPECT_LT(moved, 0.001);
+    }
+}
+
+// ---- kinds that are each other's limits --------------------------------------------------------
+
+// s: they have met. Without friction, where rounding would soon decide what sticks.
+constexpr double early = 0.25;
+
+TEST_P(Surfaces, a_box_s_face_is_a_plane) {
+    const Points on_plane = rest_on(GetParam(), plane({0, -0.05f, 0}, {0, 3, 0}, 0), early);
+    for (const float rounding : {0.0f, 0.25f}) {
+        const plait_collider_desc face =
+            box({0, -0.55f, 0}, {2, 0.5f - rounding, 2}, rounding, 0);
+        EXPECT_LT(largest_move(rest_on(GetParam(), face, early), on_plane), 1e-4);
+    }
+}
+
+TEST_P(Surfaces, a_box_without_width_is_a_capsule) {
+    const Points on_capsule =
+        rest_on(GetParam(), capsule({0.1f, -0.1f, -1.0f}, {0.1f, -0.1f, 1.0f}, 0.05f, 0), early);
+    plait_collider_desc bar = box({0.1f, -0.1f, 0}, {1, 0, 0}, 0.05f, 0);
+    bar.orientation[1] = bar.orientation[3] = std::sqrt(0.5f); // x to -z
+    EXPECT_LT(largest_move(rest_on(GetParam(), bar, early), on_capsule), 1e-4);
+}
+
+TEST_P(Surfaces, a_box_without_extents_is_a_sphere) {
+    const Vec3 centre = {0.12f, -0.1f, 0.002f};
+    const Points on_sphere = rest_on(GetParam(), capsule(centre, centre, 0.06f, 0), early);
+    EXPECT_LT(largest_move(rest_on(GetParam(), box(centre, {0, 0, 0}, 0.06f, 0), early), on_sphere),
+              1e-4);
+}
+
+// ---- what must not pass ------------------------------------------------------------------------
+
+// A slab, 1 cm thick, comes through hanging hair: one to five thicknesses a step. A vertex passes
+// where its way, seen from the slab, crosses the middle plane well inside the rim.
+TEST(Tunnelling, no_vertex_passes_through_a_slab) {
+    constexpr float thick = 0.01f, high = 0.1f;
+    std::vector<Vec3> points;
+    for (int s = 0; s < 60; ++s)
+        for (int i = 0; i < 17; ++i)
+            points.push_back({-0.1f + 0.2f * static_cast<float>(s * 37 % 60) / 60.0f,
+                              -length * static_cast<float>(i) / 16.0f,
+                              -0.006f + 0.012f * static_cast<float>(s) / 60.0f});
+    for (const plait_model model :
+         {PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD, PLAIT_MODEL_ARTICULATED})
+        for (const float pace : {1.0f, 2.0f, 5.0f}) {
+            OneStrand hair(points, 17, desc_of({model, 1}), shared_context());
+            const auto slab =
+                add(hair, box({-0.2f, -0.3f, 0}, {thick / 2, high, 0.2f}, 0, 0.3f));
+            int met = 0, passed = 0;
+            Points before = hair.read(PLAIT_FIELD_POSITION);
+            const int steps = static_cast<int>(0.25f / (pace * thick));
+            for (int i = 0; i < steps; ++i) {
+                const float from = -0.2f + pace * thick * static_cast<float>(i);
+                const float to = from + pace * thick;
+                move(hair, slab, {to + 0.2f, 0.0f, 0.0f});
+                hair.step();
+                const Points now = hair.read(PLAIT_FIELD_POSITION);
+                for (size_t k = 0; k < now.size(); ++k) {
+                    const double a = double(before[k][0]) - double(from);
+                    const double b = double(now[k][0]) - double(to);
+                    met += a > double(thick) && std::abs(b - double(thick) / 2) < 1e-3;
+                    if (!(a > 0 && b < 0))
+                        continue;
+                    const double y = double(before[k][1]) +
+                                     a / (a - b) * (double(now[k][1]) - double(before[k][1]));
+                    passed += std::abs(y + 0.3) < 0.9 * double(high);
+                }
+                before = now;
+            }
+            EXPECT_GT(met, 0) << "model " << model << ", " << pace << " thicknesses a step";
+            EXPECT_EQ(passed, 0) << "model " << model << ", " << pace << " thicknesses a step";
+        }
+}
+
+// A strand that lies on a table and hangs over its edge comes to rest, whole.
+TEST_P(Surfaces, hair_over_a_table_s_edge_stays_whole) {
+    OneStrand strand({17, length, {1.0f, 0.0f, 0.0f}}, desc_of(GetParam()));
+    const plait_collider_desc table = box({-0.05f, -0.07f, 0}, {0.13f, 0.03f, 0.3f}, 0.03f, 0.3f);
+    add(strand, table);
+    strand.run(4.0);
+    const Points x = strand.read(PLAIT_FIELD_POSITION);
+    EXPECT_LT(strand.tip()[1], -0.06f) << "does not hang";
+    EXPECT_LT(strand.stats().max_stretch, 2e-3f);
+    for (size_t i = 1; i < x.size(); ++i) {
+        const double out[3] = {std::abs(double(x[i][0]) + 0.05) - 0.13,
+                               std::abs(double(x[i][1]) + 0.07) - 0.03,
+                               std::abs(double(x[i][2])) - 0.3};
+        const double off = std::hypot(std::max(out[0], 0.0), std::max(out[1], 0.0),
+                                      std::max(out[2], 0.0)) -
+                           0.03;
+        EXPECT_GT(off, -1e-4) << "vertex " << i;
+    }
+}
+
+} // namespace
+} // namespace plait::test
