@@ -13,7 +13,8 @@
 #include "common/collider.clh"
 #include "common/strand.clh"
 
-static inline float3 collide_with(__global const float4* colliders, uint index, float3 x, float3 prev) {
+static inline float3 collide_with(__global const float4* colliders, uint index, float3 x,
+                                  float3 prev) {
     const contact_t contact = collider_contact(colliders, index, x);
     if (!(contact.distance < 0.0f))
         return x;

@@ -205,8 +205,7 @@ constexpr double early = 0.25;
 TEST_P(Surfaces, a_box_s_face_is_a_plane) {
     const Points on_plane = rest_on(GetParam(), plane({0, -0.05f, 0}, {0, 3, 0}, 0), early);
     for (const float rounding : {0.0f, 0.25f}) {
-        const plait_collider_desc face =
-            box({0, -0.55f, 0}, {2, 0.5f - rounding, 2}, rounding, 0);
+        const plait_collider_desc face = box({0, -0.55f, 0}, {2, 0.5f - rounding, 2}, rounding, 0);
         EXPECT_LT(largest_move(rest_on(GetParam(), face, early), on_plane), 1e-4);
     }
 }
@@ -238,12 +237,10 @@ TEST(Tunnelling, no_vertex_passes_through_a_slab) {
             points.push_back({-0.1f + 0.2f * static_cast<float>(s * 37 % 60) / 60.0f,
                               -length * static_cast<float>(i) / 16.0f,
                               -0.006f + 0.012f * static_cast<float>(s) / 60.0f});
-    for (const plait_model model :
-         {PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD, PLAIT_MODEL_ARTICULATED})
+    for (const plait_model model : {PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD, PLAIT_MODEL_ARTICULATED})
         for (const float pace : {1.0f, 2.0f, 5.0f}) {
             OneStrand hair(points, 17, desc_of({model, 1}), shared_context());
-            const auto slab =
-                add(hair, box({-0.2f, -0.3f, 0}, {thick / 2, high, 0.2f}, 0, 0.3f));
+            const auto slab = add(hair, box({-0.2f, -0.3f, 0}, {thick / 2, high, 0.2f}, 0, 0.3f));
             int met = 0, passed = 0;
             Points before = hair.read(PLAIT_FIELD_POSITION);
             const int steps = static_cast<int>(0.25f / (pace * thick));
@@ -283,9 +280,8 @@ TEST_P(Surfaces, hair_over_a_table_s_edge_stays_whole) {
         const double out[3] = {std::abs(double(x[i][0]) + 0.05) - 0.13,
                                std::abs(double(x[i][1]) + 0.07) - 0.03,
                                std::abs(double(x[i][2])) - 0.3};
-        const double off = std::hypot(std::max(out[0], 0.0), std::max(out[1], 0.0),
-                                      std::max(out[2], 0.0)) -
-                           0.03;
+        const double off =
+            std::hypot(std::max(out[0], 0.0), std::max(out[1], 0.0), std::max(out[2], 0.0)) - 0.03;
         EXPECT_GT(off, -1e-4) << "vertex " << i;
     }
 }

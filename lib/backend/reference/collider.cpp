@@ -34,8 +34,7 @@ Collider collider_at(const View<const Vec4>& buffer, size_t index) {
     if (kind == double{PLAIT_KIND_PLANE})
         collider.body = Plane{xyz(first), xyz(second)};
     else if (kind == double{PLAIT_KIND_BOX})
-        collider.body =
-            Box{xyz(first), xyz(second), quat(at(PLAIT_COLLIDER_BEGIN + 1)), first.w()};
+        collider.body = Box{xyz(first), xyz(second), quat(at(PLAIT_COLLIDER_BEGIN + 1)), first.w()};
     return collider;
 }
 

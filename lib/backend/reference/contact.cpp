@@ -105,7 +105,8 @@ Contacts::Touch Contacts::touch_surface(const Collider& collider, size_t vertex,
 bool Contacts::meets(const Collider& collider, size_t vertex, const Vec3& x) const {
     const Vec3 end = motion_.root + x;
     const Vec3 anchor = collider.carried(motion_.root + motion_.start[vertex]);
-    return clearance(collider, end) <= (end - anchor).norm() + PLAIT_CONTACT_TOLERANCE * length_[vertex];
+    return clearance(collider, end) <=
+           (end - anchor).norm() + PLAIT_CONTACT_TOLERANCE * length_[vertex];
 }
 
 std::optional<Contacts::Touch> Contacts::nearest(size_t vertex, const Vec3& x) const {

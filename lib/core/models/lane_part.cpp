@@ -73,8 +73,8 @@ Materials LanePart::materials_of(const plait_sim_params& params) const {
                          const Ramp& density) {
         all.list.push_back({of.line_density, of.bend_stiffness, of.stretch_stiffness,
                             traits_.bends ? of.twist_stiffness : 0.0f,
-                            traits_.flat ? of.section_ratio : 1.0f, curl, clamp, stiffness,
-                            density, !traits_.halves_tip, !traits_.stretches});
+                            traits_.flat ? of.section_ratio : 1.0f, curl, clamp, stiffness, density,
+                            !traits_.halves_tip, !traits_.stretches});
     };
     add(params, 1, 1, Ramp::to_tip(double(params.tip_stiffness)),
         Ramp::to_tip(double(params.tip_density)));
