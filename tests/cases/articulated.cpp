@@ -33,12 +33,7 @@ Case articulated_case() {
         for (const uint32_t bdf2 : {0u, 1u})
             result.setups.push_back(lane_setup(size, make_lane_hair_in_contact(size, 32, 100.0f),
                                                lane_params(size, 1, bdf2), true));
-    for (const Size& size : contact_sizes())
-        for (const uint32_t far : {0u, 70u})
-            result.setups.push_back(lane_setup(size,
-                                               make_lane_hair_on_surfaces(size, 48, 100.0f, far),
-                                               lane_params(size, 1, far == 0), true));
-    result.flags.push_back("capsule.kind");
+    add_rods_on_surfaces(result);
     return result;
 }
 

@@ -42,5 +42,7 @@ plait_lane_params lane_params_afloat(const Size& size, uint32_t iterations);
 // The setup of a strand model: `bends` with orientations.
 Setup lane_setup(const Size& size, const LaneHair& hair, const plait_lane_params& params,
                  bool bends);
+// Of a rod model, on surfaces of every kind, alone and behind 70 others.
+void add_rods_on_surfaces(Case& result);
 
 } // namespace plait::cases
