@@ -33,6 +33,17 @@ Case articulated_case() {
         for (const uint32_t bdf2 : {0u, 1u})
             result.setups.push_back(lane_setup(size, make_lane_hair_in_contact(size, 32, 100.0f),
                                                lane_params(size, 1, bdf2), true));
+    for (const Size& size : sizes())
+        for (const uint32_t bdf2 : {0u, 1u}) {
+            const LaneHair lanes = make_lane_hair(size, 32);
+            result.setups.push_back(
+                pinned(lane_setup(size, lanes, lane_params(size, 1, bdf2), true), lanes, true));
+        }
+    for (const Size& size : contact_sizes()) {
+        const LaneHair lanes = make_lane_hair_spun(size, 32);
+        result.setups.push_back(
+            pinned(lane_setup(size, lanes, lane_params(size, 1, 1), true), lanes, true));
+    }
     return result;
 }
 
