@@ -51,6 +51,17 @@ Case chain_case() {
                 lane_setup(size, make_lane_hair_on_surfaces(size, 48, 0.05f, far), params, false));
         }
     result.flags.push_back("capsule.kind");
+    for (const Size& size : sizes())
+        for (const uint32_t bdf2 : {0u, 1u}) {
+            const LaneHair lanes = make_lane_hair(size, 31);
+            result.setups.push_back(
+                pinned(lane_setup(size, lanes, lane_params(size, 1, bdf2), false), lanes, false));
+        }
+    for (const Size& size : contact_sizes()) {
+        const LaneHair lanes = make_lane_hair_spun(size, 31);
+        result.setups.push_back(
+            pinned(lane_setup(size, lanes, lane_params(size, 1, 1), false), lanes, false));
+    }
     return result;
 }
 

@@ -39,6 +39,17 @@ Case cosserat_case() {
                                                make_lane_hair_on_surfaces(size, 48, 100.0f, far),
                                                lane_params(size, 1, far == 0), true));
     result.flags.push_back("capsule.kind");
+    for (const Size& size : sizes())
+        for (const uint32_t bdf2 : {0u, 1u}) {
+            const LaneHair lanes = make_lane_hair(size, 32);
+            result.setups.push_back(
+                pinned(lane_setup(size, lanes, lane_params(size, 1, bdf2), true), lanes, true));
+        }
+    for (const Size& size : contact_sizes()) {
+        const LaneHair lanes = make_lane_hair_spun(size, 32);
+        result.setups.push_back(
+            pinned(lane_setup(size, lanes, lane_params(size, 1, 1), true), lanes, true));
+    }
     return result;
 }
 

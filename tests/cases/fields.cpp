@@ -17,7 +17,7 @@ constexpr std::string_view of_layout[] = {
     "vertex_stride", "tile",     "collider_count", "collider_first", "guide_count",
     "edge_count",    "capacity", "share",          "boxes",          "components"};
 // uint that takes one of two values
-constexpr std::string_view choices[] = {"per_root",  "accelerates", "history",
+constexpr std::string_view choices[] = {"per_root",  "accelerates", "pins", "history",
                                         "bdf2",      "shock_form",  "form",
                                         "slot_hash", "tent",        "diffuse_rule"};
 // float4 of which w is not used

@@ -43,4 +43,8 @@ plait_lane_params lane_params_afloat(const Size& size, uint32_t iterations);
 Setup lane_setup(const Size& size, const LaneHair& hair, const plait_lane_params& params,
                  bool bends);
 
+// The tip of every strand is pinned, and of those of more than five vertices the middle, to places
+// a centimetre off; every second by springs far stiffer than its inertia.
+Setup pinned(Setup setup, const LaneHair& hair, bool bends);
+
 } // namespace plait::cases
