@@ -18,17 +18,33 @@ static inline mask articulated_deep(const rod_problem* rod, const rod_state* s) 
     return deep;
 }
 
+/* Lanes with a vertex that its pin, far stiffer than its inertia, has not got to. */
+static inline mask articulated_unpinned(const rod_problem* rod, const rod_state* s) {
+    mask off = (real)(0.0f) > (real)(0.0f);
+    for (int i = 1; i <= rod->step->segments; ++i) {
+        const quat pin = loadq(rod->step->pin, rod->step->place, i);
+        const vec3 way = sub3(vec3_of(pin.x, pin.y, pin.z), s->x[i]);
+        const real little = PLAIT_ARTICULATED_PIN_DISTANCE * articulated_length(rod, i - 1);
+        off |= (pin.w > PLAIT_ARTICULATED_PIN_STIFFNESS * articulated_inertia(rod, i)) &
+               (dot3(way, way) > little * little);
+    }
+    return off;
+}
+
 /* Lanes that want Newton step `k`; no strand depends on those that share its work-item. */
 static inline mask articulated_wants(const rod_problem* rod, const rod_state* s, uint iterations,
                                      uint k, mask moved) {
     const mask none = (real)(0.0f) > (real)(0.0f);
     if (k < iterations)
         return !none;
+    mask wants = none;
+    if (rod->step->pin && k < PLAIT_ARTICULATED_PIN_STEPS)
+        wants = articulated_unpinned(rod, s);
     if (!rod->contacts || k >= PLAIT_ARTICULATED_DEEP_STEPS || !any_lane(rod->contacts->lanes))
-        return none;
-    return k < PLAIT_ARTICULATED_CONTACT_STEPS
-               ? rod->contacts->lanes & (moved | rod->contacts->changed)
-               : rod->contacts->lanes & articulated_deep(rod, s);
+        return wants;
+    const mask restless = k < PLAIT_ARTICULATED_CONTACT_STEPS ? moved | rod->contacts->changed
+                                                              : articulated_deep(rod, s);
+    return wants | (rod->contacts->lanes & restless);
 }
 
 static inline void articulated_solve(const rod_problem* rod, rod_state* s, uint iterations) {
@@ -47,13 +63,14 @@ __kernel void plait_articulated(const uint item_count, const plait_lane_params p
                                 __global const uint* lane_strand, __global const float4* rest,
                                 __global const float4* pose, __global const real* lane_material,
                                 __global const real* lane_rest, __global const float4* capsule,
-                                __global const real* lane_acceleration, __global real* lane_x,
+                                __global const real* lane_acceleration,
+                                __global const real* lane_pin, __global real* lane_x,
                                 __global real* lane_v, __global real* lane_q,
                                 __global real* lane_q_before, __global real* lane_x_before,
                                 __global real* lane_v_before) {
     lane_step step;
     if (!lane_begin(&step, item_count, &params, lane_strand, rest, pose, lane_material,
-                    lane_acceleration))
+                    lane_acceleration, lane_pin))
         return;
     const lane_buffers state = {lane_x, lane_v, lane_x_before, lane_v_before};
     rod_state s;

@@ -25,7 +25,7 @@ static inline void chain_solve_lengths(const lane_step* step, const lane_contact
     real w0 = (real)(0.0f); /* the root is pinned */
     for (int i = 0; i < step->segments; ++i) {
         const real rest = lane_material_at(step, i, PLAIT_LANE_LENGTH);
-        const real w1 = 1.0f / lane_material_at(step, i + 1, PLAIT_LANE_MASS);
+        const real w1 = 1.0f / chain_mass(step, i + 1);
         const vec3 edge = sub3(x[i + 1], x[i]);
         u[i] = unit3(edge, down);
         real residual = fmin(dot3(edge, u[i]) - rest, rest);
@@ -62,24 +62,38 @@ static inline void chain_solve_lengths(const lane_step* step, const lane_contact
         if (touches)
             x[i] = add3(chain_apply_mobility(contacts, hold, i, pull), x[i]);
         else
-            x[i] = axpy3(1.0f / lane_material_at(step, i, PLAIT_LANE_MASS), pull, x[i]);
+            x[i] = axpy3(1.0f / chain_mass(step, i), pull, x[i]);
     }
 }
 
-/* K solves; those of strands in `pulled` had their first with an implicit tension. */
+/* Lanes with a pinned vertex. */
+static inline mask chain_pinned(const lane_step* step) {
+    mask pinned = (real)(0.0f) > (real)(0.0f);
+    for (int i = 1; i <= step->segments && step->pin; ++i)
+        pinned |= lane_pin_stiffness(step, i) > (real)(0.0f);
+    return pinned;
+}
+
+/* K solves; those of strands in `pulled` had their first with an implicit tension, those in
+ * `pinned` get PLAIT_CHAIN_PIN_SOLVES at least. */
 static inline void chain_iterate_lengths(const lane_step* step, const lane_contacts* contacts,
                                          const chain_mobility* hold, uint iterations, mask pulled,
-                                         vec3* x) {
+                                         mask pinned, vec3* x) {
     vec3 kept[PLAIT_VERTICES];
-    for (uint k = 0; k < iterations; ++k) {
-        const int some = k == 0 && any_lane(pulled);
-        if (some && !any_lane(!pulled))
+    const mask all = (real)(0.0f) == (real)(0.0f);
+    const uint most = any_lane(pinned) ? max(iterations, (uint)PLAIT_CHAIN_PIN_SOLVES) : iterations;
+    for (uint k = 0; k < most; ++k) {
+        mask takes = k < iterations ? all : pinned;
+        if (k == 0)
+            takes &= !pulled;
+        if (!any_lane(takes))
             continue;
+        const int some = any_lane(!takes);
         for (int i = 1; i <= step->segments && some; ++i)
             kept[i] = x[i];
         chain_solve_lengths(step, contacts, hold, x);
         for (int i = 1; i <= step->segments && some; ++i)
-            x[i] = pick3(pulled, kept[i], x[i]);
+            x[i] = pick3(takes, x[i], kept[i]);
     }
 }
 
@@ -139,7 +153,8 @@ static inline void chain_solve(const lane_step* step, lane_contacts* contacts, u
             chain_mobilities(contacts, x, hold);
             chain_free_positions(contacts, hold, target, x);
         }
-        chain_iterate_lengths(step, contacts, touches ? hold : 0, iterations, pulled & !touched, x);
+        chain_iterate_lengths(step, contacts, touches ? hold : 0, iterations, pulled & !touched,
+                              chain_pinned(step), x);
         const mask takes = round == 0 ? all : touched;
         for (int i = 1; i <= step->segments && touches; ++i)
             x[i] = pick3(takes, x[i], before[i]);
@@ -150,11 +165,12 @@ __kernel void plait_chain(const uint item_count, const plait_lane_params params,
                           __global const uint* lane_strand, __global const float4* rest,
                           __global const float4* pose, __global const real* lane_material,
                           __global const float4* capsule, __global const real* lane_acceleration,
-                          __global real* lane_x, __global real* lane_v,
-                          __global real* lane_x_before, __global real* lane_v_before) {
+                          __global const real* lane_pin, __global real* lane_x,
+                          __global real* lane_v, __global real* lane_x_before,
+                          __global real* lane_v_before) {
     lane_step step;
     if (!lane_begin(&step, item_count, &params, lane_strand, rest, pose, lane_material,
-                    lane_acceleration))
+                    lane_acceleration, lane_pin))
         return;
     const lane_buffers state = {lane_x, lane_v, lane_x_before, lane_v_before};
     vec3 x[PLAIT_VERTICES], y[PLAIT_VERTICES], w[PLAIT_VERTICES], solved[PLAIT_VERTICES];

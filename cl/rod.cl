@@ -196,7 +196,7 @@ static inline void rod_descent(const rod_problem* rod, const rod_state* s, int k
                                const rod_segment* e, const rod_segment* next,
                                real g[ROD_UNKNOWNS]) {
     const int i = k + 1;
-    const real inertia = rod_material(rod, i, PLAIT_LANE_MASS) * rod->inertia;
+    const real inertia = rod_hold(rod, i);
     vec3 force = sub3(scale3(sub3(rod->y[i], s->x[i]), inertia), e->tension);
     vec3 torque = scale3(cross3(e->director, e->tension), e->length);
     const quat expected = rod_expected(rod, s, k);
@@ -257,7 +257,7 @@ static inline void rod_direction(const rod_problem* rod, const rod_state* s,
             next = rod_segment_at(rod, s, k + 1);
             onward = rod_joint_stiffness(rod, s, k + 1, next.bend);
         }
-        const real inertia = rod_material(rod, k + 1, PLAIT_LANE_MASS) * rod->inertia;
+        const real inertia = rod_hold(rod, k + 1);
         rod_diagonal(a, &e, inertia, tip ? zero : next.stretch, own, onward);
         if (rod_in_contact(rod))
             rod_diagonal_contact(a, rod, s, k + 1);
@@ -351,12 +351,13 @@ __kernel void plait_rod(const uint item_count, const plait_lane_params params,
                         __global const uint* lane_strand, __global const float4* rest,
                         __global const float4* pose, __global const real* lane_material,
                         __global const real* lane_rest, __global const float4* capsule,
-                        __global const real* lane_acceleration, __global real* lane_x,
-                        __global real* lane_v, __global real* lane_q, __global real* lane_q_before,
-                        __global real* lane_x_before, __global real* lane_v_before) {
+                        __global const real* lane_acceleration, __global const real* lane_pin,
+                        __global real* lane_x, __global real* lane_v, __global real* lane_q,
+                        __global real* lane_q_before, __global real* lane_x_before,
+                        __global real* lane_v_before) {
     lane_step step;
     if (!lane_begin(&step, item_count, &params, lane_strand, rest, pose, lane_material,
-                    lane_acceleration))
+                    lane_acceleration, lane_pin))
         return;
     const lane_buffers state = {lane_x, lane_v, lane_x_before, lane_v_before};
     rod_state s;

@@ -49,10 +49,11 @@ std::vector<Capsule> head_colliders();
 // ----------------------------------------------------------------------------------------
 
 enum class Hairstyle : uint32_t {
-    Long,  // parted, falling over the shoulders
-    Braid, // combed back into one plait of three bundles
-    Curly, // helices
-    Short  // swept back
+    Long,    // parted, falling over the shoulders
+    Braid,   // combed back into one plait of three bundles
+    Curly,   // helices
+    Short,   // swept back
+    Ponytail // combed back through a holder, and free behind it
 };
 
 // Lengths in metres. What each number means and its range: style_fields().
@@ -79,9 +80,12 @@ struct Style {
     double bundle_radius = 0.0085;
     double braid_pitch = 0.085;
     double braid_length = 0.3;
+    double holder_radius = 0.011;
+    double holder_height = 0.035;
+    double tail_length = 0.3;
 };
 
-// "long", "braid", "curly", "short".
+// "long", "braid", "curly", "short", "ponytail".
 std::string_view hairstyle_name(Hairstyle hairstyle);
 
 // The defaults of a hairstyle. They are what `plait-groom <name>` starts from.
@@ -110,5 +114,12 @@ struct Strands {
 
 // Requires style_problem(style) == "".
 Strands make_groom(const Style& style);
+
+// What holds a hairstyle together, at rest: hair within `radius` of `at`, both m, is held there.
+struct Tie {
+    float at[3];
+    float radius;
+};
+std::vector<Tie> make_ties(const Style& style);
 
 } // namespace plait_generator

@@ -4,6 +4,7 @@
 #include "fall.hpp"
 #include "generator.hpp"
 #include "head_shape.hpp"
+#include "ponytail.hpp"
 #include "random.hpp"
 #include "scalp.hpp"
 #include "scatter.hpp"
@@ -182,7 +183,19 @@ Strands make_groom(const Style& style) {
     const std::vector<Vec3> roots = scatter_roots(style.strands, style.seed);
     if (style.hairstyle == Hairstyle::Braid)
         return cut(BraidedHair(style, roots), style);
+    if (style.hairstyle == Hairstyle::Ponytail)
+        return cut(TiedHair(style, roots), style);
     return cut(LooseHair(style, roots), style);
+}
+
+// Twice the holder's radius: of every strand a vertex or two, in and beside it.
+std::vector<Tie> make_ties(const Style& style) {
+    if (style.hairstyle != Hairstyle::Ponytail)
+        return {};
+    const std::vector<Vec3> none;
+    const Vec3 at = TiedHair(style, none).holder();
+    return {{{static_cast<float>(at.x), static_cast<float>(at.y), static_cast<float>(at.z)},
+             static_cast<float>(2 * style.holder_radius)}};
 }
 
 } // namespace plait_generator

@@ -29,6 +29,10 @@ constexpr StyleField fields[] = {
     {"braid_pitch", "way down the braid until a bundle is back on its side, m", &Style::braid_pitch,
      0.02, 0.5},
     {"braid_length", "from the gathering at the nape to the tie, m", &Style::braid_length, 0.05, 1},
+    {"holder_radius", "of what holds a ponytail, inside, m", &Style::holder_radius, 0.004, 0.03},
+    {"holder_height", "of what holds a ponytail, above the ears, m", &Style::holder_height, -0.05,
+     0.12},
+    {"tail_length", "of a ponytail behind its holder, m", &Style::tail_length, 0.05, 1},
 };
 
 std::string out_of_range(const char* field, double value, double least, double most) {
@@ -89,10 +93,22 @@ Style make_short() {
     return style;
 }
 
+Style make_ponytail() {
+    Style style;
+    style.hairstyle = Hairstyle::Ponytail;
+    style.strands = 5000;
+    style.vertices = 32;
+    style.volume = 0.006;
+    style.lift = 0.1;
+    style.stray = 0.0006;
+    style.length_variation = 0.35; // of the tail
+    return style;
+}
+
 } // namespace
 
 std::string_view hairstyle_name(Hairstyle hairstyle) {
-    constexpr std::string_view names[] = {"long", "braid", "curly", "short"};
+    constexpr std::string_view names[] = {"long", "braid", "curly", "short", "ponytail"};
     return names[static_cast<uint32_t>(hairstyle)];
 }
 
@@ -106,6 +122,8 @@ Style make_style(Hairstyle hairstyle) {
         return make_curly();
     case Hairstyle::Short:
         return make_short();
+    case Hairstyle::Ponytail:
+        return make_ponytail();
     }
     return make_long();
 }

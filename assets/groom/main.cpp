@@ -90,6 +90,8 @@ int run(int argc, char** argv) {
     add_style(app, Hairstyle::Braid, "combed back into a plait of three bundles", out, problem);
     add_style(app, Hairstyle::Curly, "helices, each clump its own", out, problem);
     add_style(app, Hairstyle::Short, "a few centimetres, swept back", out, problem);
+    add_style(app, Hairstyle::Ponytail, "combed back through a holder behind the head", out,
+              problem);
     add_head(app, out, problem);
     CLI11_PARSE(app, argc, argv);
     if (!problem.empty())

@@ -528,14 +528,16 @@ typedef struct plait_sim_desc {
     plait_model model; /* of every strand, until plait_sim_set_models; default ARTICULATED */
     float step;        /* fixed step, s, [1e-5, 1], default 1/60 */
     uint32_t substeps; /* per fixed step, [1, 1000], default 1 */
-    uint32_t max_steps_per_call;     /* [1, 1000]; time beyond is dropped and counted, default 8 */
-    uint32_t interpolate_output;     /* 1: positions follow dt, one fixed step late; default 0 */
-    uint32_t keep_last_frame;        /* 1: POSITION_LAST_FRAME exists; default 0 */
-    uint32_t accelerations;          /* 1: ACCELERATION exists and acts; default 0 */
-    uint32_t follows_per_guide;      /* [0, 64], default 0 */
-    float follow_radius;             /* m, [0, 1], default 0.003 */
-    uint64_t seed;                   /* follow offsets and slot hash */
-    plait_view strand_stiffness;     /* float [guides] or empty: factor of each strand's bend and
+    uint32_t max_steps_per_call; /* [1, 1000]; time beyond is dropped and counted, default 8 */
+    uint32_t interpolate_output; /* 1: positions follow dt, one fixed step late; default 0 */
+    uint32_t keep_last_frame;    /* 1: POSITION_LAST_FRAME exists; default 0 */
+    uint32_t accelerations;      /* 1: ACCELERATION exists and acts; default 0 */
+    uint32_t pins;               /* 1: vertices may be pinned, PIN exists; all but tressfx, which
+                                        refuses it; default 0 */
+    uint32_t follows_per_guide;  /* [0, 64], default 0 */
+    float follow_radius;         /* m, [0, 1], default 0.003 */
+    uint64_t seed;               /* follow offsets and slot hash */
+    plait_view strand_stiffness; /* float [guides] or empty: factor of each strand's bend and
                                     twist stiffness, [0, 1e6]; not chain. Copied */
     const plait_material* materials; /* [material_count] or NULL. Copied, as by
                                         plait_sim_set_materials, which changes them later */
@@ -671,6 +673,41 @@ PLAIT_API plait_result plait_context_step(plait_context* context, plait_sim* con
 /* Wait for the device; reports failures of the steps before. */
 PLAIT_API plait_result plait_sim_wait(plait_sim* sim);
 
+/* What plait_sim_set_pins holds vertices at. */
+typedef enum plait_pin_frame {
+    PLAIT_PIN_FRAME_REST = 0,  /* where the groom has the vertex, carried by its strand's root */
+    PLAIT_PIN_FRAME_GROOM = 1, /* `target`, a place in the groom, carried likewise */
+    PLAIT_PIN_FRAME_WORLD = 2, /* `target`, in the world */
+    PLAIT_PIN_FRAME_FORCE_32 = 0x7fffffff
+} plait_pin_frame;
+
+/* N/m: more than any strand takes, so that a vertex is held as fast as can be. */
+#define PLAIT_PIN_HELD 1e6f
+
+/* A spring from a vertex to a point, the same in every direction: a hair tie or a clip (REST: it
+ * goes with the head, and nothing is to be done per frame), the end of a rope, a hand (WORLD). */
+typedef struct plait_pin {
+    uint32_t strand;       /* a guide */
+    uint32_t vertex;       /* 1 to its last; 0, the root, its pose holds. 1 alone does not clamp */
+    plait_pin_frame frame; /* REST */
+    float target[3];       /* m, each [-1e6, 1e6]; REST reads none */
+    /* N/m, (0, 1e6]. Counted up to max(1e4 m/s^2 M/l, 100 m/h'^2), and to 300 m/s^2 M/d: M the
+       strand's mass, l the segment before the vertex, m its mass, h' the substep (BDF2: 2/3 of it),
+       d how far it is off. Held so fast it is off by l/100 at most where all of the strand pulls
+       with 10 g */
+    float stiffness;
+} plait_pin;
+
+/* All pins of a sim, `count` of them, in place of those before; 0: none. A target that was pinned
+ * before, in the world or not, moves straight from where it was to where it is now in the next
+ * plait_sim_step, as roots do; else it is there at once. The vertex feels stiffness x (target - x):
+ * what a tie is pulled with, less only what the bound above takes off. They stay until they are set
+ * or written again, over reset, teleport (what is in the world stays there) and switches of models;
+ * snapshots hold them. The first call waits.
+ * @errors INVALID_STATE: pins is off. A call that fails changes nothing; the message names the pin,
+ *         its strand, its vertex and the range. */
+PLAIT_API plait_result plait_sim_set_pins(plait_sim* sim, const plait_pin* pins, size_t count);
+
 typedef enum plait_field {
     PLAIT_FIELD_POSITION = 0,      /* float[4] [strands][V]: x, y, z, inverse mass; for display */
     PLAIT_FIELD_TANGENT = 1,       /* float[4] [strands][V], unit, towards the tip */
@@ -693,7 +730,12 @@ typedef enum plait_field {
        finite or beyond 1e4 it is taken as 0. Not part of a snapshot. With
        accelerations */
     PLAIT_FIELD_ACCELERATION = 11,
-    PLAIT_FIELD_COUNT = 12,
+    /* float[4] [guides][V]: the target of a vertex that is pinned, m, and the stiffness of what
+       holds it there, N/m: w > 0: in the world; w < 0: -w, and the target is a place in the groom
+       that its strand's root carries along; 0, as at first: it is free. What plait_sim_set_pins
+       fills, or the caller, as one array. Not read: vertex 0, past the tip. With pins */
+    PLAIT_FIELD_PIN = 12,
+    PLAIT_FIELD_COUNT = 13,
     PLAIT_FIELD_FORCE_32 = 0x7fffffff
 } plait_field;
 
@@ -701,10 +743,11 @@ typedef enum plait_field {
  * @errors INVALID_STATE (what would fill the field is off) */
 PLAIT_API plait_result plait_sim_read(plait_sim* sim, plait_field field, void* dst, size_t* size);
 
-/* Overwrite POSITION (guides only, [guides][V]; w is kept), POSITION_PREV, VELOCITY (guides) or
- * ACCELERATION. The size must match; of a value outside [-1e6, 1e6] m, [-1e4, 1e4] m/s or
- * [-1e4, 1e4] m/s^2 the call says the index, and writes nothing. Waits.
- * @errors INVALID_STATE (accelerations is off) */
+/* Overwrite POSITION (guides only, [guides][V]; w is kept), POSITION_PREV, VELOCITY (guides),
+ * ACCELERATION or PIN. The size must match; of a value outside [-1e6, 1e6] m, [-1e4, 1e4] m/s,
+ * [-1e4, 1e4] m/s^2 or [-1e6, 1e6] N/m (0 at vertex 0) the call says the index, and writes nothing.
+ * Waits.
+ * @errors INVALID_STATE (accelerations, or pins, is off) */
 PLAIT_API plait_result plait_sim_write(plait_sim* sim, plait_field field, const void* src,
                                        size_t size);
 

@@ -160,6 +160,10 @@ class Sim : public detail::Owner<plait_sim, plait_sim_destroy> {
         return params;
     }
 
+    void set_pins(const std::vector<plait_pin>& pins) {
+        check(plait_sim_set_pins(get(), pins.data(), pins.size()));
+    }
+
     void set_models(const std::vector<plait_model>& models) {
         check(plait_sim_set_models(get(), models.data(), models.size()));
     }

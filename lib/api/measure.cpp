@@ -42,9 +42,10 @@ plait_result plait_sim_write(plait_sim* sim, plait_field field, const void* src,
         PLAIT_TRY(api::need(sim, "sim"));
         PLAIT_TRY(api::need(src, "src"));
         if (field != PLAIT_FIELD_POSITION && field != PLAIT_FIELD_POSITION_PREV &&
-            field != PLAIT_FIELD_VELOCITY && field != PLAIT_FIELD_ACCELERATION)
-            return api::invalid(format("field is %d, only POSITION, POSITION_PREV, VELOCITY and "
-                                       "ACCELERATION can be written",
+            field != PLAIT_FIELD_VELOCITY && field != PLAIT_FIELD_ACCELERATION &&
+            field != PLAIT_FIELD_PIN)
+            return api::invalid(format("field is %d, only POSITION, POSITION_PREV, VELOCITY, "
+                                       "ACCELERATION and PIN can be written",
                                        field));
         const auto needed = sim->sim.field_bytes(PLAIT_FIELD_POSITION_PREV);
         if (size != *needed)

@@ -26,10 +26,10 @@ Status check_lent(plait_field field, bool bounds) {
     if (field != PLAIT_FIELD_VELOCITY && field != PLAIT_FIELD_POSITION_PREV &&
         (bounds || field != PLAIT_FIELD_BOUNDS))
         return {};
-    return invalid(
-        format("field is %d; there are POSITION, TANGENT, REST, VERTEX_COUNT, "
-               "GRID_DENSITY, GRID_VELOCITY, FOLLOW_GUIDE, POSITION_LAST_FRAME%s ACCELERATION%s",
-               field, bounds ? "," : " and", bounds ? " and BOUNDS" : ""));
+    return invalid(format(
+        "field is %d; there are POSITION, TANGENT, REST, VERTEX_COUNT, "
+        "GRID_DENSITY, GRID_VELOCITY, FOLLOW_GUIDE, POSITION_LAST_FRAME, ACCELERATION%s PIN%s",
+        field, bounds ? "," : " and", bounds ? " and BOUNDS" : ""));
 }
 
 Status check_room(cl_mem to, size_t offset, size_t bytes) {

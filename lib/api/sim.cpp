@@ -212,6 +212,14 @@ plait_result plait_sim_reset(plait_sim* sim) {
     return api::with_sim(__func__, sim, [](Sim& s) { return s.reset(); });
 }
 
+plait_result plait_sim_set_pins(plait_sim* sim, const plait_pin* pins, size_t count) {
+    return api::with_sim(__func__, sim, [&](Sim& s) -> Status {
+        if (count > 0)
+            PLAIT_TRY(api::need(pins, "pins"));
+        return s.set_pins({pins, count});
+    });
+}
+
 plait_result plait_sim_set_params(plait_sim* sim, const plait_sim_params* params) {
     return api::with_sim(__func__, sim, [&](Sim& s) -> Status {
         plait_sim_params given;

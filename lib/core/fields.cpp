@@ -63,6 +63,10 @@ Result<const Buffer*> Sim::field_buffer(plait_field field) const {
         if (!state_.acceleration)
             return is_off("accelerations");
         return &state_.acceleration;
+    case PLAIT_FIELD_PIN:
+        if (!state_.pin)
+            return is_off("pins");
+        return &state_.pin;
     default:
         return Error{PLAIT_INVALID_ARGUMENT,
                      format("field is %d, range is [0, %d]", field, PLAIT_FIELD_COUNT - 1)};
@@ -150,11 +154,33 @@ Status Sim::write_acceleration(std::span<const float> src) {
     return device().write(state_.acceleration, src.data());
 }
 
+Status Sim::write_pins(std::span<const float> src) {
+    const auto buffer = field_buffer(PLAIT_FIELD_PIN);
+    if (!buffer)
+        return buffer.error();
+    PLAIT_TRY(check_vectors(src.data(), src.size(), "pin", farthest));
+    PLAIT_TRY(check_pin_stiffness(src, layout_.row));
+    return device().write(state_.pin, src.data());
+}
+
+Status Sim::set_pins(std::span<const plait_pin> pins) {
+    const auto buffer = field_buffer(PLAIT_FIELD_PIN);
+    if (!buffer)
+        return buffer.error();
+    PLAIT_TRY(pin_table_.fill(device(), layout_, state_));
+    const auto rows = pin_table_.rows(pins);
+    if (!rows)
+        return rows.error();
+    return device().upload(state_.pin, rows->data());
+}
+
 Status Sim::write(plait_field field, const void* src) {
     const auto* values = static_cast<const float*>(src);
     const size_t vertices = layout_.guide_vertices();
     if (field == PLAIT_FIELD_ACCELERATION)
         return write_acceleration({values, 4 * vertices});
+    if (field == PLAIT_FIELD_PIN)
+        return write_pins({values, 4 * vertices});
     const bool velocity = field == PLAIT_FIELD_VELOCITY;
     PLAIT_TRY(check_vectors(values, 4 * vertices, velocity ? "velocity" : "position",
                             velocity ? fastest : farthest));

@@ -23,6 +23,7 @@ struct Substep {
     uint32_t collider_first;  // in `capsules`, of this substep
     float h;                  // s
     std::array<float, 3> air; // m/s: the wind, and what the head takes along
+    float share;              // of the fixed step, at the substep's end
 };
 
 // State in the lane layout.
@@ -95,6 +96,7 @@ struct ModelInput {
     uint32_t tile; // strands per tile of the lane layout
     plait_sag_free sag_free;
     bool accelerates; // state.acceleration is there
+    bool pins;        // state.pin is there
     std::pmr::memory_resource* memory;
 };
 

@@ -146,6 +146,11 @@ Status check_sim_desc(const plait_sim_desc& s) {
     PLAIT_RANGE(interpolate_output, 0, 1);
     PLAIT_RANGE(keep_last_frame, 0, 1);
     PLAIT_RANGE(accelerations, 0, 1);
+    PLAIT_RANGE(pins, 0, 1);
+    if (s.pins && !traits_of(s.model).switches)
+        return Error{PLAIT_INVALID_ARGUMENT,
+                     format("pins is 1: strands of model %d take none; those of the models %s do",
+                            s.model, list_models(&ModelTraits::switches).c_str())};
     PLAIT_RANGE(follows_per_guide, 0, 64);
     PLAIT_RANGE(follow_radius, 0, 1);
     PLAIT_RANGE_ENUM(sag_free, PLAIT_SAG_FREE_STIFFEN);

@@ -45,18 +45,18 @@ Result<SimParts> make_sim_parts(Context& context, const Groom& groom, const plai
     PLAIT_TRY(check_size(context, groom, desc));
     const Layout layout = make_layout(groom, desc);
     Device& device = context.device;
-    auto model = make_model(desc.model,
-                            {layout, groom, strands.stiffness, strands.materials, context.info.tile,
-                             desc.sag_free, desc.accelerations != 0, &context.memory});
+    auto model = make_model(desc.model, {layout, groom, strands.stiffness, strands.materials,
+                                         context.info.tile, desc.sag_free, desc.accelerations != 0,
+                                         desc.pins != 0, &context.memory});
     if (!model)
         return model.error();
     PLAIT_TRY((*model)->prepare(device, desc.params));
     (*model)->swap();
     (*model)->discard();
     const bool interpolate = desc.interpolate_output != 0;
-    auto state =
-        create_state(device, groom, layout, interpolate ? layout.guides : layout.strands(),
-                     (*model)->pinned_vertices(), desc.accelerations != 0, &context.memory);
+    auto state = create_state(device, groom, layout, interpolate ? layout.guides : layout.strands(),
+                              (*model)->pinned_vertices(), desc.accelerations != 0, desc.pins != 0,
+                              &context.memory);
     if (!state)
         return state.error();
     auto grid = InterHair::create(device, desc.params);
@@ -87,7 +87,8 @@ Sim::Sim(Context& context, SimParts parts)
       groom_(parts.fingerprint), cube_(parts.cube), skin_(std::move(parts.skin)),
       model_(std::move(parts.model)), state_(std::move(parts.state)), grid_(std::move(parts.grid)),
       display_(std::move(parts.display)), roots_(layout_, &context.memory),
-      colliders_(desc_.substeps, &context.memory), clock_(desc_.step, desc_.max_steps_per_call) {}
+      colliders_(desc_.substeps, &context.memory), clock_(desc_.step, desc_.max_steps_per_call),
+      pin_table_(&context.memory) {}
 
 Sim::~Sim() {
     if (context_.measured == this)
@@ -107,6 +108,7 @@ Status Sim::start() {
 
 Status Sim::check_stages() {
     schedule_.clear();
+    add_pins(schedule_, layout_, state_, 1);
     begin_substeps();
     add_substep(0);
     end_substeps();
@@ -169,6 +171,7 @@ Status Sim::step(double dt) {
         PLAIT_TRY(fixed_step(tick.end_of(k), k + 1 == tick.steps));
     roots_.end_call();
     colliders_.end_call();
+    end_pins_call(schedule_, layout_, state_);
     const bool changed = tick.steps > 0 || display_.interpolates();
     return changed ? refresh() : submit();
 }
@@ -177,6 +180,7 @@ Status Sim::fixed_step(double end, bool keep) {
     if (keep)
         display_.keep(schedule_, layout_, state_);
     roots_.begin_step(schedule_, end);
+    begin_pins_step(schedule_, layout_, state_, static_cast<float>(end));
     PLAIT_TRY(colliders_.begin_step(device(), end));
     begin_substeps();
     for (uint32_t i = 0; i < desc_.substeps; ++i) {
@@ -197,7 +201,8 @@ Substep Sim::at(uint32_t substep) const {
             colliders_.count(),
             substep * colliders_.count(),
             substep_length(),
-            air()};
+            air(),
+            share_of(substep)};
 }
 
 std::array<float, 3> Sim::air() const {
@@ -232,8 +237,7 @@ void Sim::begin_substeps() {
 }
 
 void Sim::add_substep(uint32_t index) {
-    const float share = static_cast<float>(index + 1) / static_cast<float>(desc_.substeps);
-    roots_.pose_in_step(schedule_, share, state_.pose);
+    roots_.pose_in_step(schedule_, share_of(index), state_.pose);
     model_->substep(schedule_, at(index));
 }
 
@@ -376,6 +380,7 @@ Status Sim::teleport(const RootsInput& input) {
     roots_.end_call();
     roots_.stop(schedule_);
     roots_.pose_now(schedule_, pose_spare_);
+    stop_pins(schedule_, layout_, state_);
     model_->teleport(schedule_, present(), pose_spare_);
     std::swap(state_.pose, pose_spare_);
     return show_at_once();
@@ -386,6 +391,7 @@ Status Sim::reset() {
     clock_.reset();
     roots_.stop(schedule_);
     colliders_.stop();
+    stop_pins(schedule_, layout_, state_);
     roots_.pose_now(schedule_, state_.pose);
     model_->reset(schedule_, present());
     display_.keep(schedule_, layout_, state_);

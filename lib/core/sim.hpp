@@ -8,6 +8,7 @@
 #include "core/display.hpp"
 #include "core/interhair.hpp"
 #include "core/model.hpp"
+#include "core/pins.hpp"
 #include "core/roots.hpp"
 #include "core/skin.hpp"
 
@@ -88,6 +89,7 @@ class Sim {
     // What field_buffer() gives, or for BOUNDS reckoned into a buffer now.
     Result<const Buffer*> filled_field(plait_field field);
     Status write(plait_field field, const void* src);
+    Status set_pins(std::span<const plait_pin> pins); // all of them; INVALID_STATE: pins is off
     Result<const Buffer*> field_buffer(plait_field field) const; // INVALID_STATE: the field is off
 
     // describe.cpp
@@ -120,6 +122,9 @@ class Sim {
     Status begin_measuring();
     Status fixed_step(double end, bool keep);
     Substep at(uint32_t substep) const;
+    float share_of(uint32_t substep) const { // of the fixed step, at its end
+        return static_cast<float>(substep + 1) / static_cast<float>(desc_.substeps);
+    }
     std::array<float, 3> air() const;                          // m/s, in this fixed step
     Substep present() const { return at(desc_.substeps - 1); } // between steps
     void begin_substeps();
@@ -146,6 +151,7 @@ class Sim {
     Status read_velocity(std::span<float> dst);
     Status write_velocity(const float* src);
     Status write_acceleration(std::span<const float> src);
+    Status write_pins(std::span<const float> src);
     // A run of floats that a snapshot holds.
     struct Block {
         enum class Of { vertices, histories, poses, motion, turns }; // what its values may be
@@ -154,7 +160,7 @@ class Sim {
         Of of;
         LaneBuffer lanes; // no buffer: saved as it lies
     };
-    std::pmr::vector<Block> blocks(bool kept, const std::array<bool, 4>& own_poses);
+    std::pmr::vector<Block> blocks(const SnapshotHeader& header);
     std::pmr::vector<Block> saved_blocks(const SnapshotHeader& header,
                                          std::span<const plait_model> strands);
     SnapshotHeader snapshot_header();
@@ -183,6 +189,7 @@ class Sim {
     Colliders colliders_;
     Clock clock_;
     Schedule schedule_;
+    PinTable pin_table_;  // filled by the first set_pins
     Buffer pose_spare_;   // float4 [2*guides], from the first teleport on
     Buffer strand_stats_; // float4 [guides], from the first measurement on
     Buffer boxes_, box_;  // float4 [2*runs], [2], from the first time on that bounds are asked for

@@ -34,7 +34,7 @@ struct SnapshotHeader {
     uint32_t aimed;
     uint32_t kept;
     uint32_t switched; // 1: strands are of other models than `model`
-    uint32_t reserved;
+    uint32_t pins;     // 1: they are there
 };
 static_assert(sizeof(SnapshotHeader) == 72 + 112 + 32);
 static_assert(sizeof(Colliders::Slot) == sizeof(float) * (2 + 21 + 28),
@@ -89,9 +89,10 @@ Status check_header(const SnapshotHeader& h) {
         if (h.own[i] > 1)
             return malformed(format("own[%zu] is %u, range is [0, 1]", i, h.own[i]));
     }
-    if (h.aimed > 1 || h.kept > 1 || h.switched > 1)
-        return malformed(format("aimed is %u, kept is %u, switched is %u, range is [0, 1]", h.aimed,
-                                h.kept, h.switched));
+    if (h.aimed > 1 || h.kept > 1 || h.switched > 1 || h.pins > 1)
+        return malformed(
+            format("aimed is %u, kept is %u, switched is %u, pins is %u, range is [0, 1]", h.aimed,
+                   h.kept, h.switched, h.pins));
     return {};
 }
 
@@ -154,8 +155,8 @@ std::array<bool, 4> owned(const SnapshotHeader& h) {
 
 } // namespace
 
-// What a snapshot holds, in its order. `kept`: the step before the last; `own_poses`: of roots.
-std::pmr::vector<Sim::Block> Sim::blocks(bool kept, const std::array<bool, 4>& own_poses) {
+// What a snapshot holds, in its order.
+std::pmr::vector<Sim::Block> Sim::blocks(const SnapshotHeader& h) {
     const size_t vertices = layout_.guide_vertices();
     std::pmr::vector<Block> list(&context_.memory);
     list.push_back({&state_.position, 4 * vertices, Block::Of::vertices, {}});
@@ -168,12 +169,16 @@ std::pmr::vector<Sim::Block> Sim::blocks(bool kept, const std::array<bool, 4>& o
         list.push_back({lanes.buffer,
                         size_t{lanes.layout.strands} * lanes.layout.row * lanes.components,
                         lanes.components == 4 ? Block::Of::turns : Block::Of::motion, lanes});
-    if (kept)
+    if (h.kept) // the step before the last
         list.push_back({&display_.kept(), 4 * vertices, Block::Of::histories, {}});
+    const auto own_poses = owned(h); // of roots
     for (size_t i = 0; i < own_poses.size(); ++i)
         if (own_poses[i])
             list.push_back(
                 {&roots_.places()[i]->poses, size_t{8} * layout_.guides, Block::Of::poses, {}});
+    if (h.pins)
+        for (const Buffer* pins : {&state_.pin, &state_.pin_at, &state_.pin_to})
+            list.push_back({pins, 4 * vertices, Block::Of::histories, {}});
     return list;
 }
 
@@ -182,7 +187,7 @@ std::pmr::vector<Sim::Block> Sim::blocks(bool kept, const std::array<bool, 4>& o
 // BDF2's x and v where the model steps by it.
 std::pmr::vector<Sim::Block> Sim::saved_blocks(const SnapshotHeader& h,
                                                std::span<const plait_model> strands) {
-    auto list = blocks(h.kept != 0, owned(h));
+    auto list = blocks(h);
     if (std::ranges::equal(strands, models()))
         return list;
     const auto is_lane = [](const Block& block) { return block.lanes.buffer != nullptr; };
@@ -217,6 +222,7 @@ SnapshotHeader Sim::snapshot_header() {
     h.dropped = clock_.dropped;
     h.aimed = roots_.aimed;
     h.kept = display_.interpolates();
+    h.pins = state_.pin ? 1 : 0;
     const auto strands = models();
     h.switched = std::ranges::any_of(strands, [&](plait_model m) { return m != desc_.model; });
     const auto places = roots_.places();
@@ -237,7 +243,7 @@ size_t Sim::snapshot_bytes(const SnapshotHeader& h) const {
 size_t Sim::snapshot_size() {
     const SnapshotHeader h = snapshot_header();
     size_t bytes = snapshot_bytes(h);
-    for (const Block& block : blocks(h.kept != 0, owned(h)))
+    for (const Block& block : blocks(h))
         bytes += block.floats * sizeof(float);
     return bytes;
 }
@@ -257,7 +263,7 @@ Status Sim::save(std::span<unsigned char> dst) {
             const auto number = static_cast<uint32_t>(model);
             put(&number, sizeof number);
         }
-    for (const Block& block : blocks(h.kept != 0, owned(h))) {
+    for (const Block& block : blocks(h)) {
         PLAIT_TRY(save_block(block, out));
         out += block.floats * sizeof(float);
     }
@@ -414,10 +420,12 @@ Status Sim::restore(std::span<const unsigned char> src) {
     }
     if (*strand_models != models())
         PLAIT_TRY(set_models(*strand_models));
-    const auto list = blocks(h.kept != 0, owned(h));
+    const auto list = blocks(h);
     schedule_.clear();
     PLAIT_TRY(colliders_.assign(device(), *slots));
     PLAIT_TRY(restore_roots(h));
+    if (!h.pins)
+        PLAIT_TRY(clear_pins(device(), layout_, state_, &context_.memory));
     PLAIT_TRY(restore_blocks(list, from));
     clock_.waiting = h.waiting;
     clock_.steps = h.steps;

@@ -59,7 +59,7 @@ std::pmr::vector<Float4> identity_poses(const Layout& layout, std::pmr::memory_r
 } // namespace
 
 Result<State> create_state(Device& device, const Groom& groom, const Layout& layout,
-                           uint32_t position_rows, uint32_t pinned, bool accelerates,
+                           uint32_t position_rows, uint32_t pinned, bool accelerates, bool pins,
                            std::pmr::memory_resource* memory) {
     State state;
     const auto make = [&](Buffer& to, plait_element element, size_t count, const char* name,
@@ -86,6 +86,13 @@ Result<State> create_state(Device& device, const Groom& groom, const Layout& lay
     if (accelerates) {
         const std::pmr::vector<Float4> none(guides, Float4{}, memory);
         PLAIT_TRY(make(state.acceleration, f4, guides, "acceleration", none.data(), guides));
+    }
+    if (pins) {
+        const std::pmr::vector<Float4> none(guides, Float4{}, memory);
+        PLAIT_TRY(make(state.pin, f4, guides, "pin", none.data(), guides));
+        PLAIT_TRY(make(state.pin_at, f4, guides, "pin_at", none.data(), guides));
+        PLAIT_TRY(make(state.pin_from, f4, guides, "pin_from", none.data(), guides));
+        PLAIT_TRY(make(state.pin_to, f4, guides, "pin_to", none.data(), guides));
     }
     return state;
 }

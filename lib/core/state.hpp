@@ -23,17 +23,21 @@ struct State {
     Buffer pose;           // float4 [2*guides], of the last substep
     // From without.
     Buffer acceleration; // float4 [guides*V], m/s^2; only with accelerations
+    // Only with pins, see pins.hpp. float4 [guides*V]: target and stiffness, as in stages.def.
+    Buffer pin;              // as the caller wants it at the end of the next call
+    Buffer pin_at;           // at the end of the call before
+    Buffer pin_from, pin_to; // at begin and end of the last fixed step
 
-    std::array<const Buffer*, 8> all() const {
-        return {&rest,          &vertex_count,   &rest_length, &position,
-                &position_prev, &position_prev2, &pose,        &acceleration};
+    std::array<const Buffer*, 12> all() const {
+        return {&rest, &vertex_count, &rest_length, &position, &position_prev, &position_prev2,
+                &pose, &acceleration, &pin,         &pin_at,   &pin_from,      &pin_to};
     }
 };
 
 // Creates and fills the state with `groom` at rest, its roots at the identity. The first `pinned`
 // vertices of every strand get inverse mass 0, others 1.
 Result<State> create_state(Device& device, const Groom& groom, const Layout& layout,
-                           uint32_t position_rows, uint32_t pinned, bool accelerates,
+                           uint32_t position_rows, uint32_t pinned, bool accelerates, bool pins,
                            std::pmr::memory_resource* memory);
 
 } // namespace plait

@@ -103,10 +103,16 @@ void fill(plait_grid_params& p, const Shape& shape) {
 }
 void fill(plait_lane_params& p, const Shape& shape) {
     p = {shape.vertices, shape.tile, step, 3,    0,     1, {0, -9.81f, 0},
-         {0, 0, 0},      0,          0,    3e6f, 1e-6f, 0};
+         {0, 0, 0},      0,          0,    3e6f, 1e-6f, 0, 0};
 }
 void fill(plait_accelerate_params& p, const Shape& shape) {
     p = {shape.vertices, step, 0, {}};
+}
+void fill(plait_pins_params& p, const Shape& shape) {
+    p = {shape.vertices, 0.5f};
+}
+void fill(plait_lane_pin_params& p, const Shape& shape) {
+    p = {shape.vertices, shape.tile, 0.5f, 1e4f, 1e5f, step, 300};
 }
 void fill(plait_lane_grid_params& p, const Shape& shape) {
     plait_grid_params grid{};
@@ -179,6 +185,14 @@ Words vectors(size_t count, float x, float y, float z, float w) {
     Words words;
     for (size_t i = 0; i < count; ++i)
         append(words, x, y, z, w);
+    return words;
+}
+
+// Each strand held at its middle, where the groom has it.
+Words pins(const Shape& shape) {
+    Words words = strands(shape, 0);
+    for (size_t vertex = 0; vertex < shape.total(); ++vertex)
+        words[4 * vertex + 3] = word(vertex % shape.vertices == shape.vertices / 2 ? -1e6f : 0.0f);
     return words;
 }
 
@@ -325,6 +339,10 @@ const std::map<std::string, Maker>& makers() {
              return words;
          }},
         {"bone_weight", [](const Shape& s) { return vectors(s.strands, 0.4f, 0.3f, 0.2f, 0.1f); }},
+        {"pin", pins},
+        {"pin_at", pins},
+        {"pin_from", pins},
+        {"pin_to", pins},
         {"pose", poses},
         {"pose_from", poses},
         {"pose_to", poses},
@@ -438,6 +456,8 @@ std::vector<uint32_t> typical_buffer(const plait_stage_info& stage, const plait_
     if (stage.stage != PLAIT_STAGE_lane_accelerate && arg.access == PLAIT_ACCESS_READ &&
         name.ends_with("acceleration"))
         return {}; // hair that gravity alone pulls
+    if (stage.stage != PLAIT_STAGE_lane_pin && name == "lane_pin")
+        return {}; // and that nothing pins
     const auto maker = makers().find(arg.name);
     if (maker != makers().end())
         return maker->second(shape);

@@ -51,6 +51,7 @@ Case chain_case() {
                 lane_setup(size, make_lane_hair_on_surfaces(size, 48, 0.05f, far), params, false));
         }
     result.flags.push_back("capsule.kind");
+    add_pinned(result, false);
     return result;
 }
 

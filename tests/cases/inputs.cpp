@@ -136,6 +136,18 @@ std::vector<float> accelerations(const Size& size, double most) {
     return values;
 }
 
+std::vector<float> pin_rows(const Size& size, uint32_t seed) {
+    Random random(seed * 6151 + size.strands * 31 + size.stride);
+    std::vector<float> values;
+    for (uint32_t i = 0; i < size.strands * size.stride; ++i) {
+        const Point at = random.direction();
+        const double stiffness = random.uniform(0.05, 2);
+        const uint32_t kind = (i + seed % 2) % 5; // of neighbours, and of the same one before
+        put(values, at, kind == 0 ? 0 : kind < 3 ? stiffness : -stiffness);
+    }
+    return values;
+}
+
 Hair make_hair(const Size& size, uint32_t seed) {
     Random random(seed * 7919 + size.strands * 257 + size.stride);
     Hair hair;

@@ -51,6 +51,9 @@ Hair make_hair(const Size& size, uint32_t seed);
 
 // Of every vertex, padding too, up to `most` in any direction; w 0: [strands][V] float4.
 std::vector<float> accelerations(const Size& size, double most);
+// float4 [strands*stride]: most vertices are free, the others pinned in either frame within a
+// metre.
+std::vector<float> pin_rows(const Size& size, uint32_t seed);
 
 // Of a collider at the substep's begin its first point alone is read, not the radius there: turned
 // as the collider turns, it says where any other point was.

@@ -281,7 +281,7 @@ LaneHair make_lane_hair_wrung(const Size& size, uint32_t seed) {
 
 plait_lane_params lane_params(const Size& size, uint32_t iterations, uint32_t bdf2) {
     plait_lane_params params = {size.stride, 1, 1.0f / 30, iterations, bdf2, 4, {20, -40, 30},
-                                {9, 8, -7},  0, 0,         0,          0,    0};
+                                {9, 8, -7},  0, 0,         0,          0,    0, 0};
     params.contact_rate = 3e5f; // what starts inside is pushed out by millimetres
     params.contact_slip = 0.03f;
     params.accelerates = 1;
@@ -311,6 +311,8 @@ Setup lane_setup(const Size& size, const LaneHair& lanes, const plait_lane_param
     const auto& g = params.gravity;
     const double strongest = lanes.capsules.empty() ? 0.5 * std::hypot(g[0], g[1], g[2]) : 0;
     setup.buffers.push_back(lane_floats(without_w(accelerations(lanes.hair.size, strongest)), 3));
+    // there, though not read, so that turning them on is a fair disturbance
+    setup.buffers.push_back(lane_floats(std::vector<float>(lanes.q.size(), 0), 4));
     setup.buffers.push_back(lane_floats(lanes.x, 3));
     setup.buffers.push_back(lane_floats(lanes.v, 3));
     if (bends) {
@@ -328,6 +330,30 @@ Setup lane_setup(const Size& size, const LaneHair& lanes, const plait_lane_param
     return setup.with(with_capsules);
 }
 
+Setup pinned(Setup setup, const LaneHair& lanes, bool bends) {
+    auto params = setup.params_as<plait_lane_params>();
+    params.pins = 1;
+    std::vector<float>& pins = setup.buffers[bends ? 7 : 6].floats;
+    Random random(params.vertex_stride);
+    const auto pin = [&](size_t strand, size_t vertex) {
+        const size_t row = strand * setup.width + vertex;
+        const float mass = lanes.material[PLAIT_LANE_MATERIAL_COMPONENTS * row + PLAIT_LANE_MASS];
+        for (int i = 0; i < 3; ++i)
+            pins[4 * row + i] =
+                lanes.x[3 * row + i] + static_cast<float>(random.uniform(-0.01, 0.01));
+        const auto stiffness = static_cast<float>(random.uniform(0.5, 10)) * mass;
+        pins[4 * row + 3] = (strand % 2 ? 10 : 1) * stiffness / (params.h * params.h);
+    };
+    for (size_t strand = 0; strand < setup.items; ++strand) {
+        const size_t tip = lanes.hair.vertex_count[strand] - 1;
+        pin(strand, tip);
+        if (tip > 4)
+            pin(strand, tip / 2);
+    }
+    setup.name += ", pinned";
+    return setup.with(params);
+}
+
 const std::vector<Size>& contact_sizes() {
     static const std::vector<Size> list = {{7, 9}, {4, 16}};
     return list;
@@ -340,6 +366,18 @@ void add_rods_on_surfaces(Case& result) {
                                                make_lane_hair_on_surfaces(size, 48, 100.0f, far),
                                                lane_params(size, 1, far == 0), true));
     result.flags.push_back("capsule.kind");
+}
+
+void add_pinned(Case& result, bool bends) {
+    const auto add = [&](const Size& size, const LaneHair& lanes, uint32_t bdf2) {
+        result.setups.push_back(
+            pinned(lane_setup(size, lanes, lane_params(size, 1, bdf2), bends), lanes, bends));
+    };
+    for (const Size& size : sizes())
+        for (const uint32_t bdf2 : {0u, 1u})
+            add(size, make_lane_hair(size, 32), bdf2);
+    for (const Size& size : contact_sizes())
+        add(size, make_lane_hair_spun(size, 32), 1);
 }
 
 } // namespace plait::cases

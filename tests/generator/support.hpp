@@ -11,7 +11,7 @@
 namespace plait_generator {
 
 inline constexpr std::array all_hairstyles{Hairstyle::Long, Hairstyle::Braid, Hairstyle::Curly,
-                                           Hairstyle::Short};
+                                           Hairstyle::Short, Hairstyle::Ponytail};
 
 inline Strands sample_groom(Hairstyle hairstyle, uint32_t strands = 400) {
     Style style = make_style(hairstyle);

@@ -19,7 +19,14 @@ ContextHandle make_context(const Scene& scene) {
     return ContextHandle(context);
 }
 
-SimHandle make_sim(plait_context* context, const plait_groom* groom, const plait_sim_desc& desc) {
+// The model tressfx takes no pins: what a hairstyle is held by, it does without.
+bool pins_hair(const Scene& scene) {
+    return !scene.pins.empty() && scene.sim.model != PLAIT_MODEL_TRESSFX;
+}
+
+SimHandle make_sim(plait_context* context, const plait_groom* groom, const Scene& scene) {
+    plait_sim_desc desc = scene.sim;
+    desc.pins = pins_hair(scene) ? 1 : 0;
     plait_sim* sim = nullptr;
     check(plait_sim_create(context, groom, &desc, &sim));
     return SimHandle(sim);
@@ -52,16 +59,47 @@ double Measurements::median_ms() const {
 
 Simulation::Simulation(const Scene& scene, const Figure& figure)
     : scene_(scene), figure_(figure), context_(make_context(scene)),
-      sim_(make_sim(context_.get(), figure.groom.get(), scene.sim)) {
+      sim_(make_sim(context_.get(), figure.groom.get(), scene)) {
     row_ = stats_of(sim_.get()).vertices_per_strand;
     read_field(sim_.get(), PLAIT_FIELD_VERTEX_COUNT, vertex_count_);
     read_field(sim_.get(), PLAIT_FIELD_POSITION, rest_);
     neighbours_ = std::make_unique<Neighbours>(rest_, vertex_count_, row_);
     add_colliders();
+    if (pins_hair(scene))
+        add_pins();
 }
 
 plait_sim_stats Simulation::stats() const {
     return stats_of(sim_.get());
+}
+
+void Simulation::add_pins() {
+    const auto guides = static_cast<uint32_t>(figure_.info.strands);
+    std::vector<char> held(rest_.size() / 4, 0); // by a tie before
+    std::vector<plait_pin> pins;
+    for (size_t i = 0; i < scene_.pins.size(); ++i) {
+        const Tie& tie = scene_.pins[i];
+        const size_t before = pins.size();
+        for (uint32_t strand = 0; strand < guides; ++strand)
+            for (uint32_t vertex = 1; vertex < vertex_count_[strand]; ++vertex) {
+                const size_t at = size_t{strand} * row_ + vertex;
+                const float* const p = &rest_[4 * at];
+                if (held[at] ||
+                    std::hypot(p[0] - tie.at[0], p[1] - tie.at[1], p[2] - tie.at[2]) > tie.radius)
+                    continue;
+                held[at] = 1;
+                pins.push_back({strand,
+                                vertex,
+                                tie.moves_with_head ? PLAIT_PIN_FRAME_REST : PLAIT_PIN_FRAME_WORLD,
+                                {p[0], p[1], p[2]},
+                                tie.stiffness});
+            }
+        if (pins.size() == before)
+            throw Failure(
+                "pins[" + std::to_string(i) +
+                "] hold nothing: no vertex but roots lies within its radius of its place");
+    }
+    check(plait_sim_set_pins(sim_.get(), pins.data(), pins.size()));
 }
 
 void Simulation::add_colliders() {

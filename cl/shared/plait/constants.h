@@ -75,6 +75,9 @@
 /* Share of the sweep's displacement over h' that the vertex before loses in velocity: s_damping of
  * Mueller et al. 2012. */
 #define PLAIT_CHAIN_VELOCITY_CORRECTION PLAIT_NUMBER(0.5)
+/* Fewest length solves of a strand with a pin: the sweep moves the pinned vertex by what they leave.
+ * Ours. */
+#define PLAIT_CHAIN_PIN_SOLVES 4
 
 /* ---- cosserat and rod --------------------------------------------------------------------------
  */
@@ -130,6 +133,12 @@
  * deeper is no balance of forces. Ours. */
 #define PLAIT_ARTICULATED_DEEP_STEPS 10
 #define PLAIT_ARTICULATED_DEEP PLAIT_NUMBER(0.1)
+/* Most Newton steps of a strand with a vertex farther from its pin than so many segment lengths,
+ * whose stiffness is above so many times its inertia m/h'^2. A held vertex is off by a hundredth
+ * under 10 g. Ours. */
+#define PLAIT_ARTICULATED_PIN_STEPS 4
+#define PLAIT_ARTICULATED_PIN_DISTANCE PLAIT_NUMBER(0.03)
+#define PLAIT_ARTICULATED_PIN_STIFFNESS PLAIT_NUMBER(10.0)
 
 /* ---- switching ---------------------------------------------------------------------------------
  */

@@ -235,7 +235,28 @@ typedef struct plait_lane_params {
     float contact_rate; /* 1/s^2: stiffness of contact over mass; a load of m a sinks a/rate in */
     float contact_slip; /* m: the displacement per substep at which friction is all of mu N */
     plait_u32 accelerates; /* 1: vertices have accelerations; 0: lane_acceleration is null */
+    plait_u32 pins;        /* 1: vertices may be pinned; 0: lane_pin is null */
 } plait_lane_params;
+
+/* pins: where the targets of pins are at the end of a fixed step. */
+typedef struct plait_pins_params {
+    plait_u32 vertex_stride;
+    float alpha; /* [0, 1]: share of the way from pin_at to pin */
+} plait_pins_params;
+
+/* lane_pin: pins of one substep to the lanes. */
+typedef struct plait_lane_pin_params {
+    plait_u32 vertex_stride;
+    plait_u32 tile;
+    float share; /* [0, 1]: of the way from pin_from to pin_to, at the substep's end */
+    /* A pin is at most as stiff as holds the strand's mass at this acceleration, m/s^2, within the
+     * length of the segment before it, or its vertex' mass times the rate, 1/s^2, if that is more.
+     */
+    float hold;
+    float rate;
+    float h;    /* s, of the substep */
+    float pull; /* m/s^2: it pulls at its vertex with at most the strand's mass times this */
+} plait_lane_pin_params;
 
 /* lane_reset, lane_teleport. */
 typedef struct plait_lane_state_params {

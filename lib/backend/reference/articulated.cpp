@@ -3,8 +3,8 @@
 // system is assembled and solved densely,
 //   H = J' M J + joints + tension + eps I,   g = -J' f - moments,
 // J the derivative of the vertices by the turns, column i of vertex j > i being -l_i [t_i]x; M and
-// f inertia and contact of the vertices. A joint whose turn from q_i to p_i = q_{i-1} r_i has the
-// scalar part c0 and the vector part e adds, with N = c0 I + [e]x and k = kb/4,
+// f inertia, pins and contact of the vertices. A joint whose turn from q_i to p_i = q_{i-1} r_i has
+// the scalar part c0 and the vector part e adds, with N = c0 I + [e]x and k = kb/4,
 //   K to (i, i),  -K N' to (i, i-1),  N K N' + k e e' to (i-1, i-1),
 // K = k I + diag(kt, 0, kc)/4 in its axes. Of a round joint these are the second derivatives but
 // for (1 - c0) k on the diagonal, which keeps them positive. Tension: max(0, P.t) l (I - t t'), P
@@ -63,7 +63,8 @@ void RodModel::follow_target() {
     const double stays = energy();
     const RodModel from = *this;
     for (size_t i = 0; i < segments(); ++i) {
-        const Vec3 along = unit_or(motion_.y[i + 1] - x[i], director(i));
+        const Vec3 goal = motion_.goal(i + 1, mass_[i + 1]);
+        const Vec3 along = unit_or(goal - x[i], director(i));
         if (length_[i] > 0) // past the tip there is no direction
             q[i] = turned_towards(q[i], along);
         x[i + 1] = x[i] + length_[i] * along;
@@ -79,9 +80,8 @@ void RodModel::add_vertices(Eigen::MatrixXd& H, Eigen::VectorXd& g) const {
     Eigen::VectorXd f(3 * n);
     for (Eigen::Index j = 0; j < n; ++j) { // of vertex j + 1
         const auto vertex = static_cast<size_t>(j) + 1;
-        const double inertia = mass_[vertex] * inertia_;
-        Mat3 M = inertia * Mat3::Identity();
-        Vec3 force = inertia * (motion_.y[vertex] - x[vertex]);
+        Mat3 M = vertex_stiffness(vertex) * Mat3::Identity();
+        Vec3 force = vertex_force(vertex);
         if (contacts_) {
             M += contacts_->hessian(vertex, x[vertex]);
             force += contacts_->force(vertex, x[vertex]);
@@ -103,8 +103,8 @@ void RodModel::add_vertices(Eigen::MatrixXd& H, Eigen::VectorXd& g) const {
         const double length = length_[segment];
         H.block<3, 3>(3 * i, 3 * i) +=
             std::max(0.0, pull.dot(t)) * length * (Mat3::Identity() - t * t.transpose());
-        H.block<3, 3>(3 * i, 3 * i) += PLAIT_ARTICULATED_TWIST * mass_[segment + 1] * inertia_ *
-                                       length * length * Mat3::Identity();
+        H.block<3, 3>(3 * i, 3 * i) += PLAIT_ARTICULATED_TWIST * mass_[segment + 1] *
+                                       motion_.inertia * length * length * Mat3::Identity();
     }
 }
 
@@ -191,6 +191,16 @@ bool RodModel::deep() const {
     return false;
 }
 
+bool RodModel::off_pin() const {
+    for (size_t i = 1; i < x.size(); ++i) {
+        const Pin& pin = motion_.pin[i];
+        if (pin.stiffness > PLAIT_ARTICULATED_PIN_STIFFNESS * mass_[i] * motion_.inertia &&
+            (pin.target - x[i]).norm() > PLAIT_ARTICULATED_PIN_DISTANCE * length_before_[i])
+            return true;
+    }
+    return false;
+}
+
 void RodModel::articulate(uint32_t steps) {
     load();
     follow_target();
@@ -207,6 +217,8 @@ void RodModel::articulate(uint32_t steps) {
 
 // Beyond those that every strand takes.
 bool RodModel::wants_step(uint32_t k, bool moved) const {
+    if (k < PLAIT_ARTICULATED_PIN_STEPS && off_pin())
+        return true;
     if (!touched() || k >= PLAIT_ARTICULATED_DEEP_STEPS)
         return false;
     return k < PLAIT_ARTICULATED_CONTACT_STEPS ? moved || contacts_->changed() : deep();

@@ -19,8 +19,12 @@ namespace plait::reference {
 namespace {
 
 struct Links {
-    std::vector<double> length, mass; // [V - 1], [V]; the root does not move
-    double reach;                     // h^2/(1 + c h)
+    std::vector<double> length; // [V - 1]; the root does not move
+    // [V]: of a vertex alone, and with k h^2/(1 + c h) of its pin, which resists like a mass at
+    // `goal`
+    std::vector<double> own, mass;
+    std::vector<Vec3> goal;
+    double reach; // h^2/(1 + c h)
 };
 
 // Inverse masses; where a contact holds, (m I + reach B)^-1 with its Hessian B.
@@ -65,7 +69,7 @@ void project_lengths(const Links& links, const std::vector<Mat3>& W, std::vector
 bool coarse(const Links& links, const Motion& motion) {
     double below = 0;
     for (size_t i = links.length.size(); i > 0; --i) {
-        const double l = links.length[i - 1], m = links.mass[i];
+        const double l = links.length[i - 1], m = links.own[i];
         if (l == 0)
             continue; // past the tip
         below += m * motion.pull[i].norm();
@@ -86,7 +90,8 @@ std::vector<Vec3> pulled(const Links& links, const Motion& motion) {
     const auto w = [&](Eigen::Index i) { return i == 0 ? 0 : 1 / links.mass[i]; };
     for (Eigen::Index i = 0; i < n; ++i) {
         const double l = links.length[i];
-        residual[i] = l > 0 ? std::clamp((motion.y[i + 1] - motion.y[i]).dot(u[i]) - l, -l, l) : 0;
+        residual[i] =
+            l > 0 ? std::clamp((links.goal[i + 1] - links.goal[i]).dot(u[i]) - l, -l, l) : 0;
         system(i, i) = w(i) + w(i + 1);
         if (i + 1 < n)
             system(i, i + 1) = system(i + 1, i) = -u[i].dot(u[i + 1]) * w(i + 1);
@@ -97,7 +102,7 @@ std::vector<Vec3> pulled(const Links& links, const Motion& motion) {
     Eigen::MatrixX3d right(n, 3);
     for (Eigen::Index i = 0; i < n; ++i) {
         hessian(i, i) += links.mass[i + 1];
-        right.row(i) = links.mass[i + 1] * motion.y[i + 1].transpose();
+        right.row(i) = links.mass[i + 1] * links.goal[i + 1].transpose();
     }
     for (Eigen::Index i = 0; i < n; ++i) {
         const double k = links.length[i] > 0 ? std::max(lambda[i], 0.0) / links.length[i] : 0;
@@ -109,7 +114,7 @@ std::vector<Vec3> pulled(const Links& links, const Motion& motion) {
         hessian(i, i - 1) -= k;
     }
     const Eigen::MatrixX3d solved = hessian.partialPivLu().solve(right);
-    std::vector<Vec3> x = motion.y;
+    std::vector<Vec3> x = links.goal;
     for (Eigen::Index i = 0; i < n; ++i)
         x[i + 1] = solved.row(i).transpose();
     return x;
@@ -129,8 +134,12 @@ void sweep(const Links& links, const Contacts* contacts, std::vector<Vec3>& x) {
 // then the lengths.
 std::vector<Vec3> solve(const Links& links, const Motion& motion, const plait_lane_params& params,
                         Contacts* contacts) {
+    const bool pinned = std::any_of(motion.pin.begin(), motion.pin.end(),
+                                    [](const Pin& pin) { return pin.stiffness > 0; });
+    const uint32_t count =
+        pinned ? std::max<uint32_t>(params.iterations, PLAIT_CHAIN_PIN_SOLVES) : params.iterations;
     const bool pulls = params.iterations > 0 && !params.bdf2 && coarse(links, motion);
-    const std::vector<Vec3> target = pulls ? pulled(links, motion) : motion.y;
+    const std::vector<Vec3> target = pulls ? pulled(links, motion) : links.goal;
     std::vector<Vec3> x = target;
     for (int round = 0; round < (contacts ? PLAIT_CHAIN_CONTACT_ROUNDS : 1); ++round) {
         if (contacts)
@@ -141,7 +150,7 @@ std::vector<Vec3> solve(const Links& links, const Motion& motion, const plait_la
         const auto W = mobilities(links, contacts, x);
         for (size_t i = 1; i < x.size() && touched; ++i)
             x[i] = target[i] + links.reach * W[i] * contacts->force(i, target[i]);
-        for (uint32_t k = pulls && !touched ? 1 : 0; k < params.iterations; ++k)
+        for (uint32_t k = pulls && !touched ? 1 : 0; k < count; ++k)
             project_lengths(links, W, x);
     }
     return x;
@@ -165,8 +174,9 @@ void follow(const Links& links, Contacts* contacts, std::vector<Vec3>& x) {
 } // namespace
 
 void chain(uint32_t item_count, const plait_lane_params& params, const chain_args& args) {
-    const LaneState state{args.lane_x, args.lane_v, args.lane_x_before, args.lane_v_before,
-                          args.lane_acceleration};
+    const LaneState state{
+        args.lane_x,  args.lane_v, args.lane_x_before, args.lane_v_before, args.lane_acceleration,
+        args.lane_pin};
     for (size_t slot = 0; slot < item_count; ++slot) {
         const Lane lane(slot, params.vertex_stride, params.tile);
         const size_t strand = strand_of(args.lane_strand, slot);
@@ -180,7 +190,10 @@ void chain(uint32_t item_count, const plait_lane_params& params, const chain_arg
             const auto material = [&](size_t component) {
                 return args.lane_material[lane.index(i, component, PLAIT_LANE_MATERIAL_COMPONENTS)];
             };
-            links.mass.push_back(material(PLAIT_LANE_MASS));
+            const double mass = material(PLAIT_LANE_MASS);
+            links.own.push_back(mass);
+            links.mass.push_back(mass + links.reach * motion.pin[i].stiffness);
+            links.goal.push_back(motion.goal(i, mass));
             if (i + 1 == params.vertex_stride)
                 break;
             links.length.push_back(material(PLAIT_LANE_LENGTH));
@@ -189,7 +202,7 @@ void chain(uint32_t item_count, const plait_lane_params& params, const chain_arg
         }
         std::optional<Contacts> contacts;
         if (params.collider_count > 0)
-            contacts.emplace(params, args.capsule, motion, before, stretch, links.mass);
+            contacts.emplace(params, args.capsule, motion, before, stretch, links.own);
         Contacts* held = contacts ? &*contacts : nullptr;
         const std::vector<Vec3> solved = solve(links, motion, params, held);
         std::vector<Vec3> x = solved;
@@ -199,7 +212,7 @@ void chain(uint32_t item_count, const plait_lane_params& params, const chain_arg
         std::vector<Vec3> v = motion.velocities(x);
         // The sweep is exact in lengths alone: springs that it pressed give nothing.
         const double given = held ? held->work(x) - std::max(held->work_of_springs(x), 0.0) : 0;
-        const Limit limit = limit_energy({params, motion, links.mass, before}, given, x, v);
+        const Limit limit = limit_energy({params, motion, links.own, before}, given, x, v);
         if (held)
             held->store(lane, state, x, v);
         else

@@ -36,7 +36,8 @@ Balance of_backward_euler(const Substep& step, const std::vector<Vec3>& x,
         const Vec3 moves = v[i] - motion.root_velocity;
         sum.before +=
             gain * (mass[i] / 2 * inertial.squaredNorm() + creep(mass[i], h, x[i])) +
-            mass[i] * (motion.pull[i] + params.drag * vec3(params.air)).dot(x[i] - motion.from[i]);
+            mass[i] * (motion.pull[i] + params.drag * vec3(params.air)).dot(x[i] - motion.from[i]) +
+            motion.pin[i].force(x[i]).dot(x[i] - motion.from[i]);
         sum.after += gain * mass[i] / 2 * moves.squaredNorm();
     }
     return sum;
@@ -59,7 +60,8 @@ Balance of_bdf2(const Substep& step, bool pairs, const std::vector<Vec3>& x,
         const Vec3 force = motion.pull[i] + params.drag * (vec3(params.air) - v[i]);
         const double moves = held(pairs, before, ago), least = creep(mass[i], motion.h, x[i]);
         sum.kinetic_before += mass[i] * moves + least;
-        sum.before += mass[i] * (moves + force.dot(way)) + least;
+        sum.before +=
+            mass[i] * (moves + force.dot(way)) + motion.pin[i].force(x[i]).dot(way) + least;
         sum.after += mass[i] * held(pairs, now, before);
         weight += mass[i] * motion.pull[i].norm();
         reach += length[i];

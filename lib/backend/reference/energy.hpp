@@ -1,5 +1,5 @@
 // The energy budget of a substep: what a strand's velocities relative to its root may carry, given
-// what they carried, what its potential released, and the work of the forces on it.
+// what they carried, what its potential released, and the work of the forces on it, pins' too.
 // docs/models/cosserat.md derives it.
 #pragma once
 

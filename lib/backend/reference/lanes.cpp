@@ -8,6 +8,10 @@ template <typename T> T continued(const T& now, const T& before) {
     return (4 * now - before) / 3;
 }
 
+Vec3 xyz_of(const View<const double>& pins, const Lane& lane, size_t row) {
+    return {pins[lane.index(row, 0, 4)], pins[lane.index(row, 1, 4)], pins[lane.index(row, 2, 4)]};
+}
+
 } // namespace
 
 Vec3 root_of(const View<const Vec4>& rest, const Pose& pose, size_t strand, uint32_t stride) {
@@ -19,7 +23,8 @@ Motion::Motion(const Lane& lane, const plait_lane_params& params, const LaneStat
     : whole(params.h), h(params.bdf2 ? whole * 2.0 / 3.0 : whole), root(new_root),
       start(params.vertex_stride), v(params.vertex_stride, Vec3::Zero()),
       pull(params.vertex_stride, vec3(params.gravity)), from(params.vertex_stride, Vec3::Zero()),
-      y(params.vertex_stride), w(params.vertex_stride, Vec3::Zero()) {
+      y(params.vertex_stride), w(params.vertex_stride, Vec3::Zero()), pin(params.vertex_stride),
+      inertia((1 + params.drag * h) / (h * h)) {
     const Vec3 root_now = lane.vector(state.x, 0);
     const Vec3 root_before = params.bdf2 ? lane.vector(state.x_before, 0) : root_now;
     start[0] = root_now - root;
@@ -40,7 +45,15 @@ Motion::Motion(const Lane& lane, const plait_lane_params& params, const LaneStat
             pull[i] += lane.vector(state.acceleration, i);
         w[i] = (velocity + h * (pull[i] + params.drag * vec3(params.air))) / (1 + params.drag * h);
         y[i] = from[i] + h * (w[i] - root_velocity);
+        if (params.pins)
+            pin[i] = {xyz_of(state.pin, lane, i), state.pin[lane.index(i, 3, 4)]};
     }
+}
+
+Vec3 Motion::goal(size_t vertex, double mass) const {
+    const auto& [target, k] = pin[vertex];
+    const double mu = mass * inertia;
+    return k > 0 ? Vec3((mu * y[vertex] + k * target) / (mu + k)) : y[vertex];
 }
 
 std::vector<Vec3> Motion::velocities(const std::vector<Vec3>& x) const {

@@ -51,6 +51,14 @@ struct LaneState {
     const View<double>& x_before; // BDF2 only
     const View<double>& v_before;
     const View<const double>& acceleration; // beside gravity, where there is any
+    const View<const double>& pin;          // where there are any
+};
+
+// A spring to a point, as stiff in every direction.
+struct Pin {
+    Vec3 target = Vec3::Zero(); // relative to the root
+    double stiffness = 0;       // N/m; 0: none
+    Vec3 force(const Vec3& x) const { return stiffness * (target - x); }
 };
 
 // One step of one strand: y is where inertia, what pulls and drag alone would put each vertex,
@@ -64,6 +72,9 @@ struct Motion {
     void store(const Lane& lane, const LaneState& state, const std::vector<Vec3>& x,
                const std::vector<Vec3>& solved) const;
     std::vector<Vec3> relative_start() const; // `start`, relative to the root of then
+    // Where inertia, mu = mass (1 + c h)/h^2, and the pin alone would put a vertex: at the minimum
+    // of mu/2 |x - y|^2 + k/2 |x - p|^2.
+    Vec3 goal(size_t vertex, double mass) const;
 
     double whole; // the substep
     double h;
@@ -75,6 +86,8 @@ struct Motion {
     std::vector<Vec3> from;               // relative to the root, what v = (x - from)/h counts from
     Vec3 root_velocity;
     std::vector<Vec3> y, w;
+    std::vector<Pin> pin; // of every vertex
+    double inertia;       // (1 + c h)/h^2, 1/s^2
 };
 
 } // namespace plait::reference

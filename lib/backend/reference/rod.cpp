@@ -34,8 +34,8 @@ Eigen::VectorXd RodModel::direction() const {
         const Vec3 t = director(i), F = stretch_[i] * strain(i);
         const double EA = stretch_[i] * length_[i];
         const Mat3 T = cross_matrix(t), across = Mat3::Identity() - t * t.transpose();
-        block(x1, x1) += (mass_[i + 1] * inertia_ + stretch_[i]) * Mat3::Identity();
-        g.segment<3>(x1) += mass_[i + 1] * inertia_ * (x[i + 1] - motion_.y[i + 1]) + F;
+        block(x1, x1) += (vertex_stiffness(i + 1) + stretch_[i]) * Mat3::Identity();
+        g.segment<3>(x1) += F - vertex_force(i + 1);
         if (contacts_) {
             block(x1, x1) += contacts_->hessian(i + 1, x[i + 1]);
             g.segment<3>(x1) -= contacts_->force(i + 1, x[i + 1]);

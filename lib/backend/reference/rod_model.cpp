@@ -38,9 +38,7 @@ RodModel::RodModel(const RodBuffers& buffers, const plait_lane_params& params, s
     : inextensible_(inextensible), params_(&params), lane_(slot, params.vertex_stride, params.tile),
       motion_(lane_, params, buffers.state,
               root_of(buffers.rest, pose_of(buffers.pose, strand), strand, params.vertex_stride)),
-      inertia_((1 + params.drag * motion_.h) / (motion_.h * motion_.h)),
       root_frame_(pose_of(buffers.pose, strand).q) {
-    x = motion_.y;
     const double repeat = repeated(params);
     for (uint32_t i = 0; i < params.vertex_stride; ++i) {
         const auto material = [&](size_t component) {
@@ -61,6 +59,8 @@ RodModel::RodModel(const RodBuffers& buffers, const plait_lane_params& params, s
         q_start_.push_back(now.normalized()); // float32 rounds it
         q_before_.push_back(before.normalized());
     }
+    for (size_t i = 0; i < mass_.size(); ++i)
+        x.push_back(motion_.goal(i, mass_[i]));
     length_before_.assign(1, 0.0);
     length_before_.insert(length_before_.end(), length_.begin(), length_.end());
     std::vector<double> stretch_before(1, 0.0);
@@ -215,10 +215,25 @@ double RodModel::released_of_pairs() const {
     return sum;
 }
 
+Vec3 RodModel::vertex_force(size_t vertex) const {
+    const double mu = mass_[vertex] * motion_.inertia;
+    return mu * (motion_.y[vertex] - x[vertex]) + motion_.pin[vertex].force(x[vertex]);
+}
+
+double RodModel::vertex_stiffness(size_t vertex) const {
+    return mass_[vertex] * motion_.inertia + motion_.pin[vertex].stiffness;
+}
+
+// Less what the two pull at each other, which no solve changes.
+double RodModel::vertex_energy(size_t vertex) const {
+    const Vec3 lag = x[vertex] - motion_.goal(vertex, mass_[vertex]);
+    return vertex_stiffness(vertex) / 2 * lag.squaredNorm();
+}
+
 double RodModel::energy() const {
     double sum = elastic(x, q);
     for (size_t i = 0; i < segments(); ++i)
-        sum += mass_[i + 1] * inertia_ / 2 * (x[i + 1] - motion_.y[i + 1]).squaredNorm();
+        sum += vertex_energy(i + 1);
     for (size_t i = 1; contacts_ && i < x.size(); ++i)
         sum += inextensible_ ? contacts_->model(i, x[i]) : contacts_->energy(i, x[i]);
     return sum;
@@ -237,10 +252,9 @@ void RodModel::solve_positions() {
     };
     const Eigen::MatrixXd one = Eigen::MatrixXd::Identity(d, d);
     for (Eigen::Index i = 0; i < n; ++i) { // unknown i is vertex i + 1
-        const double inertia = mass_[i + 1] * inertia_;
         const Vec3 pull = stretch_[i] * strain(i);
-        block(i, i) += (inertia + stretch_[i]) * one;
-        force.row(i) += inertia * (motion_.y[i + 1] - x[i + 1]) - pull;
+        block(i, i) += (vertex_stiffness(i + 1) + stretch_[i]) * one;
+        force.row(i) += vertex_force(i + 1) - pull;
         if (touches) {
             block(i, i) += contacts_->hessian(i + 1, x[i + 1]);
             force.row(i) += contacts_->force(i + 1, x[i + 1]);

@@ -6,6 +6,7 @@
 //     frame
 //     + sum_i u_i' diag(kt_i, 0, kc_i) u_i / 2                twist and section, u_i the vector
 //     part of conj(q_{i-1} r_i) q_i
+//     + k_i/2 |x_i - p_i|^2                                   pins
 //     + the terms of contact.hpp
 // Source: Kugelstadt & Schoemer 2016, Hsu et al. 2025.
 #pragma once
@@ -87,6 +88,11 @@ class RodModel {
     JointStrain joint_strain(size_t segment, const std::vector<Vec3>& at,
                              const std::vector<Quat>& turned, double side) const;
     Quat bent(size_t segment) const { return expected(segment).conjugate() * q[segment]; }
+    // Of inertia and pin: minus the gradient, second derivative, and what they hold above their
+    // least.
+    Vec3 vertex_force(size_t vertex) const;
+    double vertex_stiffness(size_t vertex) const;
+    double vertex_energy(size_t vertex) const;
     Vec3 director(size_t segment) const { return q[segment] * Vec3::UnitX(); }
     Eigen::VectorXd direction() const;
     // Of articulated.cpp.
@@ -100,7 +106,8 @@ class RodModel {
     void follow_turns(const RodModel& from, const Eigen::VectorXd& w);
     bool turn_segments(); // whether a vertex moved far enough for another step
     bool wants_step(uint32_t k, bool moved) const;
-    bool deep() const; // any vertex, deeper than pull and push balance
+    bool deep() const;    // any vertex, deeper than pull and push balance
+    bool off_pin() const; // any vertex that its pin, far stiffer than its inertia, has not got to
 
     bool inextensible_;
     bool sweeps_sections_ = false;
@@ -108,7 +115,6 @@ class RodModel {
     const plait_lane_params* params_;
     Lane lane_;
     Motion motion_;
-    double inertia_; // (1 + c h)/h^2
     Quat root_frame_;
     std::vector<double> length_, stretch_, bend_, mass_;
     std::vector<double> length_before_;    // of the segment before a vertex
@@ -122,16 +128,16 @@ class RodModel {
 template <typename Args, typename Solve>
 void step_rods(uint32_t item_count, const plait_lane_params& params, const Args& args,
                const Solve& solve, bool inextensible = false) {
-    const RodBuffers buffers{
-        args.lane_strand,
-        args.rest,
-        args.pose,
-        args.lane_material,
-        args.lane_rest,
-        args.capsule,
-        args.lane_q,
-        args.lane_q_before,
-        {args.lane_x, args.lane_v, args.lane_x_before, args.lane_v_before, args.lane_acceleration}};
+    const RodBuffers buffers{args.lane_strand,
+                             args.rest,
+                             args.pose,
+                             args.lane_material,
+                             args.lane_rest,
+                             args.capsule,
+                             args.lane_q,
+                             args.lane_q_before,
+                             {args.lane_x, args.lane_v, args.lane_x_before, args.lane_v_before,
+                              args.lane_acceleration, args.lane_pin}};
     for (size_t slot = 0; slot < item_count; ++slot) {
         RodModel rod(buffers, params, slot, inextensible);
         solve(rod);

@@ -15,14 +15,26 @@ constexpr float steps_of_contact = 100.0f; // least rate, 1/h^2
 constexpr float contact_creep = 5e-4f;     // 1/s
 constexpr float rounding = 1e-6f;
 
+// The integrator's own step, s.
+float step_of(float h, uint32_t bdf2) {
+    return bdf2 ? h * 2.0f / 3.0f : h;
+}
+
 // A contact under a vertex' own weight is a hundred-thousandth of a strand deep, less than float32
 // loses at a metre from the origin; in short substeps stiff enough that nothing bounces. 1/s^2.
 float contact_rate(const float (&gravity)[3], float h, uint32_t bdf2, float length) {
     const float g = std::hypot(gravity[0], gravity[1], gravity[2]);
-    const float step = bdf2 ? h * 2.0f / 3.0f : h;
+    const float step = step_of(h, bdf2);
     return std::max(contact_stiffness * std::max(g, least_gravity) / length,
                     steps_of_contact / (step * step));
 }
+
+// Pins. Under 10 g of the whole strand a held vertex is off by a hundredth of a segment, and by
+// less in short substeps, where that is a soft spring, and the rest of what bounces is gone in a
+// few.
+constexpr float pin_hold = 1e4f;       // m/s^2
+constexpr float steps_of_pin = 100.0f; // least rate, 1/h^2
+constexpr float pin_pull = 300.0f;     // m/s^2: with 30 times its strand's weight at most
 
 Ramp ramp_of(const float (&knots)[4]) {
     return {{double(knots[0]), double(knots[1]), double(knots[2]), double(knots[3])}};
@@ -37,7 +49,7 @@ float contact_slip(float h, float length) {
 
 LaneSource::LaneSource(const ModelInput& input)
     : layout(input.layout), tile(input.tile), sag_free(input.sag_free),
-      accelerates(input.accelerates),
+      accelerates(input.accelerates), pins(input.pins),
       memory(input.memory), strands{{input.groom.strands.positions, input.memory},
                                     {input.groom.strands.vertex_counts, input.memory},
                                     {input.stiffness.begin(), input.stiffness.end(), input.memory}},
@@ -60,6 +72,8 @@ Status LanePart::open(Device& device) {
     PLAIT_TRY(make(device, x_, 3, "lane_x"));
     if (source_.accelerates)
         PLAIT_TRY(make(device, acceleration_, 3, "lane_acceleration"));
+    if (source_.pins)
+        PLAIT_TRY(make(device, pin_, 4, "lane_pin"));
     std::pmr::vector<uint32_t> strands(source_.memory);
     for (size_t lane = 0; lane < lanes_.padded_strands(); ++lane)
         strands.push_back(member(lane));
@@ -159,6 +173,16 @@ void LanePart::accelerate(Schedule& schedule, const Substep& at) const {
             lanes_.row);
 }
 
+void LanePart::pin(Schedule& schedule, const Substep& at) const {
+    const float step = step_of(at.h, bdf2_of(traits_, at.params));
+    schedule.add(PLAIT_STAGE_lane_pin, lanes_.strands,
+                 plait_lane_pin_params{lanes_.row, lanes_.tile, at.share, pin_hold,
+                                       steps_of_pin / (step * step), at.h, pin_pull},
+                 {&lane_strand_, &at.state.vertex_count, &at.state.rest, &at.state.pose,
+                  &fill_.material, &at.state.pin_from, &at.state.pin_to, &x_, &v_, &pin_},
+                 lanes_.row);
+}
+
 void LanePart::substep(Schedule& schedule, const Substep& at, float mean_length) {
     const plait_sim_params& p = at.params;
     plait_lane_params params{};
@@ -177,15 +201,18 @@ void LanePart::substep(Schedule& schedule, const Substep& at, float mean_length)
     params.contact_rate = contact_rate(p.gravity, at.h, params.bdf2, mean_length);
     params.contact_slip = contact_slip(at.h, mean_length);
     params.accelerates = acceleration_ ? 1 : 0;
+    params.pins = pin_ ? 1 : 0;
+    if (pin_)
+        pin(schedule, at);
     if (!traits_.bends)
         schedule.add(traits_.stage, lanes_.strands, params,
                      {&lane_strand_, &at.state.rest, &at.state.pose, &fill_.material, &at.capsules,
-                      &acceleration_, &x_, &v_, &history_.x, &history_.v},
+                      &acceleration_, &pin_, &x_, &v_, &history_.x, &history_.v},
                      lanes_.row);
     else
         schedule.add(traits_.stage, lanes_.strands, params,
                      {&lane_strand_, &at.state.rest, &at.state.pose, &fill_.material, &fill_.rest,
-                      &at.capsules, &acceleration_, &x_, &v_, &q_, &q_before_, &history_.x,
+                      &at.capsules, &acceleration_, &pin_, &x_, &v_, &q_, &q_before_, &history_.x,
                       &history_.v},
                      lanes_.row);
 }
@@ -261,7 +288,7 @@ uint64_t LanePart::device_bytes() const {
     uint64_t bytes = 0;
     for (const Buffer* buffer :
          {&fill_.material, &fill_.rest, &fill_.start, &x_, &v_, &q_, &q_before_, &history_.x,
-          &history_.v, &acceleration_, &lane_strand_})
+          &history_.v, &acceleration_, &pin_, &lane_strand_})
         bytes += buffer->bytes();
     return bytes;
 }

@@ -20,7 +20,7 @@ struct LaneSource {
     Layout layout; // of the whole sim
     uint32_t tile;
     plait_sag_free sag_free;
-    bool accelerates;
+    bool accelerates, pins;
     std::pmr::memory_resource* memory;
     RestStrands strands; // for when the material changes
     StrandMaterialsPtr materials;
@@ -96,6 +96,7 @@ class LanePart {
     Status make_fill(Device& device, Fill& fill, const Members& members, const Materials& materials,
                      const RestLoad& load) const;
     Status prepare_history(Device& device, const plait_sim_params& params);
+    void pin(Schedule& schedule, const Substep& at) const;
     bool keeps_fill_of(const LanePart& other) const;
     template <typename Place> Result<Moves> list_moves(Device& device, const Place& place) const;
     void move(Schedule& schedule, const Moves& moves, uint32_t components, const Buffer& from,
@@ -126,6 +127,7 @@ class LanePart {
     bool has_next_fill_ = false, has_next_history_ = false;
     Buffer x_, v_, q_, q_before_;
     Buffer acceleration_; // only with accelerations
+    Buffer pin_;          // only with pins
     History history_, next_history_;
     Buffer lane_strand_; // uint [lanes of whole tiles]
 };

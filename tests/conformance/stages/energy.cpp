@@ -29,6 +29,8 @@ struct Strand {
     std::vector<Vec3> section; // (kt, 0, kc)
     std::vector<Quat> rest;
     std::vector<Vec3> acceleration; // beside gravity
+    std::vector<Vec3> pin;          // relative to the root
+    std::vector<double> held;       // N/m, by the pin
     Quat root;
     Vec3 root_at;
 };
@@ -36,9 +38,9 @@ struct Strand {
 // Index of each buffer in the setups of lane_setup().
 struct Places {
     size_t rest = 1, pose = 2, material = 3, turns = 4, x, v, q = 0, q_before = 0;
-    size_t capsules, accelerations;
+    size_t capsules, accelerations, pins;
     explicit Places(bool bends)
-        : x(bends ? 7 : 6), v(x + 1), capsules(x - 2), accelerations(x - 1) {
+        : x(bends ? 8 : 7), v(x + 1), capsules(x - 3), accelerations(x - 2), pins(x - 1) {
         if (bends)
             q = v + 1, q_before = v + 2;
     }
@@ -81,6 +83,9 @@ Strand strand_of(const Setup& setup, size_t strand, bool bends, bool sections) {
         s.section.emplace_back(sections ? double(m[PLAIT_LANE_TWIST]) : 0, 0,
                                sections ? double(m[PLAIT_LANE_CROSS]) : 0);
         s.acceleration.push_back(vec3_at(setup.buffers[at.accelerations], row));
+        s.pin.push_back(vec3_at(setup.buffers[at.pins], row, 4));
+        s.held.push_back(
+            double(setup.buffers[at.pins].floats[4 * row + 3])); // 0 where they are off
         if (bends)
             s.rest.push_back(quat_at(setup.buffers[at.turns], row));
         if (m[PLAIT_LANE_LENGTH] == 0)
@@ -104,6 +109,13 @@ double elastic(const Strand& s, const State& at) {
     return sum;
 }
 
+double held_by_pins(const Strand& s, const State& at) {
+    double sum = 0;
+    for (size_t i = 1; i < s.mass.size(); ++i)
+        sum += s.held[i] / 2 * (at.x[i] - s.pin[i]).squaredNorm();
+    return sum;
+}
+
 struct Forces {
     double h, drag;
     Vec3 push;
@@ -116,7 +128,7 @@ struct Forces {
 // What a substep of backward Euler minimises.
 double potential(const Strand& s, const Forces& f, const Vec3& shift, const State& from,
                  const State& to) {
-    double sum = elastic(s, to);
+    double sum = elastic(s, to) + held_by_pins(s, to);
     for (size_t i = 1; i < s.mass.size(); ++i) {
         const Vec3 w = (from.v[i] + f.h * (f.push + s.acceleration[i])) / (1 + f.drag * f.h);
         const Vec3 lag = to.x[i] - (from.x[i] + shift + f.h * w);
@@ -131,7 +143,7 @@ struct Balance {
 
 Balance balance(const Strand& s, const Forces& f, const Vec3& shift, const State& from,
                 const State& to) {
-    Balance b{elastic(s, from) - elastic(s, to), 0};
+    Balance b{elastic(s, from) - elastic(s, to) + held_by_pins(s, from) - held_by_pins(s, to), 0};
     const double gain = 1 + f.drag * f.h;
     const double still = 1e-10 / (f.h * f.h); // 1e-5 of its distance from the root is rounding
     for (size_t i = 1; i < s.mass.size(); ++i) {
@@ -270,6 +282,25 @@ void no_contact_gives_energy(Bench& bench, plait_stage stage, uint32_t iteration
     EXPECT_LT(count.limited, count.all);
 }
 
+// What a pin gives is what its spring held.
+void no_pin_gives_energy(Bench& bench, plait_stage stage, uint32_t iterations, bool bends,
+                         bool sections) {
+    Count count;
+    for (const Size& size : {Size{67, 16}, Size{7, 31}}) {
+        const LaneHair lanes = make_lane_hair_spun(size, 7);
+        const plait_lane_params params = lane_params(size, iterations, 0);
+        Setup setup = pinned(lane_setup(size, lanes, params, bends), lanes, bends);
+        stop(setup, bends);
+        for (int i = 0; i < 12; ++i) {
+            const Setup next = after(bench, stage, setup);
+            check_substep(setup, next, bends, sections, count);
+            setup = next;
+        }
+    }
+    EXPECT_GT(count.limited, 0u); // else nothing was tried
+    EXPECT_LT(count.limited, count.all);
+}
+
 void no_substep_gives_energy(Bench& bench, plait_stage stage, uint32_t iterations, bool bends,
                              bool sections) {
     constexpr int substeps = 12;
@@ -292,18 +323,22 @@ void no_substep_gives_energy(Bench& bench, plait_stage stage, uint32_t iteration
 void chain_gives_no_energy(Bench& bench) {
     no_substep_gives_energy(bench, PLAIT_STAGE_chain, 1, false, false);
     no_contact_gives_energy(bench, PLAIT_STAGE_chain, 1, false, false);
+    no_pin_gives_energy(bench, PLAIT_STAGE_chain, 1, false, false);
 }
 void cosserat_gives_no_energy(Bench& bench) {
     no_substep_gives_energy(bench, PLAIT_STAGE_cosserat, 1, true, true);
     no_contact_gives_energy(bench, PLAIT_STAGE_cosserat, 1, true, true);
+    no_pin_gives_energy(bench, PLAIT_STAGE_cosserat, 1, true, true);
 }
 void rod_gives_no_energy(Bench& bench) {
     no_substep_gives_energy(bench, PLAIT_STAGE_rod, 0, true, true);
     no_contact_gives_energy(bench, PLAIT_STAGE_rod, 0, true, true);
+    no_pin_gives_energy(bench, PLAIT_STAGE_rod, 0, true, true);
 }
 void articulated_gives_no_energy(Bench& bench) {
     no_substep_gives_energy(bench, PLAIT_STAGE_articulated, 0, true, true);
     no_contact_gives_energy(bench, PLAIT_STAGE_articulated, 0, true, true);
+    no_pin_gives_energy(bench, PLAIT_STAGE_articulated, 0, true, true);
 }
 
 // One iteration more, from the same state.

@@ -73,6 +73,9 @@ Value depth(const MetricInput& in);
 Value segment_strain(const MetricInput& in);
 Value strand_strain(const MetricInput& in);
 Value stretched_frames(const MetricInput& in);
+// metrics_pins.cpp: of strands between two points
+Value catenary_sag(const MetricInput& in);
+Value catenary_pull(const MetricInput& in);
 // metrics_rest.cpp: of shapes at rest
 Value tip_error(const MetricInput& in);
 Value static_error(const MetricInput& in);

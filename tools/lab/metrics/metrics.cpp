@@ -204,6 +204,8 @@ constexpr Metric metrics[] = {
     {"static_tip_error", "L", static_tip_error},
     {"static_floor", "L", static_floor},
     {"static_tip_over_floor", "", static_tip_over_floor},
+    {"catenary_sag", "L", catenary_sag},
+    {"catenary_pull", "", catenary_pull},
     {"strain_max", "", strain_max},
     {"strain_rest", "", strain_rest},
     {"segment_strain", "", segment_strain, true},

@@ -93,12 +93,15 @@ uint64_t count_nonfinite(const Frame& frame) {
 } // namespace
 
 plait_sim_desc describe(const Scene& scene, const Method& method) {
+    if (scene.tip_pin && (method.model->baseline() || method.model->model == PLAIT_MODEL_TRESSFX))
+        throw Failure("the scene has a tip_pin, and " + method.model->label + " takes no pins");
     plait_sim_desc desc = plait_sim_desc_defaults();
     desc.model = method.model->model;
     desc.step = static_cast<float>(1 / scene.rate);
     desc.substeps = resolved(*method.model, method.setting, scene).substeps;
     desc.max_steps_per_call = 1;
     desc.follows_per_guide = scene.follows_per_guide;
+    desc.pins = scene.tip_pin ? 1 : 0;
     plait_sim_params& p = desc.params = scene.params;
     to_floats(scene.gravity, p.gravity);
     p.iterations = std::min(method.setting.iterations, 64u);
@@ -142,8 +145,24 @@ Stage::Stage(plait_context* context, const Scene& scene, const Method& method, u
         check(plait_collider_create(sim_.get(), &shape, &id));
         colliders_.push_back(id);
     }
+    if (scene.tip_pin)
+        pin_tips(*scene.tip_pin);
     if (copies == 1)
         rest_ = read_field(PLAIT_FIELD_POSITION);
+}
+
+void Stage::pin_tips(const TipPin& pin) {
+    std::vector<plait_pin> pins;
+    for (size_t k = 0; k < copies_ * scene_.strands.size(); ++k) {
+        const size_t vertices = rest_[k % scene_.strands.size()].size();
+        pins.push_back({static_cast<uint32_t>(k),
+                        static_cast<uint32_t>(vertices - 1),
+                        PLAIT_PIN_FRAME_WORLD,
+                        {},
+                        static_cast<float>(pin.stiffness)});
+        to_floats(pin.at, pins.back().target);
+    }
+    check(plait_sim_set_pins(sim_.get(), pins.data(), pins.size()));
 }
 
 void Stage::start_at(const Pose& pose) {

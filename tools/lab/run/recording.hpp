@@ -45,6 +45,7 @@ class Stage {
     const std::vector<std::vector<Vec3>>& rest() const { return rest_; }
 
   private:
+    void pin_tips(const TipPin& pin);
     void start_at(const Pose& pose);
     void pose_colliders(double time);
     double teleport(const Pose& to);

@@ -206,6 +206,16 @@ SceneCollider read_moving(JsonReader in, double unit_time) {
     return collider;
 }
 
+TipPin read_tip_pin(JsonReader in) {
+    TipPin pin;
+    if (!in.value("at"))
+        in.fail("at", "is missing: where the tip is drawn to, m");
+    pin.at = read_vector(in, "at", Vec3::Zero());
+    in.number("stiffness", pin.stiffness, 1e-12, double(PLAIT_PIN_HELD));
+    in.finish();
+    return pin;
+}
+
 // A number, or a property of the scene.
 double property(JsonReader& in, const std::string& key, const Json& value, const Scene& scene) {
     if (value.is_number())
@@ -420,6 +430,8 @@ Scene read_scene(const Json& document, const Origin& origin) {
     top.each("colliders", [&](const JsonReader& in) {
         scene.colliders.push_back(read_moving(in, scene.unit_time));
     });
+    if (const Json* pin = top.value("tip_pin"))
+        scene.tip_pin = read_tip_pin(top.object(*pin, "tip_pin"));
     read_measures(top, scene);
     top.finish();
     return scene;

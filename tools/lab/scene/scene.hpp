@@ -25,6 +25,12 @@ struct SceneCollider {
     Motion motion;
 };
 
+// What the tip of every strand is pinned to.
+struct TipPin {
+    Vec3 at;                                   // m, in the world
+    double stiffness = double(PLAIT_PIN_HELD); // N/m
+};
+
 // What a number is compared with: a table of tests/data, the scene's own strand let go in its plane
 // (plane_fall.hpp), its converged run, or the limit of many segments (continuum.hpp).
 struct Reference {
@@ -70,6 +76,7 @@ struct Scene {
     std::string device, backend;
     Motion motion;
     std::vector<SceneCollider> colliders;
+    std::optional<TipPin> tip_pin;
     std::optional<Reference> reference;
     std::vector<Measure> measures;
 

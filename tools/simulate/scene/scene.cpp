@@ -11,7 +11,7 @@ using plait_generator::Style;
 
 namespace {
 
-constexpr std::array style_names{"long", "braid", "curly", "short"};
+constexpr std::array style_names{"long", "braid", "curly", "short", "ponytail"};
 
 // A path in a scene file is relative to that file, one on the command line to the working
 // directory.
@@ -40,7 +40,10 @@ void read_style(const JsonReader& top, const Json& value, Style& style) {
                                        {"curl_variation", &Style::curl_variation},
                                        {"bundle_radius", &Style::bundle_radius},
                                        {"braid_pitch", &Style::braid_pitch},
-                                       {"braid_length", &Style::braid_length}};
+                                       {"braid_length", &Style::braid_length},
+                                       {"holder_radius", &Style::holder_radius},
+                                       {"holder_height", &Style::holder_height},
+                                       {"tail_length", &Style::tail_length}};
     JsonReader in = top.object(value, "style");
     for (const Field& field : fields)
         in.number(field.key, style.*field.member, -1e6, 1e6);
@@ -68,8 +71,9 @@ void read_groom(JsonReader& top, const Origin& origin, Scene& scene) {
     groom.generated = known != style_names.end();
     if (!groom.generated) {
         if (groom.name.find('.') == std::string::npos)
-            top.fail("groom", "is \"" + groom.name +
-                                  "\", neither a file nor one of long, braid, curly, short");
+            top.fail("groom",
+                     "is \"" + groom.name +
+                         "\", neither a file nor one of long, braid, curly, short, ponytail");
         if (style)
             top.fail("style", "is for generated grooms; \"" + groom.name + "\" is a file");
         groom.name = resolve(groom.name, "groom", origin);
@@ -125,6 +129,30 @@ void read_moving_colliders(JsonReader& top, std::vector<Collider>& colliders) {
         in.finish();
         colliders.push_back(std::move(collider));
     });
+}
+
+// Absent: what holds the hairstyle together.
+void read_pins(JsonReader& top, Scene& scene) {
+    if (scene.groom.generated)
+        for (const plait_generator::Tie& tie : make_ties(scene.groom.style))
+            scene.pins.push_back({{tie.at[0], tie.at[1], tie.at[2]}, tie.radius});
+    std::vector<Tie> list;
+    const bool given = top.each("pins", [&](JsonReader in) {
+        Tie tie;
+        if (!in.numbers("at", tie.at, -1e6, 1e6))
+            in.fail("at", "is missing: the middle of what holds the hair, m");
+        if (!in.number("radius", tie.radius, 0, 1e6))
+            in.fail("radius", "is missing: hair within it is held, m");
+        in.number("stiffness", tie.stiffness, 1e-12, double(PLAIT_PIN_HELD));
+        in.flag("moves_with_head", tie.moves_with_head);
+        in.finish();
+        list.push_back(tie);
+    });
+    if (!given)
+        return;
+    if (!list.empty() && scene.sim.model == PLAIT_MODEL_TRESSFX)
+        top.fail("pins", "are given, and strands of the model tressfx take none");
+    scene.pins = std::move(list);
 }
 
 void read_camera(const JsonReader& top, const Json& value, CameraChoice& camera) {
@@ -291,6 +319,7 @@ Scene make_scene(const std::string& file, const Json& command_line) {
     read_head(top, origin, scene.head);
     read_colliders(top, scene.colliders);
     read_moving_colliders(top, scene.moving_colliders);
+    read_pins(top, scene);
     if (top.text("motion", scene.motion) && scene.motion.find('.') != std::string::npos)
         scene.motion = resolve(scene.motion, "motion", origin);
     read_output(top, origin, scene);

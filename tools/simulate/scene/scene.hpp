@@ -25,6 +25,14 @@ struct Collider {
         {}; // of its own motion about its middle; then it is drawn, too
 };
 
+// Hair within `radius` of `at` in the groom is held where it is.
+struct Tie {
+    Vector at{};                      // m
+    float radius = 0.0f;              // m
+    float stiffness = PLAIT_PIN_HELD; // N/m, of each vertex
+    bool moves_with_head = true;
+};
+
 struct GroomChoice {
     std::string name = "long";    // a generated style, or a file
     plait_generator::Style style; // when generated
@@ -68,7 +76,8 @@ struct Scene {
     PictureChoice pictures;
     std::optional<std::vector<Collider>> colliders; // absent: made for the groom
     std::vector<Collider> moving_colliders;         // beside those
-    std::string motion = "shake_and_turn";          // a name or a file
+    std::vector<Tie> pins;
+    std::string motion = "shake_and_turn"; // a name or a file
     float seconds = 4.0f;
     float settle = 0.0f; // s before the motion, with the head as it begins
     uint32_t rate = 60;  // fixed steps and frames a second

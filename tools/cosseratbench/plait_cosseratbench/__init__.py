@@ -1,0 +1,1 @@
+"""plait's strand models as solvers of cosseratbench, through plait's C API."""
