@@ -348,7 +348,8 @@ TEST_P(Pins, AreInSnapshots) {
     plait::Sim other(context, make_groom(tuft(3, 8)), desc);
     other.set_pins({hold(0, 3)});
     other.restore(saved);
-    EXPECT_EQ(go_on(other), goes_on);
+    // `reference` keeps doubles and a snapshot floats: there the futures differ by rounding.
+    EXPECT_LT(largest_difference(go_on(other), goes_on), GetParam() == "opencl" ? 1e-30f : 1e-6f);
     EXPECT_EQ(other.read(PLAIT_FIELD_PIN), sim.read(PLAIT_FIELD_PIN));
     // without any, and into a sim that has none
     auto without = desc;
