@@ -83,6 +83,9 @@ void fill(plait_attach_params& p, const Shape& shape) {
 void fill(plait_follow_params& p, const Shape& shape) {
     p = {shape.vertices, shape.strands, 0.5f, PLAIT_FOLLOW_ROTATING};
 }
+void fill(plait_follow_turns_params& p, const Shape& shape) {
+    p = {shape.vertices, shape.strands};
+}
 void fill(plait_grid_clear_params& p, const Shape&) {
     p.value = PLAIT_SLOT_EMPTY;
 }
@@ -255,6 +258,38 @@ Words lengths(const Shape& shape) {
     return words;
 }
 
+// Neighbours of one another.
+Words three_guides(const Shape& shape) {
+    Words words;
+    for (uint32_t follow = 0; follow < shape.strands; ++follow)
+        for (const uint32_t next : {0u, 1u, 2u, 0u})
+            words.push_back((follow + next) % shape.strands);
+    return words;
+}
+
+// Half way between two turns of each guide.
+Words places(const Shape& shape) {
+    Words words;
+    for (size_t vertex = 0; vertex < shape.total(); ++vertex) {
+        const float place = static_cast<float>(vertex % shape.vertices) - 0.5f;
+        const float held = std::clamp(place, 0.0f, static_cast<float>(shape.vertices - 2));
+        append(words, held, held, held, 0);
+    }
+    return words;
+}
+
+// The root, and what leads from each vertex to the next.
+Words segments(const Shape& shape) {
+    Words words = strands(shape, 0);
+    const float length = strand_length / static_cast<float>(shape.vertices - 1);
+    for (size_t vertex = 0; vertex < shape.total(); ++vertex)
+        if (vertex % shape.vertices > 0) {
+            words[4 * vertex] = words[4 * vertex + 2] = word(0);
+            words[4 * vertex + 1] = word(-length);
+        }
+    return words;
+}
+
 Words with_follows(const Shape& shape) {
     Words words = strands(shape, 0);
     words.resize(2 * words.size());
@@ -355,6 +390,11 @@ const std::map<std::string, Maker>& makers() {
         {"capsule", [](const Shape&) { return capsules(); }},
         {"follow_guide", [](const Shape& s) { return counting(s.strands); }},
         {"follow_offset", [](const Shape& s) { return vectors(s.strands, 0.002f, 0, 0.001f, 0); }},
+        {"follow_guides", three_guides},
+        {"follow_weight", [](const Shape& s) { return vectors(s.strands, 0.5f, 0.3f, 0.2f, 0); }},
+        {"follow_place", places},
+        {"follow_rest", segments},
+        {"guide_turn", [](const Shape& s) { return vectors(s.total(), 0, 0, 0, 1); }},
         {"grid_slot", slots},
         {"lane_material", lane_material},
         {"lane_rest",
@@ -434,13 +474,19 @@ uint32_t item_width(plait_stage stage, const Shape& shape) {
     }
 }
 
+namespace {
+bool places_follows(plait_stage stage) {
+    return stage == PLAIT_STAGE_follow || stage == PLAIT_STAGE_follow_turns;
+}
+} // namespace
+
 // Elements of a buffer by buffers.def, whose expressions take these names.
 size_t elements_of(const std::string& name, plait_stage stage, const Shape& shape) {
     constexpr size_t VOXELS = voxels, SLOTS = slot_capacity, COLLIDERS = colliders;
     const size_t ITEMS = item_count(stage, shape), STRANDS = shape.strands, ROW = shape.vertices,
                  VERTICES = shape.total(), POINTS = VERTICES,
                  TILED = (STRANDS + shape.tile - 1) / shape.tile * shape.tile * ROW,
-                 FOLLOWERS = stage == PLAIT_STAGE_follow ? STRANDS : 0;
+                 FOLLOWERS = places_follows(stage) ? STRANDS : 0;
 #define PLAIT_BUFFER(buffer, when, extent, components)                                             \
     if (name == #buffer)                                                                           \
         return extent;
@@ -450,7 +496,7 @@ size_t elements_of(const std::string& name, plait_stage stage, const Shape& shap
 
 std::vector<uint32_t> typical_buffer(const plait_stage_info& stage, const plait_stage_arg& arg,
                                      const Shape& shape) {
-    if (stage.stage == PLAIT_STAGE_follow && std::string(arg.name) == "position")
+    if (places_follows(stage.stage) && std::string(arg.name) == "position")
         return with_follows(shape);
     const std::string_view name = arg.name;
     if (stage.stage != PLAIT_STAGE_lane_accelerate && arg.access == PLAIT_ACCESS_READ &&

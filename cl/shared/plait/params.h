@@ -88,8 +88,8 @@ typedef struct plait_roots_params {
     plait_u32 per_root; /* 0: root_from/root_to are null and not read */
 } plait_roots_params;
 
-/* skin, reset, teleport, tangents, snapshot, last_frame, stats: stages that need only the layout.
- */
+/* skin, reset, teleport, guide_turns, tangents, snapshot, last_frame, stats: stages that need only
+ * the layout. */
 typedef struct plait_layout_params {
     plait_u32 vertex_stride; /* V: vertices per strand row, 2..256 */
 } plait_layout_params;
@@ -177,6 +177,12 @@ typedef struct plait_follow_params {
     float tip_separation;
     plait_u32 form; /* PLAIT_FOLLOW_* */
 } plait_follow_params;
+
+/* follow_turns: follow strands by the turns of their guides. */
+typedef struct plait_follow_turns_params {
+    plait_u32 vertex_stride;
+    plait_u32 guide_count;
+} plait_follow_turns_params;
 
 /* grid_clear: fill words of a grid buffer. */
 typedef struct plait_grid_clear_params {

@@ -65,7 +65,8 @@ class Shape {
 
     size_t items_;
     size_t stride_ = 0;
-    size_t strands_ = 0;  // rows whose state is read or written; the guides in follow
+    size_t strands_ =
+        0; // rows whose state is read or written; the guides in follow and follow_turns
     size_t vertices_ = 0; // of those rows
     size_t followers_ = 0;
     size_t colliders_ = 0;

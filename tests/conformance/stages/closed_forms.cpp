@@ -365,6 +365,37 @@ void follow_turns_with_the_guide(Bench& bench) {
     expect_near(place(PLAIT_FOLLOW_ROTATING), {-1, 0, 0, 0, -1.5f, 1, 0, 1, -1.5f, 1, 0, 1});
 }
 
+// Four segments of 1 m around a square: three quarters of a turn, not one quarter back.
+void guide_turns_go_on_beyond_half_a_turn(Bench& bench) {
+    const auto out = bench.run(
+        PLAIT_STAGE_guide_turns, 1, 1, plait_layout_params{6},
+        {float4s({0, 0, 0, 0, 1, 0, 0, 1, 2, 0, 0, 1, 3, 0, 0, 1, 4, 0, 0, 1, 4, 0, 0, 1}),
+         float4s(unit_pose), uints({5}),
+         float4s({0, 0, 0, 0, 1, 0, 0, 1, 1, 1, 0, 1, 0, 1, 0, 1, 0, 0, 0, 1, 9, 9, 9, 1}),
+         unwritten_float4s(6)});
+    expect_near(out[4], {0, 0, 0,   1,    0, 0, s45, s45,  0, 0, 1,   0,
+                         0, 0, s45, -s45, 0, 0, s45, -s45, 0, 0, s45, -s45});
+}
+
+// Between a guide at rest and one that has turned by 270 degrees: by 135, whichever of its two
+// quaternions the second one's root has. One guide alone: by all of that.
+void follow_turns_by_the_mean(Bench& bench) {
+    const auto place = [&](const std::vector<float>& weights, float sign) {
+        const auto out = bench.run(
+            PLAIT_STAGE_follow_turns, 1, 1, plait_follow_turns_params{3, 2},
+            {float4s({0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, sign, 0, 0, 2, 0}),
+             float4s({0, 0, 0, 1,    0, 0, 0,          1,           0, 0, 0,          1,
+                      0, 0, 0, sign, 0, 0, sign * s45, -sign * s45, 0, 0, sign * s45, -sign * s45}),
+             uints({0, 1, 0, 0}), float4s(weights), float4s({0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0}),
+             float4s({5, 0, 0, 0, 1, 0, 0, 1, 0, 0, 0, 1}), unwritten_float4s(9)});
+        return floats({out[6].floats.begin() + 24, out[6].floats.end()});
+    };
+    for (const float sign : {1.0f, -1.0f})
+        expect_near(place({.5f, .5f, 0, 0}, sign),
+                    {5, 0, 1, 0, 5 - s45, s45, 1, 1, 5 - s45, s45, 1, 1});
+    expect_near(place({1, 0, 0, 0}, 1), {5, 0, 0, 0, 6, 0, 0, 1, 6, 0, 0, 1});
+}
+
 void tangents_point_to_the_tip(Bench& bench) {
     const auto out =
         bench.run(PLAIT_STAGE_tangents, 4, 1, plait_layout_params{4},
@@ -435,6 +466,8 @@ const std::vector<ClosedForm>& strand_closed_forms() {
         PLAIT_CLOSED_FORM(reset_and_teleport_are_rigid),
         PLAIT_CLOSED_FORM(output_blends_in_the_root_frame),
         PLAIT_CLOSED_FORM(follow_turns_with_the_guide),
+        PLAIT_CLOSED_FORM(guide_turns_go_on_beyond_half_a_turn),
+        PLAIT_CLOSED_FORM(follow_turns_by_the_mean),
         PLAIT_CLOSED_FORM(tangents_point_to_the_tip),
         PLAIT_CLOSED_FORM(tangents_are_never_zero),
         PLAIT_CLOSED_FORM(stats_measure_stretch),
