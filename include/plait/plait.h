@@ -97,6 +97,7 @@ PLAIT_API uint32_t plait_version(void);
 
 typedef struct plait_context plait_context;
 typedef struct plait_groom plait_groom;
+typedef struct plait_follow_map plait_follow_map;
 typedef struct plait_sim plait_sim;
 
 /* Generational id of a collider inside its sim; zero is null. */
@@ -307,6 +308,43 @@ PLAIT_API plait_result plait_groom_read(const plait_groom* groom, plait_groom_fi
                                         void* dst, size_t* size);
 PLAIT_API void plait_groom_destroy(plait_groom* groom); /* sims keep what they need */
 
+/* ---- strands that follow -------------------------------------------------------------------- */
+
+/* Strands that are not simulated, each with up to four of the strands that are, its guides, and what
+ * share of it follows which. Immutable, and shareable as grooms are. See docs/follows.md. */
+typedef struct plait_follow_map_desc {
+    uint32_t struct_size;
+    const plait_groom* follows; /* the strands, at rest, in the space of the guides' groom */
+    uint32_t guide_count;       /* strands of the guides' groom, at least 1 */
+    plait_view guides;  /* uint32_t[4] [follows], each below guide_count; of weight 0 not read */
+    plait_view weights; /* float[4] [follows], each [0, 1], of a strand sum 1 within 1e-3 */
+} plait_follow_map_desc;
+
+PLAIT_API void plait_follow_map_desc_init(plait_follow_map_desc* desc, size_t size);
+PLAIT_API plait_result plait_follow_map_create(const plait_follow_map_desc* desc,
+                                               plait_follow_map** out);
+
+/* Chooses `guides` strands of a groom, [1, all of them], whose roots are spread evenly, as a groom
+ * of their own, `out`, and makes all others follow the four nearest to them on their side of a
+ * parting (directions within 60 degrees), the nearer the more. The same groom and seed give the
+ * same strands. Takes strands x guides distances. Both are to be destroyed. */
+PLAIT_API plait_result plait_groom_guides(const plait_groom* groom, size_t guides, uint64_t seed,
+                                          plait_groom** out, plait_follow_map** map);
+
+typedef enum plait_follow_map_field {
+    PLAIT_FOLLOW_MAP_FIELD_GUIDES = 0,  /* uint32_t[4] [follows], the greatest weight first */
+    PLAIT_FOLLOW_MAP_FIELD_WEIGHTS = 1, /* float[4] [follows], sum 1 */
+    /* uint32_t [guides and follows], in the order of a sim's strands: which strand of the groom it
+       is that plait_groom_guides chose from; none of a map made by plait_follow_map_create */
+    PLAIT_FOLLOW_MAP_FIELD_STRANDS = 2,
+    PLAIT_FOLLOW_MAP_FIELD_FORCE_32 = 0x7fffffff
+} plait_follow_map_field;
+
+/* dst == NULL: writes the needed size in bytes to *size (0: the map lacks it). */
+PLAIT_API plait_result plait_follow_map_read(const plait_follow_map* map,
+                                             plait_follow_map_field field, void* dst, size_t* size);
+PLAIT_API void plait_follow_map_destroy(plait_follow_map* map); /* sims keep what they need */
+
 /* ---- simulation ----------------------------------------------------------------------------- */
 
 typedef enum plait_model {
@@ -391,9 +429,9 @@ typedef struct plait_sim_params {
     float vsp_coeff;               /* [0, 1], default 0.8 */
     float vsp_accel_threshold;     /* m, [0, 1e6], default 1.4 */
     float max_displacement;        /* clamp per substep, m, (0, 1e6], default 1e6: off */
-    float tip_separation;          /* [0, 100], default 0 */
+    float tip_separation;          /* of follows_per_guide, [0, 100], default 0 */
     plait_wind_form wind_form;     /* default DRAG */
-    plait_follow_form follow_form; /* default ROTATING */
+    plait_follow_form follow_form; /* of follows_per_guide, default ROTATING */
     plait_shock_form shock_form;   /* default THRESHOLD */
     plait_stage_order order;       /* default PUBLISHED */
 
@@ -537,7 +575,10 @@ typedef struct plait_sim_desc {
     uint32_t follows_per_guide;  /* [0, 64], default 0 */
     float follow_radius;         /* m, [0, 1], default 0.003 */
     uint64_t seed;               /* follow offsets and slot hash */
-    plait_view strand_stiffness; /* float [guides] or empty: factor of each strand's bend and
+    /* NULL, or strands that follow by turns: of this groom's guides, and in place of those of
+       follows_per_guide, which must be 0. V is that of the longest, guide or follow */
+    const plait_follow_map* follow_map;
+    plait_view strand_stiffness;     /* float [guides] or empty: factor of each strand's bend and
                                     twist stiffness, [0, 1e6]; not chain. Copied */
     const plait_material* materials; /* [material_count] or NULL. Copied, as by
                                         plait_sim_set_materials, which changes them later */
@@ -558,8 +599,8 @@ PLAIT_API plait_result plait_context_prepare(plait_context* context, const plait
                                              size_t count, uint32_t vertices_per_strand);
 
 /* Strands are stored [strands][V], V the groom's longest; shorter strands are padded with copies of
- * their tip. Guides come first, then follows, guide by guide. The head starts at the identity.
- * `desc` NULL: all defaults. Context and groom may be destroyed before the sim.
+ * their tip. Guides come first, then follows, guide by guide or as in the map. The head starts at
+ * the identity. `desc` NULL: all defaults. Context, groom and map may be destroyed before the sim.
  * Waits: what is on the device when it returns is the hair at rest, ready to be drawn or stepped.
  * Logs warnings: strands whose lengths are not those of hair, a sag-free start that was not reached
  * or needed much stiffening (plait_sim_info.warning), and parameters away from their defaults that
@@ -577,10 +618,10 @@ PLAIT_API plait_result plait_sim_reset(plait_sim* sim);
 /* What a sim is, what it has done, and the result of its sag-free start. */
 typedef struct plait_sim_info {
     uint32_t struct_size;
-    plait_model model; /* that it was made with; now: plait_sim_get_models */
-    uint64_t guides;   /* strands that are simulated: those of the groom */
-    uint64_t strands;  /* guides and follows */
-    uint32_t follows_per_guide;
+    plait_model model;            /* that it was made with; now: plait_sim_get_models */
+    uint64_t guides;              /* strands that are simulated: those of the groom */
+    uint64_t strands;             /* guides and follows */
+    uint32_t follows_per_guide;   /* 0 with a follow_map */
     uint32_t vertices_per_strand; /* V, the row length */
     float step;                   /* fixed step, s */
     uint32_t substeps;            /* per fixed step */
@@ -717,7 +758,8 @@ typedef enum plait_field {
     PLAIT_FIELD_GRID_DENSITY = 5,  /* float [nv^3], x fastest, then z, then y: y*nv^2 + z*nv + x */
     PLAIT_FIELD_GRID_VELOCITY = 6, /* float[4] [nv^3]: mean velocity, the grid's frame; rms speed */
     PLAIT_FIELD_POSITION_PREV = 7, /* float[4] [guides][V]: Verlet history */
-    PLAIT_FIELD_FOLLOW_GUIDE = 8, /* uint32_t [follows]: the guide that strand guides + i follows */
+    /* uint32_t [follows]: the guide that strand guides + i follows, with a follow_map the most */
+    PLAIT_FIELD_FOLLOW_GUIDE = 8,
     /* float[4] [strands][V]: POSITION before the last plait_sim_step, for motion vectors; after
        creation, a teleport or a reset POSITION itself. With keep_last_frame */
     PLAIT_FIELD_POSITION_LAST_FRAME = 9,
@@ -886,6 +928,7 @@ PLAIT_DEFAULTS(plait_context_desc)
 PLAIT_DEFAULTS(plait_import_options)
 PLAIT_DEFAULTS(plait_groom_desc)
 PLAIT_DEFAULTS(plait_groom_info)
+PLAIT_DEFAULTS(plait_follow_map_desc)
 PLAIT_DEFAULTS(plait_param_info)
 PLAIT_DEFAULTS(plait_fibre)
 PLAIT_DEFAULTS(plait_material)

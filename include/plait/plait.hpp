@@ -102,6 +102,9 @@ class Context : public detail::Owner<plait_context, plait_context_destroy> {
     }
 };
 
+class FollowMap;
+struct Guides;
+
 class Groom : public detail::Owner<plait_groom, plait_groom_destroy> {
   public:
     explicit Groom(const plait_groom_desc& desc,
@@ -131,6 +134,9 @@ class Groom : public detail::Owner<plait_groom, plait_groom_destroy> {
         return values;
     }
 
+    // `count` strands of it as guides, and the map by which the others follow.
+    inline Guides guides(std::size_t count, std::uint64_t seed = 0) const;
+
   private:
     explicit Groom(plait_groom* handle) : Owner(handle) {}
     static plait_groom* create(const plait_groom_desc& desc, const plait_import_options& options) {
@@ -140,7 +146,42 @@ class Groom : public detail::Owner<plait_groom, plait_groom_destroy> {
     }
 };
 
-// Its context and its groom may go before it.
+class FollowMap : public detail::Owner<plait_follow_map, plait_follow_map_destroy> {
+  public:
+    explicit FollowMap(const plait_follow_map_desc& desc) : Owner(create(desc)) {}
+
+    // T: float for WEIGHTS, else std::uint32_t.
+    template <typename T> std::vector<T> read(plait_follow_map_field field) const {
+        std::size_t size = 0;
+        check(plait_follow_map_read(get(), field, nullptr, &size));
+        std::vector<T> values(size / sizeof(T));
+        check(plait_follow_map_read(get(), field, values.data(), &size));
+        return values;
+    }
+
+  private:
+    friend class Groom;
+    explicit FollowMap(plait_follow_map* handle) : Owner(handle) {}
+    static plait_follow_map* create(const plait_follow_map_desc& desc) {
+        plait_follow_map* handle = nullptr;
+        check(plait_follow_map_create(&desc, &handle));
+        return handle;
+    }
+};
+
+struct Guides {
+    Groom groom;
+    FollowMap map;
+};
+
+inline Guides Groom::guides(std::size_t count, std::uint64_t seed) const {
+    plait_groom* groom = nullptr;
+    plait_follow_map* map = nullptr;
+    check(plait_groom_guides(get(), count, seed, &groom, &map));
+    return {Groom(groom), FollowMap(map)};
+}
+
+// Its context, its groom and its map may go before it.
 class Sim : public detail::Owner<plait_sim, plait_sim_destroy> {
   public:
     Sim(const Context& context, const Groom& groom,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/memory.hpp"
+#include "core/follow_map.hpp"
 #include "core/sim.hpp"
 
 struct plait_context {
@@ -21,6 +22,14 @@ struct plait_groom {
 
     explicit plait_groom(const plait_allocator& allocator)
         : own(allocator), groom{plait::StrandSet(&own), {}, {}} {}
+    plait::Memory& memory() { return own; }
+};
+
+struct plait_follow_map {
+    plait::Memory own;
+    plait::FollowMap map;
+
+    explicit plait_follow_map(const plait_allocator& allocator) : own(allocator), map(&own) {}
     plait::Memory& memory() { return own; }
 };
 

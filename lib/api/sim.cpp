@@ -175,9 +175,12 @@ plait_result plait_sim_create(plait_context* context, const plait_groom* groom,
                                 groom->groom.shape.strands, &context->context.memory);
         if (!materials)
             return materials.error();
+        const FollowMap* const follows = given.follow_map ? &given.follow_map->map : nullptr;
         given.strand_stiffness = given.strand_material = {}; // the caller's
         given.materials = nullptr;
-        auto parts = make_sim_parts(context->context, groom->groom, given, {stiffness, *materials});
+        given.follow_map = nullptr;
+        auto parts =
+            make_sim_parts(context->context, groom->groom, given, {stiffness, *materials, follows});
         if (!parts)
             return parts.error();
         auto handle = make_in<plait_sim>(&context->context.memory, *context, std::move(*parts));

@@ -41,7 +41,9 @@ Result<Display> Display::create(Device& device, const Groom& groom, const Layout
         PLAIT_TRY(device.create(display.position_out_, f4, layout.vertices(), "position_out"));
         PLAIT_TRY(device.create(display.pose_now_, f4, size_t{2} * layout.guides, "pose_now"));
     }
-    if (layout.follows > 0)
+    if (layout.follows > 0 && follows.map)
+        PLAIT_TRY(display.make_turns(device, groom, layout, follows, memory));
+    else if (layout.follows > 0)
         PLAIT_TRY(display.make_follows(device, groom, layout, follows, memory));
     return display;
 }
@@ -66,6 +68,20 @@ Status Display::make_follows(Device& device, const Groom& groom, const Layout& l
     return device.write(follow_offset_, offsets.data());
 }
 
+// As its guide, a strand's first: that with the greatest weight.
+Status Display::make_turns(Device& device, const Groom& groom, const Layout& layout,
+                           const FollowRules& rules, std::pmr::memory_resource* memory) {
+    auto turns = FollowTurns::create(device, groom, *rules.map, layout, rules.pinned, memory);
+    if (!turns)
+        return turns.error();
+    turns_ = std::move(*turns);
+    std::pmr::vector<uint32_t> guides(memory);
+    for (size_t i = 0; i < rules.map->guides.size(); i += FollowMap::per_strand)
+        guides.push_back(rules.map->guides[i]);
+    PLAIT_TRY(device.create(follow_guide_, PLAIT_ELEMENT_UINT, guides.size(), "follow_guide"));
+    return device.write(follow_guide_, guides.data());
+}
+
 void Display::keep(Schedule& schedule, const Layout& layout, const State& state) const {
     if (interpolates())
         schedule.add(PLAIT_STAGE_snapshot, layout.guide_vertices(), plait_layout_params{layout.row},
@@ -88,7 +104,9 @@ void Display::update(Schedule& schedule, const Layout& layout, const State& stat
                      plait_output_params{layout.row, remainder},
                      {&position_local_, &state.position, &state.pose, &pose_now_, &position_out_});
     }
-    if (layout.follows > 0)
+    if (turns_)
+        turns_.append(schedule, layout, state, pose, shown);
+    else if (layout.follows > 0)
         schedule.add(
             PLAIT_STAGE_follow, layout.follows * layout.row,
             plait_follow_params{layout.row, layout.guides, params.tip_separation,
@@ -103,7 +121,7 @@ uint64_t Display::device_bytes() const {
     for (const Buffer* buffer : {&tangent_, &follow_guide_, &follow_offset_, &last_frame_,
                                  &position_local_, &position_out_, &pose_now_})
         bytes += buffer->bytes();
-    return bytes;
+    return bytes + turns_.device_bytes();
 }
 
 } // namespace plait

@@ -1,6 +1,7 @@
 // What is shown: positions between two steps (if asked for), follow strands, tangents.
 #pragma once
 
+#include "core/follow_turns.hpp"
 #include "core/roots.hpp"
 #include "core/state.hpp"
 
@@ -9,10 +10,13 @@
 
 namespace plait {
 
+// Either so many beside each guide, or those of a map.
 struct FollowRules {
     uint32_t per_guide = 0;
     float radius = 0; // m
     uint64_t seed = 0;
+    const FollowMap* map = nullptr;
+    uint32_t pinned = 0; // vertices of a strand
 };
 
 struct DisplayRules {
@@ -47,10 +51,13 @@ class Display {
   private:
     Status make_follows(Device& device, const Groom& groom, const Layout& layout,
                         const FollowRules& rules, std::pmr::memory_resource* memory);
+    Status make_turns(Device& device, const Groom& groom, const Layout& layout,
+                      const FollowRules& rules, std::pmr::memory_resource* memory);
 
     Buffer tangent_;       // float4 [strands*V]
     Buffer follow_guide_;  // uint [follows]
-    Buffer follow_offset_; // float4 [follows]
+    Buffer follow_offset_; // float4 [follows]; none with a map
+    FollowTurns turns_;    // with a map only
     Buffer last_frame_;    // float4 [strands*V]
     // With interpolation only.
     Buffer position_local_; // float4 [guides*V]: the step before the last, in its root frames

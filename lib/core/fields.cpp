@@ -53,7 +53,8 @@ Result<const Buffer*> Sim::field_buffer(plait_field field) const {
         return &state_.position_prev;
     case PLAIT_FIELD_FOLLOW_GUIDE:
         if (layout_.follows == 0)
-            return Error{PLAIT_INVALID_STATE, "follows_per_guide is 0: there are no follows"};
+            return Error{PLAIT_INVALID_STATE,
+                         "follows_per_guide is 0, no follow_map has strands: there are no follows"};
         return &display_.follow_guide();
     case PLAIT_FIELD_POSITION_LAST_FRAME:
         if (!display_.last_frame())

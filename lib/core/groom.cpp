@@ -125,6 +125,26 @@ uint64_t Repairs::total() const {
     return std::accumulate(count.begin(), count.end(), uint64_t{0});
 }
 
+Groom take_strands(const Groom& from, std::span<const uint32_t> which,
+                   std::pmr::memory_resource* memory) {
+    Groom groom{StrandSet(memory), {}, {}};
+    std::pmr::vector<size_t> first(memory);
+    size_t vertices = 0;
+    for (const uint32_t count : from.strands.vertex_counts) {
+        first.push_back(vertices);
+        vertices += count;
+    }
+    Points strand(memory);
+    std::pmr::vector<double> arc(memory);
+    for (const uint32_t i : which) {
+        read_strand(from.strands, first[i], from.strands.vertex_counts[i], strand);
+        append_strand(groom.strands, from.strands, i, strand);
+        add_strand(groom.shape, strand, measure(strand, arc));
+    }
+    groom.shape.bones = count_bones(groom.strands);
+    return groom;
+}
+
 uint64_t fingerprint(const Groom& groom) {
     const StrandSet& strands = groom.strands;
     Hash hash;

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <memory_resource>
+#include <span>
 #include <string>
 
 namespace plait {
@@ -45,6 +46,10 @@ struct Groom {
     GroomShape shape;
     Repairs repairs;
 };
+
+// The strands of `from` with these numbers, as they are there.
+Groom take_strands(const Groom& from, std::span<const uint32_t> which,
+                   std::pmr::memory_resource* memory);
 
 // Equal for strands of the same shape in the same order.
 uint64_t fingerprint(const Groom& groom);

@@ -17,33 +17,56 @@ struct Discard {
     ~Discard() { model.discard(); }
 };
 
-Status check_size(const Context& context, const Groom& groom, const plait_sim_desc& desc) {
-    const double strands = double(groom.shape.strands) * (1 + desc.follows_per_guide);
-    const double vertices = strands * groom.shape.max_vertices;
-    if (vertices > std::numeric_limits<uint32_t>::max())
+Status check_follows(const Groom& groom, const plait_sim_desc& desc, const FollowMap* follows) {
+    if (!follows)
+        return {};
+    if (desc.follows_per_guide > 0)
         return Error{PLAIT_INVALID_ARGUMENT,
-                     format("%g strands of %u vertices are more than 2^32 - 1 vertices", strands,
-                            groom.shape.max_vertices)};
-    if (desc.model == PLAIT_MODEL_TRESSFX && groom.shape.max_vertices > context.info.max_group_size)
-        return Error{PLAIT_UNSUPPORTED,
-                     format("strands have up to %u vertices, device %s takes %u work-items in a "
-                            "work-group",
-                            groom.shape.max_vertices, context.info.name,
-                            context.info.max_group_size)};
+                     format("follows_per_guide is %u and follow_map is given, give one",
+                            desc.follows_per_guide)};
+    if (follows->guide_count != groom.shape.strands)
+        return Error{PLAIT_INVALID_ARGUMENT,
+                     format("follow_map is of %u guides, the groom has %llu strands",
+                            follows->guide_count,
+                            static_cast<unsigned long long>(groom.shape.strands))};
     return {};
 }
 
-Layout make_layout(const Groom& groom, const plait_sim_desc& desc) {
+uint32_t row_of(const Groom& groom, const FollowMap* follows) {
+    return std::max(groom.shape.max_vertices, follows ? follows->max_vertices : 0);
+}
+
+Status check_size(const Context& context, const Groom& groom, const plait_sim_desc& desc,
+                  const FollowMap* follows) {
+    const double strands = double(groom.shape.strands) * (1 + desc.follows_per_guide) +
+                           (follows ? double(follows->count()) : 0);
+    const uint32_t row = row_of(groom, follows);
+    if (strands * row > std::numeric_limits<uint32_t>::max())
+        return Error{
+            PLAIT_INVALID_ARGUMENT,
+            format("%g strands of %u vertices are more than 2^32 - 1 vertices", strands, row)};
+    if (desc.model == PLAIT_MODEL_TRESSFX && row > context.info.max_group_size)
+        return Error{PLAIT_UNSUPPORTED,
+                     format("strands have up to %u vertices, device %s takes %u work-items in a "
+                            "work-group",
+                            row, context.info.name, context.info.max_group_size)};
+    return {};
+}
+
+Layout make_layout(const Groom& groom, const plait_sim_desc& desc, const FollowMap* follows) {
     const auto guides = static_cast<uint32_t>(groom.shape.strands);
-    return {guides, guides * desc.follows_per_guide, groom.shape.max_vertices};
+    const auto count =
+        follows ? static_cast<uint32_t>(follows->count()) : guides * desc.follows_per_guide;
+    return {guides, count, row_of(groom, follows)};
 }
 
 } // namespace
 
 Result<SimParts> make_sim_parts(Context& context, const Groom& groom, const plait_sim_desc& desc,
                                 const StrandInput& strands) {
-    PLAIT_TRY(check_size(context, groom, desc));
-    const Layout layout = make_layout(groom, desc);
+    PLAIT_TRY(check_follows(groom, desc, strands.follows));
+    PLAIT_TRY(check_size(context, groom, desc, strands.follows));
+    const Layout layout = make_layout(groom, desc, strands.follows);
     Device& device = context.device;
     auto model = make_model(desc.model, {layout, groom, strands.stiffness, strands.materials,
                                          context.info.tile, desc.sag_free, desc.accelerations != 0,
@@ -56,7 +79,7 @@ Result<SimParts> make_sim_parts(Context& context, const Groom& groom, const plai
     const bool interpolate = desc.interpolate_output != 0;
     auto state = create_state(device, groom, layout, interpolate ? layout.guides : layout.strands(),
                               (*model)->pinned_vertices(), desc.accelerations != 0, desc.pins != 0,
-                              &context.memory);
+                              strands.follows, &context.memory);
     if (!state)
         return state.error();
     auto grid = InterHair::create(device, desc.params);
@@ -66,7 +89,8 @@ Result<SimParts> make_sim_parts(Context& context, const Groom& groom, const plai
     if (!skin)
         return skin.error();
     auto display = Display::create(device, groom, layout,
-                                   {desc.follows_per_guide, desc.follow_radius, desc.seed},
+                                   {desc.follows_per_guide, desc.follow_radius, desc.seed,
+                                    strands.follows, (*model)->pinned_vertices()},
                                    {interpolate, desc.keep_last_frame != 0}, &context.memory);
     if (!display)
         return display.error();

@@ -40,6 +40,7 @@ struct SimParts {
 struct StrandInput {
     std::span<const float> stiffness; // what scales each guide's, or empty
     StrandMaterialsPtr materials;
+    const FollowMap* follows = nullptr;
 };
 Result<SimParts> make_sim_parts(Context& context, const Groom& groom, const plait_sim_desc& desc,
                                 const StrandInput& strands);

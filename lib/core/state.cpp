@@ -1,5 +1,6 @@
 #include "core/state.hpp"
 
+#include "core/follow_map.hpp"
 #include "core/groom.hpp"
 #include "core/polyline.hpp"
 
@@ -38,11 +39,16 @@ std::pmr::vector<float> edge_lengths(const Groom& groom, const Layout& layout,
     return lengths;
 }
 
-// Guides' counts, then each guide's again for its follows.
+// Guides' counts, then those of a map's strands, or each guide's again for its follows.
 std::pmr::vector<uint32_t> row_counts(const Groom& groom, const Layout& layout,
-                                      std::pmr::memory_resource* memory) {
+                                      const FollowMap* follows, std::pmr::memory_resource* memory) {
     std::pmr::vector<uint32_t> counts(groom.strands.vertex_counts, memory);
     counts.reserve(layout.strands());
+    if (follows) {
+        const auto& own = follows->strands.vertex_counts;
+        counts.insert(counts.end(), own.begin(), own.end());
+        return counts;
+    }
     const uint32_t follows_per_guide = layout.follows / layout.guides;
     for (uint32_t guide = 0; guide < layout.guides; ++guide)
         counts.insert(counts.end(), follows_per_guide, groom.strands.vertex_counts[guide]);
@@ -60,7 +66,7 @@ std::pmr::vector<Float4> identity_poses(const Layout& layout, std::pmr::memory_r
 
 Result<State> create_state(Device& device, const Groom& groom, const Layout& layout,
                            uint32_t position_rows, uint32_t pinned, bool accelerates, bool pins,
-                           std::pmr::memory_resource* memory) {
+                           const FollowMap* follows, std::pmr::memory_resource* memory) {
     State state;
     const auto make = [&](Buffer& to, plait_element element, size_t count, const char* name,
                           const void* content, size_t content_count) -> Status {
@@ -71,7 +77,7 @@ Result<State> create_state(Device& device, const Groom& groom, const Layout& lay
     const size_t guides = rest.size();
     const size_t display = size_t{position_rows} * layout.row;
     const auto lengths = edge_lengths(groom, layout, memory);
-    const auto counts = row_counts(groom, layout, memory);
+    const auto counts = row_counts(groom, layout, follows, memory);
     const auto poses = identity_poses(layout, memory);
     constexpr auto f4 = PLAIT_ELEMENT_FLOAT4;
     PLAIT_TRY(make(state.rest, f4, guides, "rest", rest.data(), guides));

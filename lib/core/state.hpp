@@ -10,6 +10,7 @@
 namespace plait {
 
 struct Groom;
+struct FollowMap;
 
 struct State {
     // Constant after creation.
@@ -35,9 +36,10 @@ struct State {
 };
 
 // Creates and fills the state with `groom` at rest, its roots at the identity. The first `pinned`
-// vertices of every strand get inverse mass 0, others 1.
+// vertices of every strand get inverse mass 0, others 1. `follows`: where these
+// are strands of their own.
 Result<State> create_state(Device& device, const Groom& groom, const Layout& layout,
                            uint32_t position_rows, uint32_t pinned, bool accelerates, bool pins,
-                           std::pmr::memory_resource* memory);
+                           const FollowMap* follows, std::pmr::memory_resource* memory);
 
 } // namespace plait

@@ -21,6 +21,7 @@ struct Objects {
     plait_context* no_context = nullptr;
     plait_groom* no_groom = nullptr;
     plait_sim* no_sim = nullptr;
+    plait_follow_map* no_map = nullptr;
     std::vector<float> floats = std::vector<float>(64, 0.0f);
     size_t size = 0;
 };
@@ -41,7 +42,7 @@ std::set<std::string> expect_refused(const std::vector<Bad>& table) {
         EXPECT_NE(std::string(plait_last_error()).find(bad.sentence), std::string::npos)
             << "\"" << bad.sentence << "\" is not in: " << plait_last_error();
         EXPECT_EQ(o.sim.hash(), hash) << bad.sentence;
-        EXPECT_TRUE(!o.no_context && !o.no_groom && !o.no_sim) << "written on failure";
+        EXPECT_TRUE(!o.no_context && !o.no_groom && !o.no_sim && !o.no_map) << "written on failure";
         const std::string text = plait_last_error();
         functions.insert(text.substr(0, text.find(':')));
     }
@@ -135,6 +136,7 @@ TEST(Arguments, NullPointers) {
     const auto collider = plait_collider_desc_defaults();
     const plait_pose pose = collider.pose;
     const auto fibre = plait_fibre_defaults();
+    const auto map = plait_follow_map_desc_defaults();
     const auto refused = expect_refused({
         {"count is NULL", [](O&) { return plait_devices_list(nullptr, nullptr); }},
         {"out is NULL", [&](O&) { return plait_context_create(&context, nullptr); }},
@@ -160,6 +162,17 @@ TEST(Arguments, NullPointers) {
          [](O& o) {
              return plait_groom_read(o.groom, PLAIT_GROOM_FIELD_POSITIONS, nullptr, nullptr);
          }},
+        {"desc is NULL", [](O& o) { return plait_follow_map_create(nullptr, &o.no_map); }},
+        {"out is NULL", [&](O&) { return plait_follow_map_create(&map, nullptr); }},
+        {"map is NULL",
+         [](O& o) {
+             return plait_follow_map_read(nullptr, PLAIT_FOLLOW_MAP_FIELD_GUIDES, nullptr, &o.size);
+         }},
+        {"groom is NULL",
+         [](O& o) { return plait_groom_guides(nullptr, 1, 0, &o.no_groom, &o.no_map); }},
+        {"out is NULL", [](O& o) { return plait_groom_guides(o.groom, 1, 0, nullptr, &o.no_map); }},
+        {"map is NULL",
+         [](O& o) { return plait_groom_guides(o.groom, 1, 0, &o.no_groom, nullptr); }},
         {"context is NULL",
          [](O& o) { return plait_sim_create(nullptr, o.groom, nullptr, &o.no_sim); }},
         {"groom is NULL",
@@ -270,6 +283,7 @@ TEST(Arguments, NullPointersOfInterop) {
 TEST(Arguments, DestroyingNothingDoesNothing) {
     plait_context_destroy(nullptr);
     plait_groom_destroy(nullptr);
+    plait_follow_map_destroy(nullptr);
     plait_sim_destroy(nullptr);
 }
 

@@ -78,6 +78,28 @@ TEST(Faults, EveryHostAllocationOfAGroomMayFail) {
     EXPECT_EQ(pool.live, 0);
 }
 
+TEST(Faults, EveryHostAllocationOfGuidesMayFail) {
+    Pool pool;
+    const GroomArrays arrays(tuft(5, 4));
+    const auto desc = arrays.desc();
+    auto options = plait_import_options_defaults();
+    options.allocator = pool.allocator();
+    {
+        const plait::Groom groom(desc, options);
+        const int allocations = fail_each_allocation(pool, [&] {
+            plait_groom* guides = nullptr;
+            plait_follow_map* map = nullptr;
+            const plait_result result = plait_groom_guides(groom, 2, 0, &guides, &map);
+            EXPECT_EQ(!guides || !map, result != PLAIT_OK);
+            plait_groom_destroy(guides);
+            plait_follow_map_destroy(map);
+            return result;
+        });
+        EXPECT_GT(allocations, 5);
+    }
+    EXPECT_EQ(pool.live, 0);
+}
+
 TEST(Faults, EveryHostAllocationOfASimMayFail) {
     Pool pool;
     auto desc = plait_context_desc_defaults();
@@ -104,6 +126,7 @@ TEST(Faults, EveryHostAllocationOfASimMayFail) {
 TEST(Faults, ContainersOfASimAreInTheCallersMemory) {
     const auto context = make_context("reference");
     const auto groom = make_groom(tuft(3, 5));
+    const auto [guides, map] = groom.guides(2);
     std::pmr::memory_resource* const usual =
         std::pmr::set_default_resource(std::pmr::null_memory_resource());
     for (const plait_model model : {PLAIT_MODEL_TRESSFX, PLAIT_MODEL_CHAIN, PLAIT_MODEL_COSSERAT,
@@ -113,6 +136,10 @@ TEST(Faults, ContainersOfASimAreInTheCallersMemory) {
         desc.model = model;
         desc.follows_per_guide = 2;
         desc.interpolate_output = 1;
+        auto turned = plait_sim_desc_defaults();
+        turned.model = model;
+        turned.follow_map = map;
+        EXPECT_NO_THROW(plait::Sim(context, guides, turned));
         EXPECT_NO_THROW({
             plait::Sim sim(context, groom, desc);
             sim.create_collider(plait_collider_desc_defaults());
