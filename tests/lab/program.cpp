@@ -10,6 +10,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <sstream>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
@@ -123,6 +124,30 @@ TEST_F(LabProgram, draws_slots_as_told) {
         EXPECT_EQ(refused.code, 1) << arguments;
         EXPECT_THAT(refused.text, HasSubstr(word)) << arguments;
     }
+}
+
+// Follows keep their lengths, and all strands simulated are where they are.
+TEST_F(LabProgram, measures_hair_that_follows) {
+    const Outcome outcome = lab("follows --strands 60 --guides 8,20 --seconds 0.2 --csv", false);
+    EXPECT_EQ(outcome.code, 0);
+    std::istringstream text(outcome.text);
+    std::string line;
+    std::getline(text, line);
+    EXPECT_EQ(line, "guides,ms,length,kink_deg,tip_step,beside,away_m");
+    for (const double guides : {8, 20, 60}) {
+        std::vector<double> cells;
+        std::getline(text, line);
+        std::istringstream row(line);
+        for (std::string cell; std::getline(row, cell, ',');)
+            cells.push_back(std::stod(cell));
+        ASSERT_EQ(cells.size(), 7u) << line;
+        EXPECT_EQ(cells[0], guides);
+        EXPECT_GT(cells[1], 0);
+        EXPECT_LT(cells[2], 1e-4) << "lengths";
+        EXPECT_EQ(cells[6] == 0, guides == 60) << "away from all simulated";
+    }
+    for (const char* bad : {"--guides 60 --strands 60", "--guides 0", "--style bald"})
+        EXPECT_EQ(lab(std::string("follows ") + bad, true).code, 1) << bad;
 }
 
 // The program with its output in `text`, to be waited for.

@@ -17,6 +17,7 @@ void add_accuracy(CLI::App& app, Command& chosen);
 void add_chart(CLI::App& app, Command& chosen);
 void add_features(CLI::App& app, Command& chosen);
 void add_all(CLI::App& app, Command& chosen);
+void add_follows(CLI::App& app, Command& chosen);
 void add_grid(CLI::App& app, Command& chosen);
 void add_stability(CLI::App& app, Command& chosen);
 
