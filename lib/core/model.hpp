@@ -33,6 +33,13 @@ struct LaneBuffer {
     LaneLayout layout{};
 };
 
+// Strands that lie together.
+struct PartShape {
+    plait_model model;
+    uint32_t strands;
+    uint32_t row; // V of their lanes
+};
+
 // The inter-hair grid for strands over lanes.
 struct LaneGrid {
     plait_grid_params params;
@@ -82,6 +89,8 @@ class Model {
 
     // The model of every guide strand, where strands have one of their own.
     virtual void read_models(std::span<plait_model>) const {}
+    // Adds the parts in which strands of these models lie, in the order of add_dynamic().
+    virtual void list_parts(std::span<const plait_model>, std::pmr::vector<PartShape>&) const {}
     // Adds the model's own buffers that carry state from step to step.
     virtual void add_dynamic(std::pmr::vector<LaneBuffer>&) const {}
     virtual uint64_t device_bytes() const { return 0; }

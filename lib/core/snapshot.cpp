@@ -43,7 +43,7 @@ static_assert(sizeof(Colliders::Slot) == sizeof(float) * (2 + 21 + 28),
 namespace {
 
 constexpr uint32_t magic = 0x74696c70; // "plit"
-constexpr uint32_t version = 3;
+constexpr uint32_t version = 4;
 
 // Of a position (m) or a velocity (m/s): a head and a groom may be 1e6 m away each.
 constexpr float largest = 4e6f;
@@ -183,8 +183,8 @@ std::pmr::vector<Sim::Block> Sim::blocks(const SnapshotHeader& h) {
 }
 
 // The blocks of a snapshot whose strands may be of other models than the sim's are now: those of
-// the lanes come model by model; first those that every model has, x, v, q and q before, then
-// BDF2's x and v where the model steps by it.
+// the lanes come part by part; first those that every model has, x, v, q and q before, then BDF2's x
+// and v where the model steps by it.
 std::pmr::vector<Sim::Block> Sim::saved_blocks(const SnapshotHeader& h,
                                                std::span<const plait_model> strands) {
     auto list = blocks(h);
@@ -194,12 +194,13 @@ std::pmr::vector<Sim::Block> Sim::saved_blocks(const SnapshotHeader& h,
     const auto first = std::ranges::find_if(list, is_lane);
     const auto last = std::find_if_not(first, list.end(), is_lane);
     std::pmr::vector<Block> saved(list.begin(), first, &context_.memory);
-    for (const ModelTraits& traits : all_models()) {
-        const auto count = static_cast<size_t>(std::ranges::count(strands, traits.model));
-        const std::ptrdiff_t own = bdf2_of(traits, desc_.params) ? 6 : 4;
-        for (std::ptrdiff_t i = 0; count > 0 && i < own; ++i) {
+    std::pmr::vector<PartShape> parts(&context_.memory);
+    model_->list_parts(strands, parts);
+    for (const PartShape& part : parts) {
+        const std::ptrdiff_t own = bdf2_of(traits_of(part.model), desc_.params) ? 6 : 4;
+        for (std::ptrdiff_t i = 0; i < own; ++i) {
             saved.push_back(first[i % 4]);
-            saved.back().floats = count * layout_.row * saved.back().lanes.components;
+            saved.back().floats = size_t{part.strands} * part.row * saved.back().lanes.components;
         }
     }
     saved.insert(saved.end(), last, list.end());

@@ -52,6 +52,7 @@ Case chain_case() {
         }
     result.flags.push_back("capsule.kind");
     add_pinned(result, false);
+    add_longer_rows(result);
     return result;
 }
 

@@ -180,8 +180,7 @@ void chain(uint32_t item_count, const plait_lane_params& params, const chain_arg
     for (size_t slot = 0; slot < item_count; ++slot) {
         const Lane lane(slot, params.vertex_stride, params.tile);
         const size_t strand = strand_of(args.lane_strand, slot);
-        const Vec3 root =
-            root_of(args.rest, pose_of(args.pose, strand), strand, params.vertex_stride);
+        const Vec3 root = root_of(args.rest, pose_of(args.pose, strand), strand, params.row_stride);
         Motion motion(lane, params, state, root);
         Links links;
         links.reach = motion.h * motion.h / (1 + params.drag * motion.h);

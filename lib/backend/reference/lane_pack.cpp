@@ -11,7 +11,7 @@ void lane_pack(uint32_t item_count, const plait_lane_history_params& params,
         if (i == 0 || i >= vertices_of(args.vertex_count, strand, params.vertex_stride))
             continue;
         const Lane lane(slot, params.vertex_stride, params.tile);
-        const size_t vertex = strand * params.vertex_stride + i;
+        const size_t vertex = strand * params.row_stride + i;
         const Vec3 root = xyz(args.position[vertex - i]), x = xyz(args.position[vertex]);
         lane.store(args.lane_x, i, Vec3(x - root));
         const Vec3 v = (x - xyz(args.position_prev[vertex])) / params.h;

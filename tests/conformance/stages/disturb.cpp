@@ -49,8 +49,12 @@ size_t row_of(const Setup& setup, const Case& stage_case, const Component& compo
                          (component.name.compare(0, 5, "rest.") == 0 &&
                           plait_stage_describe(stage_case.stage)->space != PLAIT_SPACE_LANES &&
                           stage_case.stage != PLAIT_STAGE_skin);
-    uint32_t stride; // the first field of every parameter struct but two
-    std::memcpy(&stride, setup.params.data(), sizeof stride);
+    uint32_t stride; // the first field of every parameter struct but two, or one of its own
+    size_t at = 0;
+    for (const Field& field : cases::fields_of(plait_stage_describe(stage_case.stage)->params_type))
+        if (std::strcmp(field.name, "row_stride") == 0)
+            at = field.offset;
+    std::memcpy(&stride, setup.params.data() + at, sizeof stride);
     return strands ? size_t{4} * stride : 0;
 }
 
