@@ -175,7 +175,7 @@ std::pmr::vector<Sim::Block> Sim::blocks(const SnapshotHeader& h) {
     for (size_t i = 0; i < own_poses.size(); ++i)
         if (own_poses[i])
             list.push_back(
-                {&roots_.places()[i]->poses, size_t{8} * layout_.guides, Block::Of::poses, {}});
+                {&roots_.all_poses()[i]->poses, size_t{8} * layout_.guides, Block::Of::poses, {}});
     if (h.pins)
         for (const Buffer* pins : {&state_.pin, &state_.pin_at, &state_.pin_to})
             list.push_back({pins, 4 * vertices, Block::Of::histories, {}});
@@ -226,11 +226,11 @@ SnapshotHeader Sim::snapshot_header() {
     h.pins = state_.pin ? 1 : 0;
     const auto strands = models();
     h.switched = std::ranges::any_of(strands, [&](plait_model m) { return m != desc_.model; });
-    const auto places = roots_.places();
-    for (size_t i = 0; i < places.size(); ++i) {
-        const bool meant = places[i] != places[1] || roots_.aimed; // no target: nothing to keep
-        h.heads[i] = meant ? places[i]->head : identity_pose;
-        h.own[i] = meant && places[i]->own;
+    const auto all = roots_.all_poses();
+    for (size_t i = 0; i < all.size(); ++i) {
+        const bool meant = all[i] != all[1] || roots_.aimed; // no target: nothing to keep
+        h.heads[i] = meant ? all[i]->head : identity_pose;
+        h.own[i] = meant && all[i]->own;
     }
     return h;
 }
@@ -342,10 +342,10 @@ Status Sim::restore_roots(const SnapshotHeader& h) {
     const auto own = owned(h);
     if (std::find(own.begin(), own.end(), true) != own.end())
         PLAIT_TRY(roots_.make_buffers(device()));
-    const auto places = roots_.places();
-    for (size_t i = 0; i < places.size(); ++i) {
-        places[i]->head = h.heads[i];
-        places[i]->own = own[i];
+    const auto all = roots_.all_poses();
+    for (size_t i = 0; i < all.size(); ++i) {
+        all[i]->head = h.heads[i];
+        all[i]->own = own[i];
     }
     roots_.aimed = h.aimed != 0;
     return roots_.clear_buffers(device());

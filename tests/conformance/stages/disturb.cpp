@@ -13,21 +13,21 @@ using cases::FieldKind;
 using cases::Outputs;
 using cases::Setup;
 
-struct Layout {
+struct BufferComponents {
     const char* argument;
     const char* components;
 };
-constexpr Layout layouts[] = {
+constexpr BufferComponents all_buffers[] = {
 #define PLAIT_BUFFER(name, when, extent, components) {#name, components},
 #include <plait/buffers.def>
 };
 
 // Components in the order they lie in, "-" for one that no stage may read.
 std::vector<std::string> words_of(const char* argument) {
-    const auto found = std::find_if(std::begin(layouts), std::end(layouts), [&](const Layout& l) {
-        return std::strcmp(l.argument, argument) == 0;
-    });
-    std::istringstream text(found == std::end(layouts) ? "" : found->components);
+    const auto found = std::find_if(
+        std::begin(all_buffers), std::end(all_buffers),
+        [&](const BufferComponents& l) { return std::strcmp(l.argument, argument) == 0; });
+    std::istringstream text(found == std::end(all_buffers) ? "" : found->components);
     std::vector<std::string> words;
     for (std::string word; text >> word;)
         words.push_back(word);
