@@ -31,6 +31,7 @@ struct LaneBuffer {
     const Buffer* buffer = nullptr;
     uint32_t components = 0;
     LaneLayout layout{};
+    bool blended = false; // quaternions between two turns: as short as the turns are apart
 };
 
 // Strands that lie together.

@@ -140,11 +140,13 @@ Status check_range(const unsigned char* bytes, size_t index, const char* name) {
     return {};
 }
 
-Status check_turn(const unsigned char* bytes, size_t first, const char* name) {
+Status check_turn(const unsigned char* bytes, size_t first, const char* name, bool blended) {
     double square = 0;
     for (size_t i = first; i < first + 4; ++i)
         square += double(float_at(bytes, i)) * double(float_at(bytes, i));
-    if (!(std::abs(square - 1) <= unit_error))
+    if (blended && !(square <= 1 + unit_error))
+        return outside(name, first / 4, square, "[0, 1.01] (square of a quaternion)");
+    if (!blended && !(std::abs(square - 1) <= unit_error))
         return outside(name, first / 4, square, "1 +- 0.01 (square of a quaternion)");
     return {};
 }
@@ -323,7 +325,7 @@ Status Sim::check_block(const Block& block, const unsigned char* from) const {
     const bool poses = block.of == Block::Of::poses, turns = block.of == Block::Of::turns;
     for (size_t i = 0; i < block.floats; i += 4) {
         if (turns || (poses && i % 8 == 0)) {
-            PLAIT_TRY(check_turn(from, i, name));
+            PLAIT_TRY(check_turn(from, i, name, block.lanes.blended));
             continue;
         }
         for (size_t k = i; k < std::min(i + 4, block.floats); ++k)

@@ -278,7 +278,7 @@ void LanePart::teleport(Schedule& schedule, const Substep& at, const Buffer& pos
 
 void LanePart::add_dynamic(std::pmr::vector<LaneBuffer>& to) const {
     const LaneBuffer state[] = {{&x_, 3, lanes_},         {&v_, 3, lanes_},
-                                {&q_, 4, lanes_},         {&q_before_, 4, lanes_},
+                                {&q_, 4, lanes_},         {&q_before_, 4, lanes_, true},
                                 {&history_.x, 3, lanes_}, {&history_.v, 3, lanes_}};
     for (const LaneBuffer& buffer : state)
         if (*buffer.buffer)
