@@ -156,6 +156,31 @@ TEST_P(Lengths, AStrandIsAsInASimOfItsLengthAlone) {
         }
 }
 
+// Past its tip a strand has rows of masses that nothing holds: it does not feel them.
+TEST_P(Lengths, SoIsAStrandShorterThanItsClass) {
+    constexpr long own = 8;
+    Strands like, among;
+    for (size_t i = 0; i < 9; ++i)
+        like.push_back(straight(i, own));
+    among = like;
+    among.push_back(straight(9, longer));
+    const auto strand = [](const std::vector<float>& field, size_t i, size_t row) {
+        const auto first = field.begin() + static_cast<long>(4 * row * i);
+        return std::vector<float>(first, first + 4 * own);
+    };
+    for (const plait_model model : every_model) {
+        auto desc = plait_sim_desc_defaults();
+        desc.model = model;
+        plait::Sim alone(context, make_groom(like), desc), sim(context, make_groom(among), desc);
+        live(alone, 20, nothing);
+        live(sim, 20, nothing);
+        const auto expected = alone.read(PLAIT_FIELD_POSITION),
+                   got = sim.read(PLAIT_FIELD_POSITION);
+        for (size_t i = 0; i < like.size(); ++i)
+            EXPECT_EQ(strand(got, i, longer), strand(expected, i, own)) << model;
+    }
+}
+
 // Switched before every third step.
 TEST_P(Lengths, SoIsOneThatSwitchesItsModel) {
     const auto switching = [](Some& some) {
