@@ -258,7 +258,7 @@ class RandomCalls : public testing::TestWithParam<Case> {
 };
 
 TEST_P(RandomCalls, OfCollidersAndPinsLeaveHairWhole) {
-    for (uint32_t seed = 1; seed <= 24; ++seed) {
+    for (uint32_t seed = 1; seed <= PLAIT_TEST_SEEDS; ++seed) {
         Scene scene(context_, GetParam(), seed);
         SCOPED_TRACE("seed " + std::to_string(seed));
         for (int i = 0; i < 60; ++i) {
