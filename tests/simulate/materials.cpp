@@ -12,8 +12,8 @@ using simulate::Json;
 using simulate::MaterialChoice;
 using simulate::Scene;
 using testing::AllOf;
-using testing::ElementsAre;
 using testing::Each;
+using testing::ElementsAre;
 using testing::HasSubstr;
 
 namespace {
@@ -33,8 +33,8 @@ class SceneMaterials : public TemporaryFolder {
         std::vector<float> positions;
         for (int strand = 0; strand < 6; ++strand)
             for (int vertex = 0; vertex < 9; ++vertex)
-                for (const float value : {0.01f * static_cast<float>(strand), 0.0f,
-                                          0.02f * static_cast<float>(vertex)})
+                for (const float value :
+                     {0.01f * static_cast<float>(strand), 0.0f, 0.02f * static_cast<float>(vertex)})
                     positions.push_back(value);
         plait_groom_desc desc = plait_groom_desc_defaults();
         desc.positions = {positions.data(), positions.size() / 3, 0};
@@ -93,7 +93,8 @@ TEST_F(SceneMaterials, are_refused_with_place_value_and_range) {
                 HasSubstr("materials[0].density_ramp[3] is 0, outside [0.001,1000.0]"));
     EXPECT_THAT(refusal(R"({"materials": [{"name": "a", "bend_stifness": 0}]})"),
                 AllOf(HasSubstr("materials[0].bend_stifness"), HasSubstr("\"bend_stiffness\"")));
-    EXPECT_THAT(refusal(R"({"materials": [{"curl": 1}]})"), HasSubstr("materials[0].name is missing"));
+    EXPECT_THAT(refusal(R"({"materials": [{"curl": 1}]})"),
+                HasSubstr("materials[0].name is missing"));
     EXPECT_THAT(refusal(R"({"materials": [{"name": "a"}, {"name": "a"}]})"),
                 HasSubstr("materials[1].name is \"a\", as that of a material before"));
     EXPECT_THAT(refusal(R"({"materials": [{"name": "a", "share": 1.5}]})"),
@@ -156,7 +157,9 @@ TEST_F(SceneMaterials, act_on_their_strands_alone) {
         std::vector<float> positions;
         simulation.run(*simulate::make_motion("still"),
                        {{[&](uint32_t frame) { return frame + 1 == scene.frames(); },
-                         [&](const simulate::Shot& shot) { positions.assign(shot.positions.begin(), shot.positions.end()); }}},
+                         [&](const simulate::Shot& shot) {
+                             positions.assign(shot.positions.begin(), shot.positions.end());
+                         }}},
                        "");
         return std::pair{positions, simulation.row()};
     };

@@ -72,8 +72,7 @@ void read_strands(JsonReader& in, MaterialChoice& choice) {
         in.fail("strands", "is " + list->dump() + ", not a list of strands and [first, last]");
     choice.strands.emplace();
     for (size_t i = 0; i < list->size(); ++i)
-        choice.strands->push_back(
-            read_range(in, (*list)[i], "strands[" + std::to_string(i) + "]"));
+        choice.strands->push_back(read_range(in, (*list)[i], "strands[" + std::to_string(i) + "]"));
 }
 
 void read_roots(JsonReader& in, MaterialChoice& choice) {
@@ -99,9 +98,7 @@ double drawn(uint64_t seed, size_t material, size_t strand) {
 }
 
 bool names(const MaterialChoice& choice, uint32_t strand, const float* root) {
-    const auto holds = [&](const auto& range) {
-        return strand >= range[0] && strand <= range[1];
-    };
+    const auto holds = [&](const auto& range) { return strand >= range[0] && strand <= range[1]; };
     if (choice.strands && std::ranges::none_of(*choice.strands, holds))
         return false;
     if (!choice.roots)
