@@ -224,16 +224,6 @@ TEST_P(Lengths, AreSavedAndRestored) {
     EXPECT_EQ(b.sim().save(), of_one_model);
 }
 
-// Names and calls of the stages of three steps.
-std::vector<std::pair<std::string, uint64_t>> stages_of(plait::Sim& sim) {
-    sim.stage_times(true);
-    run(sim, 3);
-    std::vector<std::pair<std::string, uint64_t>> list;
-    for (const plait_stage_time& time : sim.stage_times())
-        list.emplace_back(time.stage, time.calls);
-    return list;
-}
-
 TEST_P(Lengths, OfOneKindTakeTheStagesOfOne) {
     using Stages = std::vector<std::pair<std::string, uint64_t>>;
     const Stages of_one = {{"roots", 3}, {"articulated", 3}, {"lane_unpack", 3}, {"tangents", 3}};

@@ -115,7 +115,7 @@ std::string_view stage_text(const std::string& stage) {
     return file ? file->text() : std::string_view();
 }
 
-std::string true_places(const Source& source, const std::string& log) {
+std::string with_true_lines(const Source& source, const std::string& log) {
     static const std::regex place_pattern(R"(([^\s:]+):(\d{1,7}):(\d+): )");
     std::string result;
     auto rest = log.cbegin();

@@ -31,6 +31,6 @@ std::string_view stage_text(const std::string& stage);
 
 // A compiler's log with its lines made true: some compilers (Oclgrind's) ignore #line and count
 // lines of the flattened text under a name of their own.
-std::string true_places(const Source& source, const std::string& log);
+std::string with_true_lines(const Source& source, const std::string& log);
 
 } // namespace plait::opencl
