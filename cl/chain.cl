@@ -15,7 +15,7 @@
 #include "common/energy.clh"
 
 /* Project x on linearised edge lengths: J W J^T lambda = C, C capped at one rest length; W is the
- * inverse mass, less where contacts hold. */
+ * inverse mass, less where contacts hold. Past the tip there is no constraint: lambda is 0. */
 static inline void chain_solve_lengths(const lane_step* step, const lane_contacts* contacts,
                                        const chain_mobility* hold, vec3* x) {
     vec3 u[PLAIT_VERTICES];
@@ -36,9 +36,9 @@ static inline void chain_solve_lengths(const lane_step* step, const lane_contact
                                 : w0 + w1;
         if (i > 0) {
             const real cosine = dot3(u[i - 1], u[i]);
-            const real lower = touches
-                                   ? -chain_inverse_mass(contacts, hold, i, u[i - 1], u[i], cosine)
-                                   : -cosine * w0;
+            real lower = touches ? -chain_inverse_mass(contacts, hold, i, u[i - 1], u[i], cosine)
+                                 : -cosine * w0;
+            lower = pick(rest > (real)(0.0f), lower, (real)(0.0f));
             diagonal -= lower * upper[i - 1];
             residual -= lower * lambda[i - 1];
         }
@@ -48,6 +48,7 @@ static inline void chain_solve_lengths(const lane_step* step, const lane_contact
             const real cosine = dot3(u[i], onward);
             next = touches ? -chain_inverse_mass(contacts, hold, i + 1, u[i], onward, cosine)
                            : -cosine * w1;
+            next = pick(chain_ends(step, i), (real)(0.0f), next);
         }
         upper[i] = next / diagonal;
         lambda[i] = residual / diagonal;
@@ -200,9 +201,11 @@ __kernel void plait_chain(const uint item_count, const plait_lane_params params,
 
     for (int i = 1; i <= step.segments; ++i) {
         /* the sweep moved vertex i+1 as if pulled by i: i recoils */
-        if (i < step.segments)
-            w[i] = axpy3((real)(-PLAIT_CHAIN_VELOCITY_CORRECTION / step.h),
+        if (i < step.segments) {
+            const real recoil = (real)(-PLAIT_CHAIN_VELOCITY_CORRECTION / step.h);
+            w[i] = axpy3(pick(chain_ends(&step, i - 1), (real)(0.0f), recoil),
                          sub3(x[i + 1], solved[i + 1]), w[i]);
+        }
     }
     lane_velocities(&step, x, y, w);
     real given = (real)(0.0f);

@@ -26,7 +26,7 @@ __kernel void plait_lane_accelerate(const uint item_count, const plait_lane_tile
         LANE(count, k) = (float)vertex_count[strands.at[k]];
     const vec3 zero = vec3_of((real)(0.0f), (real)(0.0f), (real)(0.0f));
     for (uint i = 0; i < PLAIT_VERTICES; ++i) {
-        const vec3 own = gather3(acceleration, &strands, PLAIT_VERTICES, i);
+        const vec3 own = gather3(acceleration, &strands, params.row_stride, i);
         const mask pulls = ((real)((float)i) < count) & is_allowed(own);
         store3(lane_acceleration, place, i, pick3(pulls, own, zero));
     }

@@ -22,7 +22,7 @@ __kernel void plait_lane_pack(const uint item_count, const plait_lane_history_pa
     const uint strand = lane_strand_of(lane_strand, item / params.vertex_stride);
     if (row >= vertex_count[strand])
         return;
-    const size_t vertex = (size_t)strand * params.vertex_stride + row;
+    const size_t vertex = (size_t)strand * params.row_stride + row;
     const float3 root = position[vertex - row].xyz, x = position[vertex].xyz;
     const size_t here = lane_element(item, params.vertex_stride, params.tile);
     lane_write(lane_x, here, params.tile, x - root);

@@ -16,10 +16,11 @@
 
 /* Row `row` of pins, gathered into lanes: targets, and signed stiffness. */
 static inline quat lane_pin_gather(__global const float4* pin_from, __global const float4* pin_to,
-                                   const lane_strands* strands, uint row, float share) {
+                                   const lane_strands* strands, uint row, uint row_stride,
+                                   float share) {
     quat pin;
     for (uint k = 0; k < PLAIT_LANES; ++k) {
-        const size_t at = (size_t)strands->at[k] * PLAIT_VERTICES + row;
+        const size_t at = (size_t)strands->at[k] * row_stride + row;
         const float4 element = pin_between(pin_from[at], pin_to[at], share);
         LANE(pin.x, k) = element.x;
         LANE(pin.y, k) = element.y;
@@ -51,8 +52,8 @@ __kernel void plait_lane_pin(const uint item_count, const plait_lane_pin_params 
     if (!lane_place_used(place, item_count))
         return;
     const lane_strands strands = lane_strands_of(lane_strand, place, item_count);
-    const lane_pose root = lane_load_pose(rest, pose, &strands);
-    const vec3 rest_root = gather3(rest, &strands, PLAIT_VERTICES, 0);
+    const lane_pose root = lane_load_pose(rest, pose, &strands, params.row_stride);
+    const vec3 rest_root = gather3(rest, &strands, params.row_stride, 0);
     const vec3 shift = sub3(load3(lane_x, place, 0), root.root);
     const quat none = quat_of((real)(0.0f), (real)(0.0f), (real)(0.0f), (real)(0.0f));
     real count, mass = (real)(0.0f);
@@ -63,7 +64,8 @@ __kernel void plait_lane_pin(const uint item_count, const plait_lane_pin_params 
                      lane_pin_material(lane_material, place, i, PLAIT_LANE_MASS), (real)(0.0f));
     storeq(lane_pin, place, 0, none);
     for (uint i = 1; i < PLAIT_VERTICES; ++i) {
-        const quat pin = lane_pin_gather(pin_from, pin_to, &strands, i, params.share);
+        const quat pin =
+            lane_pin_gather(pin_from, pin_to, &strands, i, params.row_stride, params.share);
         const mask there = ((real)((float)i) < count) & (pin.w != (real)(0.0f));
         if (!any_lane(there)) {
             storeq(lane_pin, place, i, none);

@@ -17,12 +17,12 @@ __kernel void plait_lane_reset(const uint item_count, const plait_lane_state_par
     if (!lane_place_used(place, item_count))
         return;
     const lane_strands strands = lane_strands_of(lane_strand, place, item_count);
-    const lane_pose p = lane_load_pose(rest, pose, &strands);
-    const vec3 origin = gather3(rest, &strands, PLAIT_VERTICES, 0);
+    const lane_pose p = lane_load_pose(rest, pose, &strands, params.row_stride);
+    const vec3 origin = gather3(rest, &strands, params.row_stride, 0);
     const vec3 zero = vec3_of((real)(0.0f), (real)(0.0f), (real)(0.0f));
     quat q = p.q;
     for (int i = 0; i < (int)params.vertex_stride; ++i) {
-        const vec3 offset = sub3(gather3(rest, &strands, PLAIT_VERTICES, i), origin);
+        const vec3 offset = sub3(gather3(rest, &strands, params.row_stride, i), origin);
         const vec3 x = lane_carried(i, p.root, p.q, offset);
         store3(lane_x, place, i, x);
         store3(lane_v, place, i, zero);

@@ -22,8 +22,8 @@ __kernel void plait_lane_teleport(const uint item_count, const plait_lane_state_
     if (!lane_place_used(place, item_count))
         return;
     const lane_strands strands = lane_strands_of(lane_strand, place, item_count);
-    const lane_pose from = lane_load_pose(rest, pose_from, &strands);
-    const lane_pose to = lane_load_pose(rest, pose_to, &strands);
+    const lane_pose from = lane_load_pose(rest, pose_from, &strands, params.row_stride);
+    const lane_pose to = lane_load_pose(rest, pose_to, &strands, params.row_stride);
     const quat turn = mulq(to.q, conjq(from.q));
     for (int i = 0; i < (int)params.vertex_stride; ++i) {
         carry(lane_x, place, i, to.root, turn);

@@ -55,7 +55,7 @@ __kernel void plait_lane_unpack(const uint item_count, const plait_lane_layout_p
     size_t vertex[PLAIT_LANES];
     uint fewest = PLAIT_VERTICES;
     for (uint k = 0; k < PLAIT_LANES; ++k) {
-        vertex[k] = (size_t)strands.at[k] * PLAIT_VERTICES;
+        vertex[k] = (size_t)strands.at[k] * params.row_stride;
         fewest = min(fewest, vertex_count[strands.at[k]]);
     }
     const vec3 root = load3(lane_x, place, 0);

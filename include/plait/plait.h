@@ -592,7 +592,8 @@ PLAIT_API void plait_sim_desc_init(plait_sim_desc* desc, size_t size);
 
 /* Builds now the kernels of the `count` models `models`, for strands of up to `vertices_per_strand`
  * (a groom's max_vertices): for a loading screen. plait_sim_create builds those of its own model
- * unless they are built; it cannot know the models that its strands are switched to later. May take
+ * unless they are built; it cannot know the models that its strands are switched to later. A groom
+ * whose strands differ much in length takes them for the longest of each class (ADR 19). May take
  * seconds; nothing but the programs is kept.
  * @errors UNSUPPORTED (the backend lacks a stage), COMPILE */
 PLAIT_API plait_result plait_context_prepare(plait_context* context, const plait_model* models,

@@ -31,6 +31,14 @@ struct LaneBuffer {
     const Buffer* buffer = nullptr;
     uint32_t components = 0;
     LaneLayout layout{};
+    bool blended = false; // quaternions between two turns: as short as the turns are apart
+};
+
+// Strands that lie together.
+struct PartShape {
+    plait_model model;
+    uint32_t strands;
+    uint32_t row; // V of their lanes
 };
 
 // The inter-hair grid for strands over lanes.
@@ -82,6 +90,8 @@ class Model {
 
     // The model of every guide strand, where strands have one of their own.
     virtual void read_models(std::span<plait_model>) const {}
+    // Adds the parts in which strands of these models lie, in the order of add_dynamic().
+    virtual void list_parts(std::span<const plait_model>, std::pmr::vector<PartShape>&) const {}
     // Adds the model's own buffers that carry state from step to step.
     virtual void add_dynamic(std::pmr::vector<LaneBuffer>&) const {}
     virtual uint64_t device_bytes() const { return 0; }

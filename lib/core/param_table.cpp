@@ -37,16 +37,16 @@ constexpr uint32_t strand_models = models_that(&ModelTraits::switches);
 static_assert((rods & tressfx) == 0 && (strand_models & tressfx) == 0);
 constexpr uint32_t every_model = tressfx | strand_models;
 
-struct Place {
+struct Field {
     const char* name;
     size_t offset, size;
 };
 #define AT(field)                                                                                  \
-    Place {                                                                                        \
+    Field {                                                                                        \
 #field, offsetof(plait_sim_params, field), sizeof(plait_sim_params::field)                 \
     }
 
-constexpr plait_param_info entry(plait_param_kind kind, const Place& at, const char* unit,
+constexpr plait_param_info entry(plait_param_kind kind, const Field& at, const char* unit,
                                  double least, double most) {
     return {sizeof(plait_param_info),
             kind,
@@ -60,19 +60,19 @@ constexpr plait_param_info entry(plait_param_kind kind, const Place& at, const c
             0,
             every_model};
 }
-constexpr plait_param_info real(const Place& at, const char* unit, double least, double most) {
+constexpr plait_param_info real(const Field& at, const char* unit, double least, double most) {
     return entry(PLAIT_PARAM_KIND_FLOAT, at, unit, least, most);
 }
-constexpr plait_param_info above(const Place& at, const char* unit, double least, double most) {
+constexpr plait_param_info above(const Field& at, const char* unit, double least, double most) {
     plait_param_info info = real(at, unit, least, most);
     info.least_excluded = 1;
     return info;
 }
-constexpr plait_param_info whole(const Place& at, double least, double most) {
+constexpr plait_param_info whole(const Field& at, double least, double most) {
     return entry(PLAIT_PARAM_KIND_UINT, at, "", least, most);
 }
 template <size_t N>
-constexpr plait_param_info choice(const Place& at, const char* const (&names)[N]) {
+constexpr plait_param_info choice(const Field& at, const char* const (&names)[N]) {
     plait_param_info info = entry(PLAIT_PARAM_KIND_CHOICE, at, "", 0, N - 1);
     info.choices = names;
     return info;

@@ -41,15 +41,15 @@ Status Roots::make_buffers(Device& device) {
         PLAIT_TRY(device.upload(buffer, identities.data()));
     }
     for (size_t i = 0; i < made.size(); ++i)
-        places()[i]->poses = std::move(made[i]);
+        all_poses()[i]->poses = std::move(made[i]);
     return {};
 }
 
 Status Roots::clear_buffers(Device& device) {
     const std::pmr::vector<PackedPose> identities(layout_.guides, pack(identity_pose), memory_);
-    for (const Place* place : places())
-        if (place->poses)
-            PLAIT_TRY(device.write(place->poses, identities.data()));
+    for (const Poses* each : all_poses())
+        if (each->poses)
+            PLAIT_TRY(device.write(each->poses, identities.data()));
     return {};
 }
 
@@ -78,7 +78,7 @@ void Roots::aim_at_target_poses(const plait_pose& head) {
     aimed = true;
 }
 
-void Roots::add(Schedule& schedule, const Place& from, const Place& to, float alpha,
+void Roots::add(Schedule& schedule, const Poses& from, const Poses& to, float alpha,
                 const Buffer& pose) const {
     const bool own = from.own || to.own;
     schedule.add(PLAIT_STAGE_roots, layout_.guides, roots_params(from.head, to.head, alpha, own),

@@ -45,27 +45,27 @@ class Roots {
     // Head at the end of the last fixed step.
     const plait_pose& step_head() const { return to_.head; }
 
-    // The state as saved: each place's head, whether its roots have poses of their own, and the
+    // The state as saved: each one's head, whether its roots have poses of their own, and the
     // buffer that holds them.
-    struct Place {
+    struct Poses {
         plait_pose head = identity_pose;
         bool own = false; // false: the buffer, if there is one, holds identities
         Buffer poses;     // float4 [2*guides]
     };
-    std::array<const Place*, 4> places() const { return {&at_, &target_, &from_, &to_}; }
-    std::array<Place*, 4> places() { return {&at_, &target_, &from_, &to_}; }
+    std::array<const Poses*, 4> all_poses() const { return {&at_, &target_, &from_, &to_}; }
+    std::array<Poses*, 4> all_poses() { return {&at_, &target_, &from_, &to_}; }
     Status make_buffers(Device& device);  // with identities; nothing if they are there
     Status clear_buffers(Device& device); // to identities
     bool aimed = false;                   // target_ is not where the roots are
 
   private:
-    void add(Schedule& schedule, const Place& from, const Place& to, float alpha,
+    void add(Schedule& schedule, const Poses& from, const Poses& to, float alpha,
              const Buffer& pose) const;
-    const Place& goal() const { return aimed ? target_ : at_; }
+    const Poses& goal() const { return aimed ? target_ : at_; }
 
     Layout layout_;
     std::pmr::memory_resource* memory_;
-    Place at_, target_, from_, to_;
+    Poses at_, target_, from_, to_;
 };
 
 } // namespace plait

@@ -5,11 +5,20 @@
 #include <algorithm>
 
 namespace plait {
+namespace {
+
+constexpr size_t more = 16; // dispatches; a substep takes about ten
+
+} // namespace
 
 void Schedule::add(plait_stage stage, uint32_t items, uint32_t width, const void* params,
                    size_t size, std::initializer_list<const Buffer*> buffers) {
-    assert(size_ < capacity && buffers.size() <= most_arguments);
+    assert(buffers.size() <= most_arguments);
     assert(buffers.size() == plait_stage_describe(stage)->buffer_count);
+    if (size_ == dispatches_.size()) {
+        entries_.resize(size_ + more);
+        dispatches_.resize(size_ + more);
+    }
     Entry& entry = entries_[size_];
     std::memcpy(entry.params.data(), params, size);
     std::transform(buffers.begin(), buffers.end(), entry.buffers.begin(),
@@ -27,10 +36,13 @@ void Schedule::add(plait_stage stage, uint32_t items, uint32_t width, const void
 }
 
 void Schedule::reckon_traffic(uint32_t vertices_per_strand) {
-    for (size_t i = 0; i < size_; ++i)
-        dispatches_[i].bytes =
-            plait_stage_traffic(dispatches_[i].stage, dispatches_[i].item_count,
-                                vertices_per_strand, entries_[i].elements.data());
+    for (size_t i = 0; i < size_; ++i) {
+        plait_dispatch& dispatch = dispatches_[i];
+        const bool of_lanes = plait_stage_describe(dispatch.stage)->space == PLAIT_SPACE_LANES;
+        dispatch.bytes = plait_stage_traffic(dispatch.stage, dispatch.item_count,
+                                             of_lanes ? dispatch.item_width : vertices_per_strand,
+                                             entries_[i].elements.data());
+    }
 }
 
 Status Schedule::submit(Device& device) {

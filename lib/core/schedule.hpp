@@ -7,8 +7,11 @@
 #include <array>
 #include <cassert>
 #include <cstring>
+#include <deque>
 #include <initializer_list>
+#include <memory_resource>
 #include <string_view>
+#include <vector>
 
 namespace plait {
 
@@ -20,9 +23,14 @@ inline constexpr size_t most_arguments = std::max({
 #include <plait/stages.def>
     size_t{0}});
 
-// Holds parameters and buffer lists in place, so that stepping never allocates.
+// Holds parameters and buffer lists in place and keeps its room, so that stepping does not allocate.
 class Schedule {
   public:
+    explicit Schedule(std::pmr::memory_resource* memory = std::pmr::get_default_resource())
+        : dispatches_(memory), entries_(memory) {}
+    Schedule(const Schedule&) = delete;
+    Schedule& operator=(const Schedule&) = delete;
+
     template <typename Params>
     void add(plait_stage stage, uint32_t items, const Params& params,
              std::initializer_list<const Buffer*> buffers, uint32_t width = 1) {
@@ -30,7 +38,8 @@ class Schedule {
         add(stage, items, width, &params, sizeof params, buffers);
     }
     void clear() { size_ = 0; }
-    // Fills in the bytes that each dispatch of the list moves.
+    // Fills in the bytes that each dispatch of the list moves. `vertices_per_strand`: of those whose
+    // item_width does not say it.
     void reckon_traffic(uint32_t vertices_per_strand);
     std::span<const plait_dispatch> list() const { return {dispatches_.data(), size_}; }
 
@@ -38,7 +47,6 @@ class Schedule {
     Status submit(Device& device);
 
   private:
-    static constexpr size_t capacity = 64; // dispatches per submit; a substep takes about ten
     struct Entry {
         alignas(16) std::array<unsigned char, 192> params;
         std::array<plait_buffer*, most_arguments> buffers;
@@ -49,8 +57,8 @@ class Schedule {
              std::initializer_list<const Buffer*> buffers);
 
     size_t size_ = 0;
-    std::array<plait_dispatch, capacity> dispatches_;
-    std::array<Entry, capacity> entries_;
+    std::pmr::vector<plait_dispatch> dispatches_; // of which `size_` are in use
+    std::pmr::deque<Entry> entries_;              // which dispatches point into
 };
 
 // UNSUPPORTED if the device lacks a stage of the list.

@@ -112,7 +112,7 @@ Sim::Sim(Context& context, SimParts parts)
       model_(std::move(parts.model)), state_(std::move(parts.state)), grid_(std::move(parts.grid)),
       display_(std::move(parts.display)), roots_(layout_, &context.memory),
       colliders_(desc_.substeps, &context.memory), clock_(desc_.step, desc_.max_steps_per_call),
-      pin_table_(&context.memory) {}
+      schedule_(&context.memory), pin_table_(&context.memory) {}
 
 Sim::~Sim() {
     if (context_.measured == this)

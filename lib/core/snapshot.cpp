@@ -43,7 +43,7 @@ static_assert(sizeof(Colliders::Slot) == sizeof(float) * (2 + 21 + 28),
 namespace {
 
 constexpr uint32_t magic = 0x74696c70; // "plit"
-constexpr uint32_t version = 3;
+constexpr uint32_t version = 4;
 
 // Of a position (m) or a velocity (m/s): a head and a groom may be 1e6 m away each.
 constexpr float largest = 4e6f;
@@ -140,11 +140,13 @@ Status check_range(const unsigned char* bytes, size_t index, const char* name) {
     return {};
 }
 
-Status check_turn(const unsigned char* bytes, size_t first, const char* name) {
+Status check_turn(const unsigned char* bytes, size_t first, const char* name, bool blended) {
     double square = 0;
     for (size_t i = first; i < first + 4; ++i)
         square += double(float_at(bytes, i)) * double(float_at(bytes, i));
-    if (!(std::abs(square - 1) <= unit_error))
+    if (blended && !(square <= 1 + unit_error))
+        return outside(name, first / 4, square, "[0, 1.01] (square of a quaternion)");
+    if (!blended && !(std::abs(square - 1) <= unit_error))
         return outside(name, first / 4, square, "1 +- 0.01 (square of a quaternion)");
     return {};
 }
@@ -175,7 +177,7 @@ std::pmr::vector<Sim::Block> Sim::blocks(const SnapshotHeader& h) {
     for (size_t i = 0; i < own_poses.size(); ++i)
         if (own_poses[i])
             list.push_back(
-                {&roots_.places()[i]->poses, size_t{8} * layout_.guides, Block::Of::poses, {}});
+                {&roots_.all_poses()[i]->poses, size_t{8} * layout_.guides, Block::Of::poses, {}});
     if (h.pins)
         for (const Buffer* pins : {&state_.pin, &state_.pin_at, &state_.pin_to})
             list.push_back({pins, 4 * vertices, Block::Of::histories, {}});
@@ -183,8 +185,8 @@ std::pmr::vector<Sim::Block> Sim::blocks(const SnapshotHeader& h) {
 }
 
 // The blocks of a snapshot whose strands may be of other models than the sim's are now: those of
-// the lanes come model by model; first those that every model has, x, v, q and q before, then
-// BDF2's x and v where the model steps by it.
+// the lanes come part by part; first those that every model has, x, v, q and q before, then BDF2's x
+// and v where the model steps by it.
 std::pmr::vector<Sim::Block> Sim::saved_blocks(const SnapshotHeader& h,
                                                std::span<const plait_model> strands) {
     auto list = blocks(h);
@@ -194,12 +196,13 @@ std::pmr::vector<Sim::Block> Sim::saved_blocks(const SnapshotHeader& h,
     const auto first = std::ranges::find_if(list, is_lane);
     const auto last = std::find_if_not(first, list.end(), is_lane);
     std::pmr::vector<Block> saved(list.begin(), first, &context_.memory);
-    for (const ModelTraits& traits : all_models()) {
-        const auto count = static_cast<size_t>(std::ranges::count(strands, traits.model));
-        const std::ptrdiff_t own = bdf2_of(traits, desc_.params) ? 6 : 4;
-        for (std::ptrdiff_t i = 0; count > 0 && i < own; ++i) {
+    std::pmr::vector<PartShape> parts(&context_.memory);
+    model_->list_parts(strands, parts);
+    for (const PartShape& part : parts) {
+        const std::ptrdiff_t own = bdf2_of(traits_of(part.model), desc_.params) ? 6 : 4;
+        for (std::ptrdiff_t i = 0; i < own; ++i) {
             saved.push_back(first[i % 4]);
-            saved.back().floats = count * layout_.row * saved.back().lanes.components;
+            saved.back().floats = size_t{part.strands} * part.row * saved.back().lanes.components;
         }
     }
     saved.insert(saved.end(), last, list.end());
@@ -225,11 +228,11 @@ SnapshotHeader Sim::snapshot_header() {
     h.pins = state_.pin ? 1 : 0;
     const auto strands = models();
     h.switched = std::ranges::any_of(strands, [&](plait_model m) { return m != desc_.model; });
-    const auto places = roots_.places();
-    for (size_t i = 0; i < places.size(); ++i) {
-        const bool meant = places[i] != places[1] || roots_.aimed; // no target: nothing to keep
-        h.heads[i] = meant ? places[i]->head : identity_pose;
-        h.own[i] = meant && places[i]->own;
+    const auto all = roots_.all_poses();
+    for (size_t i = 0; i < all.size(); ++i) {
+        const bool meant = all[i] != all[1] || roots_.aimed; // no target: nothing to keep
+        h.heads[i] = meant ? all[i]->head : identity_pose;
+        h.own[i] = meant && all[i]->own;
     }
     return h;
 }
@@ -322,7 +325,7 @@ Status Sim::check_block(const Block& block, const unsigned char* from) const {
     const bool poses = block.of == Block::Of::poses, turns = block.of == Block::Of::turns;
     for (size_t i = 0; i < block.floats; i += 4) {
         if (turns || (poses && i % 8 == 0)) {
-            PLAIT_TRY(check_turn(from, i, name));
+            PLAIT_TRY(check_turn(from, i, name, block.lanes.blended));
             continue;
         }
         for (size_t k = i; k < std::min(i + 4, block.floats); ++k)
@@ -341,10 +344,10 @@ Status Sim::restore_roots(const SnapshotHeader& h) {
     const auto own = owned(h);
     if (std::find(own.begin(), own.end(), true) != own.end())
         PLAIT_TRY(roots_.make_buffers(device()));
-    const auto places = roots_.places();
-    for (size_t i = 0; i < places.size(); ++i) {
-        places[i]->head = h.heads[i];
-        places[i]->own = own[i];
+    const auto all = roots_.all_poses();
+    for (size_t i = 0; i < all.size(); ++i) {
+        all[i]->head = h.heads[i];
+        all[i]->own = own[i];
     }
     roots_.aimed = h.aimed != 0;
     return roots_.clear_buffers(device());

@@ -95,8 +95,8 @@ uint64_t Sim::device_bytes() const {
                      boxes_.bytes() + box_.bytes() + colliders_.capsules().bytes();
     for (const Buffer* buffer : state_.all())
         bytes += buffer->bytes();
-    for (const Roots::Place* place : roots_.places())
-        bytes += place->poses.bytes();
+    for (const Roots::Poses* each : roots_.all_poses())
+        bytes += each->poses.bytes();
     return bytes;
 }
 

@@ -19,7 +19,7 @@ enum Flags : uint32_t {
 };
 constexpr uint32_t MAX_SEGMENTS = 65535; // a strand's are a u16
 
-struct Layout {
+struct Contents {
     uint64_t strands;
     uint64_t points;
     uint64_t segments_at; // 0: every strand has `segments`
@@ -56,21 +56,21 @@ Result<uint64_t> next_array(const ByteReader& file, const char* what, uint32_t f
 }
 
 // The strands' points, segment by segment, must be exactly the points there are.
-Status check_points(const ByteReader& file, const Layout& layout) {
-    uint64_t points = layout.strands * (uint64_t{layout.segments} + 1);
-    if (layout.segments_at) {
-        points = layout.strands;
-        for (uint64_t s = 0; s < layout.strands; ++s)
-            points += file.u16(layout.segments_at + 2 * s);
+Status check_points(const ByteReader& file, const Contents& contents) {
+    uint64_t points = contents.strands * (uint64_t{contents.segments} + 1);
+    if (contents.segments_at) {
+        points = contents.strands;
+        for (uint64_t s = 0; s < contents.strands; ++s)
+            points += file.u16(contents.segments_at + 2 * s);
     }
-    if (points == layout.points)
+    if (points == contents.points)
         return {};
     return file.bad(POINTS_AT, format("number of points is %" PRIu64 "; the strands' segments need "
                                       "%" PRIu64,
-                                      layout.points, points));
+                                      contents.points, points));
 }
 
-Result<Layout> read_layout(const ByteReader& file) {
+Result<Contents> read_contents(const ByteReader& file) {
     PLAIT_TRY(check_header(file));
     uint64_t end = HEADER_SIZE;
     const uint64_t strands = file.u32(STRANDS_AT), points = file.u32(POINTS_AT);
@@ -82,27 +82,28 @@ Result<Layout> read_layout(const ByteReader& file) {
     PLAIT_TRY(thickness);
     PLAIT_TRY(next_array(file, "transparency", HAS_TRANSPARENCY, points, 4, end));
     PLAIT_TRY(next_array(file, "colours", HAS_COLOURS, points, 12, end));
-    const Layout layout = {strands,
-                           points,
-                           *segments,
-                           *positions,
-                           *thickness,
-                           file.u32(SEGMENTS_AT),
-                           file.f32(THICKNESS_AT)};
-    PLAIT_TRY(check_points(file, layout));
-    return layout;
+    const Contents contents = {strands,
+                               points,
+                               *segments,
+                               *positions,
+                               *thickness,
+                               file.u32(SEGMENTS_AT),
+                               file.f32(THICKNESS_AT)};
+    PLAIT_TRY(check_points(file, contents));
+    return contents;
 }
 
-void read_vertex_counts(const ByteReader& file, const Layout& layout, StrandSet& strands) {
-    strands.vertex_counts.assign(static_cast<size_t>(layout.strands), layout.segments + 1);
-    if (layout.segments_at)
+void read_vertex_counts(const ByteReader& file, const Contents& contents, StrandSet& strands) {
+    strands.vertex_counts.assign(static_cast<size_t>(contents.strands), contents.segments + 1);
+    if (contents.segments_at)
         for (size_t s = 0; s < strands.vertex_counts.size(); ++s)
-            strands.vertex_counts[s] = file.u16(layout.segments_at + 2 * s) + 1u;
+            strands.vertex_counts[s] = file.u16(contents.segments_at + 2 * s) + 1u;
 }
 
 // A strand's thickness is the mean of its points'.
-void read_thickness(const ByteReader& file, const Layout& layout, float scale, StrandSet& strands) {
-    uint64_t at = layout.thickness_at;
+void read_thickness(const ByteReader& file, const Contents& contents, float scale,
+                    StrandSet& strands) {
+    uint64_t at = contents.thickness_at;
     strands.thickness.reserve(strands.vertex_counts.size());
     for (uint32_t vertices : strands.vertex_counts) {
         double sum = 0;
@@ -145,17 +146,17 @@ void write_header(ByteWriter& out, const StrandSet& strands) {
 } // namespace
 
 Result<StrandSet> read_hair(const ByteReader& file, const ReadOptions& options) {
-    auto layout = read_layout(file);
-    PLAIT_TRY(layout);
+    auto contents = read_contents(file);
+    PLAIT_TRY(contents);
     StrandSet strands(options.memory);
-    read_vertex_counts(file, *layout, strands);
-    strands.positions.reserve(static_cast<size_t>(layout->points * 3));
-    for (uint64_t i = 0; i < layout->points * 3; ++i)
-        strands.positions.push_back(options.scale * file.f32(layout->points_at + 4 * i));
-    if (layout->thickness_at)
-        read_thickness(file, *layout, options.scale, strands);
-    else if (layout->thickness > 0)
-        strands.thickness.assign(strands.vertex_counts.size(), options.scale * layout->thickness);
+    read_vertex_counts(file, *contents, strands);
+    strands.positions.reserve(static_cast<size_t>(contents->points * 3));
+    for (uint64_t i = 0; i < contents->points * 3; ++i)
+        strands.positions.push_back(options.scale * file.f32(contents->points_at + 4 * i));
+    if (contents->thickness_at)
+        read_thickness(file, *contents, options.scale, strands);
+    else if (contents->thickness > 0)
+        strands.thickness.assign(strands.vertex_counts.size(), options.scale * contents->thickness);
     return strands;
 }
 

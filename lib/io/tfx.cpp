@@ -36,7 +36,7 @@ constexpr Version VERSION_4 = {160,
                                  {"vertex colour", 28, 4, true}}}};
 constexpr uint64_t STRANDS_AT = 4, VERTICES_AT = 8;
 
-struct Layout {
+struct Contents {
     const Version* version;
     uint64_t strands;
     uint64_t vertices; // all strands together
@@ -62,49 +62,49 @@ Result<uint32_t> read_count(const ByteReader& file, const char* what, uint64_t a
     return count;
 }
 
-Result<uint64_t> read_offset(const ByteReader& file, const Layout& layout, SectionId id) {
-    const Section& section = layout.version->sections[id];
+Result<uint64_t> read_offset(const ByteReader& file, const Contents& contents, SectionId id) {
+    const Section& section = contents.version->sections[id];
     const uint64_t at = section.header_offset;
     const uint64_t offset = file.u32(at);
     if (offset == 0 && id != POSITIONS)
         return offset;
-    if (offset < layout.version->header_size)
+    if (offset < contents.version->header_size)
         return file.bad(at, format("offset of %s is %" PRIu64 ", inside the header of %" PRIu64
                                    " bytes",
-                                   section.name, offset, layout.version->header_size));
-    const uint64_t count = section.per_vertex ? layout.vertices : layout.strands;
+                                   section.name, offset, contents.version->header_size));
+    const uint64_t count = section.per_vertex ? contents.vertices : contents.strands;
     PLAIT_TRY(file.check_range(section.name, at, offset, count, section.floats * sizeof(float)));
     return offset;
 }
 
 // Everything the header says, checked against the size of the file.
-Result<Layout> read_layout(const ByteReader& file) {
+Result<Contents> read_contents(const ByteReader& file) {
     auto version = read_version(file);
     PLAIT_TRY(version);
     auto strands = read_count(file, "number of strands", STRANDS_AT);
     PLAIT_TRY(strands);
     auto vertices = read_count(file, "number of vertices per strand", VERTICES_AT);
     PLAIT_TRY(vertices);
-    Layout layout = {*version, *strands, uint64_t{*strands} * *vertices, *vertices, {}};
+    Contents contents = {*version, *strands, uint64_t{*strands} * *vertices, *vertices, {}};
     for (int id = POSITIONS; id < SECTIONS; ++id) {
-        auto offset = read_offset(file, layout, static_cast<SectionId>(id));
+        auto offset = read_offset(file, contents, static_cast<SectionId>(id));
         PLAIT_TRY(offset);
-        layout.offsets[id] = *offset;
+        contents.offsets[id] = *offset;
     }
-    return layout;
+    return contents;
 }
 
 // The first `kept` floats of each element; in version 4 the fourth of a position is its inverse
 // mass, which plait derives itself (vertices 0 and 1 are pinned).
-void read_floats(const ByteReader& file, const Layout& layout, SectionId id, uint32_t kept,
+void read_floats(const ByteReader& file, const Contents& contents, SectionId id, uint32_t kept,
                  float scale, std::pmr::vector<float>& values) {
-    const Section& section = layout.version->sections[id];
-    const uint64_t count = section.per_vertex ? layout.vertices : layout.strands;
+    const Section& section = contents.version->sections[id];
+    const uint64_t count = section.per_vertex ? contents.vertices : contents.strands;
     values.reserve(static_cast<size_t>(count * kept));
     for (uint64_t i = 0; i < count; ++i)
         for (uint32_t c = 0; c < kept; ++c)
             values.push_back(
-                scale * file.f32(layout.offsets[id] + (i * section.floats + c) * sizeof(float)));
+                scale * file.f32(contents.offsets[id] + (i * section.floats + c) * sizeof(float)));
 }
 
 // Checks that the strands can be written, and returns their vertices per strand.
@@ -152,15 +152,16 @@ void write_header(ByteWriter& out, const StrandSet& strands, uint32_t vertices_p
 } // namespace
 
 Result<StrandSet> read_tfx(const ByteReader& file, const ReadOptions& options) {
-    auto layout = read_layout(file);
-    PLAIT_TRY(layout);
+    auto contents = read_contents(file);
+    PLAIT_TRY(contents);
     StrandSet strands(options.memory);
-    strands.vertex_counts.assign(static_cast<size_t>(layout->strands), layout->vertices_per_strand);
-    read_floats(file, *layout, POSITIONS, 3, options.scale, strands.positions);
-    if (layout->offsets[STRAND_UV] != 0)
-        read_floats(file, *layout, STRAND_UV, 2, 1.0f, strands.strand_uv);
-    if (layout->offsets[THICKNESS] != 0)
-        read_floats(file, *layout, THICKNESS, 1, options.scale, strands.thickness);
+    strands.vertex_counts.assign(static_cast<size_t>(contents->strands),
+                                 contents->vertices_per_strand);
+    read_floats(file, *contents, POSITIONS, 3, options.scale, strands.positions);
+    if (contents->offsets[STRAND_UV] != 0)
+        read_floats(file, *contents, STRAND_UV, 2, 1.0f, strands.strand_uv);
+    if (contents->offsets[THICKNESS] != 0)
+        read_floats(file, *contents, THICKNESS, 1, options.scale, strands.thickness);
     return strands;
 }
 

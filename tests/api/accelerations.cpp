@@ -108,13 +108,7 @@ TEST_P(Accelerations, OfZeroChangeNoBitAndOffCostNothing) {
         run(on, 3);
         run(off, 3);
         EXPECT_EQ(on.read(PLAIT_FIELD_POSITION), off.read(PLAIT_FIELD_POSITION)) << model;
-        const auto launches = [](plait::Sim& sim) {
-            std::vector<std::string> names;
-            for (const plait_launch& launch : sim.take_launches())
-                names.emplace_back(launch.stage);
-            return names;
-        };
-        const auto with = launches(on), without = launches(off);
+        const auto with = launched_stages(on), without = launched_stages(off);
         const size_t copies = model == PLAIT_MODEL_TRESSFX ? 0 : 3;
         EXPECT_EQ(std::ranges::count(with, "lane_accelerate"), static_cast<int>(copies));
         EXPECT_EQ(std::ranges::count(without, "lane_accelerate"), 0);

@@ -193,16 +193,6 @@ TEST_P(Models, NothingThatIsSeenMovesAtTheSwitch) {
     }
 }
 
-// Names and calls of the stages of three steps.
-std::vector<std::pair<std::string, uint64_t>> stages_of(plait::Sim& sim) {
-    sim.stage_times(true);
-    run(sim, 3);
-    std::vector<std::pair<std::string, uint64_t>> list;
-    for (const plait_stage_time& time : sim.stage_times())
-        list.emplace_back(time.stage, time.calls);
-    return list;
-}
-
 TEST_P(Models, ASimOfOneModelTakesTheStagesOfThatModel) {
     using Stages = std::vector<std::pair<std::string, uint64_t>>;
     plait::Sim sim(context, make_groom(tuft(6, 5)), desc_of(cosserat));

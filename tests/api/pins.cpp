@@ -275,13 +275,7 @@ TEST_P(Pins, OfNoneChangeNoBitAndOffCostNothing) {
         run(on, 3);
         run(off, 3);
         EXPECT_EQ(on.read(PLAIT_FIELD_POSITION), off.read(PLAIT_FIELD_POSITION)) << model;
-        const auto launches = [](plait::Sim& sim) {
-            std::vector<std::string> names;
-            for (const plait_launch& launch : sim.take_launches())
-                names.emplace_back(launch.stage);
-            return names;
-        };
-        const auto with = launches(on), without = launches(off);
+        const auto with = launched_stages(on), without = launched_stages(off);
         EXPECT_EQ(std::ranges::count(with, "lane_pin"), 6); // a substep each
         EXPECT_EQ(std::ranges::count(with, "pins"), 6);     // a step and a call each
         EXPECT_EQ(with.size(), without.size() + 12);

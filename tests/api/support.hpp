@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 using Point = std::array<float, 3>;
@@ -101,6 +102,24 @@ constexpr double frame = 1.0 / 60;
 inline void run(plait::Sim& sim, int steps) {
     for (int i = 0; i < steps; ++i)
         sim.step(frame);
+}
+
+// Names and calls of the stages of three steps.
+inline std::vector<std::pair<std::string, uint64_t>> stages_of(plait::Sim& sim) {
+    sim.stage_times(true);
+    run(sim, 3);
+    std::vector<std::pair<std::string, uint64_t>> list;
+    for (const plait_stage_time& time : sim.stage_times())
+        list.emplace_back(time.stage, time.calls);
+    return list;
+}
+
+// The stages launched since they were taken last, in their order; of a context that profiles.
+inline std::vector<std::string> launched_stages(plait::Sim& sim) {
+    std::vector<std::string> names;
+    for (const plait_launch& launch : sim.take_launches())
+        names.emplace_back(launch.stage);
+    return names;
 }
 
 inline float largest_difference(const std::vector<float>& a, const std::vector<float>& b) {

@@ -33,13 +33,18 @@ template <typename Params> void fill(Params& p, const Shape& shape) {
     constexpr bool tiled = requires {
         p.tile;
     }
+    , rows = requires {
+        p.row_stride;
+    }
     , steps = requires {
         p.h;
     };
-    static_assert(sizeof(Params) == 4 * (1 + tiled + steps), "other fields need values");
+    static_assert(sizeof(Params) == 4 * (1 + tiled + rows + steps), "other fields need values");
     p.vertex_stride = shape.vertices;
     if constexpr (tiled)
         p.tile = shape.tile;
+    if constexpr (rows)
+        p.row_stride = shape.vertices;
     if constexpr (steps)
         p.h = step;
 }
@@ -105,8 +110,21 @@ void fill(plait_grid_params& p, const Shape& shape) {
     p.diffuse_floor = 0.5f;
 }
 void fill(plait_lane_params& p, const Shape& shape) {
-    p = {shape.vertices, shape.tile, step, 3,    0,     1, {0, -9.81f, 0},
-         {0, 0, 0},      0,          0,    3e6f, 1e-6f, 0, 0};
+    p = {shape.vertices,
+         shape.tile,
+         shape.vertices,
+         step,
+         3,
+         0,
+         1,
+         {0, -9.81f, 0},
+         {0, 0, 0},
+         0,
+         0,
+         3e6f,
+         1e-6f,
+         0,
+         0};
 }
 void fill(plait_accelerate_params& p, const Shape& shape) {
     p = {shape.vertices, step, 0, {}};
@@ -115,7 +133,7 @@ void fill(plait_pins_params& p, const Shape& shape) {
     p = {shape.vertices, 0.5f};
 }
 void fill(plait_lane_pin_params& p, const Shape& shape) {
-    p = {shape.vertices, shape.tile, 0.5f, 1e4f, 1e5f, step, 300};
+    p = {shape.vertices, shape.tile, shape.vertices, 0.5f, 1e4f, 1e5f, step, 300};
 }
 void fill(plait_lane_grid_params& p, const Shape& shape) {
     plait_grid_params grid{};
@@ -134,13 +152,13 @@ void fill(plait_lane_grid_params& p, const Shape& shape) {
     p.history = 1;
 }
 void fill(plait_lane_state_params& p, const Shape& shape) {
-    p = {shape.vertices, shape.tile, 0};
+    p = {shape.vertices, shape.tile, shape.vertices, 0};
 }
 void fill(plait_lane_move_params& p, const Shape& shape) {
     p = {shape.vertices, shape.tile, 3};
 }
 void fill(plait_lane_history_params& p, const Shape& shape) {
-    p = {shape.vertices, shape.tile, step, 1};
+    p = {shape.vertices, shape.tile, shape.vertices, step, 1};
 }
 void fill(plait_bounds_params& p, const Shape& shape) {
     const auto vertices = static_cast<uint32_t>(shape.total());

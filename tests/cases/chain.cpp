@@ -42,16 +42,18 @@ Case chain_case() {
                 params.contact_rate = 3e4f;
                 result.setups.push_back(
                     lane_setup(size, make_lane_hair_in_contact(size, seed, 0.05f), params, false));
+                result.setups.back().name += ", seed " + std::to_string(seed);
             }
     for (const Size& size : contact_sizes())
         for (const uint32_t far : {0u, 70u}) {
             plait_lane_params params = lane_params(size, 1, far == 0);
             params.contact_rate = 3e4f;
             result.setups.push_back(
-                lane_setup(size, make_lane_hair_on_surfaces(size, 48, 0.05f, far), params, false));
+                lane_setup(size, make_lane_hair_on_surfaces(size, 60, 0.05f, far), params, false));
         }
     result.flags.push_back("capsule.kind");
     add_pinned(result, false);
+    add_longer_rows(result);
     return result;
 }
 

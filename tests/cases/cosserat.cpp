@@ -35,6 +35,7 @@ Case cosserat_case() {
                                                lane_params(size, 3, bdf2), true));
     add_rods_on_surfaces(result);
     add_pinned(result, true);
+    add_longer_rows(result);
     return result;
 }
 

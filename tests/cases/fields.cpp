@@ -14,8 +14,8 @@ namespace {
 
 // uint that sizes buffers, or says where in one to begin
 constexpr std::string_view of_layout[] = {
-    "vertex_stride", "tile",     "collider_count", "collider_first", "guide_count",
-    "edge_count",    "capacity", "share",          "boxes",          "components"};
+    "vertex_stride", "row_stride", "tile",  "collider_count", "collider_first", "guide_count",
+    "edge_count",    "capacity",   "share", "boxes",          "components"};
 // uint that takes one of two values
 constexpr std::string_view choices[] = {"per_root", "accelerates", "pins", "history",
                                         "bdf2",     "shock_form",  "form", "slot_hash",

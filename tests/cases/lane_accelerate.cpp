@@ -30,11 +30,12 @@ Case lane_accelerate_case() {
         setup.buffers = {
             null_array(), uints(hair.vertex_count), float4s(some_too_strong(size)),
             lane_floats(std::vector<float>(size_t{3} * size.strands * size.stride, 9), 3)};
-        result.setups.push_back(setup.with(plait_lane_tile_params{size.stride, 1}));
+        result.setups.push_back(setup.with(plait_lane_tile_params{size.stride, 1, size.stride}));
         setup.name += ", reordered";
         setup.buffers[0] = uints(other_order(size.strands, size.strands));
         result.setups.push_back(setup);
     }
+    add_longer_rows(result);
     return result;
 }
 

@@ -30,8 +30,8 @@ Case lane_fit_case() {
                              lane_floats(lanes.x, 3),
                              lane_floats(lanes.x_before, 3),
                              lane_floats(lanes.v_before, 3)};
-            result.setups.push_back(
-                setup.with(plait_lane_history_params{size.stride, 1, 1.0f / 60, history}));
+            result.setups.push_back(setup.with(
+                plait_lane_history_params{size.stride, 1, size.stride, 1.0f / 60, history}));
         }
     return result;
 }

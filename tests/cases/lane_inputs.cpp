@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 namespace plait::cases {
 namespace {
@@ -280,8 +281,9 @@ LaneHair make_lane_hair_wrung(const Size& size, uint32_t seed) {
 }
 
 plait_lane_params lane_params(const Size& size, uint32_t iterations, uint32_t bdf2) {
-    plait_lane_params params = {size.stride, 1, 1.0f / 30, iterations, bdf2, 4, {20, -40, 30},
-                                {9, 8, -7},  0, 0,         0,          0,    0, 0};
+    plait_lane_params params = {
+        size.stride, 1, size.stride, 1.0f / 30, iterations, bdf2, 4, {20, -40, 30},
+        {9, 8, -7},  0, 0,           0,         0,          0,    0};
     params.contact_rate = 3e5f; // what starts inside is pushed out by millimetres
     params.contact_slip = 0.03f;
     params.accelerates = 1;
@@ -352,6 +354,40 @@ Setup pinned(Setup setup, const LaneHair& lanes, bool bends) {
     }
     setup.name += ", pinned";
     return setup.with(params);
+}
+
+Setup in_longer_rows(Setup setup, plait_stage stage, uint32_t more) {
+    static constexpr std::string_view of_all_strands[] = {
+        "rest", "acceleration", "pin_from", "pin_to", "position", "position_prev"};
+    const plait_stage_info& info = *plait_stage_describe(stage);
+    plait_lane_tile_params params;
+    std::memcpy(&params, setup.params.data(), sizeof params);
+    const size_t width = size_t{4} * params.vertex_stride;
+    for (size_t i = 0; i < setup.buffers.size(); ++i) {
+        if (std::ranges::find(of_all_strands, info.args[i].name) == std::end(of_all_strands))
+            continue;
+        const std::vector<float> plain = std::move(setup.buffers[i].floats);
+        std::vector<float>& rows = setup.buffers[i].floats = {};
+        for (size_t at = 0; at < plain.size(); at += width) {
+            rows.insert(rows.end(), plain.begin() + static_cast<long>(at),
+                        plain.begin() + static_cast<long>(at + width));
+            rows.insert(rows.end(), size_t{4} * more, 0.75f); // that no lane has
+        }
+    }
+    params.row_stride += more;
+    std::memcpy(setup.params.data(), &params, sizeof params);
+    setup.name += ", in rows of " + std::to_string(params.row_stride);
+    return setup;
+}
+
+void add_longer_rows(Case& result) {
+    const std::vector<Setup> setups = result.setups;
+    for (const Setup& setup : setups) {
+        uint32_t stride;
+        std::memcpy(&stride, setup.params.data(), sizeof stride);
+        if (stride == 5 || stride == 9)
+            result.setups.push_back(in_longer_rows(setup, result.stage, 1 + stride % 7));
+    }
 }
 
 const std::vector<Size>& contact_sizes() {

@@ -50,4 +50,10 @@ void add_rods_on_surfaces(Case& result);
 Setup pinned(Setup setup, const LaneHair& hair, bool bends);
 void add_pinned(Case& result, bool bends);
 
+// The same lanes in a sim that has longer strands, too: rows of buffers that hold all strands have
+// `more` vertices than the lanes.
+Setup in_longer_rows(Setup setup, plait_stage stage, uint32_t more);
+// Setups of few vertices so; for the last of a case's.
+void add_longer_rows(Case& result);
+
 } // namespace plait::cases

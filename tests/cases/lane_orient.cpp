@@ -25,10 +25,12 @@ Case lane_orient_case() {
                          lane_floats(lanes.v, 3),
                          lane_floats(lanes.q, 4),
                          lane_floats(lanes.q_before, 4)};
-        result.setups.push_back(setup.with(plait_lane_layout_params{size.stride, 1, 1.0f / 60}));
+        result.setups.push_back(
+            setup.with(plait_lane_layout_params{size.stride, 1, size.stride, 1.0f / 60}));
         setup.name += ", reordered";
         setup.buffers[1] = uints(other_order(size.strands, size.strands));
-        result.setups.push_back(setup.with(plait_lane_layout_params{size.stride, 1, 1.0f / 60}));
+        result.setups.push_back(
+            setup.with(plait_lane_layout_params{size.stride, 1, size.stride, 1.0f / 60}));
     }
     return result;
 }

@@ -21,15 +21,16 @@ Case lane_pack_case() {
                          lane_floats(lanes.v, 3),
                          lane_floats(lanes.v_before, 3)};
         result.setups.push_back(
-            setup.with(plait_lane_history_params{size.stride, 1, 1.0f / 60, 1}));
+            setup.with(plait_lane_history_params{size.stride, 1, size.stride, 1.0f / 60, 1}));
         // all strands but one, in another order
         setup.name += ", reordered";
         setup.items -= size.stride;
         setup.buffers[0] = uints(other_order(size.strands, size.strands - 1));
         // the step before is there, so that keeping it is a fair disturbance
         result.setups.push_back(
-            setup.with(plait_lane_history_params{size.stride, 1, 1.0f / 60, 0}));
+            setup.with(plait_lane_history_params{size.stride, 1, size.stride, 1.0f / 60, 0}));
     }
+    add_longer_rows(result);
     return result;
 }
 

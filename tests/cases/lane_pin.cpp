@@ -26,8 +26,8 @@ Case lane_pin_case() {
                              lane_floats(lanes.v, 3),
                              lane_floats(std::vector<float>(lanes.q.size(), 9), 4)};
             const float pull = rate > 100 ? 1e9f : 1e6f; // no bound, or that of most
-            result.setups.push_back(
-                setup.with(plait_lane_pin_params{size.stride, 1, 0.7f, 15000, rate, 0.3f, pull}));
+            result.setups.push_back(setup.with(
+                plait_lane_pin_params{size.stride, 1, size.stride, 0.7f, 15000, rate, 0.3f, pull}));
             if (rate > 100)
                 continue;
             const std::vector<uint32_t> list = other_order(size.strands, size.strands);
@@ -35,6 +35,7 @@ Case lane_pin_case() {
             setup.buffers[0] = uints(list);
             result.setups.push_back(setup);
         }
+    add_longer_rows(result);
     return result;
 }
 

@@ -29,9 +29,12 @@ Case lane_teleport_case() {
                          lane_floats(lanes.q_before, 4),
                          lane_floats(lanes.x_before, 3),
                          lane_floats(lanes.v_before, 3)};
-        result.setups.push_back(setup.with(plait_lane_state_params{size.stride, 1, 1}));
-        result.setups.push_back(reordered(setup).with(plait_lane_state_params{size.stride, 1, 1}));
+        result.setups.push_back(
+            setup.with(plait_lane_state_params{size.stride, 1, size.stride, 1}));
+        result.setups.push_back(
+            reordered(setup).with(plait_lane_state_params{size.stride, 1, size.stride, 1}));
     }
+    add_longer_rows(result);
     return result;
 }
 

@@ -17,13 +17,15 @@ Case lane_unpack_case() {
                          lane_floats(lanes.v, 3),
                          float4s(lanes.hair.position),
                          float4s(lanes.hair.position_prev)};
-        result.setups.push_back(setup.with(plait_lane_layout_params{size.stride, 1, 1.0f / 60}));
+        result.setups.push_back(
+            setup.with(plait_lane_layout_params{size.stride, 1, size.stride, 1.0f / 60}));
         // all strands but one, in another order
         setup.name += ", reordered";
         setup.items -= 1;
         setup.buffers[0] = uints(other_order(size.strands, size.strands - 1));
         result.setups.push_back(setup);
     }
+    add_longer_rows(result);
     return result;
 }
 

@@ -50,6 +50,7 @@ class Strand {
         plait_lane_params params{};
         params.vertex_stride = static_cast<plait_u32>(rest_position_.size());
         params.tile = 1;
+        params.row_stride = params.vertex_stride;
         params.h = 1;
         const View<const Vec4> rest(rest_position_.data(), rest_position_.size(), "rest");
         const View<const Vec4> pose(pose_.data(), pose_.size(), "pose");

@@ -72,11 +72,12 @@ class JsonReader {
 
     void finish() const;
     [[noreturn]] void fail(const std::string& key, const std::string& problem) const;
+    // "scene.json:12: pins[0].at", or of the object itself: "".
+    std::string place(const std::string& key) const;
 
   private:
     bool choose(const char* key, int& index, std::span<const char* const> names);
     double checked(const std::string& key, const Json& value, double least, double most) const;
-    std::string place(const std::string& key) const;
 
     const Json& object_;
     const Origin& origin_;

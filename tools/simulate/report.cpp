@@ -89,6 +89,17 @@ Json compared(const Compared& other) {
     return json;
 }
 
+// How many strands each is of.
+Json materials_of(const Report& report) {
+    const auto taken =
+        strand_materials(report.scene.materials, report.figure.groom.get(), report.scene.seed);
+    Json list = Json::array();
+    for (uint32_t m = 0; m < report.scene.materials.size(); ++m)
+        list.push_back({{"name", report.scene.materials[m].name},
+                        {"strands", std::count(taken.begin(), taken.end(), m)}});
+    return list;
+}
+
 } // namespace
 
 Json to_json(const Report& report) {
@@ -121,6 +132,7 @@ Json to_json(const Report& report) {
     json["bounds_min"] = report.figure.info.bounds_min;
     json["bounds_max"] = report.figure.info.bounds_max;
     json["mean_length"] = report.figure.info.mean_length;
+    json["materials"] = materials_of(report);
     json["scale"] = scene.groom.scale;
     json["warnings"] = report.warnings;
     json["import_repairs"] = report.figure.info.repairs_total;

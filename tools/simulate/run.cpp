@@ -24,9 +24,19 @@ bool pins_hair(const Scene& scene) {
     return !scene.pins.empty() && scene.sim.model != PLAIT_MODEL_TRESSFX;
 }
 
+// Nor materials, in a comparison.
 SimHandle make_sim(plait_context* context, const plait_groom* groom, const Scene& scene) {
     plait_sim_desc desc = scene.sim;
     desc.pins = pins_hair(scene) ? 1 : 0;
+    const auto of_strands = strand_materials(scene.materials, groom, scene.seed);
+    std::vector<plait_material> materials;
+    for (const MaterialChoice& choice : scene.materials)
+        materials.push_back(choice.material);
+    if (!materials.empty() && desc.model != PLAIT_MODEL_TRESSFX) {
+        desc.materials = materials.data();
+        desc.material_count = materials.size();
+        desc.strand_material = {of_strands.data(), of_strands.size(), 0};
+    }
     plait_sim* sim = nullptr;
     check(plait_sim_create(context, groom, &desc, &sim));
     return SimHandle(sim);

@@ -225,11 +225,16 @@ typedef struct plait_lane_grid_params {
     plait_u32 history; /* 1: BDF2's step before is kept; 0: lane_v_before is null */
 } plait_lane_grid_params;
 
-/* chain, cosserat, rod, articulated: one substep of a strand model over lanes. */
+/* Stages over lanes have two strides: `vertex_stride` is V of the lanes, that of the longest strand
+ * in them; `row_stride`, V or more, that of buffers which hold all strands of the sim, one after
+ * the other: rest, position, accelerations, pins.
+ *
+ * chain, cosserat, rod, articulated: one substep of a strand model over lanes. */
 typedef struct plait_lane_params {
     plait_u32 vertex_stride;
     plait_u32 tile; /* strands per tile of the lane layout */
-    float h;        /* s */
+    plait_u32 row_stride;
+    float h; /* s */
     plait_u32
         iterations;   /* chain: length solves; cosserat: sweeps; rod, articulated: Newton steps */
     plait_u32 bdf2;   /* 0: backward Euler; 1: BDF2, needs the step before */
@@ -254,6 +259,7 @@ typedef struct plait_pins_params {
 typedef struct plait_lane_pin_params {
     plait_u32 vertex_stride;
     plait_u32 tile;
+    plait_u32 row_stride;
     float share; /* [0, 1]: of the way from pin_from to pin_to, at the substep's end */
     /* A pin is at most as stiff as holds the strand's mass at this acceleration, m/s^2, within the
      * length of the segment before it, or its vertex' mass times the rate, 1/s^2, if that is more.
@@ -268,6 +274,7 @@ typedef struct plait_lane_pin_params {
 typedef struct plait_lane_state_params {
     plait_u32 vertex_stride;
     plait_u32 tile;
+    plait_u32 row_stride;
     plait_u32 history; /* 1: BDF2's step before is kept; 0: lane_x_before, lane_v_before are null */
 } plait_lane_state_params;
 
@@ -275,12 +282,14 @@ typedef struct plait_lane_state_params {
 typedef struct plait_lane_tile_params {
     plait_u32 vertex_stride;
     plait_u32 tile;
+    plait_u32 row_stride;
 } plait_lane_tile_params;
 
 /* lane_unpack, lane_orient. */
 typedef struct plait_lane_layout_params {
     plait_u32 vertex_stride;
     plait_u32 tile;
+    plait_u32 row_stride;
     float h; /* s: position_prev = position - h v; the step before is h ago (lane_orient) */
 } plait_lane_layout_params;
 
@@ -295,6 +304,7 @@ typedef struct plait_bounds_params {
 typedef struct plait_lane_history_params {
     plait_u32 vertex_stride;
     plait_u32 tile;
+    plait_u32 row_stride;
     float h;           /* s: the step before is h ago */
     plait_u32 history; /* 1: BDF2's step before is kept; 0: lane_x_before, lane_v_before are null */
 } plait_lane_history_params;

@@ -54,7 +54,7 @@ Result<Program> build_source(cl_context context, const ProgramRequest& request) 
     if (code != CL_SUCCESS)
         return failure(code, "clCreateProgramWithSource");
     code = clBuildProgram(program.get(), 1, &device, request.options.c_str(), nullptr, nullptr);
-    const std::string messages = true_places(request.source, build_log(program.get(), device));
+    const std::string messages = with_true_lines(request.source, build_log(program.get(), device));
     if (code != CL_SUCCESS)
         return Error{PLAIT_COMPILE, format("%s did not build on %s with %s: %s\n%s", file,
                                            request.device.info.name, request.options.c_str(),

@@ -56,7 +56,7 @@ class Flattener {
     Status append(std::string_view name, std::string_view text) {
         const auto file = static_cast<uint32_t>(source_.files.size());
         source_.files.emplace_back(name);
-        emit_place({file, 1});
+        emit_line_of({file, 1});
         for (uint32_t line = 1; !text.empty(); ++line) {
             const size_t end = std::min(text.find('\n'), text.size());
             PLAIT_TRY(append_line({file, line}, text.substr(0, end)));
@@ -68,32 +68,32 @@ class Flattener {
     Source take() { return std::move(source_); }
 
   private:
-    Status append_line(Source::Place place, std::string_view line) {
+    Status append_line(Source::Line origin, std::string_view line) {
         const auto include = parse_include(line);
         if (!include)
-            return emit(place, line);
-        const std::string& includer = source_.files[place.file];
+            return emit(origin, line);
+        const std::string& includer = source_.files[origin.file];
         const EmbeddedFile* file = resolve(includer, include->name);
         if (!file && include->angled)
-            return emit(place, line);
+            return emit(origin, line);
         if (!file)
             return Error{PLAIT_COMPILE,
                          format("%s:%u: error: #include \"%s\": no such file among plait's cl/",
-                                includer.c_str(), place.line, include->name.c_str())};
+                                includer.c_str(), origin.line, include->name.c_str())};
         if (std::ranges::find(source_.files, file->name) != source_.files.end())
-            return emit(place, "");
+            return emit(origin, "");
         PLAIT_TRY(append(file->name, file->text()));
-        emit_place({place.file, place.line + 1});
+        emit_line_of({origin.file, origin.line + 1});
         return {};
     }
 
-    Status emit(Source::Place place, std::string_view line) {
+    Status emit(Source::Line origin, std::string_view line) {
         source_.text.append(line).push_back('\n');
-        source_.places.push_back(place);
+        source_.lines.push_back(origin);
         return {};
     }
 
-    void emit_place(Source::Place next) {
+    void emit_line_of(Source::Line next) {
         std::string name = source_.files[next.file];
         std::erase_if(name, [](char c) { return c == '"' || c == '\\' || c == '\n'; });
         (void)emit(next, format("#line %u \"%s\"", next.line, name.c_str()));
@@ -115,7 +115,7 @@ std::string_view stage_text(const std::string& stage) {
     return file ? file->text() : std::string_view();
 }
 
-std::string true_places(const Source& source, const std::string& log) {
+std::string with_true_lines(const Source& source, const std::string& log) {
     static const std::regex place_pattern(R"(([^\s:]+):(\d{1,7}):(\d+): )");
     std::string result;
     auto rest = log.cbegin();
@@ -123,11 +123,11 @@ std::string true_places(const Source& source, const std::string& log) {
         const std::smatch& match = *it;
         const size_t line = std::stoul(match[2]);
         const bool ours = std::ranges::find(source.files, match[1].str()) != source.files.end();
-        if (ours || line == 0 || line > source.places.size())
+        if (ours || line == 0 || line > source.lines.size())
             continue;
-        const Source::Place place = source.places[line - 1];
+        const Source::Line origin = source.lines[line - 1];
         result.append(rest, match[0].first);
-        result += format("%s:%u:%s: ", source.files[place.file].c_str(), place.line,
+        result += format("%s:%u:%s: ", source.files[origin.file].c_str(), origin.line,
                          match[3].str().c_str());
         rest = match[0].second;
     }

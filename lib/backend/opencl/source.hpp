@@ -11,14 +11,14 @@
 namespace plait::opencl {
 
 struct Source {
-    struct Place {
+    struct Line {
         uint32_t file; // index into files
         uint32_t line; // from 1
     };
 
     std::string text; // what the compiler is given, with #line for its messages
     std::vector<std::string> files;
-    std::vector<Place> places; // where each line of `text` comes from
+    std::vector<Line> lines; // where each line of `text` comes from
 };
 
 // Replaces every #include of a file of cl/ by that file, each file once; looked for beside the
@@ -29,8 +29,8 @@ Result<Source> flatten(std::string_view name, std::string_view text);
 // The embedded source of cl/<stage>.cl, or an empty view.
 std::string_view stage_text(const std::string& stage);
 
-// A compiler's log with its places made true: some compilers (Oclgrind's) ignore #line and count
+// A compiler's log with its lines made true: some compilers (Oclgrind's) ignore #line and count
 // lines of the flattened text under a name of their own.
-std::string true_places(const Source& source, const std::string& log);
+std::string with_true_lines(const Source& source, const std::string& log);
 
 } // namespace plait::opencl

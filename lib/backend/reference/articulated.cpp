@@ -178,7 +178,8 @@ bool RodModel::turn_segments() {
     if (!(energy() <= limit))
         *this = from;
     for (size_t i = 1; i < x.size(); ++i)
-        if ((x[i] - from.x[i]).norm() > PLAIT_ARTICULATED_CONVERGED * length_before_[i])
+        if (length_before_[i] > 0 && // not past the tip
+            (x[i] - from.x[i]).norm() > PLAIT_ARTICULATED_CONVERGED * length_before_[i])
             return true;
     return false;
 }

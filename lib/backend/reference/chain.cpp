@@ -25,6 +25,12 @@ struct Links {
     std::vector<double> own, mass;
     std::vector<Vec3> goal;
     double reach; // h^2/(1 + c h)
+
+    // Whether there is a segment after this one, which may be the tip's: rows past it have none.
+    bool follows(Eigen::Index segment) const {
+        const auto next = static_cast<size_t>(segment) + 1;
+        return next < length.size() && length[next] > 0;
+    }
 };
 
 // Inverse masses; where a contact holds, (m I + reach B)^-1 with its Hessian B.
@@ -55,7 +61,7 @@ void project_lengths(const Links& links, const std::vector<Mat3>& W, std::vector
         const double l = links.length[i];
         residual[i] = l > 0 ? std::min((x[i + 1] - x[i]).dot(u[i]) - l, l) : 0;
         system(i, i) = u[i].dot((W[i] + W[i + 1]) * u[i]);
-        if (i + 1 < n)
+        if (links.follows(i))
             system(i, i + 1) = system(i + 1, i) = -u[i].dot(W[i + 1] * u[i + 1]);
     }
     const Eigen::VectorXd lambda = system.partialPivLu().solve(residual);
@@ -93,7 +99,7 @@ std::vector<Vec3> pulled(const Links& links, const Motion& motion) {
         residual[i] =
             l > 0 ? std::clamp((links.goal[i + 1] - links.goal[i]).dot(u[i]) - l, -l, l) : 0;
         system(i, i) = w(i) + w(i + 1);
-        if (i + 1 < n)
+        if (links.follows(i))
             system(i, i + 1) = system(i + 1, i) = -u[i].dot(u[i + 1]) * w(i + 1);
     }
     const Eigen::VectorXd lambda = system.partialPivLu().solve(residual);
@@ -180,8 +186,7 @@ void chain(uint32_t item_count, const plait_lane_params& params, const chain_arg
     for (size_t slot = 0; slot < item_count; ++slot) {
         const Lane lane(slot, params.vertex_stride, params.tile);
         const size_t strand = strand_of(args.lane_strand, slot);
-        const Vec3 root =
-            root_of(args.rest, pose_of(args.pose, strand), strand, params.vertex_stride);
+        const Vec3 root = root_of(args.rest, pose_of(args.pose, strand), strand, params.row_stride);
         Motion motion(lane, params, state, root);
         Links links;
         links.reach = motion.h * motion.h / (1 + params.drag * motion.h);
@@ -207,7 +212,7 @@ void chain(uint32_t item_count, const plait_lane_params& params, const chain_arg
         const std::vector<Vec3> solved = solve(links, motion, params, held);
         std::vector<Vec3> x = solved;
         follow(links, held, x);
-        for (size_t i = 1; i + 1 < x.size(); ++i)
+        for (size_t i = 1; links.follows(static_cast<Eigen::Index>(i) - 1); ++i)
             motion.w[i] -= PLAIT_CHAIN_VELOCITY_CORRECTION * (x[i + 1] - solved[i + 1]) / motion.h;
         std::vector<Vec3> v = motion.velocities(x);
         // The sweep is exact in lengths alone: springs that it pressed give nothing.

@@ -22,7 +22,7 @@ Vec3 rub(const Vec3& x, const Vec3& relative, const Surface& at, double friction
 
 void collide(uint32_t item_count, const plait_collide_params& params, const collide_args& args) {
     for (size_t item = 0; item < item_count; ++item) {
-        const auto [strand, i] = place(item, params.vertex_stride);
+        const auto [strand, i] = strand_vertex(item, params.vertex_stride);
         Vec4& position = args.position[item];
         if (i >= vertices_of(args.vertex_count, strand, params.vertex_stride) || pinned(position))
             continue;

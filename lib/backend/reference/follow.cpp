@@ -27,7 +27,7 @@ Vec3 turned_offset(const Vec3& offset, const Guide& guide, uint32_t i, const fol
 void follow(uint32_t item_count, const plait_follow_params& params, const follow_args& args) {
     const uint32_t stride = params.vertex_stride;
     for (size_t item = 0; item < item_count; ++item) {
-        const Place at = place(item, stride);
+        const StrandVertex at = strand_vertex(item, stride);
         const uint32_t strand = args.follow_guide[at.strand];
         if (strand >= params.guide_count)
             throw BadDispatch(format("follow_guide[%zu] is %u, there are %u guides", at.strand,

@@ -8,7 +8,7 @@ namespace plait::reference {
 void global_shape(uint32_t item_count, const plait_global_shape_params& params,
                   const global_shape_args& args) {
     for (size_t item = 0; item < item_count; ++item) {
-        const auto [strand, i] = place(item, params.vertex_stride);
+        const auto [strand, i] = strand_vertex(item, params.vertex_stride);
         const uint32_t count = vertices_of(args.vertex_count, strand, params.vertex_stride);
         Vec4& position = args.position[item];
         if (i >= static_cast<double>(params.range) * count || pinned(position))

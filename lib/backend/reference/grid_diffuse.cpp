@@ -66,7 +66,7 @@ void grid_diffuse(uint32_t item_count, const plait_grid_params& params,
                   const grid_diffuse_args& args) {
     const Grid grid(params);
     for (size_t item = 0; item < item_count; ++item) {
-        const auto [strand, i] = place(item, params.vertex_stride);
+        const auto [strand, i] = strand_vertex(item, params.vertex_stride);
         const uint32_t count = vertices_of(args.vertex_count, strand, params.vertex_stride);
         const Vec4& x = args.position[item];
         if (i >= count || pinned(x))

@@ -38,7 +38,7 @@ uint32_t pcg_slot(uint32_t vertex, const plait_grid_params& params) {
 void grid_slots(uint32_t item_count, const plait_grid_params& params, const grid_slots_args& args) {
     const Grid grid(params);
     for (uint32_t item = 0; item < item_count; ++item) {
-        const auto [strand, i] = place(item, params.vertex_stride);
+        const auto [strand, i] = strand_vertex(item, params.vertex_stride);
         if (i >= vertices_of(args.vertex_count, strand, params.vertex_stride))
             continue;
         const Vec3 p = grid.coordinates(xyz(args.position[item]));

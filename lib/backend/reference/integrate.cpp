@@ -24,7 +24,7 @@ Vec3 verlet(const Vec3& x, const Vec3& previous, const Vec3& pull,
 void integrate(uint32_t item_count, const plait_integrate_params& params,
                const integrate_args& args) {
     for (size_t item = 0; item < item_count; ++item) {
-        const auto [strand, i] = place(item, params.vertex_stride);
+        const auto [strand, i] = strand_vertex(item, params.vertex_stride);
         const uint32_t count = vertices_of(args.vertex_count, strand, params.vertex_stride);
         if (i >= count)
             continue;

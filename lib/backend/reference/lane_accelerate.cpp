@@ -11,9 +11,8 @@ void lane_accelerate(uint32_t item_count, const plait_lane_tile_params& params,
         const uint32_t count = vertices_of(args.vertex_count, strand, params.vertex_stride);
         for (uint32_t i = 0; i < params.vertex_stride; ++i) {
             const Vec3 own =
-                i < count
-                    ? checked_acceleration(args.acceleration[strand * params.vertex_stride + i])
-                    : Vec3::Zero();
+                i < count ? checked_acceleration(args.acceleration[strand * params.row_stride + i])
+                          : Vec3::Zero();
             lane.store(args.lane_acceleration, i, own);
         }
     }

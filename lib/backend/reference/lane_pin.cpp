@@ -16,7 +16,7 @@ void lane_pin(uint32_t item_count, const plait_lane_pin_params& params, const la
         const Lane lane(slot, params.vertex_stride, params.tile);
         const uint32_t count = vertices_of(args.vertex_count, strand, params.vertex_stride);
         const Pose pose = pose_of(args.pose, strand);
-        const Vec3 root = root_of(args.rest, pose, strand, params.vertex_stride);
+        const Vec3 root = root_of(args.rest, pose, strand, params.row_stride);
         const auto material = [&](size_t row, size_t component) {
             return args.lane_material[lane.index(row, component, PLAIT_LANE_MATERIAL_COMPONENTS)];
         };
@@ -25,7 +25,7 @@ void lane_pin(uint32_t item_count, const plait_lane_pin_params& params, const la
         for (uint32_t i = 1; i < count; ++i)
             mass += material(i, PLAIT_LANE_MASS);
         for (uint32_t i = 0; i < params.vertex_stride; ++i) {
-            const size_t vertex = strand * params.vertex_stride + i;
+            const size_t vertex = strand * params.row_stride + i;
             Vec4 pin = Vec4::Zero();
             if (i > 0 && i < count)
                 pin = on_its_way(args.pin_from[vertex], args.pin_to[vertex], params.share);

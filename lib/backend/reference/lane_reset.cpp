@@ -10,10 +10,10 @@ void lane_reset(uint32_t item_count, const plait_lane_state_params& params,
         const Lane lane(slot, params.vertex_stride, params.tile);
         const size_t strand = strand_of(args.lane_strand, slot);
         const Pose pose = pose_of(args.pose, strand);
-        const Vec3 origin = xyz(args.rest[strand * params.vertex_stride]);
+        const Vec3 origin = xyz(args.rest[strand * params.row_stride]);
         Quat q = pose.q;
         for (uint32_t i = 0; i < params.vertex_stride; ++i) {
-            const Vec3 p = xyz(args.rest[strand * params.vertex_stride + i]);
+            const Vec3 p = xyz(args.rest[strand * params.row_stride + i]);
             const Vec3 x = i == 0 ? pose.apply(p) : Vec3(pose.q * (p - origin));
             lane.store(args.lane_x, i, x);
             lane.store(args.lane_v, i, Vec3(Vec3::Zero()));

@@ -10,7 +10,7 @@ void lane_teleport(uint32_t item_count, const plait_lane_state_params& params,
         const Lane lane(slot, params.vertex_stride, params.tile);
         const size_t strand = strand_of(args.lane_strand, slot);
         const Pose to = pose_of(args.pose_to, strand);
-        const Vec3 root = root_of(args.rest, to, strand, params.vertex_stride);
+        const Vec3 root = root_of(args.rest, to, strand, params.row_stride);
         const Quat turn = to.q * pose_of(args.pose_from, strand).q.conjugate();
         const auto carry = [&](const View<double>& x, const View<double>& v, uint32_t i) {
             lane.store(x, i, i == 0 ? root : Vec3(turn * lane.vector(x, i)));

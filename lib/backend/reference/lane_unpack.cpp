@@ -11,7 +11,7 @@ void lane_unpack(uint32_t item_count, const plait_lane_layout_params& params,
         const Vec3 root = lane.vector(args.lane_x, 0);
         const uint32_t count = vertices_of(args.vertex_count, strand, params.vertex_stride);
         for (uint32_t i = 0; i < count; ++i) {
-            const size_t vertex = strand * params.vertex_stride + i;
+            const size_t vertex = strand * params.row_stride + i;
             const Vec3 x = i == 0 ? root : Vec3(root + lane.vector(args.lane_x, i));
             const Vec3 v = lane.vector(args.lane_v, i);
             const double inverse_mass = i == 0 ? 0 : 1;

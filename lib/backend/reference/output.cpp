@@ -8,7 +8,7 @@ namespace plait::reference {
 void output(uint32_t item_count, const plait_output_params& params, const output_args& args) {
     const double alpha = params.alpha;
     for (size_t item = 0; item < item_count; ++item) {
-        const size_t strand = place(item, params.vertex_stride).strand;
+        const size_t strand = strand_vertex(item, params.vertex_stride).strand;
         const Vec4& x = args.position[item];
         const Vec3 before = xyz(args.position_local[item]);
         const Vec3 last = pose_of(args.pose, strand).invert(xyz(x));

@@ -37,7 +37,7 @@ RodModel::RodModel(const RodBuffers& buffers, const plait_lane_params& params, s
                    size_t strand, bool inextensible)
     : inextensible_(inextensible), params_(&params), lane_(slot, params.vertex_stride, params.tile),
       motion_(lane_, params, buffers.state,
-              root_of(buffers.rest, pose_of(buffers.pose, strand), strand, params.vertex_stride)),
+              root_of(buffers.rest, pose_of(buffers.pose, strand), strand, params.row_stride)),
       root_frame_(pose_of(buffers.pose, strand).q) {
     const double repeat = repeated(params);
     for (uint32_t i = 0; i < params.vertex_stride; ++i) {

@@ -27,7 +27,12 @@ void Shape::check_positive(const char* name, double value) {
 
 void Shape::set_stride(uint32_t vertex_stride) {
     check_range("vertex_stride", vertex_stride, PLAIT_MIN_VERTICES, PLAIT_MAX_VERTICES);
-    stride_ = vertex_stride;
+    stride_ = row_stride_ = vertex_stride;
+}
+
+void Shape::set_row_stride(uint32_t row_stride) {
+    check_range("row_stride", row_stride, stride_, PLAIT_MAX_VERTICES);
+    row_stride_ = row_stride;
 }
 
 void Shape::set_grid(uint32_t edge_count, double voxel_edge) {
@@ -43,12 +48,12 @@ void Shape::set_capacity(uint32_t capacity) {
 
 void Shape::set_rows(plait_space space) {
     if (space == PLAIT_SPACE_VERTEX) {
-        vertices_ = items_;
         strands_ = (items_ + stride_ - 1) / stride_;
+        vertices_ = row_stride_ == stride_ ? items_ : strands_ * row_stride_;
     } else if (space == PLAIT_SPACE_STRAND || space == PLAIT_SPACE_STRAND_GROUP ||
                space == PLAIT_SPACE_LANES) {
         strands_ = items_;
-        vertices_ = items_ * stride_;
+        vertices_ = items_ * row_stride_;
     }
 }
 

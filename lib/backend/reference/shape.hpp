@@ -21,6 +21,8 @@ class Shape {
         : items_(dispatch.item_count) {
         if constexpr (requires { params.vertex_stride; })
             set_stride(params.vertex_stride);
+        if constexpr (requires { params.row_stride; })
+            set_row_stride(params.row_stride);
         if constexpr (requires { params.h; })
             check_positive("h", params.h);
         if constexpr (requires { params.per_root; })
@@ -55,6 +57,7 @@ class Shape {
 
   private:
     void set_stride(uint32_t vertex_stride);
+    void set_row_stride(uint32_t row_stride);
     void set_grid(uint32_t edge_count, double voxel_edge);
     void set_capacity(uint32_t capacity);
     void set_rows(plait_space space);
@@ -64,7 +67,8 @@ class Shape {
     static void check_positive(const char* name, double value);
 
     size_t items_;
-    size_t stride_ = 0;
+    size_t stride_ = 0;     // V, of the lanes where there are any
+    size_t row_stride_ = 0; // of a strand in buffers of vertices
     size_t strands_ =
         0; // rows whose state is read or written; the guides in follow and follow_turns
     size_t vertices_ = 0; // of those rows

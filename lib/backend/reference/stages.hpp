@@ -39,12 +39,12 @@ namespace plait::reference {
 #undef PLAIT_MEMBER_LOCAL
 
 // A vertex by the number of its item: strand * V + index.
-struct Place {
+struct StrandVertex {
     size_t strand;
     uint32_t index;
 };
 
-inline Place place(size_t item, uint32_t vertex_stride) {
+inline StrandVertex strand_vertex(size_t item, uint32_t vertex_stride) {
     return {item / vertex_stride, static_cast<uint32_t>(item % vertex_stride)};
 }
 

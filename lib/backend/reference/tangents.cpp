@@ -27,7 +27,7 @@ Vec3 tangent(const tangents_args& args, size_t root, uint32_t segment, uint32_t 
 
 void tangents(uint32_t item_count, const plait_layout_params& params, const tangents_args& args) {
     for (size_t item = 0; item < item_count; ++item) {
-        const auto [strand, i] = place(item, params.vertex_stride);
+        const auto [strand, i] = strand_vertex(item, params.vertex_stride);
         const uint32_t count = vertices_of(args.vertex_count, strand, params.vertex_stride);
         const size_t root = strand * params.vertex_stride;
         const uint32_t segment = std::min(i, count - 2);

@@ -6,7 +6,7 @@ namespace plait::reference {
 
 void teleport(uint32_t item_count, const plait_layout_params& params, const teleport_args& args) {
     for (size_t item = 0; item < item_count; ++item) {
-        const size_t strand = place(item, params.vertex_stride).strand;
+        const size_t strand = strand_vertex(item, params.vertex_stride).strand;
         const Pose from = pose_of(args.pose_from, strand);
         const Pose to = pose_of(args.pose_to, strand);
         for (const auto* state : {&args.position, &args.position_prev, &args.position_prev2}) {

@@ -10,7 +10,7 @@ namespace plait::reference {
 void velocity_shock(uint32_t item_count, const plait_layout_params& params,
                     const velocity_shock_args& args) {
     for (size_t item = 0; item < item_count; ++item) {
-        const auto [strand, i] = place(item, params.vertex_stride);
+        const auto [strand, i] = strand_vertex(item, params.vertex_stride);
         const uint32_t count = vertices_of(args.vertex_count, strand, params.vertex_stride);
         if (i < 2 || i >= count || pinned(args.position[item]))
             continue;

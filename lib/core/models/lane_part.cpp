@@ -55,10 +55,10 @@ LaneSource::LaneSource(const ModelInput& input)
                                     {input.stiffness.begin(), input.stiffness.end(), input.memory}},
       materials(input.materials) {}
 
-LanePart::LanePart(const LaneSource& source, plait_model model, Members members)
+LanePart::LanePart(const LaneSource& source, plait_model model, uint32_t row, Members members)
     : source_(source), traits_(traits_of(model)),
-      members_(std::move(members)), lanes_{static_cast<uint32_t>(members_.size()),
-                                           source.layout.row, source.tile},
+      members_(std::move(members)), lanes_{static_cast<uint32_t>(members_.size()), row,
+                                           source.tile},
       fill_(source.memory), next_fill_(source.memory) {}
 
 Status LanePart::make(Device& device, Buffer& to, size_t components, const char* name) const {
@@ -168,7 +168,7 @@ void LanePart::accelerate(Schedule& schedule, const Substep& at) const {
     if (acceleration_)
         schedule.add(
             PLAIT_STAGE_lane_accelerate, lanes_.strands,
-            plait_lane_tile_params{lanes_.row, lanes_.tile},
+            plait_lane_tile_params{lanes_.row, lanes_.tile, source_.layout.row},
             {&lane_strand_, &at.state.vertex_count, &at.state.acceleration, &acceleration_},
             lanes_.row);
 }
@@ -176,8 +176,8 @@ void LanePart::accelerate(Schedule& schedule, const Substep& at) const {
 void LanePart::pin(Schedule& schedule, const Substep& at) const {
     const float step = step_of(at.h, bdf2_of(traits_, at.params));
     schedule.add(PLAIT_STAGE_lane_pin, lanes_.strands,
-                 plait_lane_pin_params{lanes_.row, lanes_.tile, at.share, pin_hold,
-                                       steps_of_pin / (step * step), at.h, pin_pull},
+                 plait_lane_pin_params{lanes_.row, lanes_.tile, source_.layout.row, at.share,
+                                       pin_hold, steps_of_pin / (step * step), at.h, pin_pull},
                  {&lane_strand_, &at.state.vertex_count, &at.state.rest, &at.state.pose,
                   &fill_.material, &at.state.pin_from, &at.state.pin_to, &x_, &v_, &pin_},
                  lanes_.row);
@@ -188,6 +188,7 @@ void LanePart::substep(Schedule& schedule, const Substep& at, float mean_length)
     plait_lane_params params{};
     params.vertex_stride = lanes_.row;
     params.tile = lanes_.tile;
+    params.row_stride = source_.layout.row;
     params.h = at.h;
     params.iterations = iterations_of(traits_, p);
     params.bdf2 = bdf2_of(traits_, p);
@@ -277,7 +278,7 @@ void LanePart::teleport(Schedule& schedule, const Substep& at, const Buffer& pos
 
 void LanePart::add_dynamic(std::pmr::vector<LaneBuffer>& to) const {
     const LaneBuffer state[] = {{&x_, 3, lanes_},         {&v_, 3, lanes_},
-                                {&q_, 4, lanes_},         {&q_before_, 4, lanes_},
+                                {&q_, 4, lanes_},         {&q_before_, 4, lanes_, true},
                                 {&history_.x, 3, lanes_}, {&history_.v, 3, lanes_}};
     for (const LaneBuffer& buffer : state)
         if (*buffer.buffer)

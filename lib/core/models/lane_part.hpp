@@ -1,7 +1,8 @@
-// Strands of one lane model: the buffers they are in and the stages they take. A sim whose strands
-// are all of one model has one part; after plait_sim_set_models it has one per model in use, each
-// with its strands side by side, so that no lane is spent on a strand of another model. Which
-// strand is in which lane is the part's own; a list tells the stages.
+// Strands of one lane model and one class of length: the buffers they are in and the stages they
+// take. A sim whose strands are all of one model and about one length has one part; else it has one
+// for each model in use and class (length_classes.hpp), each with its strands side by side, so that
+// no lane is spent on a strand of another model, and no row on one far longer. Which strand is in
+// which lane is the part's own; a list tells the stages.
 #pragma once
 
 #include "core/model.hpp"
@@ -38,8 +39,8 @@ class LanePart {
   public:
     using Members = std::pmr::vector<uint32_t>;
 
-    // `members`: the strand of each lane.
-    LanePart(const LaneSource& source, plait_model model, Members members);
+    // `row`: V of the lanes. `members`: the strand of each lane, none longer.
+    LanePart(const LaneSource& source, plait_model model, uint32_t row, Members members);
 
     plait_model model() const { return traits_.model; }
     const Members& members() const { return members_; }
@@ -109,14 +110,14 @@ class LanePart {
     // The strand of a lane; those that fill up the last tile repeat the last strand.
     uint32_t member(size_t lane) const { return members_[std::min(lane, members_.size() - 1)]; }
     plait_lane_layout_params layout_params(const Substep& at) const {
-        return {lanes_.row, lanes_.tile, at.h};
+        return {lanes_.row, lanes_.tile, source_.layout.row, at.h};
     }
     plait_lane_history_params history_params(const Substep& at) const {
-        return {lanes_.row, lanes_.tile, at.h, history_.x ? 1u : 0u};
+        return {lanes_.row, lanes_.tile, source_.layout.row, at.h, history_.x ? 1u : 0u};
     }
     plait_lane_grid_params grid_params(const plait_grid_params& grid) const;
     plait_lane_state_params state_params() const {
-        return {lanes_.row, lanes_.tile, history_.x ? 1u : 0u};
+        return {lanes_.row, lanes_.tile, source_.layout.row, history_.x ? 1u : 0u};
     }
 
     const LaneSource& source_;

@@ -4,6 +4,7 @@
 #include "core/groom.hpp"
 #include "core/models/constraints.hpp"
 #include "core/models/lane_part.hpp"
+#include "core/models/length_classes.hpp"
 #include "core/models/strand_order.hpp"
 
 namespace plait {
@@ -46,33 +47,60 @@ class LaneModel final : public Model {
     void teleport(Schedule& schedule, const Substep& at, const Buffer& pose) override;
     SagReport sag() const override;
     void read_models(std::span<plait_model> models) const override;
+    void list_parts(std::span<const plait_model> models,
+                    std::pmr::vector<PartShape>& to) const override;
     void add_dynamic(std::pmr::vector<LaneBuffer>& to) const override;
     uint64_t device_bytes() const override;
 
   private:
     using PartPtr = std::shared_ptr<LanePart>; // a switch keeps parts whose strands stay
-    PartPtr make_part(plait_model model, LanePart::Members&& members) const;
+    // Calls visit(model, V of the lanes, strands in the order of the lanes) for every part there is
+    // with strands of these models: by model, then by length.
+    template <typename Visit>
+    Status for_each_part(std::span<const plait_model> models, const Visit& visit) const;
+    PartPtr make_part(plait_model model, uint32_t row, LanePart::Members&& members) const;
     PartPtr find_part(plait_model model, const LanePart::Members& members) const;
     std::pmr::vector<LanePlace> places() const;
     void constrain(Schedule& schedule, const Substep& at) const;
 
     LaneSource source_;
     LanePart::Members order_; // of all strands
-    float length_;            // m, of the mean strand
+    LengthClasses classes_;
+    float length_; // m, of the mean strand
     bool opened_ = false, switches_ = false;
-    std::pmr::vector<PartPtr> parts_, next_parts_; // by model; none is empty
+    std::pmr::vector<PartPtr> parts_, next_parts_; // as for_each_part has them; none is empty
 };
 
 LaneModel::LaneModel(plait_model model, const ModelInput& input)
-    : source_(input), order_(order_of(input)),
+    : source_(input), order_(order_of(input)), classes_(source_.strands.counts, input.memory),
       length_(std::max(static_cast<float>(input.groom.shape.mean_length), 1e-6f)),
       parts_(input.memory), next_parts_(input.memory) {
-    parts_.push_back(make_part(model, LanePart::Members(order_, input.memory)));
+    const std::pmr::vector<plait_model> all(order_.size(), model, input.memory);
+    (void)for_each_part(all, [&](plait_model own, uint32_t row, LanePart::Members&& members) {
+        parts_.push_back(make_part(own, row, std::move(members)));
+        return Status{};
+    });
 }
 
-LaneModel::PartPtr LaneModel::make_part(plait_model model, LanePart::Members&& members) const {
+template <typename Visit>
+Status LaneModel::for_each_part(std::span<const plait_model> models, const Visit& visit) const {
+    for (const ModelTraits& traits : all_models())
+        for (const uint32_t row : classes_.rows()) {
+            LanePart::Members members(source_.memory);
+            for (const uint32_t strand : order_)
+                if (models[strand] == traits.model &&
+                    classes_.row_of(source_.strands.counts[strand]) == row)
+                    members.push_back(strand);
+            if (!members.empty())
+                PLAIT_TRY(visit(traits.model, row, std::move(members)));
+        }
+    return {};
+}
+
+LaneModel::PartPtr LaneModel::make_part(plait_model model, uint32_t row,
+                                        LanePart::Members&& members) const {
     return std::allocate_shared<LanePart>(std::pmr::polymorphic_allocator<LanePart>(source_.memory),
-                                          source_, model, std::move(members));
+                                          source_, model, row, std::move(members));
 }
 
 LaneModel::PartPtr LaneModel::find_part(plait_model model, const LanePart::Members& members) const {
@@ -103,22 +131,27 @@ std::pmr::vector<LanePlace> LaneModel::places() const {
 Status LaneModel::prepare_models(Device& device, Schedule& schedule, const Substep& at,
                                  std::span<const plait_model> models) {
     const auto from = places();
-    for (const ModelTraits& traits : all_models()) {
-        LanePart::Members members(source_.memory);
-        for (const uint32_t strand : order_)
-            if (models[strand] == traits.model)
-                members.push_back(strand);
-        if (members.empty())
-            continue;
-        PartPtr part = find_part(traits.model, members);
+    const auto take_over = [&](plait_model model, uint32_t row,
+                               LanePart::Members&& members) -> Status {
+        PartPtr part = find_part(model, members);
         if (!part) {
-            part = make_part(traits.model, std::move(members));
+            part = make_part(model, row, std::move(members));
             PLAIT_TRY(part->take_over(device, schedule, at, from));
         }
         next_parts_.push_back(std::move(part));
-    }
+        return {};
+    };
+    PLAIT_TRY(for_each_part(models, take_over));
     switches_ = true;
     return {};
+}
+
+void LaneModel::list_parts(std::span<const plait_model> models,
+                           std::pmr::vector<PartShape>& to) const {
+    (void)for_each_part(models, [&](plait_model model, uint32_t row, LanePart::Members&& members) {
+        to.push_back({model, static_cast<uint32_t>(members.size()), row});
+        return Status{};
+    });
 }
 
 void LaneModel::swap() noexcept {

@@ -13,21 +13,21 @@ using cases::FieldKind;
 using cases::Outputs;
 using cases::Setup;
 
-struct Layout {
+struct BufferComponents {
     const char* argument;
     const char* components;
 };
-constexpr Layout layouts[] = {
+constexpr BufferComponents all_buffers[] = {
 #define PLAIT_BUFFER(name, when, extent, components) {#name, components},
 #include <plait/buffers.def>
 };
 
 // Components in the order they lie in, "-" for one that no stage may read.
 std::vector<std::string> words_of(const char* argument) {
-    const auto found = std::find_if(std::begin(layouts), std::end(layouts), [&](const Layout& l) {
-        return std::strcmp(l.argument, argument) == 0;
-    });
-    std::istringstream text(found == std::end(layouts) ? "" : found->components);
+    const auto found = std::find_if(
+        std::begin(all_buffers), std::end(all_buffers),
+        [&](const BufferComponents& l) { return std::strcmp(l.argument, argument) == 0; });
+    std::istringstream text(found == std::end(all_buffers) ? "" : found->components);
     std::vector<std::string> words;
     for (std::string word; text >> word;)
         words.push_back(word);
@@ -49,8 +49,12 @@ size_t row_of(const Setup& setup, const Case& stage_case, const Component& compo
                          (component.name.compare(0, 5, "rest.") == 0 &&
                           plait_stage_describe(stage_case.stage)->space != PLAIT_SPACE_LANES &&
                           stage_case.stage != PLAIT_STAGE_skin);
-    uint32_t stride; // the first field of every parameter struct but two
-    std::memcpy(&stride, setup.params.data(), sizeof stride);
+    uint32_t stride; // the first field of every parameter struct but two, or one of its own
+    size_t at = 0;
+    for (const Field& field : cases::fields_of(plait_stage_describe(stage_case.stage)->params_type))
+        if (std::strcmp(field.name, "row_stride") == 0)
+            at = field.offset;
+    std::memcpy(&stride, setup.params.data() + at, sizeof stride);
     return strands ? size_t{4} * stride : 0;
 }
 

@@ -187,18 +187,20 @@ std::vector<FollowRow> measure_follows(Contexts& contexts, const FollowOptions& 
 std::string follows_csv(const std::vector<FollowRow>& rows) {
     std::string csv = "guides,ms,length,kink_deg,tip_step,beside,away_m\n";
     for (const FollowRow& row : rows)
-        csv += text("%u,%.4g,%.3g,%.4g,%.3g,%.3g,%.4g\n", row.guides, row.wall, row.length, row.kink,
-                    row.step, row.beside, row.away);
+        csv += text("%u,%.4g,%.3g,%.4g,%.3g,%.3g,%.4g\n", row.guides, row.wall, row.length,
+                    row.kink, row.step, row.beside, row.away);
     return csv;
 }
 
 std::string follows_text(const std::vector<FollowRow>& rows) {
-    std::string all = "guides   ms/frame  length error  kink, deg  tip step  neighbours  from all, mm\n";
+    std::string all =
+        "guides   ms/frame  length error  kink, deg  tip step  neighbours  from all, mm\n";
     for (const FollowRow& row : rows)
         all += text("%6u %10.2f %13.1e %10.1f %9.2f %11.2f %13.1f\n", row.guides, row.wall,
                     row.length, row.kink, row.step, row.beside, 1e3 * row.away);
-    return all + "tip step: of follows over the guides'; neighbours: least of 99 % of their distances, "
-                 "over that at rest\n";
+    return all +
+           "tip step: of follows over the guides'; neighbours: least of 99 % of their distances, "
+           "over that at rest\n";
 }
 
 } // namespace lab::follows

@@ -23,8 +23,9 @@ struct FollowRow {
     double length = 0; // worst |l/l0 - 1| of a segment
     double kink = 0;   // deg: worst change of the angle between two segments, of all frames
     double step = 0;   // worst of a frame's tip steps of follows over the guides' in it
-    double beside = 0; // least distance of neighbours over that at rest: of a hundredth of them less
-    double away = 0;   // m, rms distance of the strands from where all are simulated
+    double beside =
+        0;           // least distance of neighbours over that at rest: of a hundredth of them less
+    double away = 0; // m, rms distance of the strands from where all are simulated
 };
 
 std::vector<FollowRow> measure_follows(Contexts& contexts, const FollowOptions& options);

@@ -91,7 +91,8 @@ void Measures::finish(FollowRow& row) {
     row.away = std::sqrt(squares_ / static_cast<double>(std::max<uint64_t>(points_, 1)));
     if (beside_.empty())
         return;
-    const auto low = static_cast<std::ptrdiff_t>(lowest_share * static_cast<double>(beside_.size()));
+    const auto low =
+        static_cast<std::ptrdiff_t>(lowest_share * static_cast<double>(beside_.size()));
     std::nth_element(beside_.begin(), beside_.begin() + low, beside_.end());
     row.beside = beside_[static_cast<size_t>(low)];
 }

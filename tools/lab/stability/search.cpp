@@ -82,8 +82,9 @@ std::string scene_of(const std::string& axis) {
 void add_axes(std::vector<Work>& work, const Model& model, const Setting& setting,
               Contexts& contexts, const SweepOptions& options) {
     const Subject subject = subject_of(model, setting, Place{}, contexts);
+    const bool takes_pins = !model.baseline() && model.model != PLAIT_MODEL_TRESSFX;
     for (const AxisPoint& point : axis_points())
-        if (wanted(options.scenes, scene_of(point.axis)) &&
+        if (wanted(options.scenes, scene_of(point.axis)) && (takes_pins || !point.pins) &&
             (options.full || !(point.axis == "substeps" && std::stoi(point.value) > 100)))
             work.push_back({subject,
                             {point.axis, model.label, setting.label(), Place{}, point.value},

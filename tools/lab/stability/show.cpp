@@ -155,7 +155,7 @@ std::string counts_markdown(const std::vector<Row>& rows) {
 std::string axes_markdown(const std::vector<Row>& rows) {
     const auto subjects = subjects_of(rows, false);
     std::vector<std::string> axes;
-    std::map<std::string, std::string> values;                          // by axis
+    std::map<std::string, std::string> values, whose;                   // by axis
     std::map<std::pair<std::string, std::string>, std::string> letters; // by axis and subject
     for (const Row& row : rows) {
         if (is_map(row))
@@ -163,7 +163,7 @@ std::string axes_markdown(const std::vector<Row>& rows) {
         const std::string subject = row.job.model + " " + row.job.setting;
         if (std::ranges::find(axes, row.job.kind) == axes.end())
             axes.push_back(row.job.kind);
-        if (subject == subjects[0])
+        if (whose.try_emplace(row.job.kind, subject).first->second == subject)
             values[row.job.kind] += (values[row.job.kind].empty() ? "" : ", ") + row.column;
         letters[{row.job.kind, subject}] += letter_of(row.outcome.grade);
     }
@@ -176,7 +176,8 @@ std::string axes_markdown(const std::vector<Row>& rows) {
     for (const std::string& axis : axes) {
         text += "\n| " + axis + " | " + values[axis] + " |";
         for (const std::string& subject : subjects)
-            text += " `" + letters[{axis, subject}] + "` |";
+            text += letters.contains({axis, subject}) ? " `" + letters[{axis, subject}] + "` |"
+                                                      : " n/a |"; // pins
     }
     return text + "\n";
 }

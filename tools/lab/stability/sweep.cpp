@@ -1,4 +1,4 @@
-#include "sweep.hpp"
+#include "axes.hpp"
 
 #include <cmath>
 
@@ -6,14 +6,9 @@ namespace lab::stability {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr double shake_rate = 2 * pi * 2; // rad/s, 2 Hz
 constexpr double line_density = 5e-6;     // kg/m
 constexpr double jump_at = 0.5;           // s
-
-plait_pose pose_at(double x) {
-    return {{0, 0, 0, 1}, {static_cast<float>(x), 0, 0}};
-}
 
 std::vector<Point> straight(const std::vector<double>& lengths) {
     std::vector<Point> points{Point::Zero()};
@@ -81,26 +76,9 @@ Trial trial_of(const Subject& subject, const Place& place) {
 
 const Shake usual{"1 g", 1, 0};
 
-// The trial the axes start from: two strands, straight and curl.
-Trial base_trial(const Subject& subject, uint32_t segments = 16) {
-    const Place place{60, segments, subject.bends() ? 10 : limp};
-    Trial trial = trial_of(subject, place);
-    for (const auto& rest : {straight(even(segments)), curl(even(segments))})
-        trial.strands.push_back(shaken(rest, usual, trial.shake, 1 / place.rate));
-    return trial;
-}
-
-std::string text(double value) {
-    char buffer[32];
-    std::snprintf(buffer, sizeof buffer, "%g", value);
-    return buffer;
-}
-
-using Points = std::vector<AxisPoint>;
-
 void add_substeps(Points& points) {
     for (const uint32_t n : {1u, 2u, 4u, 10u, 30u, 100u, 300u, 1000u})
-        points.push_back({"substeps", text(n), [n](const Subject& subject) {
+        points.push_back({"substeps", axis_text(n), [n](const Subject& subject) {
                               Trial trial = base_trial(subject);
                               trial.desc.substeps = n;
                               return trial;
@@ -109,7 +87,7 @@ void add_substeps(Points& points) {
 
 void add_offsets(Points& points) {
     for (const double away : {1.0, 30.0, 1e3, 1e4, 1e5, 9e5})
-        points.push_back({"world offset (m)", text(away), [away](const Subject& subject) {
+        points.push_back({"world offset (m)", axis_text(away), [away](const Subject& subject) {
                               Trial trial = base_trial(subject);
                               trial.offset = Point(away, 0, 0);
                               trial.has_energy &= away < 1e3; // positions are float32
@@ -119,7 +97,7 @@ void add_offsets(Points& points) {
 
 void add_drags(Points& points) {
     for (const double drag : {0.0, 1.0, 10.0, 100.0, 1e3, 1e4})
-        points.push_back({"drag (1/s)", text(drag), [drag](const Subject& subject) {
+        points.push_back({"drag (1/s)", axis_text(drag), [drag](const Subject& subject) {
                               Trial trial = base_trial(subject);
                               trial.desc.params.drag = static_cast<float>(drag);
                               trial.settle_drag =
@@ -131,7 +109,7 @@ void add_drags(Points& points) {
 // Last segment to first, in geometric progression; masses go with the lengths.
 void add_ratios(Points& points) {
     for (const double ratio : {1e-3, 1e-2, 0.1, 1.0, 10.0, 100.0, 1e3})
-        points.push_back({"segment ratio", text(ratio), [ratio](const Subject& subject) {
+        points.push_back({"segment ratio", axis_text(ratio), [ratio](const Subject& subject) {
                               Trial trial = base_trial(subject);
                               std::vector<double> lengths(16);
                               double sum = 0;
@@ -157,7 +135,7 @@ void add_ratios(Points& points) {
 // Tip to root, linear between. `tressfx` has no masses.
 void add_densities(Points& points) {
     for (const double ratio : {1e-3, 1e-2, 0.1, 1.0, 10.0, 100.0, 1e3})
-        points.push_back({"density ratio", text(ratio), [ratio](const Subject& subject) {
+        points.push_back({"density ratio", axis_text(ratio), [ratio](const Subject& subject) {
                               Trial trial = base_trial(subject);
                               trial.desc.params.tip_density = static_cast<float>(ratio);
                               return trial;
@@ -167,20 +145,21 @@ void add_densities(Points& points) {
 // The root turns about its own direction for 2 s.
 void add_twists(Points& points) {
     for (const double turns : {0.0, 1.0, 5.0, 10.0, 20.0, 40.0})
-        points.push_back({"twist (turns in 2 s)", text(turns), [turns](const Subject& subject) {
-                              Trial trial = base_trial(subject);
-                              for (TrialStrand& strand : trial.strands) {
-                                  strand.root = [turns](double t) {
-                                      const double half = pi * turns * std::min(t / 2, 1.0);
-                                      plait_pose pose = pose_at(0);
-                                      pose.q[0] = static_cast<float>(std::sin(half));
-                                      pose.q[3] = static_cast<float>(std::cos(half));
-                                      return pose;
-                                  };
-                                  strand.root_speed = pi * turns * length; // of the curl's outside
-                              }
-                              return trial;
-                          }});
+        points.push_back(
+            {"twist (turns in 2 s)", axis_text(turns), [turns](const Subject& subject) {
+                 Trial trial = base_trial(subject);
+                 for (TrialStrand& strand : trial.strands) {
+                     strand.root = [turns](double t) {
+                         const double half = pi * turns * std::min(t / 2, 1.0);
+                         plait_pose pose = pose_at(0);
+                         pose.q[0] = static_cast<float>(std::sin(half));
+                         pose.q[3] = static_cast<float>(std::cos(half));
+                         return pose;
+                     };
+                     strand.root_speed = pi * turns * length; // of the curl's outside
+                 }
+                 return trial;
+             }});
 }
 
 void add_frames(Points& points) {
@@ -216,15 +195,16 @@ TrialCollider crossing(double speed, double friction) {
 
 void add_colliders(Points& points) {
     for (const double speed : {0.1, 1.0, 10.0, 100.0})
-        points.push_back({"collider speed (m/s)", text(speed), [speed](const Subject& subject) {
-                              Trial trial = base_trial(subject);
-                              trial.colliders = {crossing(speed, 0.5)};
-                              for (TrialStrand& strand : trial.strands)
-                                  strand.root_speed += speed;
-                              return trial;
-                          }});
+        points.push_back(
+            {"collider speed (m/s)", axis_text(speed), [speed](const Subject& subject) {
+                 Trial trial = base_trial(subject);
+                 trial.colliders = {crossing(speed, 0.5)};
+                 for (TrialStrand& strand : trial.strands)
+                     strand.root_speed += speed;
+                 return trial;
+             }});
     for (const double friction : {0.0, 0.3, 1.0, 10.0})
-        points.push_back({"friction", text(friction), [friction](const Subject& subject) {
+        points.push_back({"friction", axis_text(friction), [friction](const Subject& subject) {
                               Trial trial = base_trial(subject);
                               trial.colliders = {crossing(1, friction)};
                               for (TrialStrand& strand : trial.strands)
@@ -232,7 +212,7 @@ void add_colliders(Points& points) {
                               return trial;
                           }});
     for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0})
-        points.push_back({"start embedded", text(share), [share](const Subject& subject) {
+        points.push_back({"start embedded", axis_text(share), [share](const Subject& subject) {
                               Trial trial = base_trial(subject);
                               TrialCollider sphere = crossing(0, 0.3);
                               sphere.shape.radius_a = sphere.shape.radius_b = 0.15f;
@@ -317,7 +297,7 @@ void add_hands(Points& points) {
                       }});
     for (const double room : {0.012, -0.008})
         points.push_back(
-            {"hand on a head (mm of room)", text(1e3 * room), [room](const Subject& subject) {
+            {"hand on a head (mm of room)", axis_text(1e3 * room), [room](const Subject& subject) {
                  Trial trial = stroked(subject);
                  trial.colliders = {skull_at_origin(), hand_of(room)};
                  return trial;
@@ -325,6 +305,24 @@ void add_hands(Points& points) {
 }
 
 } // namespace
+
+plait_pose pose_at(double x) {
+    return {{0, 0, 0, 1}, {static_cast<float>(x), 0, 0}};
+}
+
+std::string axis_text(double value) {
+    char buffer[32];
+    std::snprintf(buffer, sizeof buffer, "%g", value);
+    return buffer;
+}
+
+Trial base_trial(const Subject& subject, uint32_t segments) {
+    const Place place{60, segments, subject.bends() ? 10 : limp};
+    Trial trial = trial_of(subject, place);
+    for (const auto& rest : {straight(even(segments)), curl(even(segments))})
+        trial.strands.push_back(shaken(rest, usual, trial.shake, 1 / place.rate));
+    return trial;
+}
 
 const std::vector<Shake>& shakes() {
     static const std::vector<Shake> all{
@@ -366,6 +364,8 @@ std::vector<AxisPoint> axis_points() {
     add_frames(points);
     add_colliders(points);
     add_hands(points);
+    add_surfaces(points);
+    add_pins(points);
     return points;
 }
 

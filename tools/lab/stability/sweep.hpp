@@ -52,6 +52,7 @@ bool in_envelope(const Place& place, const Shake& shake);
 struct AxisPoint {
     std::string axis, value; // "substeps", "1000"
     std::function<Trial(const Subject&)> trial;
+    bool pins = false; // only of a model that takes them
 };
 std::vector<AxisPoint> axis_points();
 

@@ -230,6 +230,7 @@ class Scene {
 
   private:
     void add_colliders();
+    void set_pins(double time);
     std::vector<std::vector<Point>> read(plait_field field, const Point& origin) const;
 
     const Trial& trial_;
@@ -270,6 +271,25 @@ Scene::Scene(plait_context* context, const Trial& trial) : trial_(trial) {
     check(plait_sim_teleport(sim, &roots));
     check(plait_sim_reset(sim));
     add_colliders();
+    set_pins(0);
+}
+
+void Scene::set_pins(double time) {
+    if (trial_.pins.empty())
+        return;
+    std::vector<plait_pin> pins;
+    for (const TrialPin& pin : trial_.pins) {
+        const Point at = pin.target(time) + trial_.offset;
+        plait_pin one{};
+        one.strand = pin.strand;
+        one.vertex = pin.vertex;
+        one.frame = PLAIT_PIN_FRAME_WORLD;
+        one.stiffness = static_cast<float>(pin.stiffness);
+        for (int c = 0; c < 3; ++c)
+            one.target[c] = static_cast<float>(at[c]);
+        pins.push_back(one);
+    }
+    check(plait_sim_set_pins(sim_.get(), pins.data(), pins.size()));
 }
 
 void Scene::add_colliders() {
@@ -292,6 +312,7 @@ void Scene::step_to(double time, double elapsed) {
         const plait_pose pose = shifted(trial_.colliders[i].pose(time), trial_.offset);
         check(plait_collider_set_pose(sim_.get(), colliders_[i], &pose));
     }
+    set_pins(time);
     check(plait_sim_step(sim_.get(), elapsed));
 }
 

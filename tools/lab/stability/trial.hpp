@@ -29,10 +29,18 @@ struct TrialCollider {
     std::function<plait_pose(double)> pose;
 };
 
+// A vertex held at a place in the world.
+struct TrialPin {
+    uint32_t strand, vertex;
+    double stiffness;                    // N/m
+    std::function<Point(double)> target; // at a time, m
+};
+
 struct Trial {
     plait_sim_desc desc;
     std::vector<TrialStrand> strands;
     std::vector<TrialCollider> colliders;
+    std::vector<TrialPin> pins;   // desc.pins has to be on
     Point offset = Point::Zero(); // of the whole scene in the world, m
     double shake = 2, settle = 5; // s; in the second the drag is 2.4 sqrt(g/L), near critical
     std::vector<double> frames;   // lengths of the frames, s, over and over; empty: the step's

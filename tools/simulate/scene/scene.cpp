@@ -265,6 +265,9 @@ void read_simulation(JsonReader& top, Scene& scene) {
         read_params(top.object(*params, "params"), scene.sim.params);
         read_params(top.object(*params, "params"), scene.unhung);
     }
+    scene.materials = read_materials(top, scene.sim.params);
+    if (!scene.materials.empty() && scene.sim.model == PLAIT_MODEL_TRESSFX)
+        top.fail("materials", "are given, and strands of the model tressfx take none");
     top.choice("interhair", scene.sim.params.interhair, interhair_names);
     scene.sim.step = 1.0f / static_cast<float>(scene.rate);
     scene.sim.substeps = scene.substeps;

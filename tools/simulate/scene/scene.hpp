@@ -3,6 +3,7 @@
 #pragma once
 
 #include "common.hpp"
+#include "materials.hpp"
 #include "motion.hpp"
 
 #include "generator/generator.hpp"
@@ -77,6 +78,7 @@ struct Scene {
     std::optional<std::vector<Collider>> colliders; // absent: made for the groom
     std::vector<Collider> moving_colliders;         // beside those
     std::vector<Tie> pins;
+    std::vector<MaterialChoice> materials;
     std::string motion = "shake_and_turn"; // a name or a file
     float seconds = 4.0f;
     float settle = 0.0f; // s before the motion, with the head as it begins

@@ -1,0 +1,312 @@
+// Random calls about colliders of every kind and pins of every stiffness, between frames, in any
+// order: hair stays finite and near its head, comes to rest as itself once it is let alone, and the
+// same calls give the same bits.
+#include "support.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <ostream>
+#include <random>
+
+namespace {
+
+constexpr size_t guides = 5, longest = 17;
+constexpr uint32_t vertices_of[guides] = {4, 9, longest, longest, longest};
+constexpr float spacing = 0.02f; // m, of the hair's vertices
+
+class Dice {
+  public:
+    explicit Dice(uint32_t seed) : engine_(seed) {}
+
+    uint32_t below(uint32_t end) { return static_cast<uint32_t>(engine_() % end); }
+    bool one_in(uint32_t n) { return below(n) == 0; }
+    // the same on every machine, which the standard's distributions are not
+    float between(float low, float high) {
+        return low + (high - low) * static_cast<float>(engine_()) / 4294967296.0f;
+    }
+    float decade(float low, float high) { return std::pow(10.0f, between(low, high)); }
+    Point in_cube(float half) {
+        return {between(-half, half), between(-half, half), between(-half, half)};
+    }
+    std::array<float, 4> turn() {
+        std::array<float, 4> q{};
+        float squared = 0;
+        while (squared < 0.01f || squared > 1) {
+            squared = 0;
+            for (float& c : q) {
+                c = between(-1, 1);
+                squared += c * c;
+            }
+        }
+        for (float& c : q)
+            c /= std::sqrt(squared);
+        return q;
+    }
+
+  private:
+    std::mt19937 engine_;
+};
+
+// Where hair is; now and then as far as `far` m away, so that a collider or a target jumps.
+Point somewhere(Dice& dice, float far) {
+    return dice.in_cube(dice.one_in(8) ? far : 0.3f);
+}
+
+plait_pose random_pose(Dice& dice) {
+    plait_pose pose{};
+    const auto q = dice.turn();
+    const auto t = somewhere(dice, 3); // in a frame: 200 m/s
+    std::copy(q.begin(), q.end(), pose.q);
+    std::copy(t.begin(), t.end(), pose.t);
+    return pose;
+}
+
+plait_collider_desc random_collider(Dice& dice) {
+    auto desc = plait_collider_desc_defaults();
+    desc.kind = static_cast<plait_collider_kind>(dice.below(3));
+    const Point a = dice.in_cube(0.1f), b = dice.one_in(4) ? a : dice.in_cube(0.2f);
+    const Point n = dice.in_cube(1);
+    const auto q = dice.turn();
+    std::copy(a.begin(), a.end(), desc.a);
+    std::copy(b.begin(), b.end(), desc.b);
+    std::copy(n.begin(), n.end(), desc.normal);
+    std::copy(q.begin(), q.end(), desc.orientation);
+    desc.radius_a = dice.decade(-4, -0.5f);
+    desc.radius_b = dice.one_in(2) ? desc.radius_a : dice.decade(-4, -0.5f);
+    for (float& half : desc.half_extents) // slabs, needles, points among them
+        half = dice.one_in(4) ? 0 : dice.decade(-4, -0.5f);
+    desc.rounding = dice.one_in(3) ? 0 : dice.decade(-5, -1);
+    desc.friction = dice.one_in(3) ? 0 : dice.decade(-2, 1);
+    desc.pose = random_pose(dice);
+    return desc;
+}
+
+plait_pin random_pin(Dice& dice) {
+    plait_pin pin{};
+    pin.strand = dice.below(guides);
+    pin.vertex = 1 + dice.below(vertices_of[pin.strand] - 1);
+    pin.frame = static_cast<plait_pin_frame>(dice.below(3));
+    const Point target = somewhere(dice, dice.decade(0, 5));
+    std::copy(target.begin(), target.end(), pin.target);
+    pin.stiffness = dice.decade(-9, 6);
+    return pin;
+}
+
+// No vertex twice.
+std::vector<plait_pin> random_pins(Dice& dice) {
+    std::vector<plait_pin> pins;
+    for (uint32_t i = dice.below(7); i > 0; --i) {
+        const plait_pin pin = random_pin(dice);
+        bool free = true;
+        for (const plait_pin& other : pins)
+            free = free && (other.strand != pin.strand || other.vertex != pin.vertex);
+        if (free)
+            pins.push_back(pin);
+    }
+    return pins;
+}
+
+struct Case {
+    std::string backend, name;
+    plait_model model;
+    bool bdf2, mixed; // strands of several models
+};
+
+void PrintTo(const Case& c, std::ostream* out) {
+    *out << c.name << " on " << c.backend;
+}
+
+plait_sim_desc random_desc(const Case& c, Dice& dice) {
+    auto desc = plait_sim_desc_defaults();
+    desc.model = c.model;
+    desc.substeps = 1 + dice.below(3);
+    desc.pins = c.model != PLAIT_MODEL_TRESSFX;
+    desc.params.bdf2 = c.bdf2;
+    desc.params.bend_stiffness = dice.one_in(5) ? 0 : dice.decade(-11, -6);
+    desc.params.line_density = dice.decade(-6, -4);
+    desc.params.iterations = 1 + dice.below(4);
+    return desc;
+}
+
+class Scene {
+  public:
+    Scene(plait::Context& context, const Case& c, uint32_t seed)
+        : case_(c), dice_(seed), sim_(context, groom(), random_desc(c, dice_)) {}
+
+    void frame_of_calls() {
+        for (uint32_t i = dice_.below(4); i > 0; --i)
+            call();
+        at_ = {at_[0] + dice_.between(-0.03f, 0.03f), at_[1], at_[2]};
+        sim_.set_roots(head_at(at_));
+        sim_.step(dice_.one_in(10) ? 0.04 : frame);
+    }
+    // Nothing near it any more, at a drag near critical.
+    void leave_alone(int steps) {
+        for (const plait_collider_id id : colliders_)
+            sim_.destroy_collider(id);
+        colliders_.clear();
+        if (case_.model != PLAIT_MODEL_TRESSFX)
+            sim_.set_pins({});
+        auto params = sim_.params();
+        params.drag = 15;
+        sim_.set_params(params);
+        run(sim_, steps);
+    }
+    // m, of any vertex from the head.
+    float farthest() const {
+        const auto p = sim_.read(PLAIT_FIELD_POSITION);
+        float most = 0;
+        for (size_t i = 0; i < p.size(); i += 4) {
+            const float away = std::hypot(p[i] - at_[0], p[i + 1] - at_[1], p[i + 2] - at_[2]);
+            if (!std::isfinite(away))
+                return INFINITY;
+            most = std::max(most, away);
+        }
+        return most;
+    }
+    plait::Sim& sim() { return sim_; }
+
+  private:
+    static plait::Groom groom() {
+        Strands strands = tuft(guides, longest);
+        for (size_t i = 0; i < guides; ++i)
+            strands[i].resize(vertices_of[i]);
+        return make_groom(strands);
+    }
+    void call();
+    void pins_or_models();
+    std::optional<size_t> some_collider() {
+        if (colliders_.empty())
+            return {};
+        return dice_.below(static_cast<uint32_t>(colliders_.size()));
+    }
+
+    const Case& case_;
+    Dice dice_;
+    plait::Sim sim_;
+    std::vector<plait_collider_id> colliders_;
+    Point at_{0, 0, 0};
+};
+
+void Scene::pins_or_models() {
+    if (case_.model == PLAIT_MODEL_TRESSFX)
+        return;
+    sim_.set_pins(random_pins(dice_));
+    if (!case_.mixed || !dice_.one_in(4))
+        return;
+    constexpr plait_model all[] = {PLAIT_MODEL_CHAIN, PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD,
+                                   PLAIT_MODEL_ARTICULATED};
+    std::vector<plait_model> models(guides);
+    for (plait_model& model : models)
+        model = all[dice_.below(4)];
+    sim_.set_models(models);
+}
+
+void Scene::call() {
+    const auto some = some_collider();
+    switch (dice_.below(8)) {
+    case 0:
+    case 1:
+        if (colliders_.size() < 6)
+            colliders_.push_back(sim_.create_collider(random_collider(dice_)));
+        break;
+    case 2:
+    case 3:
+        if (some)
+            sim_.set_collider_pose(colliders_[*some], random_pose(dice_));
+        break;
+    case 4: // of another kind, too
+        if (some) {
+            const auto desc = random_collider(dice_);
+            ASSERT_EQ(plait_collider_set_shape(sim_, colliders_[*some], &desc), PLAIT_OK)
+                << plait_last_error();
+        }
+        break;
+    case 5:
+        if (some) {
+            sim_.destroy_collider(colliders_[*some]);
+            colliders_.erase(colliders_.begin() + static_cast<long>(*some));
+        }
+        break;
+    case 6:
+        if (dice_.one_in(6))
+            sim_.restore(sim_.save()); // colliders and pins with it
+        else
+            pins_or_models();
+        break;
+    default:
+        if (dice_.one_in(8))
+            sim_.teleport(head_at(at_ = dice_.in_cube(1), dice_.turn()));
+        else if (dice_.one_in(8))
+            sim_.reset();
+    }
+}
+
+class RandomCalls : public testing::TestWithParam<Case> {
+  protected:
+    // m. What a plane has pushed tressfx keeps as its speed: only finite.
+    static float far() {
+        return GetParam().model == PLAIT_MODEL_TRESSFX ? 1e6f : 100 * spacing * longest;
+    }
+    // m/s. A chain in one step of backward Euler trembles, here by up to 0.5 m/s, whatever came before.
+    static float rest_speed() {
+        return GetParam().model == PLAIT_MODEL_CHAIN || GetParam().mixed ? 1.0f : 0.1f;
+    }
+
+    plait::Context context_ = make_context(GetParam().backend);
+};
+
+TEST_P(RandomCalls, OfCollidersAndPinsLeaveHairWhole) {
+    for (uint32_t seed = 1; seed <= PLAIT_TEST_SEEDS; ++seed) {
+        Scene scene(context_, GetParam(), seed);
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        for (int i = 0; i < 60; ++i) {
+            scene.frame_of_calls();
+            ASSERT_LT(scene.farthest(), far()) << "frame " << i;
+        }
+        scene.leave_alone(240);
+        const plait_sim_stats stats = scene.sim().stats();
+        EXPECT_EQ(stats.nonfinite, 0u);
+        if (GetParam().model == PLAIT_MODEL_TRESSFX) // it is as stretched as before
+            continue;
+        EXPECT_LT(scene.farthest(), 1.1f * spacing * longest);
+        EXPECT_LT(stats.max_stretch, 0.02f);
+        EXPECT_LT(stats.max_speed, rest_speed());
+    }
+}
+
+TEST_P(RandomCalls, TheSameCallsGiveTheSameBits) {
+    uint64_t first = 0;
+    for (int again = 0; again < 2; ++again) {
+        Scene scene(context_, GetParam(), 7);
+        for (int i = 0; i < 60; ++i)
+            scene.frame_of_calls();
+        const uint64_t hash = scene.sim().hash();
+        if (again) {
+            EXPECT_EQ(hash, first);
+        }
+        first = hash;
+    }
+}
+
+std::vector<Case> cases() {
+    std::vector<Case> all;
+    for (const std::string& backend : backends()) {
+        all.push_back({backend, "tressfx", PLAIT_MODEL_TRESSFX, false, false});
+        all.push_back({backend, "chain", PLAIT_MODEL_CHAIN, false, false});
+        all.push_back({backend, "cosserat", PLAIT_MODEL_COSSERAT, false, false});
+        all.push_back({backend, "rod", PLAIT_MODEL_ROD, false, false});
+        all.push_back({backend, "rod_bdf2", PLAIT_MODEL_ROD, true, false});
+        all.push_back({backend, "articulated", PLAIT_MODEL_ARTICULATED, true, false});
+        all.push_back({backend, "mixed", PLAIT_MODEL_ARTICULATED, false, true});
+    }
+    return all;
+}
+
+INSTANTIATE_TEST_SUITE_P(Backends, RandomCalls, testing::ValuesIn(cases()),
+                         [](const testing::TestParamInfo<Case>& each) {
+                             return each.param.name + "_" + each.param.backend;
+                         });
+
+} // namespace
