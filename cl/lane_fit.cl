@@ -1,5 +1,5 @@
-/* lane_fit: takes every stretched segment of a strand to its length, its direction kept, and all
- * that follows along; and the step before to where the velocities come from.
+/* lane_fit: with `lengths` takes every stretched segment of a strand to its length, its direction
+ * kept, and all that follows along; with `history` the step before to where velocities come from.
  *
  * Items   strands.
  * Reads   lane_slot, lane_material, lane_v, lane_x.
@@ -22,7 +22,7 @@ static inline float3 to_length(float3 edge, float length) {
     return length * normalize_or_zero(edge) - edge;
 }
 
-__kernel void plait_lane_fit(const uint item_count, const plait_lane_history_params params,
+__kernel void plait_lane_fit(const uint item_count, const plait_lane_fit_params params,
                              __global const uint* lane_slot, __global const float* lane_material,
                              __global const float* lane_v, __global float* lane_x,
                              __global float* lane_x_before, __global float* lane_v_before) {
@@ -35,15 +35,15 @@ __kernel void plait_lane_fit(const uint item_count, const plait_lane_history_par
     for (uint i = 0; i < stride; ++i) {
         const size_t row = lane_row(lane, i, 3, stride, tile);
         const float3 v = lane_read(lane_v, row, tile);
-        float3 x = lane_read(lane_x, row, tile), moved = v;
-        if (i > 0) {
+        const float3 moved = i > 0 ? v - root_v : v;
+        float3 x = lane_read(lane_x, row, tile);
+        if (i > 0 && params.lengths) {
             const size_t before =
                 lane_row(lane, i - 1, PLAIT_LANE_MATERIAL_COMPONENTS, stride, tile);
             const float length = lane_material[before + PLAIT_LANE_LENGTH * tile];
             shift += to_length(x - old, length);
             old = x;
             x += shift;
-            moved = v - root_v;
             lane_write(lane_x, row, tile, x);
         }
         if (params.history) {

@@ -358,6 +358,8 @@ typedef enum plait_model {
 
 #define PLAIT_ITERATIONS_OF_MODEL 0xffffffffu
 #define PLAIT_BDF2_OF_MODEL 0xffffffffu
+#define PLAIT_SETTING_OF_SIM 0xfffffffeu /* in plait_strand_settings: what the sim has */
+#define PLAIT_STRAND_SETTINGS_MAX 64
 
 /* Forms of a formula: PUBLISHED and THRESHOLD as in TressFX 4, THESIS as in Ugurca 2015; the others
  * are our corrections. What each corrects: docs/models/tressfx.md. */
@@ -680,6 +682,37 @@ PLAIT_API plait_result plait_sim_set_models(plait_sim* sim, const plait_model* m
 /* dst == NULL: writes the needed count, that of the guides; a *count below it is refused. */
 PLAIT_API plait_result plait_sim_get_models(const plait_sim* sim, plait_model* dst, size_t* count);
 
+/* How a strand is solved. PLAIT_SETTING_OF_SIM, the default of all but the model: as
+ * plait_sim_desc and plait_sim_params say, also when these change. */
+typedef struct plait_strand_settings {
+    uint32_t struct_size;
+    plait_model model; /* any but tressfx; default ARTICULATED */
+    uint32_t substeps; /* per fixed step, [1, 1000]: a strand of n is solved n times where the sim's
+                            other strands are solved as often as theirs say */
+    uint32_t iterations; /* of a substep, [0, 64], or PLAIT_ITERATIONS_OF_MODEL */
+    uint32_t bdf2;       /* 0, 1, or PLAIT_BDF2_OF_MODEL */
+} plait_strand_settings;
+
+PLAIT_API void plait_strand_settings_init(plait_strand_settings* settings, size_t size);
+
+/* The settings of every guide strand, from the next step on: those of `settings`, 1 to
+ * PLAIT_STRAND_SETTINGS_MAX of them, whose index strand_settings gives; an empty view: settings[0]
+ * for all. As plait_sim_set_models, which is this with nothing but models given. Strands of equal
+ * settings are stepped together; the inter-hair step is that of the fixed step for all. Where
+ * strands have different numbers of substeps, `acceleration`, `interhair` and what the caller reads
+ * and writes (velocities, position_prev) are of the sim's own; shape constraints and attachment
+ * (plait_sim_params), which act after a substep of all, are refused, there and here.
+ * strand_settings: uint32_t [guides].
+ * @errors INVALID_ARGUMENT: settings, index, value and range, or more settings; INVALID_STATE: the
+ *         sim is of model tressfx, or constrains shapes and substeps would differ; UNSUPPORTED: the
+ *         backend lacks a stage. A call that fails changes nothing. */
+PLAIT_API plait_result plait_sim_set_settings(plait_sim* sim, const plait_strand_settings* settings,
+                                              size_t count, plait_view strand_settings);
+/* Of every guide strand: a list, whose elements given have their struct_size; dst == NULL: writes the
+ * needed count. substeps is a number, the sim's where it was not set. */
+PLAIT_API plait_result plait_sim_get_settings(const plait_sim* sim, plait_strand_settings* dst,
+                                              size_t* count);
+
 /* Where the roots will be at the end of the next plait_sim_step; on the way they interpolate. */
 typedef struct plait_roots {
     uint32_t struct_size;
@@ -933,6 +966,7 @@ PLAIT_DEFAULTS(plait_follow_map_desc)
 PLAIT_DEFAULTS(plait_param_info)
 PLAIT_DEFAULTS(plait_fibre)
 PLAIT_DEFAULTS(plait_material)
+PLAIT_DEFAULTS(plait_strand_settings)
 PLAIT_DEFAULTS(plait_sim_params)
 PLAIT_DEFAULTS(plait_sim_desc)
 PLAIT_DEFAULTS(plait_sim_info)

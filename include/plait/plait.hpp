@@ -215,6 +215,18 @@ class Sim : public detail::Owner<plait_sim, plait_sim_destroy> {
         check(plait_sim_get_models(get(), models.data(), &count));
         return models;
     }
+    // `of`: [guides], into `settings`; empty: the first for all.
+    void set_settings(const std::vector<plait_strand_settings>& settings,
+                      const std::vector<std::uint32_t>& of = {}) {
+        check(plait_sim_set_settings(get(), settings.data(), settings.size(), view(of)));
+    }
+    std::vector<plait_strand_settings> settings() const { // of every guide
+        std::size_t count = 0;
+        check(plait_sim_get_settings(get(), nullptr, &count));
+        std::vector<plait_strand_settings> list(count, plait_strand_settings_defaults());
+        check(plait_sim_get_settings(get(), list.data(), &count));
+        return list;
+    }
 
     // T: std::uint32_t for VERTEX_COUNT, else float.
     template <typename T = float> std::vector<T> read(plait_field field) const {

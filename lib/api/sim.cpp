@@ -48,6 +48,34 @@ Result<StrandMaterialsPtr> read_materials(const plait_material* list, size_t cou
     return count > 0 ? StrandMaterialsPtr(materials) : nullptr;
 }
 
+// Of every guide strand.
+Result<SettingsList> read_settings(const plait_strand_settings* list, size_t count,
+                                   const plait_view& strand_settings, Sim& sim) {
+    std::pmr::memory_resource* const memory = &sim.context().memory;
+    if (count < 1 || count > PLAIT_STRAND_SETTINGS_MAX)
+        return invalid(format("count is %zu, range is [1, %d]", count, PLAIT_STRAND_SETTINGS_MAX));
+    std::pmr::vector<plait_strand_settings> table(memory);
+    PLAIT_TRY(read_structs(list, count, "settings", default_strand_settings(), table));
+    for (size_t i = 0; i < table.size(); ++i)
+        if (const auto status = check_strand_settings(table[i]); !status)
+            return invalid(format("settings[%zu]: %s", i, status.error().message.c_str()));
+    std::pmr::vector<uint32_t> of(memory);
+    PLAIT_TRY(copy_view(strand_settings, 1, "strand_settings", of));
+    if (strand_settings.count == 0)
+        of.assign(sim.guides(), 0);
+    if (of.size() != sim.guides())
+        return invalid(format("strand_settings.count is %zu, the sim has %zu guides", of.size(),
+                              sim.guides()));
+    SettingsList settings(memory);
+    for (size_t i = 0; i < of.size(); ++i) {
+        if (of[i] >= table.size())
+            return invalid(format("strand_settings[%zu] is %u, range is [0, %zu], the settings", i,
+                                  of[i], table.size() - 1));
+        settings.push_back(make_settings(table[of[i]], sim.substeps()));
+    }
+    return settings;
+}
+
 // Owns what a plait_roots names.
 struct RootsCopy {
     explicit RootsCopy(std::pmr::memory_resource* memory) : own(memory), bones(memory) {}
@@ -254,7 +282,12 @@ plait_result plait_sim_set_materials(plait_sim* sim, const plait_material* mater
 plait_result plait_sim_set_models(plait_sim* sim, const plait_model* models, size_t count) {
     return api::with_sim(__func__, sim, [&](Sim& s) -> Status {
         PLAIT_TRY(api::need(models, "models"));
-        return s.set_models({models, count});
+        SettingsList settings(&s.context().memory);
+        for (size_t i = 0; i < count; ++i) {
+            PLAIT_TRY(check_strand_model(models[i], i));
+            settings.push_back(s.own_settings(models[i]));
+        }
+        return s.set_settings(settings);
     });
 }
 
@@ -262,13 +295,47 @@ plait_result plait_sim_get_models(const plait_sim* sim, plait_model* dst, size_t
     return api::guard(__func__, [&]() -> Status {
         PLAIT_TRY(api::need(sim, "sim"));
         PLAIT_TRY(api::need(count, "count"));
-        const auto models = sim->sim.models();
-        if (dst && *count < models.size())
+        const auto settings = sim->sim.settings();
+        if (dst && *count < settings.size())
             return api::invalid(
-                format("*count is %zu, the sim has %zu guides", *count, models.size()));
+                format("*count is %zu, the sim has %zu guides", *count, settings.size()));
+        for (size_t i = 0; dst && i < settings.size(); ++i)
+            dst[i] = settings[i].model;
+        *count = settings.size();
+        return {};
+    });
+}
+
+void plait_strand_settings_init(plait_strand_settings* settings, size_t size) {
+    api::init_struct(settings, size, default_strand_settings());
+}
+
+plait_result plait_sim_set_settings(plait_sim* sim, const plait_strand_settings* settings,
+                                    size_t count, plait_view strand_settings) {
+    return api::with_sim(__func__, sim, [&](Sim& s) -> Status {
+        const auto list = api::read_settings(settings, count, strand_settings, s);
+        if (!list)
+            return list.error();
+        return s.set_settings(*list);
+    });
+}
+
+plait_result plait_sim_get_settings(const plait_sim* sim, plait_strand_settings* dst,
+                                    size_t* count) {
+    return api::guard(__func__, [&]() -> Status {
+        PLAIT_TRY(api::need(sim, "sim"));
+        PLAIT_TRY(api::need(count, "count"));
+        const auto settings = sim->sim.settings();
+        if (dst && *count < settings.size())
+            return api::invalid(
+                format("*count is %zu, the sim has %zu guides", *count, settings.size()));
         if (dst)
-            std::copy(models.begin(), models.end(), dst);
-        *count = models.size();
+            PLAIT_TRY(api::write_structs(dst, settings.size(), "dst", [&](size_t i) {
+                const Settings& of = settings[i];
+                return plait_strand_settings{sizeof(plait_strand_settings), of.model, of.substeps,
+                                             of.iterations, of.bdf2};
+            }));
+        *count = settings.size();
         return {};
     });
 }

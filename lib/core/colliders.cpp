@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <numeric>
 
 namespace plait {
 namespace {
@@ -103,11 +104,25 @@ Result<size_t> Colliders::find(plait_collider_id id) const {
                                          static_cast<unsigned long long>(id.value))};
 }
 
+size_t Colliders::rows(size_t count) const {
+    return count * std::accumulate(substeps_.begin(), substeps_.end(), size_t{0});
+}
+
+Status Colliders::set_substeps(Device& device, std::pmr::vector<uint32_t> substeps) {
+    substeps_.swap(substeps);
+    Status status = reserve(device, count_);
+    if (!status)
+        substeps_.swap(substeps);
+    else if (substeps_ != substeps)
+        uploaded_ = false;
+    return status;
+}
+
 // Room for the paths of `count` colliders on the device; doubles, so that adding many is cheap.
 Status Colliders::reserve(Device& device, size_t count) {
-    if (buffer_.count() >= capsules(count) * PLAIT_COLLIDER_STRIDE)
+    if (buffer_.count() >= rows(count) * PLAIT_COLLIDER_STRIDE)
         return {};
-    const size_t room = std::max(capsules(count), buffer_.count() / PLAIT_COLLIDER_STRIDE * 2);
+    const size_t room = std::max(rows(count), buffer_.count() / PLAIT_COLLIDER_STRIDE * 2);
     packed_.reserve(room * collider_floats);
     PLAIT_TRY(
         device.create(buffer_, PLAIT_ELEMENT_FLOAT4, room * PLAIT_COLLIDER_STRIDE, "capsule"));
@@ -200,13 +215,14 @@ Status Colliders::begin_step(Device& device, double end) {
     }
     if (uploaded_ || count_ == 0)
         return {};
-    packed_.resize(capsules(count_) * collider_floats);
+    packed_.resize(rows(count_) * collider_floats);
     float* out = packed_.data();
-    for (uint32_t i = 0; i < substeps_; ++i) // as the roots go
-        for (const Slot& slot : slots_)
-            if (slot.alive)
-                out = pack(slot, interpolate(slot.from, slot.to, double(i) / substeps_),
-                           interpolate(slot.from, slot.to, double(i + 1) / substeps_), out);
+    for (const uint32_t substeps : substeps_)
+        for (uint32_t i = 0; i < substeps; ++i) // as the roots go
+            for (const Slot& slot : slots_)
+                if (slot.alive)
+                    out = pack(slot, interpolate(slot.from, slot.to, double(i) / substeps),
+                               interpolate(slot.from, slot.to, double(i + 1) / substeps), out);
     PLAIT_TRY(device.upload(buffer_, 0, packed_.size() / 4, packed_.data()));
     uploaded_ = true;
     return {};

@@ -12,7 +12,10 @@ namespace plait {
 class Colliders {
   public:
     Colliders(uint32_t substeps, std::pmr::memory_resource* memory)
-        : substeps_(substeps), slots_(memory), packed_(memory) {}
+        : substeps_(1, substeps, memory), slots_(memory), packed_(memory) {}
+
+    // The numbers of substeps in which a fixed step is taken, by some strands or others.
+    Status set_substeps(Device& device, std::pmr::vector<uint32_t> substeps);
 
     Result<plait_collider_id> create(Device& device, const plait_collider_desc& desc);
     Status set_pose(plait_collider_id id, const plait_pose& pose);
@@ -24,9 +27,8 @@ class Colliders {
     size_t list(std::span<plait_collider_id> dst) const; // as many as fit; their number
 
     uint32_t count() const { return count_; }
-    const Buffer& capsules() const {
-        return buffer_;
-    } // float4 [substeps][count][PLAIT_COLLIDER_STRIDE]
+    // float4 [all substeps, one number of them after the other][count][PLAIT_COLLIDER_STRIDE]
+    const Buffer& capsules() const { return buffer_; }
 
     // As Roots: the step's path ends at share `end` of the call's. Uploads what moved.
     Status begin_step(Device& device, double end);
@@ -57,9 +59,9 @@ class Colliders {
   private:
     Result<size_t> find(plait_collider_id id) const; // index of its slot
     Status reserve(Device& device, size_t count);
-    size_t capsules(size_t count) const { return count * substeps_; }
+    size_t rows(size_t count) const; // of their paths
 
-    uint32_t substeps_;
+    std::pmr::vector<uint32_t> substeps_;
     std::pmr::vector<Slot> slots_;
     std::pmr::vector<float> packed_; // scratch for uploads
     uint32_t count_ = 0;

@@ -73,8 +73,8 @@ std::string Sim::warning() const {
 
 uint32_t Sim::models_in_use() const {
     uint32_t used = 0;
-    for (const plait_model model : models())
-        used |= 1u << model;
+    for (const Settings& strand : settings())
+        used |= 1u << strand.model;
     return used;
 }
 

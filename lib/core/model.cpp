@@ -4,9 +4,9 @@
 
 namespace plait {
 
-Result<std::unique_ptr<Model>> make_model(plait_model model, const ModelInput& input) {
-    if (traits_of(model).switches)
-        return make_lane_model(model, input);
+Result<std::unique_ptr<Model>> make_model(const Settings& settings, const ModelInput& input) {
+    if (traits_of(settings.model).switches)
+        return make_lane_model(settings, input);
     return make_tressfx_model(input.layout);
 }
 

@@ -5,6 +5,7 @@
 #include "core/materials.hpp"
 #include "core/models/sag_report.hpp"
 #include "core/schedule.hpp"
+#include "core/settings.hpp"
 #include "core/state.hpp"
 
 #include <array>
@@ -21,7 +22,9 @@ struct Substep {
     const Buffer& capsules;
     uint32_t collider_count;
     uint32_t collider_first;  // in `capsules`, of this substep
-    float h;                  // s
+    double step;              // s, the fixed one
+    uint32_t substeps;        // of it; what steps are strands that take so many
+    float h;                  // s, its length
     std::array<float, 3> air; // m/s: the wind, and what the head takes along
     float share;              // of the fixed step, at the substep's end
 };
@@ -36,7 +39,7 @@ struct LaneBuffer {
 
 // Strands that lie together.
 struct PartShape {
-    plait_model model;
+    Settings settings;
     uint32_t strands;
     uint32_t row; // V of their lanes
 };
@@ -58,9 +61,8 @@ class Model {
     // the model stays as it is until swap() takes it. swap() again gives it back; discard() drops
     // what swap() would take.
     virtual Status prepare(Device&, const plait_sim_params&) { return {}; }
-    // The same for the model of every guide strand.
-    virtual Status prepare_models(Device&, Schedule&, const Substep&,
-                                  std::span<const plait_model>) {
+    // The same for the settings of every guide strand.
+    virtual Status prepare_settings(Device&, Schedule&, const Substep&, std::span<const Settings>) {
         return Error{PLAIT_INTERNAL, "strands of this model do not switch"};
     }
     // Other materials of single strands, which prepare() looks at; exchanged, to be given back.
@@ -70,7 +72,8 @@ class Model {
 
     // Appends what takes state.acceleration, where there is one, to where the model reads it.
     virtual void accelerate(Schedule&, const Substep&) const {}
-    // Appends the stages of one substep; `state.pose` is already that of its end.
+    // Appends the stages of one substep, of the strands that take as many; `state.pose` is already
+    // that of its end.
     virtual void substep(Schedule& schedule, const Substep& at) = 0;
     // Appends what puts the model's own state into position and its history, at the end of a step.
     virtual void publish(Schedule&, const Substep&) const {}
@@ -88,10 +91,10 @@ class Model {
     // How the rest shape was found, where it was looked for.
     virtual SagReport sag() const { return {}; }
 
-    // The model of every guide strand, where strands have one of their own.
-    virtual void read_models(std::span<plait_model>) const {}
-    // Adds the parts in which strands of these models lie, in the order of add_dynamic().
-    virtual void list_parts(std::span<const plait_model>, std::pmr::vector<PartShape>&) const {}
+    // The settings of every guide strand, where strands have some of their own.
+    virtual void read_settings(std::span<Settings>) const {}
+    // Adds the parts in which strands of these settings lie, in the order of add_dynamic().
+    virtual void list_parts(std::span<const Settings>, std::pmr::vector<PartShape>&) const {}
     // Adds the model's own buffers that carry state from step to step.
     virtual void add_dynamic(std::pmr::vector<LaneBuffer>&) const {}
     virtual uint64_t device_bytes() const { return 0; }
@@ -110,9 +113,11 @@ struct ModelInput {
     std::pmr::memory_resource* memory;
 };
 
-Result<std::unique_ptr<Model>> make_model(plait_model model, const ModelInput& input);
+// `settings`: of every strand.
+Result<std::unique_ptr<Model>> make_model(const Settings& settings, const ModelInput& input);
 
-std::unique_ptr<Model> make_tressfx_model(const Layout& layout);              // models/tressfx.cpp
-std::unique_ptr<Model> make_lane_model(plait_model, const ModelInput& input); // models/lanes.cpp
+std::unique_ptr<Model> make_tressfx_model(const Layout& layout); // models/tressfx.cpp
+std::unique_ptr<Model> make_lane_model(const Settings&,
+                                       const ModelInput& input); // models/lanes.cpp
 
 } // namespace plait

@@ -177,6 +177,22 @@ Status check_strand_model(const plait_model& model, size_t strand) {
                         list_models(&ModelTraits::switches).c_str())};
 }
 
+plait_strand_settings default_strand_settings() {
+    return {sizeof(plait_strand_settings), PLAIT_MODEL_ARTICULATED, PLAIT_SETTING_OF_SIM,
+            PLAIT_SETTING_OF_SIM, PLAIT_SETTING_OF_SIM};
+}
+
+Status check_strand_settings(const plait_strand_settings& s) {
+    PLAIT_TRY(check_range("model", raw(s.model), PLAIT_MODEL_CHAIN, last_model()));
+    if (s.substeps != PLAIT_SETTING_OF_SIM)
+        PLAIT_RANGE(substeps, 1, 1000);
+    if (s.iterations != PLAIT_SETTING_OF_SIM && s.iterations != PLAIT_ITERATIONS_OF_MODEL)
+        PLAIT_RANGE(iterations, 0, 64);
+    if (s.bdf2 != PLAIT_SETTING_OF_SIM && s.bdf2 != PLAIT_BDF2_OF_MODEL)
+        PLAIT_RANGE(bdf2, 0, 1);
+    return {};
+}
+
 Status check_model(const plait_model& model, size_t index) {
     const double high = last_model();
     if (raw(model) >= 0 && raw(model) <= high)

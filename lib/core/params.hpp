@@ -15,6 +15,8 @@ Status check_params(const plait_sim_params& params);
 Status check_sim_desc(const plait_sim_desc& desc);
 Status check_model(const plait_model& model, size_t index);
 Status check_strand_model(const plait_model& model, size_t strand);
+plait_strand_settings default_strand_settings();
+Status check_strand_settings(const plait_strand_settings& settings);
 Status check_strand_stiffness(std::span<const float> scales, size_t guides);
 plait_fibre default_fibre();
 Status set_fibre(plait_sim_params& params, const plait_fibre& fibre);

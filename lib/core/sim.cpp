@@ -68,9 +68,10 @@ Result<SimParts> make_sim_parts(Context& context, const Groom& groom, const plai
     PLAIT_TRY(check_size(context, groom, desc, strands.follows));
     const Layout layout = make_layout(groom, desc, strands.follows);
     Device& device = context.device;
-    auto model = make_model(desc.model, {layout, groom, strands.stiffness, strands.materials,
-                                         context.info.tile, desc.sag_free, desc.accelerations != 0,
-                                         desc.pins != 0, &context.memory});
+    auto model =
+        make_model({desc.model, desc.substeps},
+                   {layout, groom, strands.stiffness, strands.materials, context.info.tile,
+                    desc.sag_free, desc.accelerations != 0, desc.pins != 0, &context.memory});
     if (!model)
         return model.error();
     PLAIT_TRY((*model)->prepare(device, desc.params));
@@ -111,8 +112,9 @@ Sim::Sim(Context& context, SimParts parts)
       groom_(parts.fingerprint), cube_(parts.cube), skin_(std::move(parts.skin)),
       model_(std::move(parts.model)), state_(std::move(parts.state)), grid_(std::move(parts.grid)),
       display_(std::move(parts.display)), roots_(layout_, &context.memory),
-      colliders_(desc_.substeps, &context.memory), clock_(desc_.step, desc_.max_steps_per_call),
-      schedule_(&context.memory), pin_table_(&context.memory) {}
+      colliders_(desc_.substeps, &context.memory), substeps_(1, desc_.substeps, &context.memory),
+      clock_(desc_.step, desc_.max_steps_per_call), schedule_(&context.memory),
+      pin_table_(&context.memory) {}
 
 Sim::~Sim() {
     if (context_.measured == this)
@@ -134,7 +136,8 @@ Status Sim::check_stages() {
     schedule_.clear();
     add_pins(schedule_, layout_, state_, 1);
     begin_substeps();
-    add_substep(0);
+    for (const Group& group : groups())
+        add_substep(group, 0);
     end_substeps();
     Status status = check_supported(device(), schedule_.list());
     if (status)
@@ -207,26 +210,41 @@ Status Sim::fixed_step(double end, bool keep) {
     begin_pins_step(schedule_, layout_, state_, static_cast<float>(end));
     PLAIT_TRY(colliders_.begin_step(device(), end));
     begin_substeps();
-    for (uint32_t i = 0; i < desc_.substeps; ++i) {
-        add_substep(i);
-        PLAIT_TRY(submit());
-    }
+    for (const Group& group : groups())
+        for (uint32_t i = 0; i < group.substeps; ++i) {
+            add_substep(group, i);
+            PLAIT_TRY(submit());
+        }
     end_substeps();
     PLAIT_TRY(submit());
     ++clock_.steps;
     return {};
 }
 
-Substep Sim::at(uint32_t substep) const {
+// Strands do not meet within a fixed step: those that take one number of substeps may take all of
+// them before those that take another.
+std::pmr::vector<Sim::Group> Sim::groups() const {
+    std::pmr::vector<Group> list(&context_.memory);
+    uint32_t first = 0;
+    for (const uint32_t substeps : substeps_) {
+        list.push_back({substeps, first});
+        first += substeps;
+    }
+    return list;
+}
+
+Substep Sim::at(const Group& group, uint32_t substep) const {
     return {layout_,
             state_,
             desc_.params,
             colliders_.capsules(),
             colliders_.count(),
-            substep * colliders_.count(),
-            substep_length(),
+            (group.first + substep) * colliders_.count(),
+            clock_.step(),
+            group.substeps,
+            length_of(group.substeps),
             air(),
-            share_of(substep)};
+            static_cast<float>(substep + 1) / static_cast<float>(group.substeps)};
 }
 
 std::array<float, 3> Sim::air() const {
@@ -260,9 +278,10 @@ void Sim::begin_substeps() {
     model_->accelerate(schedule_, present());
 }
 
-void Sim::add_substep(uint32_t index) {
-    roots_.pose_in_step(schedule_, share_of(index), state_.pose);
-    model_->substep(schedule_, at(index));
+void Sim::add_substep(const Group& group, uint32_t index) {
+    const Substep substep = at(group, index);
+    roots_.pose_in_step(schedule_, substep.share, state_.pose);
+    model_->substep(schedule_, substep);
 }
 
 // Positions from what the model keeps, and the inter-hair step: on the lanes where these fill a
@@ -338,37 +357,45 @@ Status Sim::set_materials(StrandMaterialsPtr materials) {
     return {};
 }
 
-std::pmr::vector<plait_model> Sim::models() const {
-    std::pmr::vector<plait_model> list(layout_.guides, desc_.model, &context_.memory);
-    model_->read_models(list);
+SettingsList Sim::settings() const {
+    SettingsList list(layout_.guides, own_settings(desc_.model), &context_.memory);
+    model_->read_settings(list);
     return list;
 }
 
-Status Sim::check_models(std::span<const plait_model> models) const {
+Status Sim::check_settings(std::span<const Settings> settings) const {
     if (desc_.model == PLAIT_MODEL_TRESSFX)
         return Error{PLAIT_INVALID_STATE,
                      format("the sim is of model 0 (tressfx); strands of the models %s can be "
                             "switched",
                             list_models(&ModelTraits::switches).c_str())};
-    if (models.size() != layout_.guides)
-        return Error{PLAIT_INVALID_ARGUMENT,
-                     format("count is %zu, the sim has %u guides", models.size(), layout_.guides)};
-    for (size_t i = 0; i < models.size(); ++i)
-        PLAIT_TRY(check_strand_model(models[i], i));
+    if (settings.size() != layout_.guides)
+        return Error{PLAIT_INVALID_ARGUMENT, format("count is %zu, the sim has %u guides",
+                                                    settings.size(), layout_.guides)};
     return {};
 }
 
-Status Sim::set_models(std::span<const plait_model> models) {
-    PLAIT_TRY(check_models(models));
-    if (std::ranges::equal(models, this->models()))
+Status Sim::take_substeps(const std::pmr::vector<uint32_t>& substeps) {
+    PLAIT_TRY(colliders_.set_substeps(device(), substeps));
+    substeps_ = substeps;
+    return {};
+}
+
+Status Sim::set_settings(std::span<const Settings> settings) {
+    PLAIT_TRY(check_settings(settings));
+    if (std::ranges::equal(settings, this->settings()))
         return {};
     const Discard discard{*model_};
     schedule_.clear();
-    PLAIT_TRY(model_->prepare_models(device(), schedule_, present(), models));
+    PLAIT_TRY(model_->prepare_settings(device(), schedule_, present(), settings));
+    const auto before = substeps_;
+    PLAIT_TRY(take_substeps(substeps_of(settings, &context_.memory)));
     model_->swap();
     Status status = check_stages();
-    if (!status)
+    if (!status) {
         model_->swap();
+        (void)take_substeps(before); // there is room for them
+    }
     return status;
 }
 

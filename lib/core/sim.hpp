@@ -64,9 +64,12 @@ class Sim {
     // INVALID_STATE: strands of this model have no material of their own.
     Status set_materials(StrandMaterialsPtr materials);
     size_t guides() const { return layout_.guides; }
-    // The model of every guide strand; the same as they have costs nothing.
-    Status set_models(std::span<const plait_model> models);
-    std::pmr::vector<plait_model> models() const;
+    uint32_t substeps() const { return desc_.substeps; }
+    // The settings of every guide strand, checked; the same as they have costs nothing.
+    Status set_settings(std::span<const Settings> settings);
+    SettingsList settings() const;
+    // The sim's own, with this model.
+    Settings own_settings(plait_model model) const { return {model, desc_.substeps}; }
     Status set_roots(const RootsInput& input);
     Status teleport(const RootsInput& input);
     Status step(double dt);
@@ -115,21 +118,29 @@ class Sim {
 
   private:
     Device& device() const { return context_.device; }
-    float substep_length() const { return static_cast<float>(clock_.step() / desc_.substeps); }
+    float substep_length() const { return length_of(desc_.substeps); }
+    float length_of(uint32_t substeps) const {
+        return static_cast<float>(clock_.step() / substeps);
+    }
 
     Status submit();
     struct Measured;
     Status take_measured(Measured& out) const;
     Status begin_measuring();
     Status fixed_step(double end, bool keep);
-    Substep at(uint32_t substep) const;
-    float share_of(uint32_t substep) const { // of the fixed step, at its end
-        return static_cast<float>(substep + 1) / static_cast<float>(desc_.substeps);
+    // A number of substeps that some strands take.
+    struct Group {
+        uint32_t substeps;
+        uint32_t first; // those of the groups before
+    };
+    std::pmr::vector<Group> groups() const;
+    Substep at(const Group& group, uint32_t substep) const;
+    std::array<float, 3> air() const; // m/s, in this fixed step
+    Substep present() const {         // between steps
+        return at({desc_.substeps, 0}, desc_.substeps - 1);
     }
-    std::array<float, 3> air() const;                          // m/s, in this fixed step
-    Substep present() const { return at(desc_.substeps - 1); } // between steps
     void begin_substeps();
-    void add_substep(uint32_t index);
+    void add_substep(const Group& group, uint32_t index);
     void end_substeps();
     bool brakes_lanes() const;
     Status refresh();
@@ -140,7 +151,8 @@ class Sim {
     void add_stats();
     void add_bounds();
     Status make_bounds();
-    Status check_models(std::span<const plait_model> models) const;
+    Status check_settings(std::span<const Settings> settings) const;
+    Status take_substeps(const std::pmr::vector<uint32_t>& substeps);
     Result<uint64_t> accelerations_ignored() const;
     uint64_t device_bytes() const;
     uint32_t models_in_use() const;    // bits 1u << plait_model
@@ -163,12 +175,12 @@ class Sim {
     };
     std::pmr::vector<Block> blocks(const SnapshotHeader& header);
     std::pmr::vector<Block> saved_blocks(const SnapshotHeader& header,
-                                         std::span<const plait_model> strands);
+                                         std::span<const Settings> strands);
     SnapshotHeader snapshot_header();
     size_t snapshot_bytes(const SnapshotHeader& header) const;
     Status check_fits(const SnapshotHeader& header) const;
-    Result<std::pmr::vector<plait_model>> saved_models(const SnapshotHeader& header,
-                                                       const unsigned char* from) const;
+    Result<SettingsList> saved_settings(const SnapshotHeader& header,
+                                        const unsigned char* from) const;
     Status check_block(const Block& block, const unsigned char* from) const;
     Status restore_roots(const SnapshotHeader& header);
     Status save_block(const Block& block, unsigned char* out);
@@ -188,6 +200,7 @@ class Sim {
     Display display_;
     Roots roots_;
     Colliders colliders_;
+    std::pmr::vector<uint32_t> substeps_; // that strands take, each number once
     Clock clock_;
     Schedule schedule_;
     PinTable pin_table_;  // filled by the first set_pins

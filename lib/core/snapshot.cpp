@@ -1,5 +1,5 @@
-// The dynamic state as bytes: header, colliders, the model of every strand where they have been
-// switched, then runs of floats. Little-endian, float32 whatever the backend computes in, so that a
+// The dynamic state as bytes: header, colliders, the settings of every strand where they have some of
+// their own, then runs of floats. Little-endian, float32 whatever the backend computes in, so that a
 // snapshot of one device restores on another. The header has a checksum of all that follows it
 // there, which finds damage, and what a snapshot says is held to its range all the same: bytes that
 // somebody made up with a checksum of their own are refused or harmless, too.
@@ -14,6 +14,11 @@
 #include <cstddef>
 
 namespace plait {
+
+// Of a strand, as Settings has it.
+struct SavedSettings {
+    uint32_t model, substeps, iterations, bdf2;
+};
 
 struct SnapshotHeader {
     uint32_t magic;
@@ -33,7 +38,7 @@ struct SnapshotHeader {
     uint32_t own[4];
     uint32_t aimed;
     uint32_t kept;
-    uint32_t switched; // 1: strands are of other models than `model`
+    uint32_t switched; // 1: strands have settings of their own
     uint32_t pins;     // 1: they are there
 };
 static_assert(sizeof(SnapshotHeader) == 72 + 112 + 32);
@@ -43,7 +48,7 @@ static_assert(sizeof(Colliders::Slot) == sizeof(float) * (2 + 21 + 28),
 namespace {
 
 constexpr uint32_t magic = 0x74696c70; // "plit"
-constexpr uint32_t version = 4;
+constexpr uint32_t version = 5;
 
 // Of a position (m) or a velocity (m/s): a head and a groom may be 1e6 m away each.
 constexpr float largest = 4e6f;
@@ -184,13 +189,13 @@ std::pmr::vector<Sim::Block> Sim::blocks(const SnapshotHeader& h) {
     return list;
 }
 
-// The blocks of a snapshot whose strands may be of other models than the sim's are now: those of
+// The blocks of a snapshot whose strands may have other settings than the sim's have now: those of
 // the lanes come part by part; first those that every model has, x, v, q and q before, then BDF2's x
-// and v where the model steps by it.
+// and v where the part steps by it.
 std::pmr::vector<Sim::Block> Sim::saved_blocks(const SnapshotHeader& h,
-                                               std::span<const plait_model> strands) {
+                                               std::span<const Settings> strands) {
     auto list = blocks(h);
-    if (std::ranges::equal(strands, models()))
+    if (std::ranges::equal(strands, settings()))
         return list;
     const auto is_lane = [](const Block& block) { return block.lanes.buffer != nullptr; };
     const auto first = std::ranges::find_if(list, is_lane);
@@ -199,7 +204,7 @@ std::pmr::vector<Sim::Block> Sim::saved_blocks(const SnapshotHeader& h,
     std::pmr::vector<PartShape> parts(&context_.memory);
     model_->list_parts(strands, parts);
     for (const PartShape& part : parts) {
-        const std::ptrdiff_t own = bdf2_of(traits_of(part.model), desc_.params) ? 6 : 4;
+        const std::ptrdiff_t own = part.settings.bdf2_of(desc_.params) ? 6 : 4;
         for (std::ptrdiff_t i = 0; i < own; ++i) {
             saved.push_back(first[i % 4]);
             saved.back().floats = size_t{part.strands} * part.row * saved.back().lanes.components;
@@ -226,8 +231,9 @@ SnapshotHeader Sim::snapshot_header() {
     h.aimed = roots_.aimed;
     h.kept = display_.interpolates();
     h.pins = state_.pin ? 1 : 0;
-    const auto strands = models();
-    h.switched = std::ranges::any_of(strands, [&](plait_model m) { return m != desc_.model; });
+    const auto strands = settings();
+    h.switched = std::ranges::any_of(
+        strands, [&](const Settings& s) { return s != own_settings(desc_.model); });
     const auto all = roots_.all_poses();
     for (size_t i = 0; i < all.size(); ++i) {
         const bool meant = all[i] != all[1] || roots_.aimed; // no target: nothing to keep
@@ -240,7 +246,7 @@ SnapshotHeader Sim::snapshot_header() {
 // Of all that stands before the blocks.
 size_t Sim::snapshot_bytes(const SnapshotHeader& h) const {
     const size_t bytes = sizeof h + h.colliders * sizeof(Colliders::Slot);
-    return h.switched ? bytes + layout_.guides * sizeof(uint32_t) : bytes;
+    return h.switched ? bytes + layout_.guides * sizeof(SavedSettings) : bytes;
 }
 
 size_t Sim::snapshot_size() {
@@ -262,9 +268,10 @@ Status Sim::save(std::span<unsigned char> dst) {
     put(&h, sizeof h);
     put(colliders_.slots().data(), colliders_.slots().size_bytes());
     if (h.switched)
-        for (const plait_model model : models()) {
-            const auto number = static_cast<uint32_t>(model);
-            put(&number, sizeof number);
+        for (const Settings& s : settings()) {
+            const SavedSettings saved = {static_cast<uint32_t>(s.model), s.substeps, s.iterations,
+                                         s.bdf2};
+            put(&saved, sizeof saved);
         }
     for (const Block& block : blocks(h)) {
         PLAIT_TRY(save_block(block, out));
@@ -275,20 +282,23 @@ Status Sim::save(std::span<unsigned char> dst) {
     return {};
 }
 
-// The model of every strand, as a snapshot says from `from` on; the sim's own where it says
+// The settings of every strand, as a snapshot says from `from` on; the sim's own where it says
 // nothing.
-Result<std::pmr::vector<plait_model>> Sim::saved_models(const SnapshotHeader& h,
-                                                        const unsigned char* from) const {
-    std::pmr::vector<plait_model> list(layout_.guides, desc_.model, &context_.memory);
+Result<SettingsList> Sim::saved_settings(const SnapshotHeader& h, const unsigned char* from) const {
+    SettingsList list(layout_.guides, own_settings(desc_.model), &context_.memory);
     if (!h.switched)
         return list;
     for (size_t i = 0; i < list.size(); ++i) {
-        uint32_t number;
-        std::memcpy(&number, from + i * sizeof number, sizeof number);
-        if (number < PLAIT_MODEL_CHAIN || number > last_model())
-            return malformed(format("the model of strand %zu is %u, range is [%d, %d]", i, number,
-                                    PLAIT_MODEL_CHAIN, last_model()));
-        list[i] = static_cast<plait_model>(number);
+        SavedSettings saved;
+        std::memcpy(&saved, from + i * sizeof saved, sizeof saved);
+        plait_strand_settings settings = default_strand_settings();
+        std::memcpy(&settings.model, &saved.model, sizeof saved.model); // it may be any number
+        settings.substeps = saved.substeps;
+        settings.iterations = saved.iterations;
+        settings.bdf2 = saved.bdf2;
+        if (const auto status = check_strand_settings(settings); !status)
+            return malformed(format("strand %zu: %s", i, status.error().message.c_str()));
+        list[i] = make_settings(settings, desc_.substeps);
     }
     return list;
 }
@@ -406,11 +416,11 @@ Status Sim::restore(std::span<const unsigned char> src) {
     if (!slots)
         return slots.error();
     from += slots->size() * sizeof(Colliders::Slot);
-    const auto strand_models = saved_models(h, from);
-    if (!strand_models)
-        return strand_models.error();
-    from += h.switched ? layout_.guides * sizeof(uint32_t) : 0;
-    const auto saved = saved_blocks(h, *strand_models);
+    const auto strands = saved_settings(h, from);
+    if (!strands)
+        return strands.error();
+    from += h.switched ? layout_.guides * sizeof(SavedSettings) : 0;
+    const auto saved = saved_blocks(h, *strands);
     size_t bytes = snapshot_bytes(h);
     for (const Block& block : saved)
         bytes += block.floats * sizeof(float);
@@ -421,8 +431,8 @@ Status Sim::restore(std::span<const unsigned char> src) {
         PLAIT_TRY(check_block(block, at));
         at += block.floats * sizeof(float);
     }
-    if (*strand_models != models())
-        PLAIT_TRY(set_models(*strand_models));
+    if (*strands != settings())
+        PLAIT_TRY(set_settings(*strands));
     const auto list = blocks(h);
     schedule_.clear();
     PLAIT_TRY(colliders_.assign(device(), *slots));

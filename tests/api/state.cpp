@@ -161,7 +161,7 @@ TEST_P(State, ASnapshotSaysWhatIsWrongWithIt) {
     said(bytes, "begins with");
     bytes = saved;
     bytes[4] = 2;
-    said(bytes, "version 2, this library reads version 4");
+    said(bytes, "version 2, this library reads version 5");
     bytes = saved;
     bytes.back() ^= 1;
     said(bytes, "damaged or cut");

@@ -157,6 +157,9 @@ void fill(plait_lane_state_params& p, const Shape& shape) {
 void fill(plait_lane_move_params& p, const Shape& shape) {
     p = {shape.vertices, shape.tile, 3};
 }
+void fill(plait_lane_fit_params& p, const Shape& shape) {
+    p = {shape.vertices, shape.tile, step, 1, 1};
+}
 void fill(plait_lane_history_params& p, const Shape& shape) {
     p = {shape.vertices, shape.tile, shape.vertices, step, 1};
 }

@@ -11,15 +11,19 @@ Case lane_fit_case() {
                    {"lane_x_before", "lane_v_before"}}; // written or kept
     for (const char* other : {"stretch", "bend", "mass", "twist", "cross"})
         result.unread.push_back(std::string("lane_material.") + other);
+    struct Way {
+        uint32_t history, lengths;
+        const char* name;
+    };
     for (const Size& size : sizes())
-        for (const uint32_t history : {0u, 1u}) {
+        for (const Way& way : {Way{0, 1, ""}, Way{1, 1, ", BDF2"}, Way{1, 0, ", BDF2 alone"}}) {
             LaneHair lanes = make_lane_hair(size, 43);
             for (size_t i = 0; i < lanes.x.size(); i += 7)
                 lanes.x[i] *= 1.01f; // as no strand that keeps its lengths
             for (float& v : lanes.v)
                 v *= 10;
             Setup setup;
-            setup.name = name_of(size) + (history ? ", BDF2" : "");
+            setup.name = name_of(size) + way.name;
             setup.items = (size.strands + 1) / 2;
             std::vector<uint32_t> slots;
             for (const uint32_t lane : other_order(size.strands, setup.items))
@@ -31,7 +35,7 @@ Case lane_fit_case() {
                              lane_floats(lanes.x_before, 3),
                              lane_floats(lanes.v_before, 3)};
             result.setups.push_back(setup.with(
-                plait_lane_history_params{size.stride, 1, size.stride, 1.0f / 60, history}));
+                plait_lane_fit_params{size.stride, 1, 1.0f / 60, way.history, way.lengths}));
         }
     return result;
 }

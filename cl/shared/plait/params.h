@@ -300,7 +300,15 @@ typedef struct plait_bounds_params {
     plait_u32 boxes; /* 1: elements are boxes, two points each */
 } plait_bounds_params;
 
-/* lane_fit, lane_pack. */
+typedef struct plait_lane_fit_params {
+    plait_u32 vertex_stride;
+    plait_u32 tile;
+    float h;           /* s: the step before is h ago */
+    plait_u32 history; /* 1: BDF2's step before is written; 0: its buffers are null */
+    plait_u32 lengths; /* 1: segments are taken to theirs; 0: lane_x is kept */
+} plait_lane_fit_params;
+
+/* lane_pack. */
 typedef struct plait_lane_history_params {
     plait_u32 vertex_stride;
     plait_u32 tile;

@@ -1,6 +1,6 @@
 // lane_fit: x_{i+1} = x_i + l_i n(edge i), n of the edges as they were, an edge that is off by less
-// than rounding as it was; x_before = x - h v of what v belongs to: rows from 1 on are relative to
-// the root, row 0 is the root's own.
+// than rounding as it was, or without `lengths` all; x_before = x - h v of what v belongs to: rows
+// from 1 on are relative to the root, row 0 is the root's own.
 #include "backend/reference/lanes.hpp"
 
 #include <plait/constants.h>
@@ -24,13 +24,21 @@ std::vector<Vec3> fitted(const Lane& lane, const View<double>& x,
     return list;
 }
 
+std::vector<Vec3> kept(const Lane& lane, const View<double>& x, uint32_t vertices) {
+    std::vector<Vec3> list;
+    for (uint32_t i = 0; i < vertices; ++i)
+        list.push_back(lane.vector(x, i));
+    return list;
+}
+
 } // namespace
 
-void lane_fit(uint32_t item_count, const plait_lane_history_params& params,
-              const lane_fit_args& args) {
+void lane_fit(uint32_t item_count, const plait_lane_fit_params& params, const lane_fit_args& args) {
     for (size_t item = 0; item < item_count; ++item) {
         const Lane lane(args.lane_slot[2 * item + 1], params.vertex_stride, params.tile);
-        std::vector<Vec3> x = fitted(lane, args.lane_x, args.lane_material, params.vertex_stride);
+        std::vector<Vec3> x =
+            params.lengths ? fitted(lane, args.lane_x, args.lane_material, params.vertex_stride)
+                           : kept(lane, args.lane_x, params.vertex_stride);
         x[0] = lane.vector(args.lane_x, 0);
         const Vec3 root_v = lane.vector(args.lane_v, 0);
         for (uint32_t i = 0; i < params.vertex_stride; ++i) {

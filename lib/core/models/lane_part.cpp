@@ -55,8 +55,9 @@ LaneSource::LaneSource(const ModelInput& input)
                                     {input.stiffness.begin(), input.stiffness.end(), input.memory}},
       materials(input.materials) {}
 
-LanePart::LanePart(const LaneSource& source, plait_model model, uint32_t row, Members members)
-    : source_(source), traits_(traits_of(model)),
+LanePart::LanePart(const LaneSource& source, const Settings& settings, uint32_t row,
+                   Members members)
+    : source_(source), settings_(settings), traits_(traits_of(settings.model)),
       members_(std::move(members)), lanes_{static_cast<uint32_t>(members_.size()), row,
                                            source.tile},
       fill_(source.memory), next_fill_(source.memory) {}
@@ -128,7 +129,7 @@ Status LanePart::make_fill(Device& device, Fill& fill, const Members& members,
 // As if the strands had been where they are. At creation, where the state is not filled yet, reset
 // fills both.
 Status LanePart::prepare_history(Device& device, const plait_sim_params& params) {
-    const bool needed = bdf2_of(traits_, params) != 0;
+    const bool needed = settings_.bdf2_of(params) != 0;
     has_next_history_ = bool(history_.x) != needed;
     if (!has_next_history_ || !needed)
         return {};
@@ -174,7 +175,7 @@ void LanePart::accelerate(Schedule& schedule, const Substep& at) const {
 }
 
 void LanePart::pin(Schedule& schedule, const Substep& at) const {
-    const float step = step_of(at.h, bdf2_of(traits_, at.params));
+    const float step = step_of(at.h, settings_.bdf2_of(at.params));
     schedule.add(PLAIT_STAGE_lane_pin, lanes_.strands,
                  plait_lane_pin_params{lanes_.row, lanes_.tile, source_.layout.row, at.share,
                                        pin_hold, steps_of_pin / (step * step), at.h, pin_pull},
@@ -190,8 +191,8 @@ void LanePart::substep(Schedule& schedule, const Substep& at, float mean_length)
     params.tile = lanes_.tile;
     params.row_stride = source_.layout.row;
     params.h = at.h;
-    params.iterations = iterations_of(traits_, p);
-    params.bdf2 = bdf2_of(traits_, p);
+    params.iterations = settings_.iterations_of(p);
+    params.bdf2 = settings_.bdf2_of(p);
     params.drag = p.drag;
     for (size_t i = 0; i < 3; ++i) {
         params.gravity[i] = p.gravity[i];

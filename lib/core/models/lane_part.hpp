@@ -1,7 +1,7 @@
-// Strands of one lane model and one class of length: the buffers they are in and the stages they
-// take. A sim whose strands are all of one model and about one length has one part; else it has one
-// for each model in use and class (length_classes.hpp), each with its strands side by side, so that
-// no lane is spent on a strand of another model, and no row on one far longer. Which strand is in
+// Strands of equal settings, a lane model's, and one class of length: the buffers they are in and the
+// stages they take. A sim whose strands are all solved alike and about as long has one part; else it
+// has one for each settings in use and class (length_classes.hpp), each with its strands side by side,
+// so that no lane is spent on a strand of another model, and no row on one far longer. Which strand is in
 // which lane is the part's own; a list tells the stages.
 #pragma once
 
@@ -40,9 +40,9 @@ class LanePart {
     using Members = std::pmr::vector<uint32_t>;
 
     // `row`: V of the lanes. `members`: the strand of each lane, none longer.
-    LanePart(const LaneSource& source, plait_model model, uint32_t row, Members members);
+    LanePart(const LaneSource& source, const Settings& settings, uint32_t row, Members members);
 
-    plait_model model() const { return traits_.model; }
+    const Settings& settings() const { return settings_; }
     const Members& members() const { return members_; }
 
     // Makes the buffers that do not depend on parameters.
@@ -99,6 +99,7 @@ class LanePart {
     Status prepare_history(Device& device, const plait_sim_params& params);
     void pin(Schedule& schedule, const Substep& at) const;
     bool keeps_fill_of(const LanePart& other) const;
+    bool takes_history_of(const LanePart& other) const;
     template <typename Place> Result<Moves> list_moves(Device& device, const Place& place) const;
     void move(Schedule& schedule, const Moves& moves, uint32_t components, const Buffer& from,
               const Buffer& to) const;
@@ -121,6 +122,7 @@ class LanePart {
     }
 
     const LaneSource& source_;
+    Settings settings_;
     const ModelTraits& traits_;
     Members members_;
     LaneLayout lanes_;

@@ -1,7 +1,8 @@
-// Strands that change their model: a part of the new model takes them over from the parts they are
+// Strands that change their settings: a part of the new ones takes them over from the parts they are
 // in, on the device and bit by bit. x and v stay as they are, and so does q between the rods; a
 // strand that was a chain has had none, and gets those of least turn in every joint. What stretched
-// and becomes an articulated strand is taken to its lengths.
+// and becomes an articulated strand is taken to its lengths. BDF2's step before stays where it is as
+// long ago as the new substeps are; else it follows from x and v.
 #include "core/models/lane_part.hpp"
 
 namespace plait {
@@ -24,7 +25,7 @@ Status run_now(Device& device, Schedule& schedule) {
 // Material and rest shape of a strand do not depend on which others are there; a sag-free part's
 // are found anew, with the report on all of them.
 bool LanePart::keeps_fill_of(const LanePart& other) const {
-    return other.model() == model() && fill_.load.mode == PLAIT_SAG_FREE_OFF;
+    return other.settings_.model == settings_.model && fill_.load.mode == PLAIT_SAG_FREE_OFF;
 }
 
 // The lanes here whose strand has a place, place(strand, lane&), to come from.
@@ -98,7 +99,7 @@ Status LanePart::move_from(Device& device, Schedule& schedule, const Substep& at
     move(schedule, *moves, 3, other.v_, v_);
     move(schedule, *moves, 4, other.q_, q_);
     move(schedule, *moves, 4, other.q_before_, q_before_);
-    if (history_.x && other.history_.x) {
+    if (takes_history_of(other)) {
         move(schedule, *moves, 3, other.history_.x, history_.x);
         move(schedule, *moves, 3, other.history_.v, history_.v);
     }
@@ -111,14 +112,24 @@ Status LanePart::move_from(Device& device, Schedule& schedule, const Substep& at
     return run_now(device, schedule);
 }
 
+bool LanePart::takes_history_of(const LanePart& other) const {
+    return history_.x && other.history_.x && other.settings_.substeps == settings_.substeps;
+}
+
 // The first solve of what cannot stretch takes its velocities from strands that have not; BDF2 has
 // a step before also of those that came without.
 void LanePart::fit(Schedule& schedule, const Substep& at, const Moves& moves,
                    const LanePart& other) const {
     const bool stretched = other.traits_.stretches && !traits_.stretches && traits_.bends;
-    if (stretched || (history_.x && !other.history_.x))
-        schedule.add(PLAIT_STAGE_lane_fit, moves.count, history_params(at),
-                     {&moves.list, &fill_.material, &v_, &x_, &history_.x, &history_.v});
+    const bool anew = history_.x && (stretched || !takes_history_of(other));
+    if (!stretched && !anew)
+        return;
+    const auto h = static_cast<float>(at.step / settings_.substeps);
+    schedule.add(
+        PLAIT_STAGE_lane_fit, moves.count,
+        plait_lane_fit_params{lanes_.row, lanes_.tile, h, anew ? 1u : 0u, stretched ? 1u : 0u},
+        {&moves.list, &fill_.material, &v_, &x_, anew ? &history_.x : nullptr,
+         anew ? &history_.v : nullptr});
 }
 
 Status LanePart::take_over(Device& device, Schedule& schedule, const Substep& at,
@@ -130,7 +141,7 @@ Status LanePart::take_over(Device& device, Schedule& schedule, const Substep& at
     PLAIT_TRY(make(device, fill_.rest, 4, "lane_rest"));
     if (fill_.load.mode != PLAIT_SAG_FREE_OFF || fill_.of.curls())
         PLAIT_TRY(make(device, fill_.start, 4, "lane_start"));
-    if (bdf2_of(traits_, at.params)) {
+    if (settings_.bdf2_of(at.params)) {
         PLAIT_TRY(make(device, history_.x, 3, "lane_x_before"));
         PLAIT_TRY(make(device, history_.v, 3, "lane_v_before"));
     }

@@ -1,6 +1,7 @@
 // The strand models over lanes: chain, cosserat, rod, articulated, each strand of one of them. They
 // keep their own state in the lane layout and publish it to position and its history, which
 // display, the inter-hair step and interop read.
+#include "base/format.hpp"
 #include "core/groom.hpp"
 #include "core/models/constraints.hpp"
 #include "core/models/lane_part.hpp"
@@ -17,6 +18,27 @@ bool constrains(const plait_sim_params& p) {
            (p.shape_constraints && (has_global_shape(p) || has_local_shape(p)));
 }
 
+// Constraints act on all strands after a substep: of all.
+Status check_constraints(const plait_sim_params& params, size_t substeps) {
+    if (substeps < 2 || !constrains(params))
+        return {};
+    return Error{PLAIT_INVALID_STATE,
+                 format("strands of %zu different numbers of substeps (plait_sim_set_settings) "
+                        "cannot have shape_constraints or attachment, which act after a "
+                        "substep of all",
+                        substeps)};
+}
+
+// Settings in use, each once: by model, then in the order of their first strand.
+SettingsList kinds_of(std::span<const Settings> settings, std::pmr::memory_resource* memory) {
+    SettingsList list(memory);
+    for (const Settings& strand : settings)
+        if (std::ranges::find(list, strand) == list.end())
+            list.push_back(strand);
+    std::ranges::stable_sort(list, {}, [](const Settings& s) { return s.model; });
+    return list;
+}
+
 LanePart::Members order_of(const ModelInput& input) {
     const StrandSet& strands = input.groom.strands;
     return order_by_root(strands.positions,
@@ -25,12 +47,12 @@ LanePart::Members order_of(const ModelInput& input) {
 
 class LaneModel final : public Model {
   public:
-    LaneModel(plait_model model, const ModelInput& input);
+    LaneModel(const Settings& settings, const ModelInput& input);
 
     uint32_t pinned_vertices() const override { return pinned; }
     Status prepare(Device& device, const plait_sim_params& params) override;
-    Status prepare_models(Device& device, Schedule& schedule, const Substep& at,
-                          std::span<const plait_model> models) override;
+    Status prepare_settings(Device& device, Schedule& schedule, const Substep& at,
+                            std::span<const Settings> settings) override;
     void exchange(StrandMaterialsPtr& materials) noexcept override {
         source_.materials.swap(materials);
     }
@@ -46,20 +68,20 @@ class LaneModel final : public Model {
     void reset(Schedule& schedule, const Substep& at) override;
     void teleport(Schedule& schedule, const Substep& at, const Buffer& pose) override;
     SagReport sag() const override;
-    void read_models(std::span<plait_model> models) const override;
-    void list_parts(std::span<const plait_model> models,
+    void read_settings(std::span<Settings> settings) const override;
+    void list_parts(std::span<const Settings> settings,
                     std::pmr::vector<PartShape>& to) const override;
     void add_dynamic(std::pmr::vector<LaneBuffer>& to) const override;
     uint64_t device_bytes() const override;
 
   private:
     using PartPtr = std::shared_ptr<LanePart>; // a switch keeps parts whose strands stay
-    // Calls visit(model, V of the lanes, strands in the order of the lanes) for every part there is
-    // with strands of these models: by model, then by length.
+    // Calls visit(settings, V of the lanes, strands in the order of the lanes) for every part there
+    // is with strands of these settings: by model, then by settings and by length.
     template <typename Visit>
-    Status for_each_part(std::span<const plait_model> models, const Visit& visit) const;
-    PartPtr make_part(plait_model model, uint32_t row, LanePart::Members&& members) const;
-    PartPtr find_part(plait_model model, const LanePart::Members& members) const;
+    Status for_each_part(std::span<const Settings> settings, const Visit& visit) const;
+    PartPtr make_part(const Settings& settings, uint32_t row, LanePart::Members&& members) const;
+    PartPtr find_part(const Settings& settings, const LanePart::Members& members) const;
     std::pmr::vector<LanePlace> places() const;
     void constrain(Schedule& schedule, const Substep& at) const;
 
@@ -71,46 +93,51 @@ class LaneModel final : public Model {
     std::pmr::vector<PartPtr> parts_, next_parts_; // as for_each_part has them; none is empty
 };
 
-LaneModel::LaneModel(plait_model model, const ModelInput& input)
+LaneModel::LaneModel(const Settings& settings, const ModelInput& input)
     : source_(input), order_(order_of(input)), classes_(source_.strands.counts, input.memory),
       length_(std::max(static_cast<float>(input.groom.shape.mean_length), 1e-6f)),
       parts_(input.memory), next_parts_(input.memory) {
-    const std::pmr::vector<plait_model> all(order_.size(), model, input.memory);
-    (void)for_each_part(all, [&](plait_model own, uint32_t row, LanePart::Members&& members) {
+    const SettingsList all(order_.size(), settings, input.memory);
+    (void)for_each_part(all, [&](const Settings& own, uint32_t row, LanePart::Members&& members) {
         parts_.push_back(make_part(own, row, std::move(members)));
         return Status{};
     });
 }
 
 template <typename Visit>
-Status LaneModel::for_each_part(std::span<const plait_model> models, const Visit& visit) const {
-    for (const ModelTraits& traits : all_models())
+Status LaneModel::for_each_part(std::span<const Settings> settings, const Visit& visit) const {
+    for (const Settings& own : kinds_of(settings, source_.memory))
         for (const uint32_t row : classes_.rows()) {
             LanePart::Members members(source_.memory);
             for (const uint32_t strand : order_)
-                if (models[strand] == traits.model &&
+                if (settings[strand] == own &&
                     classes_.row_of(source_.strands.counts[strand]) == row)
                     members.push_back(strand);
             if (!members.empty())
-                PLAIT_TRY(visit(traits.model, row, std::move(members)));
+                PLAIT_TRY(visit(own, row, std::move(members)));
         }
     return {};
 }
 
-LaneModel::PartPtr LaneModel::make_part(plait_model model, uint32_t row,
+LaneModel::PartPtr LaneModel::make_part(const Settings& settings, uint32_t row,
                                         LanePart::Members&& members) const {
     return std::allocate_shared<LanePart>(std::pmr::polymorphic_allocator<LanePart>(source_.memory),
-                                          source_, model, row, std::move(members));
+                                          source_, settings, row, std::move(members));
 }
 
-LaneModel::PartPtr LaneModel::find_part(plait_model model, const LanePart::Members& members) const {
+LaneModel::PartPtr LaneModel::find_part(const Settings& settings,
+                                        const LanePart::Members& members) const {
     for (const PartPtr& part : parts_)
-        if (part->model() == model && part->members() == members)
+        if (part->settings() == settings && part->members() == members)
             return part;
     return nullptr;
 }
 
 Status LaneModel::prepare(Device& device, const plait_sim_params& params) {
+    std::pmr::vector<Settings> settings(source_.layout.guides, parts_.front()->settings(),
+                                        source_.memory);
+    read_settings(settings);
+    PLAIT_TRY(check_constraints(params, substeps_of(settings, source_.memory).size()));
     for (const PartPtr& part : parts_) {
         if (!opened_)
             PLAIT_TRY(part->open(device));
@@ -128,30 +155,32 @@ std::pmr::vector<LanePlace> LaneModel::places() const {
     return list;
 }
 
-Status LaneModel::prepare_models(Device& device, Schedule& schedule, const Substep& at,
-                                 std::span<const plait_model> models) {
+Status LaneModel::prepare_settings(Device& device, Schedule& schedule, const Substep& at,
+                                   std::span<const Settings> settings) {
+    PLAIT_TRY(check_constraints(at.params, substeps_of(settings, source_.memory).size()));
     const auto from = places();
-    const auto take_over = [&](plait_model model, uint32_t row,
+    const auto take_over = [&](const Settings& own, uint32_t row,
                                LanePart::Members&& members) -> Status {
-        PartPtr part = find_part(model, members);
+        PartPtr part = find_part(own, members);
         if (!part) {
-            part = make_part(model, row, std::move(members));
+            part = make_part(own, row, std::move(members));
             PLAIT_TRY(part->take_over(device, schedule, at, from));
         }
         next_parts_.push_back(std::move(part));
         return {};
     };
-    PLAIT_TRY(for_each_part(models, take_over));
+    PLAIT_TRY(for_each_part(settings, take_over));
     switches_ = true;
     return {};
 }
 
-void LaneModel::list_parts(std::span<const plait_model> models,
+void LaneModel::list_parts(std::span<const Settings> settings,
                            std::pmr::vector<PartShape>& to) const {
-    (void)for_each_part(models, [&](plait_model model, uint32_t row, LanePart::Members&& members) {
-        to.push_back({model, static_cast<uint32_t>(members.size()), row});
-        return Status{};
-    });
+    (void)for_each_part(settings,
+                        [&](const Settings& own, uint32_t row, LanePart::Members&& members) {
+                            to.push_back({own, static_cast<uint32_t>(members.size()), row});
+                            return Status{};
+                        });
 }
 
 void LaneModel::swap() noexcept {
@@ -176,7 +205,8 @@ void LaneModel::accelerate(Schedule& schedule, const Substep& at) const {
 
 void LaneModel::substep(Schedule& schedule, const Substep& at) {
     for (const PartPtr& part : parts_)
-        part->substep(schedule, at, length_);
+        if (part->settings().substeps == at.substeps)
+            part->substep(schedule, at, length_);
     if (constrains(at.params))
         constrain(schedule, at);
 }
@@ -231,10 +261,10 @@ SagReport LaneModel::sag() const {
     return all;
 }
 
-void LaneModel::read_models(std::span<plait_model> models) const {
+void LaneModel::read_settings(std::span<Settings> settings) const {
     for (const PartPtr& part : parts_)
         for (const uint32_t strand : part->members())
-            models[strand] = part->model();
+            settings[strand] = part->settings();
 }
 
 void LaneModel::add_dynamic(std::pmr::vector<LaneBuffer>& to) const {
@@ -251,8 +281,8 @@ uint64_t LaneModel::device_bytes() const {
 
 } // namespace
 
-std::unique_ptr<Model> make_lane_model(plait_model model, const ModelInput& input) {
-    return std::make_unique<LaneModel>(model, input);
+std::unique_ptr<Model> make_lane_model(const Settings& settings, const ModelInput& input) {
+    return std::make_unique<LaneModel>(settings, input);
 }
 
 } // namespace plait

@@ -52,11 +52,4 @@ inline plait_model last_model() {
 // "cosserat (2) and rod (3)": models of which `has` holds, for messages.
 std::string list_models(bool ModelTraits::*has);
 
-inline uint32_t iterations_of(const ModelTraits& traits, const plait_sim_params& params) {
-    return params.iterations == PLAIT_ITERATIONS_OF_MODEL ? traits.iterations : params.iterations;
-}
-inline uint32_t bdf2_of(const ModelTraits& traits, const plait_sim_params& params) {
-    return params.bdf2 == PLAIT_BDF2_OF_MODEL ? traits.bdf2 : params.bdf2;
-}
-
 } // namespace plait

@@ -1,0 +1,370 @@
+// Strands of one sim that are solved in different ways: model, substeps, iterations, BDF2.
+#include "faulty.hpp"
+#include "forged.hpp"
+#include "support.hpp"
+
+#include <cstring>
+
+namespace {
+
+class Settings : public OnBackend {};
+ON_EVERY_BACKEND(Settings);
+
+constexpr plait_model chain = PLAIT_MODEL_CHAIN, cosserat = PLAIT_MODEL_COSSERAT,
+                      rod = PLAIT_MODEL_ROD, articulated = PLAIT_MODEL_ARTICULATED;
+constexpr uint32_t of_sim = PLAIT_SETTING_OF_SIM;
+constexpr size_t strands = 37, vertices = 9; // no whole number of tiles
+
+using Table = std::vector<plait_strand_settings>;
+
+plait_strand_settings make(plait_model model, uint32_t substeps = of_sim,
+                           uint32_t iterations = of_sim, uint32_t bdf2 = of_sim) {
+    auto settings = plait_strand_settings_defaults();
+    settings.model = model;
+    settings.substeps = substeps;
+    settings.iterations = iterations;
+    settings.bdf2 = bdf2;
+    return settings;
+}
+
+// As a level of detail has it, and the same model twice.
+Table levels() {
+    return {make(articulated, 2), make(articulated), make(rod, 3, 2, 1), make(cosserat, 4, 5),
+            make(chain, 1, 1, 0), make(chain, 4)};
+}
+
+std::vector<uint32_t> scattered(size_t settings, size_t count = strands) {
+    std::vector<uint32_t> of;
+    for (size_t i = 0; i < count; ++i)
+        of.push_back(static_cast<uint32_t>((5 * i + i / 3) % settings));
+    return of;
+}
+
+Strands ragged() {
+    Strands groom = tuft(strands, vertices);
+    for (size_t i = 0; i < strands; i += 3)
+        groom[i].resize(vertices - i % 5);
+    return groom;
+}
+
+std::vector<float> row(const std::vector<float>& field, size_t strand) {
+    const auto from = field.begin() + static_cast<std::ptrdiff_t>(4 * vertices * strand);
+    return {from, from + 4 * vertices};
+}
+
+plait_sim_desc desc_of(uint32_t substeps) {
+    auto desc = plait_sim_desc_defaults();
+    desc.substeps = substeps;
+    desc.pins = 1;
+    return desc;
+}
+
+// A head and a collider that move, one that turns, pins, a teleport, another material.
+template <typename Between> void live(plait::Sim& sim, const Between& between) {
+    auto ball = plait_collider_desc_defaults();
+    ball.radius_a = ball.radius_b = 0.05f;
+    ball.friction = 0.3f;
+    ball.pose.t[0] = 0.08f;
+    ball.pose.t[1] = -0.12f;
+    const auto moving = sim.create_collider(ball);
+    auto box = plait_collider_desc_defaults();
+    box.kind = PLAIT_COLLIDER_KIND_BOX;
+    std::fill_n(box.half_extents, 3, 0.04f);
+    box.pose.t[1] = -0.3f;
+    const auto turning = sim.create_collider(box);
+    sim.set_pins({{7, 4, PLAIT_PIN_FRAME_REST, {0, 0, 0}, 10},
+                  {8, 8, PLAIT_PIN_FRAME_WORLD, {0.1f, 0.05f, 0.1f}, 2}});
+    for (int i = 0; i < 20; ++i) {
+        between(i);
+        const float t = static_cast<float>(i) / 60;
+        sim.set_roots(head_at({0.1f * std::sin(9 * t), 0, 0}));
+        ball.pose.t[0] += 0.002f;
+        sim.set_collider_pose(moving, ball.pose);
+        box.pose.q[2] = std::sin(t);
+        box.pose.q[3] = std::cos(t);
+        sim.set_collider_pose(turning, box.pose);
+        if (i == 8)
+            sim.teleport(head_at({0.02f, 0, 0}, {0, 0.1f, 0, 0.99498743f}));
+        if (i == 14) {
+            auto params = sim.params();
+            params.bend_stiffness *= 2;
+            sim.set_params(params);
+        }
+        sim.step(frame);
+    }
+}
+constexpr auto nothing = [](int) {};
+
+TEST_P(Settings, AreThoseOfTheSimUntilTheyAreSet) {
+    auto desc = desc_of(3);
+    desc.model = rod;
+    plait::Sim sim(context, make_groom(tuft(4, 5)), desc);
+    for (const auto& settings : sim.settings()) {
+        EXPECT_EQ(settings.model, rod);
+        EXPECT_EQ(settings.substeps, 3u);
+        EXPECT_EQ(settings.iterations, of_sim);
+        EXPECT_EQ(settings.bdf2, of_sim);
+    }
+    sim.set_settings({make(chain, 1, 4, 1), make(articulated)}, {1, 0, 0, 1});
+    sim.reset();
+    sim.set_params(sim.params());
+    const auto got = sim.settings();
+    EXPECT_EQ(got[2].model, chain);
+    EXPECT_EQ(got[2].substeps, 1u);
+    EXPECT_EQ(got[2].iterations, 4u);
+    EXPECT_EQ(got[2].bdf2, 1u);
+    EXPECT_EQ(got[3].model, articulated);
+    EXPECT_EQ(got[3].substeps, 3u);
+    EXPECT_EQ(sim.models(), (std::vector<plait_model>{articulated, chain, chain, articulated}));
+    sim.set_settings({make(cosserat, 2)});
+    EXPECT_EQ(sim.models(), std::vector<plait_model>(4, cosserat));
+    sim.set_models(std::vector<plait_model>(4, rod)); // all else is the sim's again
+    EXPECT_EQ(sim.settings()[0].substeps, 3u);
+}
+
+TEST_P(Settings, ThatCannotBeAreRefusedByIndexValueAndRange) {
+    plait::Sim sim(context, make_groom(tuft(4, 5)), desc_of(1));
+    run(sim, 2);
+    const uint64_t hash = sim.hash();
+    const auto refused = [&](const Table& table, const std::vector<uint32_t>& of,
+                             const char* sentence) {
+        EXPECT_EQ(plait_sim_set_settings(sim, table.data(), table.size(), plait::view(of)),
+                  PLAIT_INVALID_ARGUMENT);
+        EXPECT_NE(std::string(plait_last_error()).find(sentence), std::string::npos)
+            << plait_last_error();
+    };
+    const auto good = make(rod);
+    refused({good, make(PLAIT_MODEL_TRESSFX)}, {}, "settings[1]: model is 0, range is [1, 4]");
+    refused({good, make(rod, 0)}, {}, "settings[1]: substeps is 0, range is [1, 1000]");
+    refused({make(rod, 1001)}, {}, "settings[0]: substeps is 1001, range is [1, 1000]");
+    refused({make(rod, 1, 65)}, {}, "settings[0]: iterations is 65, range is [0, 64]");
+    refused({make(rod, 1, 1, 2)}, {}, "settings[0]: bdf2 is 2, range is [0, 1]");
+    refused({good}, {0, 0, 1, 0}, "strand_settings[2] is 1, range is [0, 0], the settings");
+    refused({good}, {0, 0, 0}, "strand_settings.count is 3, the sim has 4 guides");
+    refused({}, {}, "count is 0, range is [1, 64]");
+    refused(Table(65, good), {}, "count is 65, range is [1, 64]");
+    auto short_one = good;
+    short_one.struct_size = 3;
+    refused({short_one}, {}, "settings[0]->struct_size is 3");
+    EXPECT_EQ(plait_sim_set_settings(sim, nullptr, 1, {}), PLAIT_INVALID_ARGUMENT);
+    EXPECT_EQ(sim.hash(), hash);
+    plait::Sim parity(context, make_groom(tuft(2, 5)), tressfx_desc());
+    EXPECT_EQ(plait_sim_set_settings(parity, &good, 1, {}), PLAIT_INVALID_STATE);
+    std::vector<plait_strand_settings> got(3, plait_strand_settings_defaults());
+    size_t count = 3;
+    EXPECT_EQ(plait_sim_get_settings(sim, got.data(), &count), PLAIT_INVALID_ARGUMENT);
+}
+
+// Bit for bit what it would be in a sim all of its settings, whatever its neighbours are.
+TEST_P(Settings, AStrandIsSolvedAsInASimOfItsSettings) {
+    const auto groom = make_groom(ragged());
+    const auto of = scattered(levels().size());
+    plait::Sim sim(context, groom, desc_of(1));
+    sim.set_settings(levels(), of);
+    live(sim, nothing);
+    const auto got = sim.read(PLAIT_FIELD_POSITION);
+    for (size_t k = 0; k < levels().size(); ++k) {
+        const auto settings = levels()[k];
+        auto desc = desc_of(settings.substeps == of_sim ? 1 : settings.substeps);
+        desc.model = settings.model;
+        if (settings.iterations != of_sim)
+            desc.params.iterations = settings.iterations;
+        if (settings.bdf2 != of_sim)
+            desc.params.bdf2 = settings.bdf2;
+        plait::Sim alone(context, groom, desc);
+        live(alone, nothing);
+        const auto expected = alone.read(PLAIT_FIELD_POSITION);
+        for (size_t i = 0; i < strands; ++i) {
+            if (of[i] != k)
+                continue;
+            EXPECT_EQ(row(got, i), row(expected, i)) << "strand " << i << ", settings " << k;
+        }
+    }
+}
+
+// Other strands are solved in other ways at every step; these never are.
+TEST_P(Settings, AStrandDoesNotNoticeThatOthersChange) {
+    const auto groom = make_groom(ragged());
+    plait::Sim quiet(context, groom, desc_of(2)), busy(context, groom, desc_of(2));
+    live(quiet, nothing);
+    const auto number = static_cast<uint32_t>(levels().size());
+    live(busy, [&](int step) {
+        auto table = levels();
+        table.push_back(make(articulated));
+        auto of = scattered(number);
+        for (size_t i = 0; i < of.size(); ++i)
+            of[i] = i % 7 == 3 ? number : (of[i] + static_cast<uint32_t>(step)) % number;
+        busy.set_settings(table, of);
+    });
+    const auto expected = quiet.read(PLAIT_FIELD_POSITION), got = busy.read(PLAIT_FIELD_POSITION);
+    for (size_t i = 3; i < strands; i += 7)
+        EXPECT_EQ(row(got, i), row(expected, i)) << i;
+    EXPECT_NE(row(got, 4), row(expected, 4));
+    EXPECT_EQ(busy.stats().nonfinite, 0u);
+}
+
+Point tip_of(const plait::Sim& sim) {
+    const auto x = sim.read(PLAIT_FIELD_POSITION);
+    const auto* tip = &x[4 * (vertices - 1)];
+    return {tip[0], tip[1], tip[2]};
+}
+
+// m/s^2
+float acceleration(const Point& a, const Point& b, const Point& c) {
+    float square = 0;
+    for (size_t i = 0; i < 3; ++i)
+        square += (a[i] - 2 * b[i] + c[i]) * (a[i] - 2 * b[i] + c[i]);
+    return std::sqrt(square) * 3600;
+}
+
+// Limp strands that swing down, with 2 m/s at the tip. A step before as long ago as the substeps were
+// before, taken for one as long ago as they are now, would add 17 to 28 m/s^2.
+TEST_P(Settings, ASwingGoesOnWhenTheSubstepsChange) {
+    const auto groom = make_groom(tuft(4, vertices));
+    auto desc = desc_of(1);
+    desc.params.bdf2 = 1;
+    desc.params.bend_stiffness = desc.params.twist_stiffness = 0;
+    for (const plait_model model : {chain, cosserat, rod, articulated})
+        for (const uint32_t to : {1u, 4u}) {
+            desc.model = model;
+            desc.substeps = 5 - to;
+            plait::Sim kept(context, groom, desc), changed(context, groom, desc);
+            run(kept, 12);
+            run(changed, 12);
+            const Point a = tip_of(kept);
+            run(kept, 1);
+            run(changed, 1);
+            const Point b = tip_of(kept);
+            changed.set_settings({make(model, to)});
+            run(kept, 1);
+            run(changed, 1);
+            EXPECT_LT(acceleration(a, b, tip_of(changed)),
+                      acceleration(a, b, tip_of(kept)) + 15)
+                << "model " << model << ", " << 5 - to << " to " << to << " substeps";
+        }
+}
+
+TEST_P(Settings, NothingThatIsSeenMovesAtTheChange) {
+    plait::Sim sim(context, make_groom(ragged()), desc_of(1));
+    run(sim, 5);
+    const auto before = sim.read(PLAIT_FIELD_POSITION);
+    const auto velocity = sim.read(PLAIT_FIELD_VELOCITY);
+    for (const size_t number : {levels().size(), size_t{1}, size_t{3}}) {
+        sim.set_settings(levels(), scattered(number));
+        EXPECT_EQ(sim.read(PLAIT_FIELD_POSITION), before);
+        EXPECT_EQ(sim.read(PLAIT_FIELD_VELOCITY), velocity);
+    }
+}
+
+// Constraints act after a substep of all strands.
+TEST_P(Settings, DifferentSubstepsAndConstraintsRefuseEachOther) {
+    plait::Sim sim(context, make_groom(tuft(4, 5)), desc_of(2));
+    auto constrained = sim.params();
+    constrained.attachment = 1.5f;
+    const Table two = {make(chain, 1), make(chain, 4)};
+    const std::vector<uint32_t> of = {0, 1, 0, 1};
+    sim.set_settings(two, of);
+    EXPECT_EQ(plait_sim_set_params(sim, &constrained), PLAIT_INVALID_STATE);
+    EXPECT_NE(std::string(plait_last_error()).find("2 different numbers of substeps"),
+              std::string::npos)
+        << plait_last_error();
+    EXPECT_EQ(sim.params().attachment, 0);
+    sim.set_settings({make(chain, 4)});
+    sim.set_params(constrained);
+    const uint64_t hash = sim.hash();
+    EXPECT_EQ(plait_sim_set_settings(sim, two.data(), two.size(), plait::view(of)),
+              PLAIT_INVALID_STATE);
+    EXPECT_EQ(sim.hash(), hash);
+    run(sim, 3);
+    EXPECT_EQ(sim.stats().nonfinite, 0u);
+}
+
+TEST_P(Settings, EachNumberOfSubstepsIsOneRoundOfItsStages) {
+    using Stages = std::vector<std::pair<std::string, uint64_t>>;
+    plait::Sim sim(context, make_groom(tuft(6, 5)));
+    const Stages alone = {{"roots", 3}, {"articulated", 3}, {"lane_unpack", 3}, {"tangents", 3}};
+    EXPECT_EQ(stages_of(sim), alone);
+    const uint64_t bytes = sim.stats().device_bytes;
+    sim.set_settings({make(articulated), make(articulated, 4), make(chain, 4)}, {0, 1, 2, 2, 1, 0});
+    const Stages of_two = {
+        {"roots", 15}, {"chain", 12}, {"articulated", 15}, {"lane_unpack", 9}, {"tangents", 3}};
+    EXPECT_EQ(stages_of(sim), of_two);
+    sim.set_settings({make(articulated)});
+    EXPECT_EQ(stages_of(sim), alone);
+    EXPECT_EQ(sim.stats().device_bytes, bytes);
+}
+
+TEST_P(Settings, AreSavedAndRestoredWithTheState) {
+    const auto groom = make_groom(ragged());
+    plait::Sim a(context, groom, desc_of(2)), b(context, groom, desc_of(2));
+    const auto of_the_sim = a.save();
+    run(a, 3);
+    a.set_settings(levels(), scattered(levels().size()));
+    run(a, 3);
+    const auto saved = a.save();
+    b.restore(saved);
+    EXPECT_EQ(b.hash(), a.hash());
+    EXPECT_EQ(b.save(), saved);
+    EXPECT_EQ(b.settings()[3].substeps, a.settings()[3].substeps);
+    run(a, 5);
+    run(b, 5);
+    EXPECT_LT(largest_difference(a.read(PLAIT_FIELD_POSITION), b.read(PLAIT_FIELD_POSITION)),
+              GetParam() == "opencl" ? 1e-30f : 1e-4f); // `reference` saves floats of its doubles
+    b.restore(of_the_sim);
+    EXPECT_EQ(b.save(), of_the_sim);
+}
+
+TEST_P(Settings, OfASnapshotThatCannotBeAreRefused) {
+    plait::Sim sim(context, make_groom(tuft(6, 5)), desc_of(2));
+    sim.set_settings(levels(), scattered(levels().size(), 6));
+    run(sim, 2);
+    const auto saved = sim.save();
+    const uint64_t hash = sim.hash();
+    const std::pair<size_t, const char*> fields[] = {
+        {0, "strand 3: model is"}, {1, "strand 3: substeps is"}, {2, "strand 3: iterations is"},
+        {3, "strand 3: bdf2 is"}};
+    for (const auto& [field, sentence] : fields) {
+        auto damaged = saved;
+        const uint32_t value = 70000;
+        std::memcpy(&damaged[forged::header_size + (3 * 4 + field) * sizeof value], &value,
+                    sizeof value);
+        forged::sign(damaged);
+        EXPECT_EQ(plait_sim_restore(sim, damaged.data(), damaged.size()), PLAIT_BAD_DATA);
+        EXPECT_NE(std::string(plait_last_error()).find(sentence), std::string::npos)
+            << plait_last_error();
+    }
+    EXPECT_EQ(sim.hash(), hash);
+}
+
+TEST(SettingsFaults, AChangeThatFailsChangesNothing) {
+    Faults& faults = faulty();
+    const auto context = make_context("faulty");
+    const auto groom = make_groom(tuft(6, 5));
+    plait::Sim sim(context, groom, desc_of(1)), untouched(context, groom, desc_of(1));
+    for (plait::Sim* each : {&sim, &untouched}) {
+        each->create_collider(plait_collider_desc_defaults()); // its rows grow, too
+        run(*each, 3);
+    }
+    const auto table = levels();
+    const auto of = scattered(table.size(), 6);
+    const uint64_t hash = sim.hash();
+    int refused = 0;
+    for (; refused < 200; ++refused) {
+        faults.fail_create_after = refused;
+        const auto result =
+            plait_sim_set_settings(sim, table.data(), table.size(), plait::view(of));
+        faults.fail_create_after = -1;
+        if (result == PLAIT_OK)
+            break;
+        EXPECT_EQ(result, PLAIT_OUT_OF_MEMORY);
+        EXPECT_EQ(sim.hash(), hash);
+        EXPECT_EQ(sim.settings()[5].substeps, 1u);
+    }
+    EXPECT_GE(refused, 30);
+    untouched.set_settings(table, of);
+    run(sim, 3);
+    run(untouched, 3);
+    EXPECT_EQ(sim.hash(), untouched.hash());
+}
+
+} // namespace
