@@ -280,14 +280,17 @@ static inline void rod_direction(const rod_problem* rod, const rod_state* s,
         e = next;
         own = onward;
     }
-    for (int k = rod->step->segments - 1; k >= 0; --k)
+    const int last = rod->step->segments - 1;
+#pragma unroll
+    for (int r = 0; r < ROD_UNKNOWNS; ++r)
+        u[last][r] = row[last].z[r];
+    for (int k = last - 1; k >= 0; --k)
 #pragma unroll
         for (int r = 0; r < ROD_UNKNOWNS; ++r) {
             u[k][r] = row[k].z[r];
-            if (k < rod->step->segments - 1)
 #pragma unroll
-                for (int c = 0; c < ROD_UNKNOWNS; ++c)
-                    u[k][r] -= row[k].next[c][r] * u[k + 1][c];
+            for (int c = 0; c < ROD_UNKNOWNS; ++c)
+                u[k][r] -= row[k].next[c][r] * u[k + 1][c];
         }
 }
 

@@ -14,7 +14,8 @@ std::vector<float> strands(float move) {
         for (int vertex = 0; vertex < 3; ++vertex) {
             const float x = strand == 0 ? 0.0f : strand == 1 ? 0.001f : 0.003f;
             const float moved = strand == 2 && vertex > 0 ? move : 0.0f;
-            positions.insert(positions.end(), {x, -0.1f * static_cast<float>(vertex), moved, 1.0f});
+            for (const float value : {x, -0.1f * static_cast<float>(vertex), moved, 1.0f})
+                positions.push_back(value);
         }
     return positions;
 }
