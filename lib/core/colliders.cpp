@@ -108,7 +108,8 @@ size_t Colliders::rows(size_t count) const {
     return count * std::accumulate(substeps_.begin(), substeps_.end(), size_t{0});
 }
 
-Status Colliders::set_substeps(Device& device, std::pmr::vector<uint32_t> substeps) {
+Status Colliders::set_substeps(Device& device, std::span<const uint32_t> numbers) {
+    std::pmr::vector<uint32_t> substeps(numbers.begin(), numbers.end(), substeps_.get_allocator());
     substeps_.swap(substeps);
     Status status = reserve(device, count_);
     if (!status)

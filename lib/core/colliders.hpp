@@ -15,7 +15,7 @@ class Colliders {
         : substeps_(1, substeps, memory), slots_(memory), packed_(memory) {}
 
     // The numbers of substeps in which a fixed step is taken, by some strands or others.
-    Status set_substeps(Device& device, std::pmr::vector<uint32_t> substeps);
+    Status set_substeps(Device& device, std::span<const uint32_t> numbers);
 
     Result<plait_collider_id> create(Device& device, const plait_collider_desc& desc);
     Status set_pose(plait_collider_id id, const plait_pose& pose);

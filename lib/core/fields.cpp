@@ -141,8 +141,9 @@ Status Sim::write_velocity(const float* src) {
         const float h = static_cast<float>(steps) * substep_length();
         for (size_t i = 0; i < count; ++i)
             history[i] = i % 4 == 3 ? now[i] : now[i] - h * src[i];
-        PLAIT_TRY(device().write(steps == 1 ? state_.position_prev : state_.position_prev2,
-                                 history.data()));
+        const Buffer& to = steps == 1 ? state_.position_prev : state_.position_prev2;
+        if (to) // the step before the last, where the model keeps it
+            PLAIT_TRY(device().write(to, history.data()));
     }
     return {};
 }

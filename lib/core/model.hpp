@@ -56,6 +56,8 @@ class Model {
 
     // Vertices from the root on that follow it and nothing else.
     virtual uint32_t pinned_vertices() const = 0;
+    // Reads where vertices were two substeps ago, state.position_prev2.
+    virtual bool keeps_two_steps() const { return false; }
 
     // Makes what `params` need and is not there yet, and fills what depends on them: aside, so that
     // the model stays as it is until swap() takes it. swap() again gives it back; discard() drops

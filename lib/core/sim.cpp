@@ -78,9 +78,13 @@ Result<SimParts> make_sim_parts(Context& context, const Groom& groom, const plai
     (*model)->swap();
     (*model)->discard();
     const bool interpolate = desc.interpolate_output != 0;
-    auto state = create_state(device, groom, layout, interpolate ? layout.guides : layout.strands(),
-                              (*model)->pinned_vertices(), desc.accelerations != 0, desc.pins != 0,
-                              strands.follows, &context.memory);
+    const StateNeeds needs{interpolate ? layout.guides : layout.strands(),
+                           (*model)->pinned_vertices(),
+                           (*model)->keeps_two_steps(),
+                           desc.accelerations != 0,
+                           desc.pins != 0,
+                           strands.follows};
+    auto state = create_state(device, groom, layout, needs, &context.memory);
     if (!state)
         return state.error();
     auto grid = InterHair::create(device, desc.params);
@@ -388,7 +392,7 @@ Status Sim::set_settings(std::span<const Settings> settings) {
     const Discard discard{*model_};
     schedule_.clear();
     PLAIT_TRY(model_->prepare_settings(device(), schedule_, present(), settings));
-    const auto before = substeps_;
+    const std::pmr::vector<uint32_t> before(substeps_, &context_.memory);
     PLAIT_TRY(take_substeps(substeps_of(settings, &context_.memory)));
     model_->swap();
     Status status = check_stages();

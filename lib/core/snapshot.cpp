@@ -168,7 +168,8 @@ std::pmr::vector<Sim::Block> Sim::blocks(const SnapshotHeader& h) {
     std::pmr::vector<Block> list(&context_.memory);
     list.push_back({&state_.position, 4 * vertices, Block::Of::vertices, {}});
     list.push_back({&state_.position_prev, 4 * vertices, Block::Of::histories, {}});
-    list.push_back({&state_.position_prev2, 4 * vertices, Block::Of::histories, {}});
+    if (state_.position_prev2)
+        list.push_back({&state_.position_prev2, 4 * vertices, Block::Of::histories, {}});
     list.push_back({&state_.pose, 4 * state_.pose.count(), Block::Of::poses, {}});
     std::pmr::vector<LaneBuffer> own(&context_.memory);
     model_->add_dynamic(own);

@@ -65,19 +65,18 @@ std::pmr::vector<Float4> identity_poses(const Layout& layout, std::pmr::memory_r
 } // namespace
 
 Result<State> create_state(Device& device, const Groom& groom, const Layout& layout,
-                           uint32_t position_rows, uint32_t pinned, bool accelerates, bool pins,
-                           const FollowMap* follows, std::pmr::memory_resource* memory) {
+                           const StateNeeds& needs, std::pmr::memory_resource* memory) {
     State state;
     const auto make = [&](Buffer& to, plait_element element, size_t count, const char* name,
                           const void* content, size_t content_count) -> Status {
         PLAIT_TRY(device.create(to, element, count, name));
         return device.write(to, 0, content_count, content);
     };
-    const auto rest = pad_rows(groom, layout, pinned, memory);
+    const auto rest = pad_rows(groom, layout, needs.pinned, memory);
     const size_t guides = rest.size();
-    const size_t display = size_t{position_rows} * layout.row;
+    const size_t display = size_t{needs.position_rows} * layout.row;
     const auto lengths = edge_lengths(groom, layout, memory);
-    const auto counts = row_counts(groom, layout, follows, memory);
+    const auto counts = row_counts(groom, layout, needs.follows, memory);
     const auto poses = identity_poses(layout, memory);
     constexpr auto f4 = PLAIT_ELEMENT_FLOAT4;
     PLAIT_TRY(make(state.rest, f4, guides, "rest", rest.data(), guides));
@@ -87,13 +86,14 @@ Result<State> create_state(Device& device, const Groom& groom, const Layout& lay
                    guides));
     PLAIT_TRY(make(state.position, f4, display, "position", rest.data(), guides));
     PLAIT_TRY(make(state.position_prev, f4, guides, "position_prev", rest.data(), guides));
-    PLAIT_TRY(make(state.position_prev2, f4, guides, "position_prev2", rest.data(), guides));
+    if (needs.two_steps)
+        PLAIT_TRY(make(state.position_prev2, f4, guides, "position_prev2", rest.data(), guides));
     PLAIT_TRY(make(state.pose, f4, poses.size(), "pose", poses.data(), poses.size()));
-    if (accelerates) {
+    if (needs.accelerates) {
         const std::pmr::vector<Float4> none(guides, Float4{}, memory);
         PLAIT_TRY(make(state.acceleration, f4, guides, "acceleration", none.data(), guides));
     }
-    if (pins) {
+    if (needs.pins) {
         const std::pmr::vector<Float4> none(guides, Float4{}, memory);
         PLAIT_TRY(make(state.pin, f4, guides, "pin", none.data(), guides));
         PLAIT_TRY(make(state.pin_at, f4, guides, "pin_at", none.data(), guides));

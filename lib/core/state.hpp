@@ -20,7 +20,7 @@ struct State {
     // Moving.
     Buffer position;       // float4 [guides*V], or [strands*V] where follows are placed in it
     Buffer position_prev;  // float4 [guides*V]
-    Buffer position_prev2; // float4 [guides*V]
+    Buffer position_prev2; // float4 [guides*V]; only where the model keeps two steps
     Buffer pose;           // float4 [2*guides], of the last substep
     // From without.
     Buffer acceleration; // float4 [guides*V], m/s^2; only with accelerations
@@ -35,11 +35,16 @@ struct State {
     }
 };
 
-// Creates and fills the state with `groom` at rest, its roots at the identity. The first `pinned`
-// vertices of every strand get inverse mass 0, others 1. `follows`: where these
-// are strands of their own.
+// What of it a sim needs.
+struct StateNeeds {
+    uint32_t position_rows;
+    uint32_t pinned; // vertices from the root on, of inverse mass 0; that of others is 1
+    bool two_steps, accelerates, pins;
+    const FollowMap* follows; // where these are strands of their own, else null
+};
+
+// Creates and fills the state with `groom` at rest, its roots at the identity.
 Result<State> create_state(Device& device, const Groom& groom, const Layout& layout,
-                           uint32_t position_rows, uint32_t pinned, bool accelerates, bool pins,
-                           const FollowMap* follows, std::pmr::memory_resource* memory);
+                           const StateNeeds& needs, std::pmr::memory_resource* memory);
 
 } // namespace plait

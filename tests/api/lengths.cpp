@@ -239,7 +239,7 @@ TEST_P(Lengths, OfOneKindTakeTheStagesOfOne) {
 }
 
 // Buffers of the lanes are those of both sims. In the sim's own, padded to its longest strand, a
-// vertex row has its place at rest and now, that of a step ago and two, and its tangent, 16 B each,
+// vertex row has its place at rest, now and a step ago, and its tangent, 16 B each,
 // and the length of a segment, 4 B.
 TEST_P(Lengths, TakeTheMemoryThatEachTakes) {
     const auto bytes = [&](const std::vector<size_t>& list) {
@@ -248,7 +248,7 @@ TEST_P(Lengths, TakeTheMemoryThatEachTakes) {
     };
     const uint64_t both = bytes(list_strands(of_both)), long_ones = bytes(list_strands(is_long)),
                    short_ones = bytes(list_strands(of_short));
-    const uint64_t padding = 228 * (longer - shorter) * (5 * 16 + 4);
+    const uint64_t padding = 228 * (longer - shorter) * (4 * 16 + 4);
     EXPECT_GT(both, long_ones + short_ones + padding - 4096); // what every sim has, once
     EXPECT_LE(both, long_ones + short_ones + padding);
     Strands all_long;

@@ -197,10 +197,16 @@ void Scene::pins_or_models() {
         return;
     constexpr plait_model all[] = {PLAIT_MODEL_CHAIN, PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD,
                                    PLAIT_MODEL_ARTICULATED};
-    std::vector<plait_model> models(guides);
-    for (plait_model& model : models)
-        model = all[dice_.below(4)];
-    sim_.set_models(models);
+    std::vector<plait_strand_settings> table(4, plait_strand_settings_defaults());
+    for (plait_strand_settings& settings : table) {
+        settings.model = all[dice_.below(4)];
+        settings.substeps = dice_.one_in(2) ? 1 + dice_.below(4) : PLAIT_SETTING_OF_SIM;
+        settings.bdf2 = dice_.one_in(2) ? dice_.below(2) : PLAIT_SETTING_OF_SIM;
+    }
+    std::vector<uint32_t> of(guides);
+    for (uint32_t& strand : of)
+        strand = dice_.below(4);
+    sim_.set_settings(table, of);
 }
 
 void Scene::call() {

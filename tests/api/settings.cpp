@@ -29,8 +29,8 @@ plait_strand_settings make(plait_model model, uint32_t substeps = of_sim,
 
 // As a level of detail has it, and the same model twice.
 Table levels() {
-    return {make(articulated, 2), make(articulated), make(rod, 3, 2, 1), make(cosserat, 4, 5),
-            make(chain, 1, 1, 0), make(chain, 4)};
+    return {make(articulated, 2), make(articulated),    make(rod, 3, 2, 1),
+            make(cosserat, 4, 5), make(chain, 1, 1, 0), make(chain, 4)};
 }
 
 std::vector<uint32_t> scattered(size_t settings, size_t count = strands) {
@@ -218,7 +218,8 @@ float acceleration(const Point& a, const Point& b, const Point& c) {
 }
 
 // Limp strands that swing down, with 2 m/s at the tip. A step before as long ago as the substeps were
-// before, taken for one as long ago as they are now, would add 17 to 28 m/s^2.
+// before, taken for one as long ago as they are now, would add 32 to 43 m/s^2. Cosserat's three
+// sweeps alone, in one substep where there were four, add 21; the others less than 10.
 TEST_P(Settings, ASwingGoesOnWhenTheSubstepsChange) {
     const auto groom = make_groom(tuft(4, vertices));
     auto desc = desc_of(1);
@@ -238,8 +239,7 @@ TEST_P(Settings, ASwingGoesOnWhenTheSubstepsChange) {
             changed.set_settings({make(model, to)});
             run(kept, 1);
             run(changed, 1);
-            EXPECT_LT(acceleration(a, b, tip_of(changed)),
-                      acceleration(a, b, tip_of(kept)) + 15)
+            EXPECT_LT(acceleration(a, b, tip_of(changed)), acceleration(a, b, tip_of(kept)) + 25)
                 << "model " << model << ", " << 5 - to << " to " << to << " substeps";
         }
 }
@@ -320,9 +320,10 @@ TEST_P(Settings, OfASnapshotThatCannotBeAreRefused) {
     run(sim, 2);
     const auto saved = sim.save();
     const uint64_t hash = sim.hash();
-    const std::pair<size_t, const char*> fields[] = {
-        {0, "strand 3: model is"}, {1, "strand 3: substeps is"}, {2, "strand 3: iterations is"},
-        {3, "strand 3: bdf2 is"}};
+    const std::pair<size_t, const char*> fields[] = {{0, "strand 3: model is"},
+                                                     {1, "strand 3: substeps is"},
+                                                     {2, "strand 3: iterations is"},
+                                                     {3, "strand 3: bdf2 is"}};
     for (const auto& [field, sentence] : fields) {
         auto damaged = saved;
         const uint32_t value = 70000;

@@ -24,6 +24,7 @@ bool has_wind(const plait_sim_params& p) {
 class TressFx final : public Model {
   public:
     uint32_t pinned_vertices() const override { return pinned; }
+    bool keeps_two_steps() const override { return true; }
     explicit TressFx(const Layout& layout) : layout_(layout) {}
     Status prepare(Device& device, const plait_sim_params& params) override;
     void swap() noexcept override {
