@@ -686,9 +686,8 @@ PLAIT_API plait_result plait_sim_get_models(const plait_sim* sim, plait_model* d
  * plait_sim_desc and plait_sim_params say, also when these change. */
 typedef struct plait_strand_settings {
     uint32_t struct_size;
-    plait_model model; /* any but tressfx; default ARTICULATED */
-    uint32_t substeps; /* per fixed step, [1, 1000]: a strand of n is solved n times where the sim's
-                            other strands are solved as often as theirs say */
+    plait_model model;   /* any but tressfx; default ARTICULATED */
+    uint32_t substeps;   /* per fixed step, [1, 1000] */
     uint32_t iterations; /* of a substep, [0, 64], or PLAIT_ITERATIONS_OF_MODEL */
     uint32_t bdf2;       /* 0, 1, or PLAIT_BDF2_OF_MODEL */
 } plait_strand_settings;
@@ -708,8 +707,8 @@ PLAIT_API void plait_strand_settings_init(plait_strand_settings* settings, size_
  *         backend lacks a stage. A call that fails changes nothing. */
 PLAIT_API plait_result plait_sim_set_settings(plait_sim* sim, const plait_strand_settings* settings,
                                               size_t count, plait_view strand_settings);
-/* Of every guide strand: a list, whose elements given have their struct_size; dst == NULL: writes the
- * needed count. substeps is a number, the sim's where it was not set. */
+/* Of every guide strand: a list, whose elements given have their struct_size; dst == NULL: writes
+ * the needed count. substeps is a number, the sim's where it was not set. */
 PLAIT_API plait_result plait_sim_get_settings(const plait_sim* sim, plait_strand_settings* dst,
                                               size_t* count);
 

@@ -1,8 +1,8 @@
-// Strands of equal settings, a lane model's, and one class of length: the buffers they are in and the
-// stages they take. A sim whose strands are all solved alike and about as long has one part; else it
-// has one for each settings in use and class (length_classes.hpp), each with its strands side by side,
-// so that no lane is spent on a strand of another model, and no row on one far longer. Which strand is in
-// which lane is the part's own; a list tells the stages.
+// Strands of equal settings, of a lane model, and of one class of length: the buffers they are in and
+// the stages they take. A sim whose strands are all solved alike and about as long has one part; else
+// it has one for each settings in use and class (length_classes.hpp), each with its strands side by
+// side, so that no lane is spent on a strand that is solved otherwise, and no row on one far longer.
+// Which strand is in which lane is the part's own; a list tells the stages.
 #pragma once
 
 #include "core/model.hpp"

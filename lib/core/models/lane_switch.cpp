@@ -1,5 +1,5 @@
-// Strands that change their settings: a part of the new ones takes them over from the parts they are
-// in, on the device and bit by bit. x and v stay as they are, and so does q between the rods; a
+// Strands that change their settings: a part of the new ones takes them over from the parts they
+// are in, on the device and bit by bit. x and v stay as they are, and so does q between the rods; a
 // strand that was a chain has had none, and gets those of least turn in every joint. What stretched
 // and becomes an articulated strand is taken to its lengths. BDF2's step before stays where it is as
 // long ago as the new substeps are; else it follows from x and v.
