@@ -23,7 +23,7 @@ static plait_result make_hair(plait_groom** groom) {
     static float rest[VERTICES][3];
     for (int i = 0; i < VERTICES; ++i) {
         const int strand = i / PER_STRAND, vertex = i % PER_STRAND;
-        const float up = 1 - (float)strand / STRANDS, across = sqrtf(1 - up * up);
+        const float up = 1 - (float)strand / (float)STRANDS, across = sqrtf(1 - up * up);
         const float turn = 2.399963f * (float)strand; /* the golden angle: as a sunflower's seeds */
         const float r = 0.091f + 0.35f * (float)vertex / (PER_STRAND - 1);
         rest[i][0] = r * across * sinf(turn);

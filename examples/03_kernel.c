@@ -59,7 +59,7 @@ static plait_result pull(plait_sim* sim, float strength, double* distance) {
         const float* tip = now[strand * PER_STRAND + PER_STRAND - 1];
         *distance += sqrt(pow((double)(tip[0] - well[0]), 2) + pow((double)(tip[1] - well[1]), 2) +
                           pow((double)(tip[2] - well[2]), 2)) /
-                     STRANDS;
+                     (double)STRANDS;
     }
     return result;
 }
