@@ -140,8 +140,10 @@ Status Sim::check_stages() {
     schedule_.clear();
     add_pins(schedule_, layout_, state_, 1);
     begin_substeps();
-    for (const Group& group : groups())
+    (void)for_each_group([&](const Group& group) {
         add_substep(group, 0);
+        return Status{};
+    });
     end_substeps();
     Status status = check_supported(device(), schedule_.list());
     if (status)
@@ -214,27 +216,18 @@ Status Sim::fixed_step(double end, bool keep) {
     begin_pins_step(schedule_, layout_, state_, static_cast<float>(end));
     PLAIT_TRY(colliders_.begin_step(device(), end));
     begin_substeps();
-    for (const Group& group : groups())
+    const auto substeps = [&](const Group& group) -> Status {
         for (uint32_t i = 0; i < group.substeps; ++i) {
             add_substep(group, i);
             PLAIT_TRY(submit());
         }
+        return {};
+    };
+    PLAIT_TRY(for_each_group(substeps));
     end_substeps();
     PLAIT_TRY(submit());
     ++clock_.steps;
     return {};
-}
-
-// Strands do not meet within a fixed step: those that take one number of substeps may take all of
-// them before those that take another.
-std::pmr::vector<Sim::Group> Sim::groups() const {
-    std::pmr::vector<Group> list(&context_.memory);
-    uint32_t first = 0;
-    for (const uint32_t substeps : substeps_) {
-        list.push_back({substeps, first});
-        first += substeps;
-    }
-    return list;
 }
 
 Substep Sim::at(const Group& group, uint32_t substep) const {

@@ -133,7 +133,16 @@ class Sim {
         uint32_t substeps;
         uint32_t first; // those of the groups before
     };
-    std::pmr::vector<Group> groups() const;
+    // Strands do not meet within a fixed step: those that take one number of substeps may take all
+    // of them before those that take another.
+    template <typename Visit> Status for_each_group(const Visit& visit) const {
+        uint32_t first = 0;
+        for (const uint32_t substeps : substeps_) {
+            PLAIT_TRY(visit(Group{substeps, first}));
+            first += substeps;
+        }
+        return {};
+    }
     Substep at(const Group& group, uint32_t substep) const;
     std::array<float, 3> air() const; // m/s, in this fixed step
     Substep present() const {         // between steps
