@@ -65,8 +65,8 @@ static inline float3 noise_curl(const noise_place* place, uint seed) {
 }
 
 static inline float3 turbulence_at(const plait_air_field_params* params, float3 from_corner) {
-    const float3 place = (float3)(params->fraction[0], params->fraction[1], params->fraction[2]) +
-                         from_corner;
+    const float3 place =
+        (float3)(params->fraction[0], params->fraction[1], params->fraction[2]) + from_corner;
     const uint3 cell = (uint3)(params->cell[0], params->cell[1], params->cell[2]);
     float3 sum = (float3)(0.0f);
     float amplitude = params->amplitude, frequency = 1.0f;

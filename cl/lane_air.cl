@@ -4,12 +4,12 @@
  * Items   strands, over lanes.
  * Reads   lane_strand, vertex_count, rest, pose, acceleration, air_velocity, lane_material, lane_x,
  *         lane_v, with BDF2 lane_x_before, lane_v_before.
- * Writes  lane_push: the caller's acceleration and what of drag the spring is not; 0 past the tip.
+ * Writes  lane_push: the caller's acceleration and that of drag; 0 past the tip.
  * Moves   lane_pin: the spring is added to the pin that is there.
  *
- * Drag of the rate c, m c (u - v'), v' = (x - X)/h' the velocity at the substep's end, is a spring of
- * stiffness m c/h' to X + h' u. c is that across the strand or along it, whichever is greater; the
- * other direction has less by an acceleration, at the velocity of the substep's begin.
+ * Drag f at the substep's begin, of the rate c, taken implicitly, m (f - c (v' - v)), v' = (x - X)/h'
+ * the velocity at its end, is the acceleration f and a spring of stiffness m c/h' to X + h' v. c is
+ * that across the strand or along it, whichever is greater.
  * BDF2 would let hair pass air that starts suddenly: its history of the velocity goes on as it was.
  * The acceleration (D - D_)/2h, D the change of velocity that backward Euler would make and D_ that
  * of the substep before, gives a free vertex the velocity of backward Euler; in steady air it is 0.
@@ -38,8 +38,8 @@ static inline real length_at(const lane_step* step, int i, uint equal_masses) {
 }
 
 /* The lanes of a work-item in this stage. */
-static inline lane_step step_of(const plait_lane_air_params* params, lane_place place, lane_pose pose,
-                                __global const real* material) {
+static inline lane_step step_of(const plait_lane_air_params* params, lane_place place,
+                                lane_pose pose, __global const real* material) {
     lane_step step;
     step.place = place;
     step.material = material;
@@ -80,8 +80,7 @@ __kernel void plait_lane_air(const uint item_count, const plait_lane_air_params 
     /* only read here */
     const lane_buffers state = {(__global real*)lane_x, (__global real*)lane_v,
                                 (__global real*)lane_x_before, (__global real*)lane_v_before};
-    const lane_grid grid =
-        lane_grid_at(params.q, params.t, params.voxel_edge, params.edge_count);
+    const lane_grid grid = lane_grid_at(params.q, params.t, params.voxel_edge, params.edge_count);
     const vec3 shift = lane_shift(&step, state), at_begin = load3(lane_x, place, 0);
     const vec3 jump =
         vec3_of((real)(params.jump[0]), (real)(params.jump[1]), (real)(params.jump[2]));
@@ -101,12 +100,12 @@ __kernel void plait_lane_air(const uint item_count, const plait_lane_air_params 
         const real mass = lane_material_at(&step, i, PLAIT_LANE_MASS);
         const real share = params.drag * length_at(&step, i, params.equal_masses) / mass;
         const lane_drag drag = lane_drag_of(&params, u, along, share, most);
-        vec3 push = axpy3(-drag.rate, u, drag.force);
+        vec3 push = drag.force;
         if (step.bdf2) {
             const vec3 u_before = sub3(sub3(air, jump), load3(lane_v_before, place, i));
             const lane_drag before = lane_drag_of(&params, u_before, along, share, most);
-            const vec3 change = sub3(lane_drag_change(drag, params.h),
-                                     lane_drag_change(before, params.h));
+            const vec3 change =
+                sub3(lane_drag_change(drag, params.h), lane_drag_change(before, params.h));
             push = axpy3((real)(0.5f / params.h), change, push);
         }
         if (params.accelerates)
@@ -114,7 +113,7 @@ __kernel void plait_lane_air(const uint item_count, const plait_lane_air_params 
                                   gather3(acceleration, &strands, params.row_stride, (uint)i)));
         store3(lane_push, place, i, pick3(there, push, zero));
         const vec3 target =
-            axpy3((real)(step.h), air, add3(lane_history_position(&step, state, i), shift));
+            axpy3((real)(step.h), v, add3(lane_history_position(&step, state, i), shift));
         const quat pin = params.pins ? loadq(lane_pin, place, i) : none;
         const quat spring = with_spring(pin, target, mass * drag.rate / step.h);
         storeq(lane_pin, place, i, pickq(there, spring, none));

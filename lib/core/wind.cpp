@@ -54,7 +54,8 @@ plait_wind_desc default_wind_desc() {
 
 Status check_wind(const plait_wind_desc& s) {
     for (size_t i = 0; i < 3; ++i)
-        PLAIT_TRY(check_range(format("velocity[%zu]", i).c_str(), double(s.velocity[i]), -1e3, 1e3));
+        PLAIT_TRY(
+            check_range(format("velocity[%zu]", i).c_str(), double(s.velocity[i]), -1e3, 1e3));
     PLAIT_RANGE(turbulence, 0, 1e3);
     PLAIT_RANGE(scale, 1e-3f, 1e4);
     PLAIT_RANGE(octaves, 1, 8);

@@ -22,8 +22,8 @@ class Wind {
 
     // What goes on from step to step; snapshots hold it.
     struct Moving {
-        double time = 0;            // s since the wind began
-        Vector way{};               // m, by which its mean has carried the turbulence
+        double time = 0;             // s since the wind began
+        Vector way{};                // m, by which its mean has carried the turbulence
         std::array<float, 3> jump{}; // m/s, by which the caller has changed it since the last step
     };
     Moving moving;

@@ -35,8 +35,8 @@ Case air_field_case() {
     for (const uint32_t edge_count : {1u, 5u, 8u})
         for (const uint32_t octaves : {1u, 3u, 4u}) {
             Setup setup;
-            setup.name = std::to_string(edge_count) + " voxels, " + std::to_string(octaves) +
-                         " octaves";
+            setup.name =
+                std::to_string(edge_count) + " voxels, " + std::to_string(octaves) + " octaves";
             setup.items = edge_count * edge_count * edge_count;
             setup.buffers = {unwritten_float4s(setup.items)};
             result.setups.push_back(setup.with(params_of(edge_count, octaves)));

@@ -20,8 +20,8 @@ Place refined(const plait_air_field_params& params, const Vec3& offset, uint32_t
     for (int axis = 0; axis < 3; ++axis) {
         const double scaled = std::ldexp(params.fraction[axis] + offset[axis], int(octave));
         const double low = std::floor(scaled);
-        place.cell[axis] = (params.cell[axis] << octave) +
-                           static_cast<uint32_t>(static_cast<int64_t>(low));
+        place.cell[axis] =
+            (params.cell[axis] << octave) + static_cast<uint32_t>(static_cast<int64_t>(low));
         place.in_cell[axis] = scaled - low;
     }
     return place;
@@ -30,8 +30,8 @@ Place refined(const plait_air_field_params& params, const Vec3& offset, uint32_t
 Vec3 curl(const Place& place, uint32_t seed) {
     Vec3 derivative[3];
     for (uint32_t potential = 0; potential < 3; ++potential)
-        derivative[potential] = noise_derivatives(
-            place.cell, place.in_cell, hash_of(seed ^ (potential * 0x9e3779b9u)));
+        derivative[potential] =
+            noise_derivatives(place.cell, place.in_cell, hash_of(seed ^ (potential * 0x9e3779b9u)));
     return {derivative[2].y() - derivative[1].z(), derivative[0].z() - derivative[2].x(),
             derivative[1].x() - derivative[0].y()};
 }

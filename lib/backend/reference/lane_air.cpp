@@ -1,8 +1,8 @@
 // lane_air: drag of a slender cylinder in a stream, with White's C = 1 + 10 Re^(-2/3), on every vertex:
-// a spring to where the air would carry it, of the stiffness that makes it drag taken implicitly,
-// m c/h', c the greater of the rates across and along the strand; and as an acceleration what that
-// is too much in the other direction. With BDF2, whose history of a velocity goes on when the air
-// changes, (D - D_before)/(2h) besides, D = h f/(1 + c h): free hair then moves as by backward Euler.
+// f as an acceleration, and a spring of stiffness m c/h' to where the vertex would go at the velocity
+// it has, which makes f implicit, f - c (v' - v); c the greater of the rates across and along the
+// strand. With BDF2, whose history of a velocity goes on when the air changes, (D - D_before)/(2h)
+// besides, D = h f/(1 + c h): free hair then moves as by backward Euler.
 #include "backend/reference/grid.hpp"
 #include "backend/reference/lanes.hpp"
 
@@ -77,8 +77,8 @@ class Strand {
     }
     Vec3 air_at(const Vec3& x) const;
     Vertex vertex(uint32_t i, bool tip) const {
-        const double behind = tip ? 0 : material(i, PLAIT_LANE_LENGTH);
         const double before = material(i - 1, PLAIT_LANE_LENGTH);
+        const double behind = material(i, PLAIT_LANE_LENGTH); // 0 at the tip
         const double length = params_.equal_masses ? before : (before + behind) / 2;
         return {direction(position(tip ? i : i + 1) - position(i - 1)),
                 params_.drag * length / material(i, PLAIT_LANE_MASS)};
@@ -124,7 +124,7 @@ void Strand::write_vertex(uint32_t i, bool tip) const {
     const Vec3 air = air_at(lane_.vector(args_.lane_x, 0) + position(i));
     const Vec3 u = air - lane_.vector(args_.lane_v, i);
     const Drag drag = hair.drag(params_, u, most);
-    Vec3 push = drag.force - drag.rate * u;
+    Vec3 push = drag.force;
     if (params_.bdf2) {
         const Vec3 before = air - vec3(params_.jump) - lane_.vector(args_.lane_v_before, i);
         push += (drag.change(params_.h) - hair.drag(params_, before, most).change(params_.h)) /
@@ -132,7 +132,7 @@ void Strand::write_vertex(uint32_t i, bool tip) const {
     }
     if (params_.accelerates)
         push += checked_acceleration(args_.acceleration[strand_ * params_.row_stride + i]);
-    Vec3 target = history(i) + step_ * air;
+    Vec3 target = history(i) + step_ * lane_.vector(args_.lane_v, i);
     double stiffness = material(i, PLAIT_LANE_MASS) * drag.rate / step_;
     if (params_.pins) {
         const double pin = args_.lane_pin[lane_.index(i, 3, 4)];

@@ -44,8 +44,7 @@ std::vector<float> velocities(Bench& bench, const plait_air_field_params& params
 void air_field_is_the_table_s(Bench& bench) {
     const double norm = std::sqrt(1 + 0.25 + 0.0625); // of the gains
     for (const auto& row : table) {
-        const auto got =
-            velocities(bench, at_point(row.data(), static_cast<float>(1 / norm), 3));
+        const auto got = velocities(bench, at_point(row.data(), static_cast<float>(1 / norm), 3));
         for (size_t i = 0; i < 3; ++i)
             EXPECT_NEAR(double(got[i]), row[3 + i], 1e-4) << "at " << row[0] << " " << row[1];
     }
@@ -111,32 +110,30 @@ Vector drag_on(Bench& bench, const Segment& segment, uint32_t bdf2) {
         pose[4 + i] = whole * v[3 + i];
     }
     const std::vector<float> material{length, 0, 0, 0, 0, 0, 0, 0, 0, mass, 0, 0};
-    const auto out = bench.run(PLAIT_STAGE_lane_air, 1, 2, params,
-                               {null_array(), uints({2}), float4s(std::vector<float>(8, 0.0f)),
-                                float4s(pose), null_array(), null_array(),
-                                lane_floats(material, PLAIT_LANE_MATERIAL_COMPONENTS),
-                                lane_floats(x, 3), lane_floats(v, 3), lane_floats(before, 3),
-                                lane_floats(v, 3), lane_floats(std::vector<float>(6, 9), 3),
-                                lane_floats(std::vector<float>(8, 0), 4)});
+    const auto out = bench.run(
+        PLAIT_STAGE_lane_air, 1, 2, params,
+        {null_array(), uints({2}), float4s(std::vector<float>(8, 0.0f)), float4s(pose),
+         null_array(), null_array(), lane_floats(material, PLAIT_LANE_MATERIAL_COMPONENTS),
+         lane_floats(x, 3), lane_floats(v, 3), lane_floats(before, 3), lane_floats(v, 3),
+         lane_floats(std::vector<float>(6, 9), 3), lane_floats(std::vector<float>(8, 0), 4)});
     Vector all{};
     for (size_t i = 0; i < 3; ++i) // x relative to the root is where it was
-        all[i] = double(out[11].floats[3 + i]) +
-                 double(out[12].floats[7]) / double(mass) *
-                     (double(out[12].floats[4 + i]) - double(x[3 + i]));
+        all[i] =
+            double(out[11].floats[3 + i]) + double(out[12].floats[7]) / double(mass) *
+                                                (double(out[12].floats[4 + i]) - double(x[3 + i]));
     return all;
 }
 
 // Terminal velocities of segments tilted by 15 degrees each, at half the drag along them: drag holds
 // them against gravity within 0.5 %.
 void lane_air_holds_at_terminal_velocity(Bench& bench) {
-    constexpr std::array<double, 3> rows[] = {
-        {0, 0, -0.386331959539},
-        {15, 0.136204674297, -0.426797704572},
-        {30, 0.160061674248, -0.495428966936},
-        {45, 0.134629752708, -0.562144942963},
-        {60, 0.0792433095467, -0.609448434254},
-        {75, 0.0164632580763, -0.629223010214},
-        {90, 0, -0.626903982174}};
+    constexpr std::array<double, 3> rows[] = {{0, 0, -0.386331959539},
+                                              {15, 0.136204674297, -0.426797704572},
+                                              {30, 0.160061674248, -0.495428966936},
+                                              {45, 0.134629752708, -0.562144942963},
+                                              {60, 0.0792433095467, -0.609448434254},
+                                              {75, 0.0164632580763, -0.629223010214},
+                                              {90, 0, -0.626903982174}};
     for (const uint32_t bdf2 : {0u, 1u})
         for (const auto& [degrees, x, y] : rows) {
             const double tilt = degrees * 3.14159265358979 / 180;
