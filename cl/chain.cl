@@ -67,11 +67,12 @@ static inline void chain_solve_lengths(const lane_step* step, const lane_contact
     }
 }
 
-/* Lanes with a pinned vertex. */
+/* Lanes with a vertex whose pin is far stiffer than its inertia. */
 static inline mask chain_pinned(const lane_step* step) {
     mask pinned = (real)(0.0f) > (real)(0.0f);
     for (int i = 1; i <= step->segments && step->pin; ++i)
-        pinned |= lane_pin_stiffness(step, i) > (real)(0.0f);
+        pinned |= lane_pin_stiffness(step, i) > PLAIT_CHAIN_PIN_STIFFNESS * lane_inertia(step) *
+                                                    lane_material_at(step, i, PLAIT_LANE_MASS);
     return pinned;
 }
 

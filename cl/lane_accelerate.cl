@@ -7,11 +7,6 @@
  */
 #include "common/lane_step.clh"
 
-static inline mask is_allowed(vec3 a) {
-    const real most = (real)(PLAIT_MOST_ACCELERATION);
-    return (fabs(a.x) <= most) & (fabs(a.y) <= most) & (fabs(a.z) <= most);
-}
-
 __kernel void plait_lane_accelerate(const uint item_count, const plait_lane_tile_params params,
                                     __global const uint* lane_strand,
                                     __global const uint* vertex_count,
@@ -27,7 +22,7 @@ __kernel void plait_lane_accelerate(const uint item_count, const plait_lane_tile
     const vec3 zero = vec3_of((real)(0.0f), (real)(0.0f), (real)(0.0f));
     for (uint i = 0; i < PLAIT_VERTICES; ++i) {
         const vec3 own = gather3(acceleration, &strands, params.row_stride, i);
-        const mask pulls = ((real)((float)i) < count) & is_allowed(own);
-        store3(lane_acceleration, place, i, pick3(pulls, own, zero));
+        const mask pulls = (real)((float)i) < count;
+        store3(lane_acceleration, place, i, pick3(pulls, lane_allowed_acceleration(own), zero));
     }
 }

@@ -847,6 +847,36 @@ typedef struct plait_pin {
  *         its strand, its vertex and the range. */
 PLAIT_API plait_result plait_sim_set_pins(plait_sim* sim, const plait_pin* pins, size_t count);
 
+/* Air that moves past strands and drags them, each vertex as a slender cylinder with the drag of its
+ * Reynolds number: mean velocity, gusts of all of it, and eddies that it carries along. Adds to
+ * `wind` and `air_with_head` of the params, to which their linear `drag` stays relative. Formulae:
+ * docs/air.md. */
+typedef struct plait_wind_desc {
+    uint32_t struct_size;
+    float velocity[3]; /* m/s, mean, each [-1e3, 1e3], default 0: still air, which brakes */
+    float turbulence;  /* m/s, rms of each component of the eddies' velocity, [0, 1e3], default 0 */
+    float scale;       /* m, size of the largest eddies, [1e-3, 1e4], default 0.5 */
+    uint32_t octaves;  /* sizes of eddies, each half the one before, [1, 8], default 3 */
+    float gain;        /* velocity of an octave over that of the one before, [0, 1], default 0.5 */
+    float gusts;       /* rms change of `velocity`, as a share of it, [0, 2], default 0 */
+    float gust_period; /* s, [0.01, 1e4], default 2 */
+    uint32_t seed;     /* of eddies and gusts */
+    float tangential;  /* drag along a strand over that across it, [0, 1], default 0.3 */
+    float diameter;    /* m, of a hair, [0, 0.1]; default 0: the groom's mean thickness, or 70 um */
+    float air_density; /* kg/m^3, (0, 1e4], default 1.204 */
+    float viscosity;   /* kinematic, m^2/s, [0, 1], default 1.516e-5; 0: a drag coefficient of 1 */
+} plait_wind_desc;
+
+PLAIT_API void plait_wind_desc_init(plait_wind_desc* desc, size_t size);
+
+/* From the next step on; NULL: none, as at first. Its time and its eddies go on when it is changed,
+ * and start anew with plait_sim_reset, or after NULL; snapshots hold them, and a sim without wind
+ * leaves them there. Where it is off nothing is scheduled, stored or changed.
+ * @errors INVALID_ARGUMENT: a value outside its range; INVALID_STATE: the sim is of model tressfx,
+ *         whose wind is that of its params; UNSUPPORTED: the backend lacks a stage; COMPILE. A call
+ *         that fails changes nothing. */
+PLAIT_API plait_result plait_sim_set_wind(plait_sim* sim, const plait_wind_desc* desc);
+
 typedef enum plait_field {
     PLAIT_FIELD_POSITION = 0,      /* float[4] [strands][V]: x, y, z, inverse mass; for display */
     PLAIT_FIELD_TANGENT = 1,       /* float[4] [strands][V], unit, towards the tip */
@@ -1039,6 +1069,7 @@ PLAIT_DEFAULTS(plait_sim_info)
 PLAIT_DEFAULTS(plait_sim_stats)
 PLAIT_DEFAULTS(plait_launch)
 PLAIT_DEFAULTS(plait_roots)
+PLAIT_DEFAULTS(plait_wind_desc)
 PLAIT_DEFAULTS(plait_collider_desc)
 #undef PLAIT_DEFAULTS
 

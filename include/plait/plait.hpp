@@ -242,6 +242,9 @@ class Sim : public detail::Owner<plait_sim, plait_sim_destroy> {
         check(plait_sim_set_pins(get(), pins.data(), pins.size()));
     }
 
+    void set_wind(const plait_wind_desc& desc) { check(plait_sim_set_wind(get(), &desc)); }
+    void stop_wind() { check(plait_sim_set_wind(get(), nullptr)); }
+
     void set_models(const std::vector<plait_model>& models) {
         check(plait_sim_set_models(get(), models.data(), models.size()));
     }

@@ -7,6 +7,7 @@
 #include "core/materials.hpp"
 #include "core/param_table.hpp"
 #include "core/params.hpp"
+#include "core/wind.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -248,6 +249,21 @@ plait_result plait_sim_set_pins(plait_sim* sim, const plait_pin* pins, size_t co
         if (count > 0)
             PLAIT_TRY(api::need(pins, "pins"));
         return s.set_pins({pins, count});
+    });
+}
+
+void plait_wind_desc_init(plait_wind_desc* desc, size_t size) {
+    api::init_struct(desc, size, default_wind_desc());
+}
+
+plait_result plait_sim_set_wind(plait_sim* sim, const plait_wind_desc* desc) {
+    return api::with_sim(__func__, sim, [&](Sim& s) -> Status {
+        if (!desc)
+            return s.set_wind(nullptr);
+        plait_wind_desc given = default_wind_desc();
+        PLAIT_TRY(api::read_struct(desc, given, "desc"));
+        PLAIT_TRY(check_wind(given));
+        return s.set_wind(&given);
     });
 }
 

@@ -7,9 +7,11 @@
 #include "core/schedule.hpp"
 #include "core/settings.hpp"
 #include "core/state.hpp"
+#include "core/wind_step.hpp"
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace plait {
@@ -27,6 +29,7 @@ struct Substep {
     float h;                  // s, its length
     std::array<float, 3> air; // m/s: the wind, and what the head takes along
     float share;              // of the fixed step, at the substep's end
+    std::optional<WindStep> wind;
 };
 
 // State in the lane layout.
@@ -71,6 +74,9 @@ class Model {
     virtual void exchange(StrandMaterialsPtr&) noexcept {}
     virtual void swap() noexcept {}
     virtual void discard() {}
+    // Makes, or gives back, what substeps with wind need. Fails without an effect.
+    virtual Status open_wind(Device&) { return Error{PLAIT_INTERNAL, "this model takes no wind"}; }
+    virtual void close_wind() {}
 
     // Appends what takes state.acceleration, where there is one, to where the model reads it.
     virtual void accelerate(Schedule&, const Substep&) const {}

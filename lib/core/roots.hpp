@@ -42,7 +42,8 @@ class Roots {
 
     // How far the step's path takes the point `p` (m, at rest) of the head.
     std::array<float, 3> head_moves(const float p[3]) const;
-    // Head at the end of the last fixed step.
+    // Head at the begin and at the end of the last fixed step.
+    const plait_pose& step_begin() const { return from_.head; }
     const plait_pose& step_head() const { return to_.head; }
 
     // The state as saved: each one's head, whether its roots have poses of their own, and the

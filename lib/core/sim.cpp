@@ -60,6 +60,16 @@ Layout make_layout(const Groom& groom, const plait_sim_desc& desc, const FollowM
     return {guides, count, row_of(groom, follows)};
 }
 
+// m, of the groom's strands, or a hair's.
+float mean_diameter(const Groom& groom) {
+    double sum = 0, count = 0;
+    for (const float d : groom.strands.thickness) {
+        sum += double(d);
+        count += d > 0;
+    }
+    return count > 0 ? static_cast<float>(sum / count) : 70e-6f;
+}
+
 } // namespace
 
 Result<SimParts> make_sim_parts(Context& context, const Groom& groom, const plait_sim_desc& desc,
@@ -102,6 +112,7 @@ Result<SimParts> make_sim_parts(Context& context, const Groom& groom, const plai
     return SimParts{layout,
                     desc,
                     groom.shape.mean_length,
+                    mean_diameter(groom),
                     fingerprint(groom),
                     cube_around(groom),
                     std::move(*skin),
@@ -113,12 +124,12 @@ Result<SimParts> make_sim_parts(Context& context, const Groom& groom, const plai
 
 Sim::Sim(Context& context, SimParts parts)
     : context_(context), layout_(parts.layout), desc_(parts.desc), mean_length_(parts.mean_length),
-      groom_(parts.fingerprint), cube_(parts.cube), skin_(std::move(parts.skin)),
-      model_(std::move(parts.model)), state_(std::move(parts.state)), grid_(std::move(parts.grid)),
-      display_(std::move(parts.display)), roots_(layout_, &context.memory),
-      colliders_(desc_.substeps, &context.memory), substeps_(1, desc_.substeps, &context.memory),
-      clock_(desc_.step, desc_.max_steps_per_call), schedule_(&context.memory),
-      pin_table_(&context.memory) {}
+      diameter_(parts.diameter), groom_(parts.fingerprint), cube_(parts.cube),
+      skin_(std::move(parts.skin)), model_(std::move(parts.model)), state_(std::move(parts.state)),
+      grid_(std::move(parts.grid)), display_(std::move(parts.display)),
+      roots_(layout_, &context.memory), colliders_(desc_.substeps, &context.memory),
+      substeps_(1, desc_.substeps, &context.memory), clock_(desc_.step, desc_.max_steps_per_call),
+      schedule_(&context.memory), pin_table_(&context.memory) {}
 
 Sim::~Sim() {
     if (context_.measured == this)
@@ -226,6 +237,8 @@ Status Sim::fixed_step(double end, bool keep) {
     PLAIT_TRY(for_each_group(substeps));
     end_substeps();
     PLAIT_TRY(submit());
+    if (wind_.blows())
+        wind_.end_step(clock_.step());
     ++clock_.steps;
     return {};
 }
@@ -241,7 +254,9 @@ Substep Sim::at(const Group& group, uint32_t substep) const {
             group.substeps,
             length_of(group.substeps),
             air(),
-            static_cast<float>(substep + 1) / static_cast<float>(group.substeps)};
+            static_cast<float>(substep + 1) / static_cast<float>(group.substeps),
+            wind_.blows() ? std::optional(wind_.at(air(), substep == 0, clock_.step()))
+                          : std::nullopt};
 }
 
 std::array<float, 3> Sim::air() const {
@@ -260,6 +275,8 @@ std::array<float, 3> Sim::air() const {
 
 // What pulls at single vertices in all substeps of a fixed step, where they are at its begin.
 void Sim::begin_substeps() {
+    if (wind_.blows()) // around where the hair is
+        wind_.begin_step(schedule_, roots_.step_begin(), cube_, clock_.step());
     if (!state_.acceleration)
         return;
     if (context_.replaced[PLAIT_STAGE_accelerate]) {
@@ -354,6 +371,31 @@ Status Sim::set_materials(StrandMaterialsPtr materials) {
     return {};
 }
 
+Status Sim::set_wind(const plait_wind_desc* desc) {
+    if (!desc) {
+        wind_ = {};
+        model_->close_wind();
+        return {};
+    }
+    if (!traits_of(desc_.model).switches)
+        return Error{PLAIT_INVALID_STATE,
+                     format("the sim is of model 0 (tressfx), whose wind is that of the params; "
+                            "strands of the models %s take plait_sim_set_wind",
+                            list_models(&ModelTraits::switches).c_str())};
+    Wind next;
+    PLAIT_TRY(next.begin(device(), wind_, *desc, diameter_));
+    if (!wind_.blows())
+        PLAIT_TRY(model_->open_wind(device()));
+    std::swap(wind_, next);
+    Status status = check_stages();
+    if (!status) {
+        std::swap(wind_, next);
+        if (!wind_.blows())
+            model_->close_wind();
+    }
+    return status;
+}
+
 SettingsList Sim::settings() const {
     SettingsList list(layout_.guides, own_settings(desc_.model), &context_.memory);
     model_->read_settings(list);
@@ -437,6 +479,7 @@ Status Sim::teleport(const RootsInput& input) {
 Status Sim::reset() {
     schedule_.clear();
     clock_.reset();
+    wind_.reset();
     roots_.stop(schedule_);
     colliders_.stop();
     stop_pins(schedule_, layout_, state_);

@@ -11,6 +11,7 @@
 #include "core/pins.hpp"
 #include "core/roots.hpp"
 #include "core/skin.hpp"
+#include "core/wind.hpp"
 
 #include <memory>
 
@@ -28,6 +29,7 @@ struct SimParts {
     Layout layout;
     plait_sim_desc desc;
     double mean_length;   // m, of the strands
+    float diameter;       // m, of a hair
     uint64_t fingerprint; // of the groom's strands
     GridCube cube;
     Skin skin;
@@ -72,6 +74,8 @@ class Sim {
     Settings own_settings(plait_model model) const { return {model, desc_.substeps}; }
     Status set_roots(const RootsInput& input);
     Status teleport(const RootsInput& input);
+    // Null: none. INVALID_STATE: the model takes none. What fails changes nothing.
+    Status set_wind(const plait_wind_desc* desc);
     Status step(double dt);
     Status wait() { return device().wait(); }
 
@@ -200,6 +204,7 @@ class Sim {
     Layout layout_;
     plait_sim_desc desc_;
     double mean_length_; // m, of the strands
+    float diameter_;     // m, of a hair
     uint64_t groom_;     // its fingerprint: snapshots are of one groom
     GridCube cube_;
     Skin skin_;
@@ -212,6 +217,7 @@ class Sim {
     std::pmr::vector<uint32_t> substeps_; // that strands take, each number once
     Clock clock_;
     Schedule schedule_;
+    Wind wind_;
     PinTable pin_table_;  // filled by the first set_pins
     Buffer pose_spare_;   // float4 [2*guides], from the first teleport on
     Buffer strand_stats_; // float4 [guides], from the first measurement on

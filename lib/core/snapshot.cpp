@@ -40,15 +40,19 @@ struct SnapshotHeader {
     uint32_t kept;
     uint32_t switched; // 1: strands have settings of their own
     uint32_t pins;     // 1: they are there
+    double wind_time;  // Wind::Moving
+    double wind_way[3];
+    float wind_jump[3];
+    uint32_t unused;
 };
-static_assert(sizeof(SnapshotHeader) == 72 + 112 + 32);
+static_assert(sizeof(SnapshotHeader) == 72 + 112 + 32 + 48);
 static_assert(sizeof(Colliders::Slot) == sizeof(float) * (2 + 21 + 28),
               "no padding: slots are saved as bytes");
 
 namespace {
 
 constexpr uint32_t magic = 0x74696c70; // "plit"
-constexpr uint32_t version = 5;
+constexpr uint32_t version = 6;
 
 // Of a position (m) or a velocity (m/s): a head and a groom may be 1e6 m away each.
 constexpr float largest = 4e6f;
@@ -94,6 +98,15 @@ Status check_header(const SnapshotHeader& h) {
         if (h.own[i] > 1)
             return malformed(format("own[%zu] is %u, range is [0, 1]", i, h.own[i]));
     }
+    if (!(h.wind_time >= 0 && h.wind_time <= 1e12))
+        return malformed(format("wind_time is %g s, range is [0, 1e12]", h.wind_time));
+    for (size_t i = 0; i < 3; ++i)
+        if (!(std::abs(h.wind_way[i]) <= 1e15 && std::abs(h.wind_jump[i]) <= 1e6f))
+            return malformed(format("wind_way[%zu] is %g m, wind_jump[%zu] %g m/s, ranges are "
+                                    "[-1e15, 1e15] and [-1e6, 1e6]",
+                                    i, h.wind_way[i], i, double(h.wind_jump[i])));
+    if (h.unused != 0)
+        return malformed(format("unused is %u, not 0", h.unused));
     if (h.aimed > 1 || h.kept > 1 || h.switched > 1 || h.pins > 1)
         return malformed(
             format("aimed is %u, kept is %u, switched is %u, pins is %u, range is [0, 1]", h.aimed,
@@ -232,6 +245,9 @@ SnapshotHeader Sim::snapshot_header() {
     h.aimed = roots_.aimed;
     h.kept = display_.interpolates();
     h.pins = state_.pin ? 1 : 0;
+    h.wind_time = wind_.moving.time;
+    std::ranges::copy(wind_.moving.way, h.wind_way);
+    std::ranges::copy(wind_.moving.jump, h.wind_jump);
     const auto strands = settings();
     h.switched = std::ranges::any_of(
         strands, [&](const Settings& s) { return s != own_settings(desc_.model); });
@@ -444,6 +460,11 @@ Status Sim::restore(std::span<const unsigned char> src) {
     clock_.waiting = h.waiting;
     clock_.steps = h.steps;
     clock_.dropped = h.dropped;
+    if (wind_.blows()) { // this sim may do without
+        wind_.moving.time = h.wind_time;
+        std::ranges::copy(h.wind_way, wind_.moving.way.begin());
+        std::ranges::copy(h.wind_jump, wind_.moving.jump.begin());
+    }
     if (!h.kept)
         display_.keep(schedule_, layout_, state_);
     return refresh();

@@ -92,7 +92,8 @@ Result<uint64_t> Sim::accelerations_ignored() const {
 uint64_t Sim::device_bytes() const {
     uint64_t bytes = model_->device_bytes() + grid_.device_bytes() + display_.device_bytes() +
                      skin_.device_bytes() + pose_spare_.bytes() + strand_stats_.bytes() +
-                     boxes_.bytes() + box_.bytes() + colliders_.capsules().bytes();
+                     boxes_.bytes() + box_.bytes() + wind_.device_bytes() +
+                     colliders_.capsules().bytes();
     for (const Buffer* buffer : state_.all())
         bytes += buffer->bytes();
     for (const Roots::Poses* each : roots_.all_poses())

@@ -1,5 +1,5 @@
-// Random calls about colliders of every kind and pins of every stiffness, between frames, in any
-// order: hair stays finite and near its head, comes to rest as itself once it is let alone, and the
+// Random calls about colliders of every kind, pins of every stiffness and winds, between frames, in
+// any order: hair stays finite and near its head, comes to rest as itself once it is let alone, and the
 // same calls give the same bits.
 #include "support.hpp"
 
@@ -107,6 +107,21 @@ std::vector<plait_pin> random_pins(Dice& dice) {
     return pins;
 }
 
+plait_wind_desc random_wind(Dice& dice) {
+    auto wind = plait_wind_desc_defaults();
+    const Point velocity = dice.in_cube(dice.decade(-1, 1.5f));
+    std::copy(velocity.begin(), velocity.end(), wind.velocity);
+    wind.turbulence = dice.one_in(2) ? 0 : dice.decade(-1, 1);
+    wind.scale = dice.decade(-2, 1);
+    wind.octaves = 1 + dice.below(8);
+    wind.gusts = dice.one_in(2) ? 0 : dice.between(0, 2);
+    wind.gust_period = dice.decade(-2, 1);
+    wind.tangential = dice.between(0, 1);
+    wind.diameter = dice.one_in(2) ? 0 : dice.decade(-5, -3);
+    wind.seed = dice.below(1000);
+    return wind;
+}
+
 struct Case {
     std::string backend, name;
     plait_model model;
@@ -146,6 +161,7 @@ class Scene {
         for (const plait_collider_id id : colliders_)
             sim_.destroy_collider(id);
         colliders_.clear();
+        sim_.stop_wind();
         if (case_.model != PLAIT_MODEL_TRESSFX)
             sim_.set_pins({});
         auto params = sim_.params();
@@ -175,7 +191,7 @@ class Scene {
         return make_groom(strands);
     }
     void call();
-    void pins_or_models();
+    void pins_wind_or_models();
     std::optional<size_t> some_collider() {
         if (colliders_.empty())
             return {};
@@ -189,10 +205,13 @@ class Scene {
     Point at_{0, 0, 0};
 };
 
-void Scene::pins_or_models() {
+void Scene::pins_wind_or_models() {
     if (case_.model == PLAIT_MODEL_TRESSFX)
         return;
-    sim_.set_pins(random_pins(dice_));
+    if (dice_.one_in(3))
+        dice_.one_in(4) ? sim_.stop_wind() : sim_.set_wind(random_wind(dice_));
+    else
+        sim_.set_pins(random_pins(dice_));
     if (!case_.mixed || !dice_.one_in(4))
         return;
     constexpr plait_model all[] = {PLAIT_MODEL_CHAIN, PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD,
@@ -239,7 +258,7 @@ void Scene::call() {
         if (dice_.one_in(6))
             sim_.restore(sim_.save()); // colliders and pins with it
         else
-            pins_or_models();
+            pins_wind_or_models();
         break;
     default:
         if (dice_.one_in(8))

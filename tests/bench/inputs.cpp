@@ -135,6 +135,29 @@ void fill(plait_pins_params& p, const Shape& shape) {
 void fill(plait_lane_pin_params& p, const Shape& shape) {
     p = {shape.vertices, shape.tile, shape.vertices, 0.5f, 1e4f, 1e5f, step, 300};
 }
+void fill(plait_air_field_params& p, const Shape&) {
+    p.edge_count = grid_edge_count;
+    p.voxel_edge = grid_size / grid_edge_count / 0.5f;
+    p.q[3] = 1;
+    p.amplitude = 1;
+    p.octaves = 3;
+    p.gain = 0.5f;
+}
+void fill(plait_lane_air_params& p, const Shape& shape) {
+    p.vertex_stride = p.row_stride = shape.vertices;
+    p.tile = shape.tile;
+    p.h = step;
+    p.bdf2 = 1;
+    p.drag = 4.2e-5f;
+    p.viscous = 3.6f;
+    p.tangential = 0.3f;
+    p.air[0] = 3;
+    p.field = 1;
+    p.edge_count = grid_edge_count;
+    p.voxel_edge = grid_size / grid_edge_count;
+    p.q[3] = 1;
+    p.t[0] = p.t[1] = p.t[2] = -grid_size / 2;
+}
 void fill(plait_lane_grid_params& p, const Shape& shape) {
     plait_grid_params grid{};
     fill(grid, shape);

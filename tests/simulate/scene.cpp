@@ -34,6 +34,22 @@ TEST_F(SceneFile, empty_one_is_the_default_scene) {
     EXPECT_FALSE(scene.colliders.has_value());
 }
 
+TEST_F(SceneFile, has_wind) {
+    EXPECT_FALSE(read("{}").wind.has_value());
+    const Scene scene = read(R"({"seed": 9, "wind": {"velocity": [1, 2, -3], "turbulence": 0.5,
+        "octaves": 4, "gusts": 0.2}})");
+    ASSERT_TRUE(scene.wind.has_value());
+    EXPECT_FLOAT_EQ(scene.wind->velocity[2], -3);
+    EXPECT_FLOAT_EQ(scene.wind->turbulence, 0.5f);
+    EXPECT_EQ(scene.wind->octaves, 4u);
+    EXPECT_FLOAT_EQ(scene.wind->gusts, 0.2f);
+    EXPECT_FLOAT_EQ(scene.wind->scale, 0.5f);
+    EXPECT_EQ(scene.wind->seed, 9u);
+    EXPECT_THAT(refusal(R"({"wind": {"octaves": 9}})"), HasSubstr("wind.octaves"));
+    EXPECT_THAT(refusal(R"({"wind": {"speed": 9}})"), HasSubstr("wind.speed"));
+    EXPECT_THAT(refusal(R"({"model": "tressfx", "wind": {}})"), HasSubstr("tressfx"));
+}
+
 TEST_F(SceneFile, sets_what_it_says) {
     const Scene scene = read(R"({
         "groom": "curly", "strands": 300, "vertices": 24, "seed": 7, "style": {"curl_radius": 0.02},

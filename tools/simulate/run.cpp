@@ -79,6 +79,8 @@ Simulation::Simulation(const Scene& scene, const Figure& figure)
     add_colliders();
     if (pins_hair(scene))
         add_pins();
+    if (scene.wind && scene.sim.model != PLAIT_MODEL_TRESSFX) // which has none
+        check(plait_sim_set_wind(sim_.get(), &*scene.wind));
 }
 
 plait_sim_stats Simulation::stats() const {

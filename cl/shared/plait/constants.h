@@ -75,9 +75,11 @@
 /* Share of the sweep's displacement over h' that the vertex before loses in velocity: s_damping of
  * Mueller et al. 2012. */
 #define PLAIT_CHAIN_VELOCITY_CORRECTION PLAIT_NUMBER(0.5)
-/* Fewest length solves of a strand with a pin: the sweep moves the pinned vertex by what they leave.
+/* Fewest length solves of a strand with a pin: the sweep moves the pinned vertex by what they leave;
+ * and above how many times the inertia m/h'^2 of its vertex a pin is so stiff that this matters.
  * Ours. */
 #define PLAIT_CHAIN_PIN_SOLVES 4
+#define PLAIT_CHAIN_PIN_STIFFNESS PLAIT_NUMBER(10.0)
 
 /* ---- cosserat and rod --------------------------------------------------------------------------
  */
@@ -139,6 +141,13 @@
 #define PLAIT_ARTICULATED_PIN_STEPS 4
 #define PLAIT_ARTICULATED_PIN_DISTANCE PLAIT_NUMBER(0.03)
 #define PLAIT_ARTICULATED_PIN_STIFFNESS PLAIT_NUMBER(10.0)
+
+/* ---- air ---------------------------------------------------------------------------------------
+ */
+
+/* 1/h': greatest rate of the air's drag. What is dragged harder has the air's velocity to a
+ * thousandth, and springs far stiffer than inertia cost float32 digits. Ours. */
+#define PLAIT_AIR_MOST_DRAG PLAIT_NUMBER(1000.0)
 
 /* ---- switching ---------------------------------------------------------------------------------
  */

@@ -270,6 +270,41 @@ typedef struct plait_lane_pin_params {
     float pull; /* m/s^2: it pulls at its vertex with at most the strand's mass times this */
 } plait_lane_pin_params;
 
+/* air_field: turbulence at the centres of the voxels of a grid, w((x - U t)/s) of docs/air.md. */
+typedef struct plait_air_field_params {
+    plait_u32 edge_count; /* voxels per edge n, 1..64 */
+    float voxel_edge;     /* of a voxel, in units of the largest eddies' scale s */
+    float q[4];           /* grid orientation */
+    plait_u32 cell[3];    /* of the noise's coarsest lattice: the grid's corner, modulo 2^32 */
+    float fraction[3];    /* its place in that cell, [0, 1] */
+    float amplitude;      /* m/s, of the first octave */
+    plait_u32 octaves;    /* [1, 8] */
+    float gain;           /* amplitude of an octave over that of the one before */
+    plait_u32 seed;
+} plait_air_field_params;
+
+/* lane_air: drag of the air, before each substep. */
+typedef struct plait_lane_air_params {
+    plait_u32 vertex_stride;
+    plait_u32 tile;
+    plait_u32 row_stride;
+    float h;                /* s, of the substep */
+    plait_u32 bdf2;         /* 0: backward Euler; 1: BDF2, reads the step before */
+    plait_u32 pins;         /* 1: lane_pin holds pins, to which the spring is added */
+    plait_u32 accelerates;  /* 1: vertices have accelerations; 0: `acceleration` is null */
+    plait_u32 equal_masses; /* 1: a vertex has the segment before it; 0: half of both */
+    float drag;             /* rho d/2, kg/m^2: drag per length and squared speed at C = 1 */
+    float viscous;          /* 10 (nu/d)^(2/3), (m/s)^(2/3) */
+    float tangential;       /* drag along the strand over that across it */
+    float air[3];           /* m/s */
+    float jump[3];   /* m/s: by how much the air's velocity has jumped since the substep before */
+    plait_u32 field; /* 1: air_velocity is added; 0: it is null */
+    plait_u32 edge_count; /* of the grid that it lies on, with voxel centres as nodes */
+    float voxel_edge;     /* m */
+    float q[4];
+    float t[4]; /* world position of the grid's corner (w unused) */
+} plait_lane_air_params;
+
 /* lane_reset, lane_teleport. */
 typedef struct plait_lane_state_params {
     plait_u32 vertex_stride;

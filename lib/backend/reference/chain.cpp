@@ -140,8 +140,10 @@ void sweep(const Links& links, const Contacts* contacts, std::vector<Vec3>& x) {
 // then the lengths.
 std::vector<Vec3> solve(const Links& links, const Motion& motion, const plait_lane_params& params,
                         Contacts* contacts) {
-    const bool pinned = std::any_of(motion.pin.begin(), motion.pin.end(),
-                                    [](const Pin& pin) { return pin.stiffness > 0; });
+    bool pinned = false; // far more stiffly than by inertia
+    for (size_t i = 1; i < motion.pin.size(); ++i)
+        pinned = pinned || motion.pin[i].stiffness >
+                               PLAIT_CHAIN_PIN_STIFFNESS * motion.inertia * links.own[i];
     const uint32_t count =
         pinned ? std::max<uint32_t>(params.iterations, PLAIT_CHAIN_PIN_SOLVES) : params.iterations;
     const bool pulls = params.iterations > 0 && !params.bdf2 && coarse(links, motion);

@@ -41,6 +41,8 @@ class Shape {
             accelerates_ = params.accelerates != 0;
         if constexpr (requires { params.pins; })
             pins_ = params.pins != 0;
+        if constexpr (requires { params.field; })
+            field_ = params.field != 0;
         if constexpr (requires { params.boxes; })
             points_ = size_t{params.count} * (params.boxes ? 2 : 1);
         set_rows(space);
@@ -80,7 +82,7 @@ class Shape {
     size_t tiled_vertices_ = 0; // of whole tiles of strands
     bool per_root_ = false;
     bool history_ = false;
-    bool accelerates_ = true, pins_ = true; // where the parameters do not say
+    bool accelerates_ = true, pins_ = true, field_ = true; // where the parameters do not say
 };
 
 } // namespace plait::reference

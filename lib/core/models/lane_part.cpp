@@ -71,15 +71,27 @@ Status LanePart::open(Device& device) {
     PLAIT_TRY(make(device, q_, 4, "lane_q"));
     PLAIT_TRY(make(device, q_before_, 4, "lane_q_before"));
     PLAIT_TRY(make(device, x_, 3, "lane_x"));
-    if (source_.accelerates)
-        PLAIT_TRY(make(device, acceleration_, 3, "lane_acceleration"));
-    if (source_.pins)
-        PLAIT_TRY(make(device, pin_, 4, "lane_pin"));
+    PLAIT_TRY(open_forces(device));
     std::pmr::vector<uint32_t> strands(source_.memory);
     for (size_t lane = 0; lane < lanes_.padded_strands(); ++lane)
         strands.push_back(member(lane));
     PLAIT_TRY(device.create(lane_strand_, PLAIT_ELEMENT_UINT, strands.size(), "lane_strand"));
     return device.write(lane_strand_, strands.data());
+}
+
+Status LanePart::open_forces(Device& device) {
+    if (!acceleration_ && (source_.accelerates || source_.wind))
+        PLAIT_TRY(make(device, acceleration_, 3, "lane_acceleration"));
+    if (!pin_ && (source_.pins || source_.wind))
+        PLAIT_TRY(make(device, pin_, 4, "lane_pin"));
+    return {};
+}
+
+void LanePart::close_forces() {
+    if (!source_.accelerates && !source_.wind)
+        acceleration_ = {};
+    if (!source_.pins && !source_.wind)
+        pin_ = {};
 }
 
 Materials LanePart::materials_of(const plait_sim_params& params) const {
@@ -165,8 +177,9 @@ void LanePart::discard() {
     has_next_fill_ = has_next_history_ = false;
 }
 
+// With wind lane_air does.
 void LanePart::accelerate(Schedule& schedule, const Substep& at) const {
-    if (acceleration_)
+    if (source_.accelerates && !at.wind)
         schedule.add(
             PLAIT_STAGE_lane_accelerate, lanes_.strands,
             plait_lane_tile_params{lanes_.row, lanes_.tile, source_.layout.row},
@@ -181,6 +194,33 @@ void LanePart::pin(Schedule& schedule, const Substep& at) const {
                                        pin_hold, steps_of_pin / (step * step), at.h, pin_pull},
                  {&lane_strand_, &at.state.vertex_count, &at.state.rest, &at.state.pose,
                   &fill_.material, &at.state.pin_from, &at.state.pin_to, &x_, &v_, &pin_},
+                 lanes_.row);
+}
+
+void LanePart::blow(Schedule& schedule, const Substep& at, const WindStep& wind) const {
+    plait_lane_air_params params{};
+    params.vertex_stride = lanes_.row;
+    params.tile = lanes_.tile;
+    params.row_stride = source_.layout.row;
+    params.h = at.h;
+    params.bdf2 = settings_.bdf2_of(at.params);
+    params.pins = source_.pins ? 1 : 0;
+    params.accelerates = source_.accelerates ? 1 : 0;
+    params.equal_masses = traits_.halves_tip ? 0 : 1;
+    params.drag = wind.drag;
+    params.viscous = wind.viscous;
+    params.tangential = wind.tangential;
+    std::ranges::copy(wind.air, params.air);
+    std::ranges::copy(wind.jump, params.jump);
+    params.field = wind.velocity ? 1 : 0;
+    params.edge_count = wind.nodes;
+    params.voxel_edge = wind.voxel_edge;
+    std::ranges::copy(wind.q, params.q);
+    std::ranges::copy(wind.t, params.t);
+    schedule.add(PLAIT_STAGE_lane_air, lanes_.strands, params,
+                 {&lane_strand_, &at.state.vertex_count, &at.state.rest, &at.state.pose,
+                  &at.state.acceleration, wind.velocity, &fill_.material, &x_, &v_, &history_.x,
+                  &history_.v, &acceleration_, &pin_},
                  lanes_.row);
 }
 
@@ -204,8 +244,10 @@ void LanePart::substep(Schedule& schedule, const Substep& at, float mean_length)
     params.contact_slip = contact_slip(at.h, mean_length);
     params.accelerates = acceleration_ ? 1 : 0;
     params.pins = pin_ ? 1 : 0;
-    if (pin_)
+    if (source_.pins)
         pin(schedule, at);
+    if (at.wind)
+        blow(schedule, at, *at.wind);
     if (!traits_.bends)
         schedule.add(traits_.stage, lanes_.strands, params,
                      {&lane_strand_, &at.state.rest, &at.state.pose, &fill_.material, &at.capsules,

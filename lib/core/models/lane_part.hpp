@@ -22,6 +22,7 @@ struct LaneSource {
     uint32_t tile;
     plait_sag_free sag_free;
     bool accelerates, pins;
+    bool wind = false;
     std::pmr::memory_resource* memory;
     RestStrands strands; // for when the material changes
     StrandMaterialsPtr materials;
@@ -51,6 +52,9 @@ class LanePart {
     Status prepare(Device& device, const plait_sim_params& params);
     void swap() noexcept;
     void discard(); // what swap() would take
+    // Makes what of accelerations and pins there is not, and gives back what nothing needs any more.
+    Status open_forces(Device& device);
+    void close_forces();
 
     void accelerate(Schedule& schedule, const Substep& at) const;
     // `mean_length`: m, of all strands of the sim.
@@ -98,6 +102,7 @@ class LanePart {
                      const RestLoad& load) const;
     Status prepare_history(Device& device, const plait_sim_params& params);
     void pin(Schedule& schedule, const Substep& at) const;
+    void blow(Schedule& schedule, const Substep& at, const WindStep& wind) const;
     bool keeps_fill_of(const LanePart& other) const;
     bool takes_history_of(const LanePart& other) const;
     template <typename Place> Result<Moves> list_moves(Device& device, const Place& place) const;
@@ -129,8 +134,8 @@ class LanePart {
     Fill fill_, next_fill_;
     bool has_next_fill_ = false, has_next_history_ = false;
     Buffer x_, v_, q_, q_before_;
-    Buffer acceleration_; // only with accelerations
-    Buffer pin_;          // only with pins
+    Buffer acceleration_; // only with accelerations, or wind
+    Buffer pin_;          // only with pins, or wind
     History history_, next_history_;
     Buffer lane_strand_; // uint [lanes of whole tiles]
 };

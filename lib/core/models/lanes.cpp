@@ -58,6 +58,8 @@ class LaneModel final : public Model {
     }
     void swap() noexcept override;
     void discard() override;
+    Status open_wind(Device& device) override;
+    void close_wind() override;
     void accelerate(Schedule& schedule, const Substep& at) const override;
     void substep(Schedule& schedule, const Substep& at) override;
     void publish(Schedule& schedule, const Substep& at) const override;
@@ -196,6 +198,22 @@ void LaneModel::discard() {
     next_parts_.clear();
     for (const PartPtr& part : parts_)
         part->discard();
+}
+
+Status LaneModel::open_wind(Device& device) {
+    source_.wind = true; // of parts that are made later, too
+    for (const PartPtr& part : parts_)
+        if (Status status = part->open_forces(device); !status) {
+            close_wind();
+            return status;
+        }
+    return {};
+}
+
+void LaneModel::close_wind() {
+    source_.wind = false;
+    for (const PartPtr& part : parts_)
+        part->close_forces();
 }
 
 void LaneModel::accelerate(Schedule& schedule, const Substep& at) const {

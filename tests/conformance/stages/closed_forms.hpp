@@ -43,6 +43,7 @@ struct ClosedForm {
 const std::vector<ClosedForm>& strand_closed_forms();
 const std::vector<ClosedForm>& grid_closed_forms();
 const std::vector<ClosedForm>& energy_closed_forms();
+const std::vector<ClosedForm>& air_closed_forms();
 const std::vector<ClosedForm>& section_closed_forms();
 
 // Floats equal up to `tolerance`, with the differing element in the message.

@@ -158,6 +158,31 @@ void read_pins(JsonReader& top, Scene& scene) {
     scene.pins = std::move(list);
 }
 
+// Ranges are the library's.
+void read_wind(JsonReader& top, Scene& scene) {
+    const Json* value = top.value("wind");
+    if (!value)
+        return;
+    if (scene.sim.model == PLAIT_MODEL_TRESSFX)
+        top.fail("wind", "is given, and strands of the model tressfx take params.wind");
+    plait_wind_desc wind = plait_wind_desc_defaults();
+    JsonReader in = top.object(*value, "wind");
+    in.numbers("velocity", wind.velocity, -1e3, 1e3);
+    in.number("turbulence", wind.turbulence, 0, 1e3);
+    in.number("scale", wind.scale, 1e-3, 1e4);
+    in.integer("octaves", wind.octaves, 1, 8);
+    in.number("gain", wind.gain, 0, 1);
+    in.number("gusts", wind.gusts, 0, 2);
+    in.number("gust_period", wind.gust_period, 1e-2, 1e4);
+    in.number("tangential", wind.tangential, 0, 1);
+    in.number("diameter", wind.diameter, 0, 0.1);
+    in.number("air_density", wind.air_density, 1e-6, 1e4);
+    in.number("viscosity", wind.viscosity, 0, 1);
+    in.finish();
+    wind.seed = static_cast<uint32_t>(scene.seed);
+    scene.wind = wind;
+}
+
 void read_camera(const JsonReader& top, const Json& value, CameraChoice& camera) {
     JsonReader in = top.object(value, "camera");
     if (float azimuth = 0; in.number("azimuth", azimuth, -360, 360))
@@ -326,6 +351,7 @@ Scene make_scene(const std::string& file, const Json& command_line) {
     read_colliders(top, scene.colliders);
     read_moving_colliders(top, scene.moving_colliders);
     read_pins(top, scene);
+    read_wind(top, scene);
     if (top.text("motion", scene.motion) && scene.motion.find('.') != std::string::npos)
         scene.motion = resolve(scene.motion, "motion", origin);
     read_output(top, origin, scene);

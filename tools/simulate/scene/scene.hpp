@@ -79,6 +79,7 @@ struct Scene {
     std::optional<std::vector<Collider>> colliders; // absent: made for the groom
     std::vector<Collider> moving_colliders;         // beside those
     std::vector<Tie> pins;
+    std::optional<plait_wind_desc> wind;
     std::vector<MaterialChoice> materials;
     std::string motion = "shake_and_turn"; // a name or a file
     float seconds = 4.0f;

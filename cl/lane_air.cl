@@ -1,0 +1,121 @@
+/* lane_air: drag of the air on every vertex, as what the solves of all strand models know: a spring,
+ * which is drag taken implicitly, and an acceleration beside gravity.
+ *
+ * Items   strands, over lanes.
+ * Reads   lane_strand, vertex_count, rest, pose, acceleration, air_velocity, lane_material, lane_x,
+ *         lane_v, with BDF2 lane_x_before, lane_v_before.
+ * Writes  lane_push: the caller's acceleration and that of drag; 0 past the tip.
+ * Moves   lane_pin: the spring is added to the pin that is there.
+ *
+ * Drag f at the substep's begin, of the rate c, taken implicitly, m (f - c (v' - v)), v' = (x - X)/h'
+ * the velocity at its end, is the acceleration f and a spring of stiffness m c/h' to X + h' v. c is
+ * that across the strand or along it, whichever is greater.
+ * BDF2 would let hair pass air that starts suddenly: its history of the velocity goes on as it was.
+ * The acceleration (D - D_)/2h, D the change of velocity that backward Euler would make and D_ that
+ * of the substep before, gives a free vertex the velocity of backward Euler; in steady air it is 0.
+ * Source: drag see common/lane_air.clh; the rest is ours.
+ */
+#pragma OPENCL FP_CONTRACT OFF
+#include "common/lane_air.clh"
+
+/* Of the strand at vertex i: from the vertex before to the one behind, or at the tip to the tip. */
+static inline vec3 direction_at(lane_place place, __global const real* lane_x, int i, mask counts) {
+    const vec3 zero = vec3_of((real)(0.0f), (real)(0.0f), (real)(0.0f));
+    const vec3 own = load3(lane_x, place, i);
+    const vec3 before = i > 1 ? load3(lane_x, place, i - 1) : zero;
+    vec3 ahead = own;
+    if (i + 1 < PLAIT_VERTICES)
+        ahead = pick3((mask)(i + 1) < counts, load3(lane_x, place, i + 1), own);
+    return unit3(sub3(ahead, before), zero);
+}
+
+/* m of hair that the mass of vertex i is of. */
+static inline real length_at(const lane_step* step, int i, uint equal_masses) {
+    const real before = lane_material_at(step, i - 1, PLAIT_LANE_LENGTH);
+    if (equal_masses)
+        return before;
+    return 0.5f * (before + lane_material_at(step, i, PLAIT_LANE_LENGTH));
+}
+
+/* The lanes of a work-item in this stage. */
+static inline lane_step step_of(const plait_lane_air_params* params, lane_place place,
+                                lane_pose pose, __global const real* material) {
+    lane_step step;
+    step.place = place;
+    step.material = material;
+    step.acceleration = step.pin = 0;
+    step.pose = pose;
+    step.bdf2 = params->bdf2 != 0;
+    step.whole = params->h;
+    step.h = params->h * (step.bdf2 ? 2.0f / 3.0f : 1.0f);
+    step.drag = 0.0f;
+    step.segments = (int)params->vertex_stride - 1;
+    return step;
+}
+
+/* A pin of stiffness `stiff` at `target` beside the one that is there: they are one spring. */
+static inline quat with_spring(quat pin, vec3 target, real stiff) {
+    const real both = pin.w + stiff;
+    const real share = pick(pin.w > (real)(0.0f), stiff / fmax(both, (real)(1e-30f)), (real)(1.0f));
+    return quat_of(pin.x + share * (target.x - pin.x), pin.y + share * (target.y - pin.y),
+                   pin.z + share * (target.z - pin.z), both);
+}
+
+__kernel void plait_lane_air(const uint item_count, const plait_lane_air_params params,
+                             __global const uint* lane_strand, __global const uint* vertex_count,
+                             __global const float4* rest, __global const float4* pose,
+                             __global const float4* acceleration,
+                             __global const float4* air_velocity,
+                             __global const real* lane_material, __global const real* lane_x,
+                             __global const real* lane_v, __global const real* lane_x_before,
+                             __global const real* lane_v_before, __global real* lane_push,
+                             __global real* lane_pin) {
+    const lane_place place = lane_place_of(get_global_id(0));
+    if (!lane_place_used(place, item_count))
+        return;
+    const lane_strands strands = lane_strands_of(lane_strand, place, item_count);
+    const mask counts = lane_counts(vertex_count, &strands);
+    const lane_pose root = lane_load_pose(rest, pose, &strands, params.row_stride);
+    const lane_step step = step_of(&params, place, root, lane_material);
+    /* only read here */
+    const lane_buffers state = {(__global real*)lane_x, (__global real*)lane_v,
+                                (__global real*)lane_x_before, (__global real*)lane_v_before};
+    const lane_grid grid = lane_grid_at(params.q, params.t, params.voxel_edge, params.edge_count);
+    const vec3 shift = lane_shift(&step, state), at_begin = load3(lane_x, place, 0);
+    const vec3 jump =
+        vec3_of((real)(params.jump[0]), (real)(params.jump[1]), (real)(params.jump[2]));
+    const vec3 zero = vec3_of((real)(0.0f), (real)(0.0f), (real)(0.0f));
+    const quat none = quat_of((real)(0.0f), (real)(0.0f), (real)(0.0f), (real)(0.0f));
+    const real most = (real)(PLAIT_AIR_MOST_DRAG / step.h);
+    store3(lane_push, place, 0, zero);
+    storeq(lane_pin, place, 0, none);
+    for (int i = 1; i <= step.segments; ++i) {
+        const mask there = (mask)(i) < counts;
+        const vec3 v = load3(lane_v, place, i);
+        vec3 air = vec3_of((real)(params.air[0]), (real)(params.air[1]), (real)(params.air[2]));
+        if (params.field)
+            air = add3(air, lane_air_velocity(&grid, air_velocity,
+                                              add3(at_begin, load3(lane_x, place, i))));
+        const vec3 u = sub3(air, v), along = direction_at(place, lane_x, i, counts);
+        const real mass = lane_material_at(&step, i, PLAIT_LANE_MASS);
+        const real share = params.drag * length_at(&step, i, params.equal_masses) / mass;
+        const lane_drag drag = lane_drag_of(&params, u, along, share, most);
+        vec3 push = drag.force;
+        if (step.bdf2) {
+            const vec3 u_before = sub3(sub3(air, jump), load3(lane_v_before, place, i));
+            const lane_drag before = lane_drag_of(&params, u_before, along, share, most);
+            const vec3 change =
+                sub3(lane_drag_change(drag, params.h), lane_drag_change(before, params.h));
+            push = axpy3((real)(0.5f / params.h), change, push);
+        }
+        if (params.accelerates)
+            push = add3(push, lane_allowed_acceleration(
+                                  gather3(acceleration, &strands, params.row_stride, (uint)i)));
+        store3(lane_push, place, i, pick3(there, push, zero));
+        const vec3 target =
+            axpy3((real)(step.h), v, add3(lane_history_position(&step, state, i), shift));
+        const quat pin = params.pins ? loadq(lane_pin, place, i) : none;
+        const quat spring = with_spring(pin, target, mass * drag.rate / step.h);
+        storeq(lane_pin, place, i, pickq(there, spring, none));
+    }
+}

@@ -1,0 +1,341 @@
+// plait_sim_set_wind: hair in a stream of air, held to closed forms of a slender cylinder's drag, what
+// goes on over snapshots, and what it costs where it is off.
+#include "support.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+namespace {
+
+constexpr plait_model every_model[] = {PLAIT_MODEL_ARTICULATED, PLAIT_MODEL_CHAIN,
+                                       PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD};
+
+// Across the stream at C = 1, per metre of way: rho d/2 over mass per length.
+constexpr double drag_per_metre = 0.5 * 1.204 * 70e-6 / 5e-6;
+
+plait_sim_desc weightless(plait_model model, float step = 1.0f / 60) {
+    auto desc = plait_sim_desc_defaults();
+    desc.model = model;
+    desc.step = step;
+    desc.max_steps_per_call = 1000;
+    std::fill_n(desc.params.gravity, 3, 0.0f);
+    desc.params.drag = 0;
+    return desc;
+}
+
+plait_wind_desc blowing(Point velocity) {
+    auto wind = plait_wind_desc_defaults();
+    std::copy(velocity.begin(), velocity.end(), wind.velocity);
+    return wind;
+}
+
+plait_wind_desc gusty() {
+    auto wind = blowing({2, 0.3f, -1});
+    wind.turbulence = 1;
+    wind.gusts = 0.3f;
+    wind.seed = 5;
+    return wind;
+}
+
+Strand straight(Point direction, size_t segments, float length) {
+    Strand strand;
+    for (size_t i = 0; i <= segments; ++i) {
+        const float s = length * static_cast<float>(i) / static_cast<float>(segments);
+        strand.push_back({s * direction[0], s * direction[1], s * direction[2]});
+    }
+    return strand;
+}
+
+Point vertex_of(const std::vector<float>& field, size_t vertex) {
+    return {field[4 * vertex], field[4 * vertex + 1], field[4 * vertex + 2]};
+}
+
+float distance(const Point& a, const Point& b) {
+    return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+class WindOf : public OnBackend {};
+ON_EVERY_BACKEND(WindOf);
+
+// Speed (m/s) at which drag across, along k_t = 1/2, takes up `g`: g = drag (v + b v^(1/3)) v.
+double terminal_speed(double g, double share) {
+    const double viscous = 10 * std::pow(1.516e-5 / 70e-6, 2.0 / 3);
+    double low = 0, high = 100;
+    for (int i = 0; i < 100; ++i) {
+        const double v = (low + high) / 2;
+        (share * drag_per_metre * (v + viscous * std::cbrt(v)) * v < g ? low : high) = v;
+    }
+    return low;
+}
+
+// A strand whose root falls as fast as its hair alone would, gliding along itself where it is tilted:
+// nothing bends it. By 0.5 % of drag it would by 0.5 % of its sag.
+TEST_P(WindOf, StillAirHoldsHairAtItsTerminalSpeed) {
+    EXPECT_NEAR(terminal_speed(9.81, 1), 0.38633, 2e-4) << "Re 1.8, C 7.8";
+    constexpr float length = 0.1f;
+    for (const plait_model model : every_model)
+        for (const double tilt : {0.0, 0.5235987755982988, 1.0471975511965976}) {
+            auto desc = weightless(model);
+            desc.params.gravity[1] = -9.81f;
+            desc.params.bend_stiffness = 1e-6f;
+            const double across = terminal_speed(9.81 * std::cos(tilt), 1);
+            const double along = terminal_speed(9.81 * std::sin(tilt), 0.5);
+            const double c = std::cos(tilt), s = std::sin(tilt); // the strand points down the slope
+            const Point v{static_cast<float>(along * c - across * s),
+                          static_cast<float>(-along * s - across * c), 0};
+            const Strand strand =
+                straight({static_cast<float>(c), static_cast<float>(-s), 0}, 10, length);
+            plait::Sim sim(context, make_groom({strand}), desc);
+            auto wind = plait_wind_desc_defaults();
+            wind.tangential = 0.5f;
+            sim.set_wind(wind);
+            std::vector<float> velocity(size_t{4} * 11, 0.0f);
+            for (size_t i = 0; i < velocity.size(); i += 4)
+                std::copy(v.begin(), v.end(), velocity.begin() + static_cast<long>(i));
+            sim.write(PLAIT_FIELD_VELOCITY, velocity);
+            Point root{0, 0, 0};
+            for (int i = 1; i <= 60; ++i) {
+                const float t = static_cast<float>(i) / 60;
+                root = {v[0] * t, v[1] * t, 0};
+                sim.set_roots(head_at(root));
+                run(sim, 1);
+            }
+            const Point tip = vertex_of(sim.read(PLAIT_FIELD_POSITION), 10);
+            const Point at{root[0] + strand[10][0], root[1] + strand[10][1], 0};
+            const double weight = 5e-6 * 9.81 * std::cos(tilt), sag = weight / (8 * 1e-6) * 1e-4;
+            // a chain that is off by 0.5 % of a force goes on at that share of the speed
+            const double most = model == PLAIT_MODEL_CHAIN ? 5e-3 * across : 5e-3 * sag + 1e-6;
+            EXPECT_LT(distance(tip, at), most) << model << " at " << tilt;
+        }
+}
+
+// A wind that starts at once, C = 1: v = U k U t/(1 + k U t). The root goes as a free hair does, so
+// that nothing holds the others.
+struct Onset {
+    float worst = 0, past = 0; // m/s, of the vertices' speeds
+};
+Onset onset_of(plait::Context& context, plait_model model, int rate, double wind_speed) {
+    auto desc = weightless(model, 1.0f / static_cast<float>(rate));
+    desc.params.bend_stiffness = 0;
+    plait::Sim sim(context, make_groom({straight({0, -1, 0}, 8, 0.2f)}), desc);
+    auto wind = blowing({static_cast<float>(wind_speed), 0, 0});
+    wind.viscosity = 0;
+    sim.set_wind(wind);
+    Onset onset;
+    for (int i = 1; i <= rate / 2; ++i) {
+        const double t = double(i) / rate, k = drag_per_metre, kut = k * wind_speed * t;
+        const double exact = wind_speed * kut / (1 + kut);
+        const double way = wind_speed * t - std::log1p(kut) / k;
+        sim.set_roots(head_at({static_cast<float>(way), 0, 0}));
+        sim.step(1.0 / rate);
+        const auto velocity = sim.read(PLAIT_FIELD_VELOCITY);
+        for (size_t vertex = 4; vertex <= 8; ++vertex) {
+            const auto v = double(velocity[4 * vertex]);
+            onset.worst = std::max(onset.worst, static_cast<float>(std::abs(v - exact)));
+            onset.past = std::max(onset.past, static_cast<float>(v - wind_speed));
+        }
+    }
+    return onset;
+}
+
+TEST_P(WindOf, ASuddenGustCarriesFreeHairAsTheClosedFormSays) {
+    for (const plait_model model : every_model)
+        for (const double speed : {0.5, 2.0, 10.0})
+            for (const int rate : {30, 60, 240}) {
+                const Onset onset = onset_of(context, model, rate, speed);
+                EXPECT_LT(double(onset.past), 1e-4 * speed) << model << " " << speed << " " << rate;
+                if (rate == 240) {
+                    EXPECT_LT(double(onset.worst), 0.02 * speed) << model << " " << speed;
+                }
+            }
+}
+
+// A stiff hair in a steady stream, which holds it as a beam under an even load, q = rho d/2 C U^2: at
+// any frame rate the same.
+TEST_P(WindOf, ASteadyStreamBendsAHairAlikeAtAnyStep) {
+    constexpr float length = 0.1f, stiffness = 2e-6f, speed = 3;
+    const double viscous = 10 * std::pow(1.516e-5 / 70e-6, 2.0 / 3);
+    const double load = 5e-6 * drag_per_metre * double(speed) *
+                        (double(speed) + viscous * std::cbrt(double(speed)));
+    const double deflection = load * 1e-4 / (8 * double(stiffness));
+    for (const plait_model model : {PLAIT_MODEL_ARTICULATED, PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD})
+        for (const int rate : {30, 60, 480}) {
+            auto desc = weightless(model, 1.0f / static_cast<float>(rate));
+            desc.params.bend_stiffness = stiffness;
+            desc.params.stretch_stiffness = 1; // no shear
+            if (model == PLAIT_MODEL_COSSERAT)
+                desc.params.iterations = 20;
+            plait::Sim sim(context, make_groom({straight({0, -1, 0}, 24, length)}), desc);
+            sim.set_wind(blowing({speed, 0, 0}));
+            for (int i = 0; i < 3 * rate; ++i)
+                sim.step(1.0 / rate);
+            const Point tip = vertex_of(sim.read(PLAIT_FIELD_POSITION), 24);
+            EXPECT_NEAR(double(tip[0]) / deflection, 1, 0.03) << model << " " << rate;
+        }
+}
+
+// Beside what the caller writes, which stays as it is, once per step: as weight would.
+TEST_P(WindOf, AccelerationsAddUpWithWind) {
+    for (const plait_model model : every_model) {
+        auto desc = weightless(model);
+        desc.substeps = 2;
+        desc.params.gravity[1] = -6;
+        plait::Sim heavy(context, make_groom(tuft(4, 10)), desc);
+        desc.params.gravity[1] = 0;
+        desc.accelerations = 1;
+        plait::Sim sim(context, make_groom(tuft(4, 10)), desc);
+        std::vector<float> pull(size_t{4} * 40, 0.0f);
+        for (size_t i = 1; i < pull.size(); i += 4)
+            pull[i] = -6;
+        sim.write(PLAIT_FIELD_ACCELERATION, pull);
+        const auto start = sim.read(PLAIT_FIELD_POSITION);
+        for (plait::Sim* each : {&heavy, &sim}) {
+            each->set_wind(gusty());
+            run(*each, 30);
+        }
+        EXPECT_GT(largest_difference(sim.read(PLAIT_FIELD_POSITION), start), 0.02f) << model;
+        EXPECT_LT(
+            largest_difference(sim.read(PLAIT_FIELD_POSITION), heavy.read(PLAIT_FIELD_POSITION)),
+            1e-5f)
+            << model;
+        EXPECT_EQ(sim.read(PLAIT_FIELD_ACCELERATION), pull);
+    }
+}
+
+// Pins of the caller's hold in the wind as they do without.
+TEST_P(WindOf, PinsHoldInIt) {
+    for (const plait_model model : every_model) {
+        auto desc = weightless(model);
+        desc.pins = 1;
+        plait::Sim sim(context, make_groom({curl({0, 0, 0}, 13)}), desc);
+        const Point at = curl({0, 0, 0}, 13)[12];
+        sim.set_pins({{0, 12, PLAIT_PIN_FRAME_REST, {0, 0, 0}, PLAIT_PIN_HELD}});
+        sim.set_wind(gusty());
+        run(sim, 60);
+        const auto positions = sim.read(PLAIT_FIELD_POSITION);
+        EXPECT_LT(distance(vertex_of(positions, 12), at), 1e-3f) << model;
+        EXPECT_GT(distance(vertex_of(positions, 6), curl({0, 0, 0}, 13)[6]), 3e-3f) << model;
+    }
+}
+
+TEST_P(WindOf, OffItCostsNothingAndChangesNoBit) {
+    auto profiled = plait_context_desc_defaults();
+    profiled.backend = GetParam().c_str();
+    profiled.profile = 1;
+    const plait::Context timed(profiled);
+    for (const plait_model model : every_model) {
+        auto desc = plait_sim_desc_defaults();
+        desc.model = model;
+        plait::Sim never(timed, make_groom(tuft(5, 12)), desc);
+        plait::Sim stopped(timed, make_groom(tuft(5, 12)), desc);
+        stopped.stop_wind(); // of none
+        const auto bytes = never.describe().device_bytes;
+        EXPECT_EQ(stopped.describe().device_bytes, bytes);
+        stopped.set_wind(gusty());
+        EXPECT_GT(stopped.describe().device_bytes, bytes);
+        stopped.stop_wind();
+        EXPECT_EQ(stopped.describe().device_bytes, bytes);
+        run(never, 3);
+        run(stopped, 3);
+        EXPECT_EQ(never.read(PLAIT_FIELD_POSITION), stopped.read(PLAIT_FIELD_POSITION)) << model;
+        EXPECT_EQ(never.hash(), stopped.hash()) << model;
+        EXPECT_EQ(launched_stages(never), launched_stages(stopped)) << model;
+        stopped.set_wind(gusty());
+        run(stopped, 3);
+        const auto stages = launched_stages(stopped);
+        EXPECT_EQ(std::ranges::count(stages, "lane_air"), 3) << model;
+        EXPECT_EQ(std::ranges::count(stages, "air_field"), 3) << model;
+        stopped.set_wind(blowing({1, 0, 0}));
+        run(stopped, 3);
+        EXPECT_EQ(std::ranges::count(launched_stages(stopped), "air_field"), 0) << model;
+    }
+}
+
+// A wind that was changed just before, gusts, eddies on their way: all of it goes on.
+TEST_P(WindOf, SnapshotsHoldHowFarItIs) {
+    for (const plait_model model : every_model) {
+        auto desc = plait_sim_desc_defaults();
+        desc.model = model;
+        const plait::Groom groom = make_groom(tuft(5, 12));
+        plait::Sim sim(context, groom, desc), again(context, groom, desc);
+        sim.set_wind(blowing({-1, 0, 0}));
+        run(sim, 10);
+        sim.set_wind(gusty());
+        again.set_wind(gusty());
+        const auto saved = sim.save();
+        sim.restore(saved); // the reference, too, goes on from float32
+        again.restore(saved);
+        EXPECT_EQ(again.hash(), sim.hash());
+        run(sim, 10);
+        run(again, 10);
+        EXPECT_EQ(again.hash(), sim.hash()) << model;
+        // the hair of the snapshot, in a wind that is not
+        plait::Sim other(context, groom, desc);
+        other.restore(saved);
+        other.set_wind(gusty());
+        run(other, 10);
+        EXPECT_NE(other.read(PLAIT_FIELD_POSITION), sim.read(PLAIT_FIELD_POSITION)) << model;
+    }
+}
+
+TEST_P(WindOf, BeginsAnewWithAReset) {
+    plait::Sim sim(context, make_groom(tuft(5, 12)));
+    sim.set_wind(gusty());
+    run(sim, 7);
+    const auto first = sim.read(PLAIT_FIELD_POSITION);
+    sim.reset();
+    run(sim, 7);
+    EXPECT_EQ(sim.read(PLAIT_FIELD_POSITION), first);
+}
+
+// Strands that come to another part, of other substeps, meet the same wind.
+TEST_P(WindOf, StaysOverSwitches) {
+    plait::Sim sim(context, make_groom(tuft(6, 12)), weightless(PLAIT_MODEL_ARTICULATED));
+    sim.set_wind(blowing({2, 0, 0}));
+    run(sim, 5);
+    auto rod = plait_strand_settings_defaults();
+    rod.model = PLAIT_MODEL_ROD;
+    rod.substeps = 3;
+    sim.set_settings({plait_strand_settings_defaults(), rod}, {0, 1, 0, 1, 0, 1});
+    run(sim, 60);
+    const auto positions = sim.read(PLAIT_FIELD_POSITION);
+    for (size_t strand = 0; strand < 6; ++strand)
+        EXPECT_GT(positions[4 * (12 * strand + 11)], 0.17f) << "laid along x, " << strand;
+    EXPECT_EQ(sim.stats().nonfinite, 0u);
+}
+
+TEST_P(WindOf, ValuesOutOfRangeAreRefusedByName) {
+    plait::Sim sim(context, make_groom(tuft(2, 6)));
+    const uint64_t before = sim.hash();
+    const auto refused = [&](const char* name, auto change) {
+        auto wind = plait_wind_desc_defaults();
+        change(wind);
+        EXPECT_EQ(plait_sim_set_wind(sim, &wind), PLAIT_INVALID_ARGUMENT) << name;
+        EXPECT_NE(std::strstr(plait_last_error(), name), nullptr) << plait_last_error();
+    };
+    using W = plait_wind_desc;
+    refused("velocity[1]", [](W& w) { w.velocity[1] = NAN; });
+    refused("velocity[2]", [](W& w) { w.velocity[2] = 1001; });
+    refused("turbulence", [](W& w) { w.turbulence = -1; });
+    refused("scale", [](W& w) { w.scale = 0; });
+    refused("octaves", [](W& w) { w.octaves = 9; });
+    refused("octaves", [](W& w) { w.octaves = 0; });
+    refused("gain", [](W& w) { w.gain = 1.1f; });
+    refused("gusts", [](W& w) { w.gusts = 3; });
+    refused("gust_period", [](W& w) { w.gust_period = 0; });
+    refused("tangential", [](W& w) { w.tangential = 2; });
+    refused("diameter", [](W& w) { w.diameter = -1e-5f; });
+    refused("air_density", [](W& w) { w.air_density = 0; });
+    refused("viscosity", [](W& w) { w.viscosity = INFINITY; });
+    EXPECT_EQ(sim.hash(), before);
+}
+
+TEST_P(WindOf, TressfxHasItsOwn) {
+    plait::Sim sim(context, make_groom(tuft(2, 6)), tressfx_desc());
+    const auto wind = plait_wind_desc_defaults();
+    EXPECT_EQ(plait_sim_set_wind(sim, &wind), PLAIT_INVALID_STATE);
+    EXPECT_NE(std::strstr(plait_last_error(), "tressfx"), nullptr) << plait_last_error();
+    EXPECT_EQ(plait_sim_set_wind(sim, nullptr), PLAIT_OK) << "there is none";
+}
+
+} // namespace

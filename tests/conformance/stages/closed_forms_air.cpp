@@ -1,0 +1,157 @@
+// Air: turbulence against a table that another program made, that it has no sources, and the drag of
+// a single segment.
+#include "closed_forms.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace plait::conformance {
+
+using namespace cases;
+
+namespace {
+
+using Vector = std::array<double, 3>;
+
+constexpr std::array<double, 6> table[] = {
+#include "wind_field.inc"
+};
+
+// A grid of voxels so small that all its nodes are the corner.
+plait_air_field_params at_point(const double* place, float amplitude, uint32_t octaves) {
+    plait_air_field_params params{};
+    params.edge_count = 1;
+    params.voxel_edge = 1e-30f;
+    params.q[3] = 1;
+    for (int i = 0; i < 3; ++i) {
+        const double low = std::floor(place[i]);
+        params.cell[i] = static_cast<uint32_t>(static_cast<int64_t>(low));
+        params.fraction[i] = static_cast<float>(place[i] - low);
+    }
+    params.amplitude = amplitude;
+    params.octaves = octaves;
+    params.gain = 0.5f;
+    params.seed = 1;
+    return params;
+}
+
+std::vector<float> velocities(Bench& bench, const plait_air_field_params& params) {
+    const uint32_t nodes = params.edge_count * params.edge_count * params.edge_count;
+    return bench.run(PLAIT_STAGE_air_field, nodes, 1, params, {unwritten_float4s(nodes)})[0].floats;
+}
+
+void air_field_is_the_table_s(Bench& bench) {
+    const double norm = std::sqrt(1 + 0.25 + 0.0625); // of the gains
+    for (const auto& row : table) {
+        const auto got = velocities(bench, at_point(row.data(), static_cast<float>(1 / norm), 3));
+        for (size_t i = 0; i < 3; ++i)
+            EXPECT_NEAR(double(got[i]), row[3 + i], 1e-4) << "at " << row[0] << " " << row[1];
+    }
+}
+
+// By central differences, a thousandth of the gradient's own size.
+void air_field_has_no_sources(Bench& bench) {
+    constexpr uint32_t n = 3;
+    constexpr double edge = 0.004;
+    double divergence = 0, gradient = 0;
+    for (const auto& row : table) {
+        plait_air_field_params params = at_point(row.data(), 1, 1);
+        params.edge_count = n;
+        params.voxel_edge = static_cast<float>(edge);
+        const auto u = velocities(bench, params);
+        const size_t middle = 13, step[] = {1, n * n, n};
+        double sum = 0;
+        for (size_t i = 0; i < 3; ++i)
+            for (size_t k = 0; k < 3; ++k) {
+                const double slope = (double(u[4 * (middle + step[i]) + k]) -
+                                      double(u[4 * (middle - step[i]) + k])) /
+                                     (2 * edge);
+                gradient += slope * slope / 9;
+                sum += i == k ? slope : 0;
+            }
+        divergence += sum * sum;
+    }
+    EXPECT_LT(std::sqrt(divergence), 1e-3 * std::sqrt(gradient));
+    EXPECT_GT(gradient / std::size(table), 0.5);
+}
+
+struct Segment {
+    Vector direction, velocity;
+    double tangential = 0.5;
+};
+
+plait_lane_air_params still_air(uint32_t bdf2) {
+    plait_lane_air_params params{};
+    params.vertex_stride = params.row_stride = 2;
+    params.tile = 1;
+    params.h = 1.0f / 60;
+    params.bdf2 = bdf2;
+    params.drag = static_cast<float>(0.5 * 1.204 * 70e-6);
+    params.viscous = static_cast<float>(10 * std::pow(1.516e-5 / 70e-6, 2.0 / 3));
+    params.edge_count = 1;
+    params.voxel_edge = 1;
+    params.q[3] = 1;
+    return params;
+}
+
+// m/s^2 of the tip of one segment that goes on as it does: of spring and push together.
+Vector drag_on(Bench& bench, const Segment& segment, uint32_t bdf2) {
+    constexpr float length = 0.01f, mass = 0.5f * 5e-6f * length;
+    plait_lane_air_params params = still_air(bdf2);
+    params.tangential = static_cast<float>(segment.tangential);
+    const float whole = params.h;
+    std::vector<float> x(6, 0.0f), v(6, 0.0f), before(6, 0.0f), pose{0, 0, 0, 1, 0, 0, 0, 0};
+    for (size_t i = 0; i < 3; ++i) {
+        v[3 + i] = static_cast<float>(segment.velocity[i]);
+        x[3 + i] = length * static_cast<float>(segment.direction[i]);
+        before[3 + i] = x[3 + i];
+        before[i] = -whole * v[3 + i]; // the root goes along
+        pose[4 + i] = whole * v[3 + i];
+    }
+    const std::vector<float> material{length, 0, 0, 0, 0, 0, 0, 0, 0, mass, 0, 0};
+    const auto out = bench.run(
+        PLAIT_STAGE_lane_air, 1, 2, params,
+        {null_array(), uints({2}), float4s(std::vector<float>(8, 0.0f)), float4s(pose),
+         null_array(), null_array(), lane_floats(material, PLAIT_LANE_MATERIAL_COMPONENTS),
+         lane_floats(x, 3), lane_floats(v, 3), lane_floats(before, 3), lane_floats(v, 3),
+         lane_floats(std::vector<float>(6, 9), 3), lane_floats(std::vector<float>(8, 0), 4)});
+    Vector all{};
+    for (size_t i = 0; i < 3; ++i) // x relative to the root is where it was
+        all[i] =
+            double(out[11].floats[3 + i]) + double(out[12].floats[7]) / double(mass) *
+                                                (double(out[12].floats[4 + i]) - double(x[3 + i]));
+    return all;
+}
+
+// Terminal velocities of segments tilted by 15 degrees each, at half the drag along them: drag holds
+// them against gravity within 0.5 %.
+void lane_air_holds_at_terminal_velocity(Bench& bench) {
+    constexpr std::array<double, 3> rows[] = {{0, 0, -0.386331959539},
+                                              {15, 0.136204674297, -0.426797704572},
+                                              {30, 0.160061674248, -0.495428966936},
+                                              {45, 0.134629752708, -0.562144942963},
+                                              {60, 0.0792433095467, -0.609448434254},
+                                              {75, 0.0164632580763, -0.629223010214},
+                                              {90, 0, -0.626903982174}};
+    for (const uint32_t bdf2 : {0u, 1u})
+        for (const auto& [degrees, x, y] : rows) {
+            const double tilt = degrees * 3.14159265358979 / 180;
+            const Vector drag =
+                drag_on(bench, {{std::cos(tilt), -std::sin(tilt), 0}, {x, y, 0}}, bdf2);
+            EXPECT_NEAR(drag[0], 0, 0.005 * 9.81) << degrees;
+            EXPECT_NEAR(drag[1], 9.81, 0.005 * 9.81) << degrees;
+            EXPECT_NEAR(drag[2], 0, 1e-4) << degrees;
+        }
+}
+
+} // namespace
+
+const std::vector<ClosedForm>& air_closed_forms() {
+    static const std::vector<ClosedForm> list = {
+        PLAIT_CLOSED_FORM(air_field_is_the_table_s), PLAIT_CLOSED_FORM(air_field_has_no_sources),
+        PLAIT_CLOSED_FORM(lane_air_holds_at_terminal_velocity)};
+    return list;
+}
+
+} // namespace plait::conformance
