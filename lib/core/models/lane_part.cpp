@@ -75,11 +75,20 @@ Status LanePart::open(Device& device) {
         PLAIT_TRY(make(device, acceleration_, 3, "lane_acceleration"));
     if (source_.pins)
         PLAIT_TRY(make(device, pin_, 4, "lane_pin"));
+    PLAIT_TRY(keep_planes(device, source_.planes));
     std::pmr::vector<uint32_t> strands(source_.memory);
     for (size_t lane = 0; lane < lanes_.padded_strands(); ++lane)
         strands.push_back(member(lane));
     PLAIT_TRY(device.create(lane_strand_, PLAIT_ELEMENT_UINT, strands.size(), "lane_strand"));
     return device.write(lane_strand_, strands.data());
+}
+
+Status LanePart::keep_planes(Device& device, bool keep) {
+    if (!keep)
+        plane_ = {};
+    else if (!plane_)
+        PLAIT_TRY(make(device, plane_, PLAIT_LANE_PLANE_COMPONENTS, "lane_plane"));
+    return {};
 }
 
 Materials LanePart::materials_of(const plait_sim_params& params) const {
@@ -184,6 +193,19 @@ void LanePart::pin(Schedule& schedule, const Substep& at) const {
                  lanes_.row);
 }
 
+// `solve`: what the solve after it is told.
+void LanePart::find_planes(Schedule& schedule, const Substep& at,
+                           const plait_lane_params& solve) const {
+    plait_lane_params params = solve;
+    params.collider_first = at.collider_first + at.collider_count;
+    params.collider_count = at.mesh_count;
+    schedule.add(PLAIT_STAGE_mesh_contact, lanes_.strands, params,
+                 {&lane_strand_, &at.state.rest, &at.state.pose, &fill_.material, &at.capsules,
+                  &at.meshes->grid, &at.meshes->nodes, &at.meshes->values, &at.meshes->clearance,
+                  &acceleration_, &pin_, &x_, &v_, &history_.x, &history_.v, &plane_},
+                 lanes_.row);
+}
+
 void LanePart::substep(Schedule& schedule, const Substep& at, float mean_length) {
     const plait_sim_params& p = at.params;
     plait_lane_params params{};
@@ -204,18 +226,21 @@ void LanePart::substep(Schedule& schedule, const Substep& at, float mean_length)
     params.contact_slip = contact_slip(at.h, mean_length);
     params.accelerates = acceleration_ ? 1 : 0;
     params.pins = pin_ ? 1 : 0;
+    params.planes = at.meshes && plane_ ? 1 : 0;
     if (pin_)
         pin(schedule, at);
+    if (params.planes)
+        find_planes(schedule, at, params);
     if (!traits_.bends)
         schedule.add(traits_.stage, lanes_.strands, params,
                      {&lane_strand_, &at.state.rest, &at.state.pose, &fill_.material, &at.capsules,
-                      &acceleration_, &pin_, &x_, &v_, &history_.x, &history_.v},
+                      &acceleration_, &pin_, &plane_, &x_, &v_, &history_.x, &history_.v},
                      lanes_.row);
     else
         schedule.add(traits_.stage, lanes_.strands, params,
                      {&lane_strand_, &at.state.rest, &at.state.pose, &fill_.material, &fill_.rest,
-                      &at.capsules, &acceleration_, &pin_, &x_, &v_, &q_, &q_before_, &history_.x,
-                      &history_.v},
+                      &at.capsules, &acceleration_, &pin_, &plane_, &x_, &v_, &q_, &q_before_,
+                      &history_.x, &history_.v},
                      lanes_.row);
 }
 
@@ -290,7 +315,7 @@ uint64_t LanePart::device_bytes() const {
     uint64_t bytes = 0;
     for (const Buffer* buffer :
          {&fill_.material, &fill_.rest, &fill_.start, &x_, &v_, &q_, &q_before_, &history_.x,
-          &history_.v, &acceleration_, &pin_, &lane_strand_})
+          &history_.v, &acceleration_, &pin_, &plane_, &lane_strand_})
         bytes += buffer->bytes();
     return bytes;
 }

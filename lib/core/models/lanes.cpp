@@ -58,6 +58,7 @@ class LaneModel final : public Model {
     }
     void swap() noexcept override;
     void discard() override;
+    Status keep_planes(Device& device, bool keep) override;
     void accelerate(Schedule& schedule, const Substep& at) const override;
     void substep(Schedule& schedule, const Substep& at) override;
     void publish(Schedule& schedule, const Substep& at) const override;
@@ -196,6 +197,17 @@ void LaneModel::discard() {
     next_parts_.clear();
     for (const PartPtr& part : parts_)
         part->discard();
+}
+
+Status LaneModel::keep_planes(Device& device, bool keep) {
+    for (const PartPtr& part : parts_)
+        if (Status status = part->keep_planes(device, keep); !status) {
+            for (const PartPtr& made : parts_)
+                (void)made->keep_planes(device, source_.planes);
+            return status;
+        }
+    source_.planes = keep;
+    return {};
 }
 
 void LaneModel::accelerate(Schedule& schedule, const Substep& at) const {
