@@ -64,8 +64,8 @@ __kernel void plait_articulated(const uint item_count, const plait_lane_params p
                                 __global const float4* pose, __global const real* lane_material,
                                 __global const real* lane_rest, __global const float4* capsule,
                                 __global const real* lane_acceleration,
-                                __global const real* lane_pin, __global real* lane_x,
-                                __global real* lane_v, __global real* lane_q,
+                                __global const real* lane_pin, __global const real* lane_plane,
+                                __global real* lane_x, __global real* lane_v, __global real* lane_q,
                                 __global real* lane_q_before, __global real* lane_x_before,
                                 __global real* lane_v_before) {
     lane_step step;
@@ -77,10 +77,10 @@ __kernel void plait_articulated(const uint item_count, const plait_lane_params p
     vec3 y[PLAIT_VERTICES], w[PLAIT_VERTICES];
     lane_predict(&step, &params, state, y, w);
     lane_contacts contacts;
-    contact_begin(&contacts, &step, &params, capsule, lane_x);
+    contact_begin(&contacts, &step, &params, capsule, lane_plane, lane_x);
     contacts.v = lane_v;
     const rod_problem rod =
-        rod_problem_of(&step, y, lane_rest, params.collider_count > 0 ? &contacts : 0, 0);
+        rod_problem_of(&step, y, lane_rest, contact_may_be(&params) ? &contacts : 0, 0);
     articulated_load(&rod, &s, state, lane_q);
     articulated_start(&rod, &s);
     articulated_solve(&rod, &s, params.iterations);

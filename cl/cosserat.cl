@@ -15,7 +15,8 @@ __kernel void plait_cosserat(const uint item_count, const plait_lane_params para
                              __global const float4* pose, __global const real* lane_material,
                              __global const real* lane_rest, __global const float4* capsule,
                              __global const real* lane_acceleration, __global const real* lane_pin,
-                             __global real* lane_x, __global real* lane_v, __global real* lane_q,
+                             __global const real* lane_plane, __global real* lane_x,
+                             __global real* lane_v, __global real* lane_q,
                              __global real* lane_q_before, __global real* lane_x_before,
                              __global real* lane_v_before) {
     lane_step step;
@@ -27,10 +28,10 @@ __kernel void plait_cosserat(const uint item_count, const plait_lane_params para
     vec3 y[PLAIT_VERTICES], w[PLAIT_VERTICES];
     lane_predict(&step, &params, state, y, w);
     lane_contacts contacts;
-    contact_begin(&contacts, &step, &params, capsule, lane_x);
+    contact_begin(&contacts, &step, &params, capsule, lane_plane, lane_x);
     rod_factors factors;
     rod_problem rod =
-        rod_problem_of(&step, y, lane_rest, params.collider_count > 0 ? &contacts : 0, &factors);
+        rod_problem_of(&step, y, lane_rest, contact_may_be(&params) ? &contacts : 0, &factors);
     rod.sections = 1;
     rod_load(&rod, &params, &s, lane_q, lane_q_before);
 

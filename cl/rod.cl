@@ -355,9 +355,9 @@ __kernel void plait_rod(const uint item_count, const plait_lane_params params,
                         __global const float4* pose, __global const real* lane_material,
                         __global const real* lane_rest, __global const float4* capsule,
                         __global const real* lane_acceleration, __global const real* lane_pin,
-                        __global real* lane_x, __global real* lane_v, __global real* lane_q,
-                        __global real* lane_q_before, __global real* lane_x_before,
-                        __global real* lane_v_before) {
+                        __global const real* lane_plane, __global real* lane_x,
+                        __global real* lane_v, __global real* lane_q, __global real* lane_q_before,
+                        __global real* lane_x_before, __global real* lane_v_before) {
     lane_step step;
     if (!lane_begin(&step, item_count, &params, lane_strand, rest, pose, lane_material,
                     lane_acceleration, lane_pin))
@@ -367,10 +367,10 @@ __kernel void plait_rod(const uint item_count, const plait_lane_params params,
     vec3 y[PLAIT_VERTICES], w[PLAIT_VERTICES];
     lane_predict(&step, &params, state, y, w);
     lane_contacts contacts;
-    contact_begin(&contacts, &step, &params, capsule, lane_x);
+    contact_begin(&contacts, &step, &params, capsule, lane_plane, lane_x);
     rod_factors factors;
     const rod_problem rod =
-        rod_problem_of(&step, y, lane_rest, params.collider_count > 0 ? &contacts : 0, &factors);
+        rod_problem_of(&step, y, lane_rest, contact_may_be(&params) ? &contacts : 0, &factors);
     rod_load(&rod, &params, &s, lane_q, lane_q_before);
 
     cosserat_iterate(&rod, &s, 1, 1);

@@ -999,6 +999,8 @@ typedef enum plait_collider_kind {
     PLAIT_COLLIDER_KIND_CAPSULE = 0, /* tapered: the hull of two spheres */
     PLAIT_COLLIDER_KIND_PLANE = 1,   /* all that lies under a plane */
     PLAIT_COLLIDER_KIND_BOX = 2,     /* with rounded edges */
+    PLAIT_COLLIDER_KIND_MESH =
+        3, /* of plait_collider_create_mesh; said, and not taken, by a desc */
     PLAIT_COLLIDER_KIND_FORCE_32 = 0x7fffffff
 } plait_collider_kind;
 
@@ -1025,16 +1027,42 @@ typedef struct plait_collider_desc {
 PLAIT_API void plait_collider_desc_init(plait_collider_desc* desc, size_t size);
 PLAIT_API plait_result plait_collider_create(plait_sim* sim, const plait_collider_desc* desc,
                                              plait_collider_id* out);
+
+/* A rigid mesh. Distances to it are made once, on a grid: what is thinner than two cells, or
+ * sharper, it loses. */
+typedef struct plait_collider_mesh_desc {
+    uint32_t struct_size;
+    uint32_t cells; /* along the grid's longest side, [8, 256], default 48 */
+    float margin;   /* m, hair stays so far outside, less within twice of it from its root, [0,
+                       0.05], default 5e-4 */
+    float friction; /* Coulomb coefficient, [0, 10], default 0.3 */
+    /* 1, the default: no vertex is pushed farther out than it is where the groom has it, the roots
+       and the mesh being where they are now; 0: all are */
+    uint32_t clearance;
+    /* 0: the mesh is closed, and hair stays outside. 1: it is a sheet, closed or not: hair stays a
+       cell's edge from it on either side */
+    uint32_t two_sided;
+    plait_pose pose; /* at creation */
+} plait_collider_mesh_desc;
+
+PLAIT_API void plait_collider_mesh_desc_init(plait_collider_mesh_desc* desc, size_t size);
+/* The sim keeps what it needs of `mesh`. Waits for the device. Models chain, cosserat, rod and
+ * articulated; one mesh per vertex is met in a substep, the deepest, beside all other colliders.
+ * @errors INVALID_STATE (model tressfx), INVALID_ARGUMENT (open edges, and others that leave it
+ * without sides, where two_sided is 0) */
+PLAIT_API plait_result plait_collider_create_mesh(plait_sim* sim, const plait_mesh* mesh,
+                                                  const plait_collider_mesh_desc* desc,
+                                                  plait_collider_id* out);
 /* Where it will be at the end of the next plait_sim_step; interpolated from where it is.
  * @errors NOT_FOUND (not of this sim, or destroyed) */
 PLAIT_API plait_result plait_collider_set_pose(plait_sim* sim, plait_collider_id collider,
                                                const plait_pose* pose);
 /* Shape and friction of `desc`, from the next fixed step on; hair that is inside then is pushed
- * out. desc->pose is checked and not used. @errors NOT_FOUND */
+ * out. desc->pose is checked and not used. @errors NOT_FOUND, INVALID_STATE (it is a mesh) */
 PLAIT_API plait_result plait_collider_set_shape(plait_sim* sim, plait_collider_id collider,
                                                 const plait_collider_desc* desc);
-/* As it was given: shape, friction, and the pose at the end of the next plait_sim_step. Does not
- * wait. @errors NOT_FOUND */
+/* As it was given: shape, friction, and the pose at the end of the next plait_sim_step; of a mesh
+ * kind, friction and pose, the rest is 0. Does not wait. @errors NOT_FOUND */
 PLAIT_API plait_result plait_collider_describe(const plait_sim* sim, plait_collider_id collider,
                                                plait_collider_desc* out);
 /* Those of a sim, restored ones too: a list. Does not wait. */
@@ -1071,6 +1099,7 @@ PLAIT_DEFAULTS(plait_launch)
 PLAIT_DEFAULTS(plait_roots)
 PLAIT_DEFAULTS(plait_wind_desc)
 PLAIT_DEFAULTS(plait_collider_desc)
+PLAIT_DEFAULTS(plait_collider_mesh_desc)
 #undef PLAIT_DEFAULTS
 
 #ifdef __cplusplus

@@ -31,6 +31,28 @@ Result<plait_collider_desc> read_collider(const plait_collider_desc* desc) {
     return given;
 }
 
+plait_collider_mesh_desc default_mesh_collider() {
+    plait_collider_mesh_desc desc{};
+    desc.struct_size = sizeof desc;
+    desc.cells = 48;
+    desc.margin = 5e-4f;
+    desc.friction = 0.3f;
+    desc.clearance = 1;
+    desc.pose = identity_pose;
+    return desc;
+}
+
+Result<plait_collider_mesh_desc> read_mesh_collider(const plait_collider_mesh_desc* desc) {
+    plait_collider_mesh_desc given = default_mesh_collider();
+    PLAIT_TRY(api::read_struct(desc, given, "desc"));
+    PLAIT_TRY(check_mesh_collider(given));
+    const auto pose = checked_pose(given.pose, "desc->pose");
+    if (!pose)
+        return pose.error();
+    given.pose = *pose;
+    return given;
+}
+
 } // namespace
 
 extern "C" {
@@ -48,6 +70,28 @@ plait_result plait_collider_create(plait_sim* sim, const plait_collider_desc* de
         if (!given)
             return given.error();
         const auto id = sim->sim.create_collider(*given);
+        if (!id)
+            return id.error();
+        *out = *id;
+        return {};
+    });
+}
+
+void plait_collider_mesh_desc_init(plait_collider_mesh_desc* desc, size_t size) {
+    api::init_struct(desc, size, default_mesh_collider());
+}
+
+plait_result plait_collider_create_mesh(plait_sim* sim, const plait_mesh* mesh,
+                                        const plait_collider_mesh_desc* desc,
+                                        plait_collider_id* out) {
+    return api::guard(__func__, [&]() -> Status {
+        PLAIT_TRY(api::need(sim, "sim"));
+        PLAIT_TRY(api::need(mesh, "mesh"));
+        PLAIT_TRY(api::need(out, "out"));
+        const auto given = read_mesh_collider(desc);
+        if (!given)
+            return given.error();
+        const auto id = sim->sim.create_mesh_collider(mesh->mesh, *given);
         if (!id)
             return id.error();
         *out = *id;

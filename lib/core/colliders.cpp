@@ -79,6 +79,7 @@ float* pack(const Colliders::Slot& slot, const plait_pose& begin, const plait_po
         pack_plane(slot, end, now);
         break;
     case PLAIT_COLLIDER_KIND_BOX:
+    case PLAIT_COLLIDER_KIND_MESH: // a box of no size, about its origin
         pack_box(slot, begin, end, out);
         break;
     default:
@@ -95,11 +96,11 @@ float* pack(const Colliders::Slot& slot, const plait_pose& begin, const plait_po
 
 } // namespace
 
-Result<size_t> Colliders::find(plait_collider_id id) const {
+Result<uint32_t> Colliders::find(plait_collider_id id) const {
     const uint64_t index = (id.value & 0xffffffffu) - 1;
     const auto generation = static_cast<uint32_t>(id.value >> 32);
     if (index < slots_.size() && slots_[index].alive && slots_[index].generation == generation)
-        return static_cast<size_t>(index);
+        return static_cast<uint32_t>(index);
     return Error{PLAIT_NOT_FOUND, format("collider id 0x%llx is not in this sim",
                                          static_cast<unsigned long long>(id.value))};
 }
@@ -131,18 +132,34 @@ Status Colliders::reserve(Device& device, size_t count) {
     return {};
 }
 
-Result<plait_collider_id> Colliders::create(Device& device, const plait_collider_desc& desc) {
-    PLAIT_TRY(reserve(device, count_ + 1));
+Colliders::Slot& Colliders::take_slot(const plait_pose& pose) {
     auto slot = std::find_if(slots_.begin(), slots_.end(), [](const Slot& s) { return !s.alive; });
     if (slot == slots_.end())
         slot = slots_.emplace(slots_.end());
     slot->generation += 1;
     slot->alive = 1;
-    take_shape(*slot, desc);
-    slot->at = slot->target = slot->from = slot->to = desc.pose;
+    slot->at = slot->target = slot->from = slot->to = pose;
     ++count_;
     uploaded_ = false;
-    return make_id(static_cast<size_t>(slot - slots_.begin()), slot->generation);
+    return *slot;
+}
+
+Result<plait_collider_id> Colliders::create(Device& device, const plait_collider_desc& desc) {
+    PLAIT_TRY(reserve(device, count_ + 1));
+    Slot& slot = take_slot(desc.pose);
+    take_shape(slot, desc);
+    return make_id(static_cast<size_t>(&slot - slots_.data()), slot.generation);
+}
+
+Result<plait_collider_id> Colliders::create_mesh(Device& device, const plait_pose& pose,
+                                                 float friction) {
+    PLAIT_TRY(reserve(device, count_ + 1));
+    Slot& slot = take_slot(pose);
+    slot.kind = PLAIT_COLLIDER_KIND_MESH;
+    slot.friction = friction;
+    slot.orientation[3] = 1;
+    ++meshes_;
+    return make_id(static_cast<size_t>(&slot - slots_.data()), slot.generation);
 }
 
 Status Colliders::set_pose(plait_collider_id id, const plait_pose& pose) {
@@ -157,6 +174,11 @@ Status Colliders::set_shape(plait_collider_id id, const plait_collider_desc& des
     const auto index = find(id);
     if (!index)
         return index.error();
+    if (is_mesh(slots_[*index]))
+        return Error{PLAIT_INVALID_STATE,
+                     format("collider id 0x%llx is a mesh, which keeps its shape: destroy it and "
+                            "create another",
+                            static_cast<unsigned long long>(id.value))};
     take_shape(slots_[*index], desc);
     uploaded_ = false;
     return {};
@@ -200,6 +222,7 @@ Status Colliders::destroy(plait_collider_id id) {
         return index.error();
     Slot& slot = slots_[*index];
     const uint32_t generation = slot.generation;
+    meshes_ -= is_mesh(slot);
     slot = {}; // equal states have equal bytes
     slot.generation = generation;
     --count_;
@@ -220,10 +243,11 @@ Status Colliders::begin_step(Device& device, double end) {
     float* out = packed_.data();
     for (const uint32_t substeps : substeps_)
         for (uint32_t i = 0; i < substeps; ++i) // as the roots go
-            for (const Slot& slot : slots_)
-                if (slot.alive)
-                    out = pack(slot, interpolate(slot.from, slot.to, double(i) / substeps),
-                               interpolate(slot.from, slot.to, double(i + 1) / substeps), out);
+            for (const bool mesh : {false, true})
+                for (const Slot& slot : slots_)
+                    if (slot.alive && is_mesh(slot) == mesh)
+                        out = pack(slot, interpolate(slot.from, slot.to, double(i) / substeps),
+                                   interpolate(slot.from, slot.to, double(i + 1) / substeps), out);
     PLAIT_TRY(device.upload(buffer_, 0, packed_.size() / 4, packed_.data()));
     uploaded_ = true;
     return {};
@@ -245,6 +269,7 @@ Status Colliders::assign(Device& device, std::span<const Slot> slots) {
         std::count_if(slots.begin(), slots.end(), [](const Slot& s) { return s.alive != 0; }));
     PLAIT_TRY(reserve(device, alive));
     slots_.assign(slots.begin(), slots.end());
+    meshes_ = static_cast<uint32_t>(std::count_if(slots.begin(), slots.end(), is_mesh));
     count_ = alive;
     uploaded_ = false;
     return {};

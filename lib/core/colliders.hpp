@@ -18,6 +18,9 @@ class Colliders {
     Status set_substeps(Device& device, std::span<const uint32_t> numbers);
 
     Result<plait_collider_id> create(Device& device, const plait_collider_desc& desc);
+    // A mesh, of which only `pose` and `friction` are kept here: see MeshColliders.
+    Result<plait_collider_id> create_mesh(Device& device, const plait_pose& pose, float friction);
+    Result<uint32_t> find(plait_collider_id id) const; // its slot
     Status set_pose(plait_collider_id id, const plait_pose& pose);
     // Shape and friction of `desc`, its pose not.
     Status set_shape(plait_collider_id id, const plait_collider_desc& desc);
@@ -27,7 +30,9 @@ class Colliders {
     size_t list(std::span<plait_collider_id> dst) const; // as many as fit; their number
 
     uint32_t count() const { return count_; }
-    // float4 [all substeps, one number of them after the other][count][PLAIT_COLLIDER_STRIDE]
+    uint32_t meshes() const { return meshes_; } // of these
+    // float4 [all substeps, one number of them after the other][count][PLAIT_COLLIDER_STRIDE], the
+    // meshes last
     const Buffer& capsules() const { return buffer_; }
 
     // As Roots: the step's path ends at share `end` of the call's. Uploads what moved.
@@ -52,19 +57,22 @@ class Colliders {
         plait_pose at = identity_pose, target = identity_pose; // of the call
         plait_pose from = identity_pose, to = identity_pose;   // of the step
     };
+    static bool is_mesh(const Slot& slot) {
+        return slot.alive && slot.kind == PLAIT_COLLIDER_KIND_MESH;
+    }
     static plait_collider_desc shape_of(const Slot& slot); // its pose is zero
     std::span<const Slot> slots() const { return slots_; }
     Status assign(Device& device, std::span<const Slot> slots);
 
   private:
-    Result<size_t> find(plait_collider_id id) const; // index of its slot
+    Slot& take_slot(const plait_pose& pose);
     Status reserve(Device& device, size_t count);
     size_t rows(size_t count) const; // of their paths
 
     std::pmr::vector<uint32_t> substeps_;
     std::pmr::vector<Slot> slots_;
     std::pmr::vector<float> packed_; // scratch for uploads
-    uint32_t count_ = 0;
+    uint32_t count_ = 0, meshes_ = 0;
     bool uploaded_ = false; // the buffer holds the step's path
     Buffer buffer_;
 };

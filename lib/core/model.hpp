@@ -3,6 +3,7 @@
 
 #include "core/lane_layout.hpp"
 #include "core/materials.hpp"
+#include "core/mesh_colliders.hpp"
 #include "core/models/sag_report.hpp"
 #include "core/schedule.hpp"
 #include "core/settings.hpp"
@@ -23,7 +24,9 @@ struct Substep {
     const plait_sim_params& params;
     const Buffer& capsules;
     uint32_t collider_count;
-    uint32_t collider_first;  // in `capsules`, of this substep
+    uint32_t collider_first; // in `capsules`, of this substep
+    uint32_t mesh_count;     // after those; 0: `meshes` is null
+    const MeshBuffers* meshes;
     double step;              // s, the fixed one
     uint32_t substeps;        // of it; what steps are strands that take so many
     float h;                  // s, its length
@@ -77,6 +80,9 @@ class Model {
     // Makes, or gives back, what substeps with wind need. Fails without an effect.
     virtual Status open_wind(Device&) { return Error{PLAIT_INTERNAL, "this model takes no wind"}; }
     virtual void close_wind() {}
+
+    // Makes, or frees, what the planes of meshes need; all or nothing.
+    virtual Status keep_planes(Device&, bool) { return {}; }
 
     // Appends what takes state.acceleration, where there is one, to where the model reads it.
     virtual void accelerate(Schedule&, const Substep&) const {}

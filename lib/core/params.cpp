@@ -277,4 +277,13 @@ Status check_collider(const plait_collider_desc& s) {
     }
 }
 
+Status check_mesh_collider(const plait_collider_mesh_desc& s) {
+    PLAIT_RANGE(cells, 8, 256);
+    PLAIT_RANGE(margin, 0, 0.05);
+    PLAIT_RANGE(friction, 0, 10);
+    PLAIT_RANGE(clearance, 0, 1);
+    PLAIT_RANGE(two_sided, 0, 1);
+    return {};
+}
+
 } // namespace plait

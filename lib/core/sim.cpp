@@ -128,8 +128,9 @@ Sim::Sim(Context& context, SimParts parts)
       skin_(std::move(parts.skin)), model_(std::move(parts.model)), state_(std::move(parts.state)),
       grid_(std::move(parts.grid)), display_(std::move(parts.display)),
       roots_(layout_, &context.memory), colliders_(desc_.substeps, &context.memory),
-      substeps_(1, desc_.substeps, &context.memory), clock_(desc_.step, desc_.max_steps_per_call),
-      schedule_(&context.memory), pin_table_(&context.memory) {}
+      meshes_(&context.memory), substeps_(1, desc_.substeps, &context.memory),
+      clock_(desc_.step, desc_.max_steps_per_call), schedule_(&context.memory),
+      pin_table_(&context.memory) {}
 
 Sim::~Sim() {
     if (context_.measured == this)
@@ -248,8 +249,10 @@ Substep Sim::at(const Group& group, uint32_t substep) const {
             state_,
             desc_.params,
             colliders_.capsules(),
-            colliders_.count(),
+            colliders_.count() - colliders_.meshes(),
             (group.first + substep) * colliders_.count(),
+            meshes_.buffers() ? colliders_.meshes() : 0,
+            meshes_.buffers(),
             clock_.step(),
             group.substeps,
             length_of(group.substeps),

@@ -7,6 +7,7 @@
 #include "core/context.hpp"
 #include "core/display.hpp"
 #include "core/interhair.hpp"
+#include "core/mesh_colliders.hpp"
 #include "core/model.hpp"
 #include "core/pins.hpp"
 #include "core/roots.hpp"
@@ -89,7 +90,10 @@ class Sim {
         return colliders_.set_shape(id, desc);
     }
     const Colliders& colliders() const { return colliders_; }
-    Status destroy_collider(plait_collider_id id) { return colliders_.destroy(id); }
+    // sim_meshes.cpp
+    Result<plait_collider_id> create_mesh_collider(const Mesh& mesh,
+                                                   const plait_collider_mesh_desc& desc);
+    Status destroy_collider(plait_collider_id id);
 
     // fields.cpp
     Result<size_t> field_bytes(plait_field field) const;
@@ -165,6 +169,9 @@ class Sim {
     void add_bounds();
     Status make_bounds();
     Status check_settings(std::span<const Settings> settings) const;
+    Result<std::pmr::vector<float>> clearance_of(const MeshField& field,
+                                                 const plait_collider_mesh_desc& desc);
+    Status take_meshes(MeshColliders::Entries&& meshes);
     Status take_substeps(const std::pmr::vector<uint32_t>& substeps);
     Result<uint64_t> accelerations_ignored() const;
     uint64_t device_bytes() const;
@@ -214,6 +221,7 @@ class Sim {
     Display display_;
     Roots roots_;
     Colliders colliders_;
+    MeshColliders meshes_;                // of those colliders that are
     std::pmr::vector<uint32_t> substeps_; // that strands take, each number once
     Clock clock_;
     Schedule schedule_;

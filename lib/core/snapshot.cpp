@@ -1,5 +1,5 @@
 // The dynamic state as bytes: header, colliders, the settings of every strand where they have some of
-// their own, then runs of floats. Little-endian, float32 whatever the backend computes in, so that a
+// their own, what colliders that are meshes have besides, then runs of floats. Little-endian, float32 whatever the backend computes in, so that a
 // snapshot of one device restores on another. The header has a checksum of all that follows it
 // there, which finds damage, and what a snapshot says is held to its range all the same: bytes that
 // somebody made up with a checksum of their own are refused or harmless, too.
@@ -18,6 +18,14 @@ namespace plait {
 // Of a strand, as Settings has it.
 struct SavedSettings {
     uint32_t model, substeps, iterations, bdf2;
+};
+
+// Of a collider that is a mesh, in the order of their slots; then come the values of its nodes, and
+// the clearance of every vertex.
+struct SavedMesh {
+    float origin[3], edge;
+    uint32_t nodes[3];
+    float band;
 };
 
 struct SnapshotHeader {
@@ -114,6 +122,22 @@ Status check_header(const SnapshotHeader& h) {
     return {};
 }
 
+// All but kind, friction and poses is as create_mesh() makes it.
+Status check_mesh_slot(const Colliders::Slot& slot) {
+    plait_collider_mesh_desc desc{};
+    desc.cells = 8;
+    desc.friction = slot.friction;
+    PLAIT_TRY(check_mesh_collider(desc));
+    Colliders::Slot bare = slot;
+    for (float* vector : {bare.a, bare.b, bare.normal, bare.half_extents})
+        std::fill_n(vector, 3, 0.0f);
+    bare.radius_a = bare.radius_b = bare.rounding = 0;
+    std::copy_n(identity_pose.q, 4, bare.orientation);
+    if (std::memcmp(&bare, &slot, sizeof slot) != 0)
+        return Error{PLAIT_INVALID_ARGUMENT, "is a mesh, and has a shape besides"};
+    return {};
+}
+
 Status check_slot(const Colliders::Slot& slot, size_t index) {
     if (slot.alive > 1)
         return malformed(format("collider %zu: alive is %u, range is [0, 1]", index, slot.alive));
@@ -124,7 +148,10 @@ Status check_slot(const Colliders::Slot& slot, size_t index) {
             return malformed(format("collider %zu is gone, but not all of it is zero", index));
         return {};
     }
-    if (const auto status = check_collider(Colliders::shape_of(slot)); !status)
+    const bool mesh = Colliders::is_mesh(slot);
+    if (const auto status =
+            mesh ? check_mesh_slot(slot) : check_collider(Colliders::shape_of(slot));
+        !status)
         return malformed(format("collider %zu: %s", index, status.error().message.c_str()));
     for (const plait_pose* pose : {&slot.at, &slot.target, &slot.from, &slot.to})
         PLAIT_TRY(check_pose(*pose, "collider"));
@@ -167,6 +194,61 @@ Status check_turn(const unsigned char* bytes, size_t first, const char* name, bo
     if (!blended && !(std::abs(square - 1) <= unit_error))
         return outside(name, first / 4, square, "1 +- 0.01 (square of a quaternion)");
     return {};
+}
+
+// One mesh from `from` on, which it moves on; `vertices`: [guides][V].
+Result<MeshColliders::Entry> saved_mesh(uint32_t slot, size_t vertices,
+                                        std::span<const unsigned char>& from,
+                                        std::pmr::memory_resource* memory) {
+    SavedMesh saved;
+    if (from.size() < sizeof saved)
+        return malformed(format("collider %u: it ends before its mesh", slot));
+    std::memcpy(&saved, from.data(), sizeof saved);
+    from = from.subspan(sizeof saved);
+    uint64_t count = 1;
+    for (const uint32_t nodes : saved.nodes) {
+        if (nodes < 2 || nodes > 1024)
+            return malformed(format("collider %u: %u nodes, range is [2, 1024]", slot, nodes));
+        count *= nodes;
+    }
+    const uint64_t floats = count + vertices;
+    if (from.size() / sizeof(float) < floats)
+        return malformed(format("collider %u: %llu numbers of a mesh, %zu bytes are left", slot,
+                                static_cast<unsigned long long>(floats), from.size()));
+    for (size_t i = 0; i < floats; ++i)
+        PLAIT_TRY(check_range(from.data(), i, "mesh"));
+    for (size_t i = 0; i < 3; ++i)
+        if (!(std::abs(saved.origin[i]) <= largest))
+            return outside("origin", i, double(saved.origin[i]), "[-4e6, 4e6]");
+    for (const float size : {saved.edge, saved.band})
+        if (!(size > 0 && size <= largest))
+            return outside("mesh edge", slot, double(size), "(0, 4e6]");
+    MeshColliders::Entry entry{slot, MeshField(memory), std::pmr::vector<float>(vertices, memory)};
+    std::copy_n(saved.origin, 3, entry.field.origin.begin());
+    std::copy_n(saved.nodes, 3, entry.field.nodes.begin());
+    entry.field.edge = saved.edge;
+    entry.field.band = saved.band;
+    entry.field.value.resize(count);
+    std::memcpy(entry.field.value.data(), from.data(), count * sizeof(float));
+    from = from.subspan(count * sizeof(float));
+    std::memcpy(entry.clearance.data(), from.data(), vertices * sizeof(float));
+    from = from.subspan(vertices * sizeof(float));
+    return entry;
+}
+
+Result<MeshColliders::Entries> saved_meshes(std::span<const Colliders::Slot> slots, size_t vertices,
+                                            std::span<const unsigned char>& from,
+                                            std::pmr::memory_resource* memory) {
+    MeshColliders::Entries list(memory);
+    for (uint32_t i = 0; i < slots.size(); ++i) {
+        if (!Colliders::is_mesh(slots[i]))
+            continue;
+        auto entry = saved_mesh(i, vertices, from, memory);
+        if (!entry)
+            return entry.error();
+        list.push_back(std::move(*entry));
+    }
+    return list;
 }
 
 std::array<bool, 4> owned(const SnapshotHeader& h) {
@@ -260,7 +342,7 @@ SnapshotHeader Sim::snapshot_header() {
     return h;
 }
 
-// Of all that stands before the blocks.
+// Of all that stands before the meshes and the blocks.
 size_t Sim::snapshot_bytes(const SnapshotHeader& h) const {
     const size_t bytes = sizeof h + h.colliders * sizeof(Colliders::Slot);
     return h.switched ? bytes + layout_.guides * sizeof(SavedSettings) : bytes;
@@ -269,6 +351,8 @@ size_t Sim::snapshot_bytes(const SnapshotHeader& h) const {
 size_t Sim::snapshot_size() {
     const SnapshotHeader h = snapshot_header();
     size_t bytes = snapshot_bytes(h);
+    for (const MeshColliders::Entry& mesh : meshes_.entries())
+        bytes += sizeof(SavedMesh) + (mesh.field.count() + mesh.clearance.size()) * sizeof(float);
     for (const Block& block : blocks(h))
         bytes += block.floats * sizeof(float);
     return bytes;
@@ -290,6 +374,14 @@ Status Sim::save(std::span<unsigned char> dst) {
                                          s.bdf2};
             put(&saved, sizeof saved);
         }
+    for (const auto& [slot, field, clearance] : meshes_.entries()) {
+        SavedMesh saved{{}, field.edge, {}, field.band};
+        std::ranges::copy(field.origin, saved.origin);
+        std::ranges::copy(field.nodes, saved.nodes);
+        put(&saved, sizeof saved);
+        put(field.value.data(), field.count() * sizeof(float));
+        put(clearance.data(), clearance.size() * sizeof(float));
+    }
     for (const Block& block : blocks(h)) {
         PLAIT_TRY(save_block(block, out));
         out += block.floats * sizeof(float);
@@ -437,8 +529,15 @@ Status Sim::restore(std::span<const unsigned char> src) {
     if (!strands)
         return strands.error();
     from += h.switched ? layout_.guides * sizeof(SavedSettings) : 0;
+    auto left = src.subspan(static_cast<size_t>(from - src.data()));
+    auto meshes = saved_meshes(*slots, layout_.guide_vertices(), left, &context_.memory);
+    if (!meshes)
+        return meshes.error();
+    if (!meshes->empty() && desc_.model == PLAIT_MODEL_TRESSFX)
+        return malformed("colliders are meshes, which strands of model 0 do not meet");
+    from = left.data();
     const auto saved = saved_blocks(h, *strands);
-    size_t bytes = snapshot_bytes(h);
+    auto bytes = static_cast<size_t>(from - src.data());
     for (const Block& block : saved)
         bytes += block.floats * sizeof(float);
     if (src.size() != bytes)
@@ -452,6 +551,7 @@ Status Sim::restore(std::span<const unsigned char> src) {
         PLAIT_TRY(set_settings(*strands));
     const auto list = blocks(h);
     schedule_.clear();
+    PLAIT_TRY(take_meshes(std::move(*meshes)));
     PLAIT_TRY(colliders_.assign(device(), *slots));
     PLAIT_TRY(restore_roots(h));
     if (!h.pins)

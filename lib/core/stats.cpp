@@ -94,6 +94,8 @@ uint64_t Sim::device_bytes() const {
                      skin_.device_bytes() + pose_spare_.bytes() + strand_stats_.bytes() +
                      boxes_.bytes() + box_.bytes() + wind_.device_bytes() +
                      colliders_.capsules().bytes();
+    if (const MeshBuffers* meshes = meshes_.buffers())
+        bytes += meshes->bytes();
     for (const Buffer* buffer : state_.all())
         bytes += buffer->bytes();
     for (const Roots::Poses* each : roots_.all_poses())

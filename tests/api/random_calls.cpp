@@ -1,6 +1,7 @@
-// Random calls about colliders of every kind, pins of every stiffness and winds, between frames, in
-// any order: hair stays finite and near its head, comes to rest as itself once it is let alone, and the
+// Random calls about colliders of every kind, meshes among them, pins of every stiffness and winds,
+// between frames, in any order: hair stays finite and near its head, comes to rest as itself once it is let alone, and the
 // same calls give the same bits.
+#include "mesh_shapes.hpp"
 #include "support.hpp"
 
 #include <algorithm>
@@ -82,6 +83,25 @@ plait_collider_desc random_collider(Dice& dice) {
     return desc;
 }
 
+// Closed, or a sheet of two sides, from 1 cm to 30 cm.
+plait::Mesh random_mesh(Dice& dice, plait_collider_mesh_desc& desc) {
+    const double size = double(dice.decade(-2, -0.5f));
+    const ShapeMesh shapes[] = {box_mesh(size, 0.3 * size, size),
+                                ellipsoid_mesh(size, 0.6 * size, 0.8 * size, 12, 8),
+                                torus_mesh(size, 0.3 * size, 8, 12), sheet_mesh(size)};
+    const uint32_t kind = dice.below(4);
+    auto given = plait_mesh_desc_defaults();
+    given.positions = {shapes[kind].positions.data(), shapes[kind].positions.size(), 0};
+    given.triangles = {shapes[kind].triangles.data(), shapes[kind].triangles.size(), 0};
+    desc.two_sided = kind == 3 || dice.one_in(4);
+    desc.cells = 8 + dice.below(17);
+    desc.clearance = dice.below(2);
+    desc.margin = dice.one_in(2) ? 0 : dice.decade(-5, -2);
+    desc.friction = dice.one_in(3) ? 0 : dice.decade(-2, 1);
+    desc.pose = random_pose(dice);
+    return plait::Mesh(given);
+}
+
 plait_pin random_pin(Dice& dice) {
     plait_pin pin{};
     pin.strand = dice.below(guides);
@@ -147,11 +167,14 @@ plait_sim_desc random_desc(const Case& c, Dice& dice) {
 class Scene {
   public:
     Scene(plait::Context& context, const Case& c, uint32_t seed)
-        : case_(c), dice_(seed), sim_(context, groom(), random_desc(c, dice_)) {}
+        : case_(c), dice_(seed), mesh_dice_(seed + 1000),
+          sim_(context, groom(), random_desc(c, dice_)) {}
 
     void frame_of_calls() {
         for (uint32_t i = dice_.below(4); i > 0; --i)
             call();
+        if (case_.model != PLAIT_MODEL_TRESSFX && mesh_dice_.one_in(5))
+            add_mesh();
         at_ = {at_[0] + dice_.between(-0.03f, 0.03f), at_[1], at_[2]};
         sim_.set_roots(head_at(at_));
         sim_.step(dice_.one_in(10) ? 0.04 : frame);
@@ -190,6 +213,13 @@ class Scene {
             strands[i].resize(vertices_of[i]);
         return make_groom(strands);
     }
+    void add_mesh() {
+        if (colliders_.size() >= 6)
+            return;
+        auto desc = plait_collider_mesh_desc_defaults();
+        const plait::Mesh mesh = random_mesh(mesh_dice_, desc);
+        colliders_.push_back(sim_.create_collider(mesh, desc));
+    }
     void call();
     void pins_wind_or_models();
     std::optional<size_t> some_collider() {
@@ -199,7 +229,7 @@ class Scene {
     }
 
     const Case& case_;
-    Dice dice_;
+    Dice dice_, mesh_dice_;
     plait::Sim sim_;
     std::vector<plait_collider_id> colliders_;
     Point at_{0, 0, 0};
@@ -244,7 +274,10 @@ void Scene::call() {
     case 4: // of another kind, too
         if (some) {
             const auto desc = random_collider(dice_);
-            ASSERT_EQ(plait_collider_set_shape(sim_, colliders_[*some], &desc), PLAIT_OK)
+            const auto id = colliders_[*some];
+            const bool mesh = sim_.describe_collider(id).kind == PLAIT_COLLIDER_KIND_MESH;
+            ASSERT_EQ(plait_collider_set_shape(sim_, id, &desc),
+                      mesh ? PLAIT_INVALID_STATE : PLAIT_OK)
                 << plait_last_error();
         }
         break;

@@ -124,6 +124,7 @@ void fill(plait_lane_params& p, const Shape& shape) {
          3e6f,
          1e-6f,
          0,
+         0,
          0};
 }
 void fill(plait_accelerate_params& p, const Shape& shape) {
@@ -264,6 +265,37 @@ Words capsules() {
         append(words, 0, 0, 0, 1);
         append(words, 0.3f, 0, 0, 0);
     }
+    return words;
+}
+
+// A ball as a mesh at rest, of the head's size, in a grid of this many nodes each way.
+constexpr uint32_t mesh_nodes = 48;
+
+Words mesh_row() {
+    Words words;
+    append(words, 0, 0, 0, 0);
+    append(words, 0, 0, 0, 1);
+    append(words, 0, 0, 0, 0);
+    append(words, 0, 0, 0, 0);
+    append(words, 0, 0, 0, 1);
+    append(words, 0.3f, PLAIT_KIND_MESH, 0, 0);
+    return words;
+}
+
+constexpr float mesh_edge = 2.4f * head_radius / (mesh_nodes - 1); // m
+constexpr float mesh_origin = -1.2f * head_radius;
+
+Words mesh_values() {
+    Words words;
+    for (uint32_t z = 0; z < mesh_nodes; ++z)
+        for (uint32_t y = 0; y < mesh_nodes; ++y)
+            for (uint32_t x = 0; x < mesh_nodes; ++x) {
+                const auto at = [](uint32_t i) {
+                    return mesh_origin + mesh_edge * static_cast<float>(i);
+                };
+                words.push_back(
+                    std::bit_cast<uint32_t>(std::hypot(at(x), at(y), at(z)) - head_radius));
+            }
     return words;
 }
 
@@ -432,6 +464,14 @@ const std::map<std::string, Maker>& makers() {
         {"vertex_count", [](const Shape& s) { return Words(s.strands, s.vertices); }},
         {"rest_length", lengths},
         {"capsule", [](const Shape&) { return capsules(); }},
+        {"mesh_grid",
+         [](const Shape&) { return vectors(1, mesh_origin, mesh_origin, mesh_origin, mesh_edge); }},
+        {"mesh_nodes",
+         [](const Shape&) {
+             return Words{mesh_nodes, mesh_nodes, mesh_nodes, 0};
+         }},
+        {"mesh_values", [](const Shape&) { return mesh_values(); }},
+        {"mesh_clearance", [](const Shape& s) { return Words(s.total()); }},
         {"follow_guide", [](const Shape& s) { return counting(s.strands); }},
         {"follow_offset", [](const Shape& s) { return vectors(s.strands, 0.002f, 0, 0.001f, 0); }},
         {"follow_guides", three_guides},
@@ -477,6 +517,13 @@ const std::map<std::string, Maker>& makers() {
 } // namespace
 
 std::vector<unsigned char> typical_params(plait_stage stage, const Shape& shape) {
+    if (stage == PLAIT_STAGE_mesh_contact) { // one mesh
+        plait_lane_params params{};
+        fill(params, shape);
+        params.collider_count = 1;
+        const auto* const bytes = reinterpret_cast<const unsigned char*>(&params);
+        return {bytes, bytes + sizeof params};
+    }
     switch (stage) {
 #define PLAIT_STAGE(name, space, params, summary)                                                  \
     case PLAIT_STAGE_##name:                                                                       \
@@ -548,6 +595,10 @@ std::vector<uint32_t> typical_buffer(const plait_stage_info& stage, const plait_
         return {}; // hair that gravity alone pulls
     if (stage.stage != PLAIT_STAGE_lane_pin && name == "lane_pin")
         return {}; // and that nothing pins
+    if (stage.stage != PLAIT_STAGE_mesh_contact && name == "lane_plane")
+        return {}; // and that is near no mesh
+    if (stage.stage == PLAIT_STAGE_mesh_contact && name == "capsule")
+        return mesh_row();
     const auto maker = makers().find(arg.name);
     if (maker != makers().end())
         return maker->second(shape);

@@ -52,6 +52,14 @@ Case chain_case() {
                 lane_setup(size, make_lane_hair_on_surfaces(size, 60, 0.05f, far), params, false));
         }
     result.flags.push_back("capsule.kind");
+    for (const Size& size : contact_sizes())
+        for (const uint32_t bdf2 : {0u, 1u}) {
+            plait_lane_params params = lane_params(size, 1, bdf2);
+            params.contact_rate = 3e4f;
+            const LaneHair lanes = make_lane_hair(size, 32);
+            result.setups.push_back(
+                on_planes(lane_setup(size, lanes, params, false), lanes, 0.05f, false));
+        }
     add_pinned(result, false);
     add_longer_rows(result);
     return result;

@@ -17,9 +17,9 @@ constexpr std::string_view of_layout[] = {
     "vertex_stride", "row_stride", "tile",  "collider_count", "collider_first", "guide_count",
     "edge_count",    "capacity",   "share", "boxes",          "components"};
 // uint that takes one of two values
-constexpr std::string_view choices[] = {"per_root", "accelerates",  "pins",  "history",
-                                        "bdf2",     "shock_form",   "form",  "slot_hash",
-                                        "tent",     "diffuse_rule", "field", "equal_masses"};
+constexpr std::string_view choices[] = {
+    "per_root", "accelerates", "pins", "planes",       "history", "bdf2",        "shock_form",
+    "form",     "slot_hash",   "tent", "diffuse_rule", "field",   "equal_masses"};
 // float4 of which w is not used
 constexpr std::string_view vectors[] = {"head_from_t", "head_to_t", "t", "wind", "corner"};
 

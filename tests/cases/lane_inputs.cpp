@@ -283,7 +283,7 @@ LaneHair make_lane_hair_wrung(const Size& size, uint32_t seed) {
 plait_lane_params lane_params(const Size& size, uint32_t iterations, uint32_t bdf2) {
     plait_lane_params params = {
         size.stride, 1, size.stride, 1.0f / 30, iterations, bdf2, 4, {20, -40, 30},
-        {9, 8, -7},  0, 0,           0,         0,          0,    0};
+        {9, 8, -7},  0, 0,           0,         0,          0,    0, 0};
     params.contact_rate = 3e5f; // what starts inside is pushed out by millimetres
     params.contact_slip = 0.03f;
     params.accelerates = 1;
@@ -315,6 +315,9 @@ Setup lane_setup(const Size& size, const LaneHair& lanes, const plait_lane_param
     setup.buffers.push_back(lane_floats(without_w(accelerations(lanes.hair.size, strongest)), 3));
     // there, though not read, so that turning them on is a fair disturbance
     setup.buffers.push_back(lane_floats(std::vector<float>(lanes.q.size(), 0), 4));
+    setup.buffers.push_back(
+        lane_floats(std::vector<float>(lanes.q.size() / 4 * PLAIT_LANE_PLANE_COMPONENTS, 0),
+                    PLAIT_LANE_PLANE_COMPONENTS));
     setup.buffers.push_back(lane_floats(lanes.x, 3));
     setup.buffers.push_back(lane_floats(lanes.v, 3));
     if (bends) {
@@ -362,16 +365,19 @@ Setup in_longer_rows(Setup setup, plait_stage stage, uint32_t more) {
     const plait_stage_info& info = *plait_stage_describe(stage);
     plait_lane_tile_params params;
     std::memcpy(&params, setup.params.data(), sizeof params);
-    const size_t width = size_t{4} * params.vertex_stride;
     for (size_t i = 0; i < setup.buffers.size(); ++i) {
-        if (std::ranges::find(of_all_strands, info.args[i].name) == std::end(of_all_strands))
+        size_t per_vertex = 4;
+        if (std::string_view(info.args[i].name) == "mesh_clearance")
+            per_vertex = setup.params_as<plait_lane_params>().collider_count;
+        else if (std::ranges::find(of_all_strands, info.args[i].name) == std::end(of_all_strands))
             continue;
+        const size_t width = per_vertex * params.vertex_stride;
         const std::vector<float> plain = std::move(setup.buffers[i].floats);
         std::vector<float>& rows = setup.buffers[i].floats = {};
         for (size_t at = 0; at < plain.size(); at += width) {
             rows.insert(rows.end(), plain.begin() + static_cast<long>(at),
                         plain.begin() + static_cast<long>(at + width));
-            rows.insert(rows.end(), size_t{4} * more, 0.75f); // that no lane has
+            rows.insert(rows.end(), per_vertex * more, 0.75f); // that no lane has
         }
     }
     params.row_stride += more;
@@ -402,6 +408,46 @@ void add_rods_on_surfaces(Case& result) {
                                                make_lane_hair_on_surfaces(size, 48, 100.0f, far),
                                                lane_params(size, 1, far == 0), true));
     result.flags.push_back("capsule.kind");
+}
+
+// A plane across the way of forces, `gap` (m) below a vertex, carried along a little.
+std::array<double, PLAIT_LANE_PLANE_COMPONENTS>
+plane_under(const LaneHair& lanes, Random& random, size_t row, double gap, float friction) {
+    const size_t root = row / lanes.hair.size.stride * lanes.hair.size.stride;
+    const Point normal = direction_of(sum({-20, 40, -30}, random_step(random, 20)));
+    const Point carried = random_step(random, 0.02);
+    Point anchor{}; // x_before has the root where the pose puts it
+    for (size_t k = 0; k < 3; ++k)
+        anchor[k] = double(lanes.x[3 * root + k]) - double(lanes.x_before[3 * root + k]) +
+                    double(lanes.x[3 * row + k]) + carried[k];
+    return {normal[0], normal[1], normal[2],   anchor[0],       anchor[1],
+            anchor[2], gap,       gap + 0.001, double(friction)};
+}
+
+Setup on_planes(Setup setup, const LaneHair& lanes, float friction, bool bends) {
+    auto params = setup.params_as<plait_lane_params>();
+    params.planes = 1;
+    setup.name += ", on planes";
+    Random random(params.vertex_stride + 7);
+    std::vector<float>& planes = setup.buffers[bends ? 8 : 7].floats;
+    for (size_t s = 0; s < setup.items; ++s)
+        for (size_t i = 2; i < lanes.hair.vertex_count[s]; i += 3) {
+            const size_t row = s * setup.width + i;
+            const auto plane = plane_under(lanes, random, row, s % 3 == 2 ? -0.015 : 0.004,
+                                           s % 2 ? friction : 0.3f);
+            std::ranges::transform(plane, &planes[PLAIT_LANE_PLANE_COMPONENTS * row],
+                                   [](double value) { return static_cast<float>(value); });
+        }
+    return setup.with(params);
+}
+
+void add_rods_on_planes(Case& result) {
+    for (const Size& size : contact_sizes())
+        for (const uint32_t bdf2 : {0u, 1u}) {
+            const LaneHair lanes = make_lane_hair(size, 32);
+            result.setups.push_back(on_planes(
+                lane_setup(size, lanes, lane_params(size, 1, bdf2), true), lanes, 100.0f, true));
+        }
 }
 
 void add_pinned(Case& result, bool bends) {

@@ -45,6 +45,10 @@ Setup lane_setup(const Size& size, const LaneHair& hair, const plait_lane_params
 // Of a rod model, on surfaces of every kind, alone and behind 70 others.
 void add_rods_on_surfaces(Case& result);
 
+// Every third vertex has a plane near it, below which some start.
+Setup on_planes(Setup setup, const LaneHair& hair, float friction, bool bends);
+void add_rods_on_planes(Case& result); // of friction 0.3 and 100
+
 // The tip of every strand is pinned, and of those of more than five vertices the middle, to places
 // a centimetre off; every second by springs far stiffer than its inertia.
 Setup pinned(Setup setup, const LaneHair& hair, bool bends);

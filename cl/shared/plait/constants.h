@@ -49,6 +49,17 @@
 /* Cosine of 60 degrees: normals farther apart belong to different sides of a capsule. Ours. */
 #define PLAIT_SWEEP_SAME_SIDE PLAIT_NUMBER(0.5)
 
+/* ---- meshes ------------------------------------------------------------------------------------
+ */
+
+/* Steps along the way of a vertex, each as long as the distance to the mesh. Ours. */
+#define PLAIT_MESH_MARCH_STEPS 12
+/* m: nearer, the way has come to the mesh. Ours. */
+#define PLAIT_MESH_MARCH_LEAST PLAIT_NUMBER(2e-4)
+/* Slope of a distance below which it has no normal: between two surfaces that are equally near it
+ * falls from 1 to 0. Ours. */
+#define PLAIT_MESH_MIN_SLOPE PLAIT_NUMBER(0.5)
+
 /* ---- energy budget of the strand models --------------------------------------------------------
  */
 

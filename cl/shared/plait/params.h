@@ -51,6 +51,9 @@ typedef uint32_t plait_u32;
 #define PLAIT_KIND_CAPSULE 0.0f
 #define PLAIT_KIND_PLANE 1.0f
 #define PLAIT_KIND_BOX 2.0f
+/* A mesh, which only mesh_contact reads, after all others of a substep: a is the origin of its own
+ * frame, BEGIN + 1 its orientation at the end. */
+#define PLAIT_KIND_MESH 3.0f
 
 /* grid_sum: per voxel, five 64-bit sums as (low, high) words: density, momentum xyz, tent*|v|^2. */
 #define PLAIT_SUM_COUNT 5
@@ -229,7 +232,8 @@ typedef struct plait_lane_grid_params {
  * in them; `row_stride`, V or more, that of buffers which hold all strands of the sim, one after
  * the other: rest, position, accelerations, pins.
  *
- * chain, cosserat, rod, articulated: one substep of a strand model over lanes. */
+ * chain, cosserat, rod, articulated: one substep of a strand model over lanes. mesh_contact: the
+ * planes for one; there `collider_count` and `collider_first` are of the meshes. */
 typedef struct plait_lane_params {
     plait_u32 vertex_stride;
     plait_u32 tile; /* strands per tile of the lane layout */
@@ -247,6 +251,7 @@ typedef struct plait_lane_params {
     float contact_slip; /* m: the displacement per substep at which friction is all of mu N */
     plait_u32 accelerates; /* 1: vertices have accelerations; 0: lane_acceleration is null */
     plait_u32 pins;        /* 1: vertices may be pinned; 0: lane_pin is null */
+    plait_u32 planes;      /* 1: vertices may have planes of meshes; 0: lane_plane is null */
 } plait_lane_params;
 
 /* pins: where the targets of pins are at the end of a fixed step. */
@@ -371,6 +376,14 @@ typedef struct plait_lane_move_params {
 #define PLAIT_LANE_TWIST 4 /* 4(GJ - EI)/lbar of the joint before segment i, N m */
 #define PLAIT_LANE_CROSS 5 /* 4(EI2 - EI)/lbar, N m */
 #define PLAIT_LANE_MATERIAL_COMPONENTS 6
+
+/* lane_plane: of each vertex the plane of a mesh that it may meet in the substep. */
+#define PLAIT_LANE_PLANE_NORMAL 0   /* xyz, in the world, out of the mesh; 0: none */
+#define PLAIT_LANE_PLANE_ANCHOR 3   /* xyz, m, relative to the root: the vertex, if it stuck */
+#define PLAIT_LANE_PLANE_HEIGHT 6   /* m, of the anchor above the plane */
+#define PLAIT_LANE_PLANE_START 7    /* m, of the anchor above the mesh */
+#define PLAIT_LANE_PLANE_FRICTION 8 /* Coulomb coefficient */
+#define PLAIT_LANE_PLANE_COMPONENTS 9
 
 /* output: interpolate the finished steps and attach the result to the roots of now. */
 typedef struct plait_output_params {

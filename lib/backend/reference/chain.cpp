@@ -182,9 +182,13 @@ void follow(const Links& links, Contacts* contacts, std::vector<Vec3>& x) {
 } // namespace
 
 void chain(uint32_t item_count, const plait_lane_params& params, const chain_args& args) {
-    const LaneState state{
-        args.lane_x,  args.lane_v, args.lane_x_before, args.lane_v_before, args.lane_acceleration,
-        args.lane_pin};
+    const LaneState state{args.lane_x,
+                          args.lane_v,
+                          args.lane_x_before,
+                          args.lane_v_before,
+                          args.lane_acceleration,
+                          args.lane_pin,
+                          args.lane_plane};
     for (size_t slot = 0; slot < item_count; ++slot) {
         const Lane lane(slot, params.vertex_stride, params.tile);
         const size_t strand = strand_of(args.lane_strand, slot);
@@ -208,8 +212,9 @@ void chain(uint32_t item_count, const plait_lane_params& params, const chain_arg
             stretch.push_back(material(PLAIT_LANE_STRETCH));
         }
         std::optional<Contacts> contacts;
-        if (params.collider_count > 0)
-            contacts.emplace(params, args.capsule, motion, before, stretch, links.own);
+        if (params.collider_count > 0 || params.planes)
+            contacts.emplace(params, args.capsule, motion, before, stretch, links.own,
+                             mesh_planes_of(lane, params, args.lane_plane));
         Contacts* held = contacts ? &*contacts : nullptr;
         const std::vector<Vec3> solved = solve(links, motion, params, held);
         std::vector<Vec3> x = solved;

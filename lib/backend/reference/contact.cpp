@@ -53,10 +53,10 @@ double clearance(const Collider& collider, const Vec3& x) {
 
 Contacts::Contacts(const plait_lane_params& params, const View<const Vec4>& colliders,
                    const Motion& motion, std::vector<double> length, std::vector<double> stretch,
-                   std::vector<double> mass)
+                   std::vector<double> mass, std::vector<std::optional<MeshPlane>> planes)
     : params_(params), colliders_(colliders), motion_(motion), length_(std::move(length)),
       stretch_(std::move(stretch)), mass_(std::move(mass)), arc_(length_.size()),
-      at_(params.vertex_stride) {
+      planes_(std::move(planes)), at_(params.vertex_stride) {
     std::partial_sum(length_.begin(), length_.end(), arc_.begin());
 }
 
@@ -119,6 +119,12 @@ std::optional<Contacts::Touch> Contacts::nearest(size_t vertex, const Vec3& x) c
         if (!best || candidate.gap < best->gap)
             best = candidate;
     }
+    if (planes_.empty() || !planes_[vertex])
+        return best;
+    const MeshPlane& plane = *planes_[vertex];
+    const double gap = plane.height + plane.normal.dot(x - plane.anchor);
+    if (!best || gap < best->gap)
+        best = Touch{gap, plane.start, plane.friction, plane.normal, plane.anchor};
     return best;
 }
 

@@ -14,11 +14,11 @@ using Mat3 = Eigen::Matrix3d;
 
 class Contacts {
   public:
-    // `length[i]` and `stretch[i]`, EA/l, of the segment before vertex i, 0 past the tip; `mass[i]`
+    // `planes`: of meshes, as mesh_planes_of. `length[i]` and `stretch[i]`, EA/l, of the segment before vertex i, 0 past the tip; `mass[i]`
     // of vertex i.
     Contacts(const plait_lane_params& params, const View<const Vec4>& colliders,
              const Motion& motion, std::vector<double> length, std::vector<double> stretch,
-             std::vector<double> mass);
+             std::vector<double> mass, std::vector<std::optional<MeshPlane>> planes);
 
     // What slid in the substep before slides on in the first solve; else it begins as if it stuck.
     void slide_on() { slides_on_ = true; }
@@ -86,6 +86,7 @@ class Contacts {
     const View<const Vec4>& colliders_;
     const Motion& motion_;
     std::vector<double> length_, stretch_, mass_, arc_; // arc_[i]: from the root to vertex i
+    std::vector<std::optional<MeshPlane>> planes_;
     std::vector<Contact> at_;
     bool solved_ = false, touched_ = false, changed_ = false, slides_on_ = false;
 };

@@ -50,6 +50,25 @@ Motion::Motion(const Lane& lane, const plait_lane_params& params, const LaneStat
     }
 }
 
+std::vector<std::optional<MeshPlane>> mesh_planes_of(const Lane& lane,
+                                                     const plait_lane_params& params,
+                                                     const View<const double>& planes) {
+    std::vector<std::optional<MeshPlane>> list;
+    for (size_t i = 0; i < params.vertex_stride && params.planes; ++i) {
+        const auto at = [&](size_t component) {
+            return planes[lane.index(i, component, PLAIT_LANE_PLANE_COMPONENTS)];
+        };
+        const auto vector = [&](size_t first) -> Vec3 {
+            return {at(first), at(first + 1), at(first + 2)};
+        };
+        const MeshPlane plane{vector(PLAIT_LANE_PLANE_NORMAL), vector(PLAIT_LANE_PLANE_ANCHOR),
+                              at(PLAIT_LANE_PLANE_HEIGHT), at(PLAIT_LANE_PLANE_START),
+                              at(PLAIT_LANE_PLANE_FRICTION)};
+        list.push_back(plane.normal.isZero(0) ? std::nullopt : std::optional(plane));
+    }
+    return list;
+}
+
 Vec3 Motion::goal(size_t vertex, double mass) const {
     const auto& [target, k] = pin[vertex];
     const double mu = mass * inertia;

@@ -4,6 +4,7 @@
 
 #include "backend/reference/stages.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace plait::reference {
@@ -52,6 +53,7 @@ struct LaneState {
     const View<double>& v_before;
     const View<const double>& acceleration; // beside gravity, where there is any
     const View<const double>& pin;          // where there are any
+    const View<const double>& plane;        // of meshes, where there are any
 };
 
 // A spring to a point, as stiff in every direction.
@@ -89,5 +91,16 @@ struct Motion {
     std::vector<Pin> pin; // of every vertex
     double inertia;       // (1 + c h)/h^2, 1/s^2
 };
+
+// The plane of a mesh that a vertex may meet in the substep.
+struct MeshPlane {
+    Vec3 normal, anchor; // anchor: relative to the root
+    double height;       // of the anchor above the plane
+    double start;        // of the anchor above the mesh
+    double friction;
+};
+// One per vertex, or none at all.
+std::vector<std::optional<MeshPlane>>
+mesh_planes_of(const Lane& lane, const plait_lane_params& params, const View<const double>& planes);
 
 } // namespace plait::reference

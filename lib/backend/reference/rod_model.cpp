@@ -67,10 +67,11 @@ RodModel::RodModel(const RodBuffers& buffers, const plait_lane_params& params, s
     stretch_before.insert(stretch_before.end(), stretch_.begin(), stretch_.end());
     if (inextensible)
         leave_out_stretch();
-    if (params.collider_count == 0)
+    if (params.collider_count == 0 && !params.planes)
         return;
     contacts_ = std::make_shared<Contacts>(params, buffers.capsules, motion_, length_before_,
-                                           stretch_before, mass_);
+                                           stretch_before, mass_,
+                                           mesh_planes_of(lane_, params, buffers.state.plane));
 }
 
 // Vertices past the tip lie on it: nothing may pull there.

@@ -43,6 +43,8 @@ class Shape {
             pins_ = params.pins != 0;
         if constexpr (requires { params.field; })
             field_ = params.field != 0;
+        if constexpr (requires { params.planes; })
+            planes_ = params.planes != 0;
         if constexpr (requires { params.boxes; })
             points_ = size_t{params.count} * (params.boxes ? 2 : 1);
         set_rows(space);
@@ -83,6 +85,7 @@ class Shape {
     bool per_root_ = false;
     bool history_ = false;
     bool accelerates_ = true, pins_ = true, field_ = true; // where the parameters do not say
+    bool planes_ = false; // mesh_contact makes them, and checks on access
 };
 
 } // namespace plait::reference

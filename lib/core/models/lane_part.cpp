@@ -72,6 +72,7 @@ Status LanePart::open(Device& device) {
     PLAIT_TRY(make(device, q_before_, 4, "lane_q_before"));
     PLAIT_TRY(make(device, x_, 3, "lane_x"));
     PLAIT_TRY(open_forces(device));
+    PLAIT_TRY(keep_planes(device, source_.planes));
     std::pmr::vector<uint32_t> strands(source_.memory);
     for (size_t lane = 0; lane < lanes_.padded_strands(); ++lane)
         strands.push_back(member(lane));
@@ -92,6 +93,14 @@ void LanePart::close_forces() {
         acceleration_ = {};
     if (!source_.pins && !source_.wind)
         pin_ = {};
+}
+
+Status LanePart::keep_planes(Device& device, bool keep) {
+    if (!keep)
+        plane_ = {};
+    else if (!plane_)
+        PLAIT_TRY(make(device, plane_, PLAIT_LANE_PLANE_COMPONENTS, "lane_plane"));
+    return {};
 }
 
 Materials LanePart::materials_of(const plait_sim_params& params) const {
@@ -224,6 +233,19 @@ void LanePart::blow(Schedule& schedule, const Substep& at, const WindStep& wind)
                  lanes_.row);
 }
 
+// `solve`: what the solve after it is told.
+void LanePart::find_planes(Schedule& schedule, const Substep& at,
+                           const plait_lane_params& solve) const {
+    plait_lane_params params = solve;
+    params.collider_first = at.collider_first + at.collider_count;
+    params.collider_count = at.mesh_count;
+    schedule.add(PLAIT_STAGE_mesh_contact, lanes_.strands, params,
+                 {&lane_strand_, &at.state.rest, &at.state.pose, &fill_.material, &at.capsules,
+                  &at.meshes->grid, &at.meshes->nodes, &at.meshes->values, &at.meshes->clearance,
+                  &acceleration_, &pin_, &x_, &v_, &history_.x, &history_.v, &plane_},
+                 lanes_.row);
+}
+
 void LanePart::substep(Schedule& schedule, const Substep& at, float mean_length) {
     const plait_sim_params& p = at.params;
     plait_lane_params params{};
@@ -244,20 +266,23 @@ void LanePart::substep(Schedule& schedule, const Substep& at, float mean_length)
     params.contact_slip = contact_slip(at.h, mean_length);
     params.accelerates = acceleration_ ? 1 : 0;
     params.pins = pin_ ? 1 : 0;
+    params.planes = at.meshes && plane_ ? 1 : 0;
     if (source_.pins)
         pin(schedule, at);
     if (at.wind)
         blow(schedule, at, *at.wind);
+    if (params.planes)
+        find_planes(schedule, at, params);
     if (!traits_.bends)
         schedule.add(traits_.stage, lanes_.strands, params,
                      {&lane_strand_, &at.state.rest, &at.state.pose, &fill_.material, &at.capsules,
-                      &acceleration_, &pin_, &x_, &v_, &history_.x, &history_.v},
+                      &acceleration_, &pin_, &plane_, &x_, &v_, &history_.x, &history_.v},
                      lanes_.row);
     else
         schedule.add(traits_.stage, lanes_.strands, params,
                      {&lane_strand_, &at.state.rest, &at.state.pose, &fill_.material, &fill_.rest,
-                      &at.capsules, &acceleration_, &pin_, &x_, &v_, &q_, &q_before_, &history_.x,
-                      &history_.v},
+                      &at.capsules, &acceleration_, &pin_, &plane_, &x_, &v_, &q_, &q_before_,
+                      &history_.x, &history_.v},
                      lanes_.row);
 }
 
@@ -332,7 +357,7 @@ uint64_t LanePart::device_bytes() const {
     uint64_t bytes = 0;
     for (const Buffer* buffer :
          {&fill_.material, &fill_.rest, &fill_.start, &x_, &v_, &q_, &q_before_, &history_.x,
-          &history_.v, &acceleration_, &pin_, &lane_strand_})
+          &history_.v, &acceleration_, &pin_, &plane_, &lane_strand_})
         bytes += buffer->bytes();
     return bytes;
 }

@@ -23,6 +23,7 @@ struct LaneSource {
     plait_sag_free sag_free;
     bool accelerates, pins;
     bool wind = false;
+    bool planes = false; // of meshes
     std::pmr::memory_resource* memory;
     RestStrands strands; // for when the material changes
     StrandMaterialsPtr materials;
@@ -56,6 +57,7 @@ class LanePart {
     Status open_forces(Device& device);
     void close_forces();
 
+    Status keep_planes(Device& device, bool keep);
     void accelerate(Schedule& schedule, const Substep& at) const;
     // `mean_length`: m, of all strands of the sim.
     void substep(Schedule& schedule, const Substep& at, float mean_length);
@@ -103,6 +105,7 @@ class LanePart {
     Status prepare_history(Device& device, const plait_sim_params& params);
     void pin(Schedule& schedule, const Substep& at) const;
     void blow(Schedule& schedule, const Substep& at, const WindStep& wind) const;
+    void find_planes(Schedule& schedule, const Substep& at, const plait_lane_params& solve) const;
     bool keeps_fill_of(const LanePart& other) const;
     bool takes_history_of(const LanePart& other) const;
     template <typename Place> Result<Moves> list_moves(Device& device, const Place& place) const;
@@ -136,6 +139,7 @@ class LanePart {
     Buffer x_, v_, q_, q_before_;
     Buffer acceleration_; // only with accelerations, or wind
     Buffer pin_;          // only with pins, or wind
+    Buffer plane_;        // only with meshes
     History history_, next_history_;
     Buffer lane_strand_; // uint [lanes of whole tiles]
 };

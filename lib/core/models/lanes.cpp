@@ -60,6 +60,7 @@ class LaneModel final : public Model {
     void discard() override;
     Status open_wind(Device& device) override;
     void close_wind() override;
+    Status keep_planes(Device& device, bool keep) override;
     void accelerate(Schedule& schedule, const Substep& at) const override;
     void substep(Schedule& schedule, const Substep& at) override;
     void publish(Schedule& schedule, const Substep& at) const override;
@@ -214,6 +215,17 @@ void LaneModel::close_wind() {
     source_.wind = false;
     for (const PartPtr& part : parts_)
         part->close_forces();
+}
+
+Status LaneModel::keep_planes(Device& device, bool keep) {
+    for (const PartPtr& part : parts_)
+        if (Status status = part->keep_planes(device, keep); !status) {
+            for (const PartPtr& made : parts_)
+                (void)made->keep_planes(device, source_.planes);
+            return status;
+        }
+    source_.planes = keep;
+    return {};
 }
 
 void LaneModel::accelerate(Schedule& schedule, const Substep& at) const {

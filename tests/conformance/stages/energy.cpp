@@ -40,7 +40,7 @@ struct Places {
     size_t rest = 1, pose = 2, material = 3, turns = 4, x, v, q = 0, q_before = 0;
     size_t capsules, accelerations, pins;
     explicit Places(bool bends)
-        : x(bends ? 8 : 7), v(x + 1), capsules(x - 3), accelerations(x - 2), pins(x - 1) {
+        : x(bends ? 9 : 8), v(x + 1), capsules(x - 4), accelerations(x - 3), pins(x - 2) {
         if (bends)
             q = v + 1, q_before = v + 2;
     }

@@ -29,9 +29,9 @@ __kernel void plait_chain(const uint item_count, const plait_lane_params params,
                           __global const uint* lane_strand, __global const float4* rest,
                           __global const float4* pose, __global const real* lane_material,
                           __global const float4* capsule, __global const real* lane_acceleration,
-                          __global const real* lane_pin, __global real* lane_x,
-                          __global real* lane_v, __global real* lane_x_before,
-                          __global real* lane_v_before) {
+                          __global const real* lane_pin, __global const real* lane_plane,
+                          __global real* lane_x, __global real* lane_v,
+                          __global real* lane_x_before, __global real* lane_v_before) {
     lane_step step;
     if (!lane_begin(&step, item_count, &params, lane_strand, rest, pose, lane_material,
                     lane_acceleration, 0 /* no pins */))

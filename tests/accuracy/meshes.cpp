@@ -1,0 +1,207 @@
+// Contact of the strand models with meshes: a ball of triangles is a ball, a face is a plane whose
+// friction lets go at its angle, and nothing passes through what is thin.
+#include "api/mesh_shapes.hpp"
+#include "stability/one_strand.hpp"
+
+#include <memory>
+#include <ostream>
+
+namespace plait::test {
+namespace {
+
+constexpr float g = 9.81f; // m/s^2
+constexpr float length = 0.3f;
+constexpr double pi = 3.14159265358979;
+
+using Points = std::vector<std::array<float, 4>>;
+
+// A model as it is used: `chain` needs substeps to come to rest at all.
+struct Use {
+    plait_model model;
+    uint32_t substeps;
+};
+
+void PrintTo(const Use& use, std::ostream* out) {
+    *out << "model " << use.model << ", " << use.substeps << " substeps";
+}
+
+plait_sim_desc desc_of(const Use& use) {
+    plait_sim_desc desc = plait_sim_desc_defaults();
+    desc.model = use.model;
+    desc.substeps = use.substeps;
+    desc.params.gravity[1] = -g;
+    desc.params.drag = 1;
+    return desc;
+}
+
+plait_collider_id add(const OneStrand& strand, const ShapeMesh& shape,
+                      const plait_collider_mesh_desc& desc) {
+    auto given = plait_mesh_desc_defaults();
+    given.positions = {shape.positions.data(), shape.positions.size(), 0};
+    given.triangles = {shape.triangles.data(), shape.triangles.size(), 0};
+    plait_mesh* mesh = nullptr;
+    PLAIT_EXPECT(plait_mesh_create(&given, nullptr, &mesh));
+    plait_collider_id id{};
+    PLAIT_EXPECT(plait_collider_create_mesh(strand.sim(), mesh, &desc, &id));
+    plait_mesh_destroy(mesh);
+    return id;
+}
+
+plait_collider_mesh_desc mesh_at(Vec3 t, float friction, uint32_t cells) {
+    auto desc = plait_collider_mesh_desc_defaults();
+    std::copy(t.begin(), t.end(), desc.pose.t);
+    desc.friction = friction;
+    desc.cells = cells;
+    desc.margin = 0;
+    return desc;
+}
+
+double largest_move(const Points& a, const Points& b) {
+    double most = 0;
+    for (size_t i = 0; i < a.size(); ++i)
+        most = std::max(most, std::hypot(double(a[i][0]) - double(b[i][0]),
+                                         double(a[i][1]) - double(b[i][1]),
+                                         double(a[i][2]) - double(b[i][2])));
+    return most;
+}
+
+class Meshes : public testing::TestWithParam<Use> {};
+
+INSTANTIATE_TEST_SUITE_P(Models, Meshes,
+                         testing::Values(Use{PLAIT_MODEL_CHAIN, 4}, Use{PLAIT_MODEL_COSSERAT, 1},
+                                         Use{PLAIT_MODEL_ROD, 1}, Use{PLAIT_MODEL_ARTICULATED, 1}));
+
+// A strand falls over a ball of 20,000 triangles, and over a sphere.
+TEST_P(Meshes, a_ball_is_a_sphere) {
+    const Vec3 centre = {0.08f, -0.1f, 0.0f};
+    const auto fallen = [&](bool mesh) {
+        OneStrand strand({17, length, {1.0f, 0.0f, 0.0f}}, desc_of(GetParam()));
+        if (mesh) {
+            add(strand, ellipsoid_mesh(0.06, 0.06, 0.06, 128, 80), mesh_at(centre, 0.3f, 64));
+        } else {
+            auto desc = plait_collider_desc_defaults();
+            desc.radius_a = desc.radius_b = 0.06f;
+            desc.friction = 0.3f;
+            std::copy(centre.begin(), centre.end(), desc.pose.t);
+            plait_collider_id id{};
+            PLAIT_EXPECT(plait_collider_create(strand.sim(), &desc, &id));
+        }
+        strand.run(4.0);
+        return strand.read(PLAIT_FIELD_POSITION);
+    };
+    EXPECT_LT(largest_move(fallen(true), fallen(false)), 0.002 * double(length));
+}
+
+// ---- a face under the strand that leans by more or less than friction's angle ------------------
+
+class Slope {
+  public:
+    // `degrees` beyond the angle of friction. Down the slope is -z.
+    Slope(plait_model model, float friction, double degrees) {
+        const double angle = std::atan(double(friction)) + degrees * pi / 180;
+        plait_sim_desc desc = desc_of({model, 1});
+        desc.params.drag = 0.0f;
+        desc.params.bend_stiffness = 1e-10f; // hardly holds: the strand slides as one
+        down_ = {0.0f, static_cast<float>(-std::sin(angle)), static_cast<float>(-std::cos(angle))};
+        strand_ = std::make_unique<OneStrand>(StrandShape{17, length, {1.0f, 0.0f, 0.0f}}, desc);
+        const Vec3 normal = {0.0f, -down_[2], down_[1]};
+        auto board = mesh_at({0.15f, -0.05f * normal[1], -0.05f * normal[2]}, friction, 48);
+        board.pose.q[0] = static_cast<float>(-std::sin(angle / 2)); // about x
+        board.pose.q[3] = static_cast<float>(std::cos(angle / 2));
+        add(*strand_, box_mesh(0.4, 0.05, 0.4), board);
+    }
+    // m/s of the tip, down the slope, over a number of steps.
+    double speed(int steps) {
+        const double from = along();
+        for (int i = 0; i < steps; ++i)
+            strand_->step();
+        return (along() - from) * 60 / steps;
+    }
+
+  private:
+    double along() const {
+        const auto tip = strand_->tip();
+        return double(tip[1]) * double(down_[1]) + double(tip[2]) * double(down_[2]);
+    }
+    std::unique_ptr<OneStrand> strand_;
+    Vec3 down_ = {};
+};
+
+TEST(MeshSlope, holds_a_degree_below_the_angle_of_friction) {
+    for (const plait_model model : {PLAIT_MODEL_CHAIN, PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD}) {
+        Slope slope(model, 0.3f, -1);
+        slope.speed(60);
+        EXPECT_LT(slope.speed(60), 1e-3 * double(length)) << "model " << model;
+    }
+}
+
+TEST(MeshSlope, lets_go_a_degree_above) {
+    for (const plait_model model : {PLAIT_MODEL_CHAIN, PLAIT_MODEL_ROD}) {
+        Slope slope(model, 0.3f, 1);
+        slope.speed(20);
+        EXPECT_GT(slope.speed(5), 0.02) << "model " << model;
+    }
+}
+
+// ---- what must not pass ------------------------------------------------------------------------
+
+// What comes through hanging hair, along x, and how far a step takes it.
+struct Comer {
+    ShapeMesh shape;
+    uint32_t two_sided;
+    double thick, high; // m, of what may not be passed; half its height
+};
+
+int passed_through(const Comer& comer, plait_model model, float pace) {
+    std::vector<Vec3> points;
+    for (int s = 0; s < 60; ++s)
+        for (int i = 0; i < 17; ++i)
+            points.push_back({-0.1f + 0.2f * static_cast<float>(s * 37 % 60) / 60.0f,
+                              -length * static_cast<float>(i) / 16.0f,
+                              -0.006f + 0.012f * static_cast<float>(s) / 60.0f});
+    OneStrand hair(points, 17, desc_of({model, 1}), shared_context());
+    auto desc = mesh_at({-0.2f, -0.3f, 0.0f}, 0.3f, 128);
+    desc.two_sided = comer.two_sided;
+    const auto id = add(hair, comer.shape, desc);
+    int met = 0, passed = 0;
+    Points before = hair.read(PLAIT_FIELD_POSITION);
+    const int steps = static_cast<int>(0.25f / pace);
+    for (int i = 0; i < steps; ++i) {
+        const float from = -0.2f + pace * static_cast<float>(i), to = from + pace;
+        const plait_pose pose = {{0.0f, 0.0f, 0.0f, 1.0f}, {to, -0.3f, 0.0f}};
+        PLAIT_EXPECT(plait_collider_set_pose(hair.sim(), id, &pose));
+        hair.step();
+        const Points now = hair.read(PLAIT_FIELD_POSITION);
+        for (size_t k = 0; k < now.size(); ++k) {
+            const double a = double(before[k][0]) - double(from);
+            const double b = double(now[k][0]) - double(to);
+            met += a > comer.thick && b < comer.thick && b > 0;
+            if (!(a > 0 && b < 0))
+                continue;
+            const double y =
+                double(before[k][1]) + a / (a - b) * (double(now[k][1]) - double(before[k][1]));
+            passed += std::abs(y + 0.3) < 0.9 * comer.high;
+        }
+        before = now;
+    }
+    EXPECT_GT(met, 0) << "model " << model << ", " << double(pace) << " m a step";
+    return passed;
+}
+
+// A slab of a centimetre, and a sheet of two triangles, at one to five segments a step.
+TEST(MeshTunnelling, no_vertex_passes_through_what_is_thin) {
+    ShapeMesh sheet;
+    sheet.add_quad(sheet.add(0, -0.1, -0.2), sheet.add(0, 0.1, -0.2), sheet.add(0, 0.1, 0.2),
+                   sheet.add(0, -0.1, 0.2));
+    const Comer comers[] = {{box_mesh(0.005, 0.1, 0.2), 0, 0.012, 0.1}, {sheet, 1, 0.012, 0.1}};
+    for (const Comer& comer : comers)
+        for (const plait_model model :
+             {PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD, PLAIT_MODEL_ARTICULATED})
+            for (const float segments : {0.5f, 1.0f, 2.0f, 5.0f})
+                EXPECT_EQ(passed_through(comer, model, segments * length / 16), 0)
+                    << (comer.two_sided ? "sheet" : "slab") << ", model " << model << ", "
+                    << double(segments) << " segments a step";
+}
+
+} // namespace
+} // namespace plait::test
