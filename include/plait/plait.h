@@ -98,6 +98,7 @@ PLAIT_API uint32_t plait_version(void);
 typedef struct plait_context plait_context;
 typedef struct plait_groom plait_groom;
 typedef struct plait_follow_map plait_follow_map;
+typedef struct plait_mesh plait_mesh;
 typedef struct plait_sim plait_sim;
 
 /* Generational id of a collider inside its sim; zero is null. */
@@ -344,6 +345,70 @@ typedef enum plait_follow_map_field {
 PLAIT_API plait_result plait_follow_map_read(const plait_follow_map* map,
                                              plait_follow_map_field field, void* dst, size_t* size);
 PLAIT_API void plait_follow_map_destroy(plait_follow_map* map); /* sims keep what they need */
+
+/* ---- meshes --------------------------------------------------------------------------------- */
+
+/* What is mended of a mesh; by the plait_repair_policy, as of grooms. */
+typedef enum plait_mesh_repair {
+    PLAIT_MESH_REPAIR_WELDED_VERTEX = 0, /* within 1e-6 of the mesh's size of one before: a seam */
+    PLAIT_MESH_REPAIR_DEGENERATE_TRIANGLE = 1, /* without area: dropped */
+    PLAIT_MESH_REPAIR_DUPLICATE_TRIANGLE = 2,  /* the corners of one before: dropped */
+    PLAIT_MESH_REPAIR_FLIPPED_TRIANGLE = 3,    /* faces another way than its surface: turned */
+    PLAIT_MESH_REPAIR_COUNT = 4,
+    PLAIT_MESH_REPAIR_FORCE_32 = 0x7fffffff
+} plait_mesh_repair;
+
+/* Triangles that hair may collide with: a head, a body, a collar. Immutable, and shareable as
+ * grooms are. See docs/meshes.md. */
+typedef struct plait_mesh_desc {
+    uint32_t struct_size;
+    plait_view positions; /* float[3], m, each [-1e6, 1e6] [vertices]; of no triangle: not read */
+    plait_view triangles; /* uint32_t[3], each below positions.count, counter-clockwise from
+                             outside [triangles] */
+} plait_mesh_desc;
+
+PLAIT_API void plait_mesh_desc_init(plait_mesh_desc* desc, size_t size);
+
+/* `options` NULL: defaults; of them policy, scale and allocator are read.
+ * @errors BAD_DATA (triangle, value and range; nothing left; policy REFUSE) */
+PLAIT_API plait_result plait_mesh_create(const plait_mesh_desc* desc,
+                                         const plait_import_options* options, plait_mesh** out);
+
+/* By extension: .obj, .gltf (with the .bin it names), .glb; all faces of all objects, where their
+ * nodes put them; polygons as triangles. Read by assimp. @errors NOT_FOUND, IO, BAD_DATA (file,
+ * triangle, value, range), UNSUPPORTED (unknown extension, or built without assimp). */
+PLAIT_API plait_result plait_mesh_load(const char* path, const plait_import_options* options,
+                                       plait_mesh** out);
+
+typedef struct plait_mesh_info {
+    uint32_t struct_size;
+    uint64_t vertices;
+    uint64_t triangles;
+    uint64_t open_edges;    /* of one triangle; 0: closed, if unsided_edges is 0, too */
+    uint64_t unsided_edges; /* of three or more, or where no turning makes neighbours agree */
+    uint32_t components;    /* that hang together by edges */
+    float bounds_min[3];    /* m */
+    float bounds_max[3];
+    double volume;                             /* m^3, of the closed components */
+    double area;                               /* m^2 */
+    uint64_t repairs[PLAIT_MESH_REPAIR_COUNT]; /* vertices or triangles, by kind */
+    uint64_t repairs_total;
+    char first_repair[192]; /* "triangle 17: has no area, dropped" or "" */
+} plait_mesh_info;
+
+PLAIT_API void plait_mesh_info_init(plait_mesh_info* info, size_t size);
+PLAIT_API plait_result plait_mesh_describe(const plait_mesh* mesh, plait_mesh_info* out);
+
+typedef enum plait_mesh_field {
+    PLAIT_MESH_FIELD_POSITIONS = 0, /* float[3] [vertices] */
+    PLAIT_MESH_FIELD_TRIANGLES = 1, /* uint32_t[3] [triangles] */
+    PLAIT_MESH_FIELD_FORCE_32 = 0x7fffffff
+} plait_mesh_field;
+
+/* After repairs. dst == NULL: writes the needed size in bytes to *size. */
+PLAIT_API plait_result plait_mesh_read(const plait_mesh* mesh, plait_mesh_field field, void* dst,
+                                       size_t* size);
+PLAIT_API void plait_mesh_destroy(plait_mesh* mesh); /* sims keep what they need */
 
 /* ---- simulation ----------------------------------------------------------------------------- */
 
@@ -992,6 +1057,8 @@ PLAIT_DEFAULTS(plait_import_options)
 PLAIT_DEFAULTS(plait_groom_desc)
 PLAIT_DEFAULTS(plait_groom_info)
 PLAIT_DEFAULTS(plait_follow_map_desc)
+PLAIT_DEFAULTS(plait_mesh_desc)
+PLAIT_DEFAULTS(plait_mesh_info)
 PLAIT_DEFAULTS(plait_param_info)
 PLAIT_DEFAULTS(plait_fibre)
 PLAIT_DEFAULTS(plait_material)

@@ -181,6 +181,43 @@ inline Guides Groom::guides(std::size_t count, std::uint64_t seed) const {
     return {Groom(groom), FollowMap(map)};
 }
 
+class Mesh : public detail::Owner<plait_mesh, plait_mesh_destroy> {
+  public:
+    explicit Mesh(const plait_mesh_desc& desc,
+                  const plait_import_options& options = plait_import_options_defaults())
+        : Owner(create(desc, options)) {}
+
+    static Mesh load(const std::string& path,
+                     const plait_import_options& options = plait_import_options_defaults()) {
+        plait_mesh* handle = nullptr;
+        check(plait_mesh_load(path.c_str(), &options, &handle));
+        return Mesh(handle);
+    }
+
+    plait_mesh_info describe() const {
+        auto info = plait_mesh_info_defaults();
+        check(plait_mesh_describe(get(), &info));
+        return info;
+    }
+
+    // T: float for POSITIONS, std::uint32_t for TRIANGLES.
+    template <typename T> std::vector<T> read(plait_mesh_field field) const {
+        std::size_t size = 0;
+        check(plait_mesh_read(get(), field, nullptr, &size));
+        std::vector<T> values(size / sizeof(T));
+        check(plait_mesh_read(get(), field, values.data(), &size));
+        return values;
+    }
+
+  private:
+    explicit Mesh(plait_mesh* handle) : Owner(handle) {}
+    static plait_mesh* create(const plait_mesh_desc& desc, const plait_import_options& options) {
+        plait_mesh* handle = nullptr;
+        check(plait_mesh_create(&desc, &options, &handle));
+        return handle;
+    }
+};
+
 // Its context, its groom and its map may go before it.
 class Sim : public detail::Owner<plait_sim, plait_sim_destroy> {
   public:

@@ -1,5 +1,6 @@
 // Grooms.
 #include "api/objects.hpp"
+#include "api/options.hpp"
 #include "api/structs.hpp"
 #include "api/view.hpp"
 #include "core/units.hpp"
@@ -9,34 +10,6 @@
 
 namespace plait::api {
 namespace {
-
-plait_import_options default_options() {
-    plait_import_options options{};
-    options.struct_size = sizeof options;
-    options.min_segment = 1e-3f;
-    options.scale = 1;
-    return options;
-}
-
-Status read_options(const plait_import_options* given, plait_import_options& options) {
-    options = default_options();
-    if (!given)
-        return {};
-    PLAIT_TRY(read_struct(given, options, "options"));
-    uint32_t policy; // any number may come from C
-    std::memcpy(&policy, &options.policy, sizeof policy);
-    if (policy > PLAIT_REPAIR_POLICY_REFUSE)
-        return invalid(format("options->policy is %u, range is [0, 1]", policy));
-    if (!(options.min_segment >= 0 && options.min_segment <= 0.5f))
-        return invalid(
-            format("options->min_segment is %g, range is [0, 0.5]", double(options.min_segment)));
-    if (!(options.scale > 0 && options.scale <= 1e6f))
-        return invalid(format("options->scale is %g, range is (0, 1e6]", double(options.scale)));
-    if (options.resample != 0 &&
-        (options.resample < PLAIT_MIN_VERTICES || options.resample > PLAIT_MAX_VERTICES))
-        return invalid(format("options->resample is %u, range is 0 or [2, 256]", options.resample));
-    return check_allocator(options.allocator, "options->allocator");
-}
 
 // A per-strand field is absent or has one element per strand.
 Status check_count(const plait_view& view, size_t strands, const char* name) {
@@ -165,10 +138,6 @@ Result<std::span<const std::byte>> field_bytes(const StrandSet& set, plait_groom
 using namespace plait;
 
 extern "C" {
-
-void plait_import_options_init(plait_import_options* options, size_t size) {
-    api::init_struct(options, size, api::default_options());
-}
 
 void plait_groom_desc_init(plait_groom_desc* desc, size_t size) {
     api::init_struct(desc, size, plait_groom_desc{});

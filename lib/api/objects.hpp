@@ -3,6 +3,7 @@
 
 #include "base/memory.hpp"
 #include "core/follow_map.hpp"
+#include "core/mesh.hpp"
 #include "core/sim.hpp"
 
 struct plait_context {
@@ -30,6 +31,14 @@ struct plait_follow_map {
     plait::FollowMap map;
 
     explicit plait_follow_map(const plait_allocator& allocator) : own(allocator), map(&own) {}
+    plait::Memory& memory() { return own; }
+};
+
+struct plait_mesh {
+    plait::Memory own;
+    plait::Mesh mesh;
+
+    explicit plait_mesh(const plait_allocator& allocator) : own(allocator), mesh(&own) {}
     plait::Memory& memory() { return own; }
 };
 

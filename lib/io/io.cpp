@@ -61,6 +61,17 @@ Result<StrandSet> read_by_extension(const std::string& path, const ReadOptions& 
                         path.c_str(), extension.c_str())};
 }
 
+Result<TriangleSet> read_mesh_by_extension(const std::string& path, const ReadOptions& options) {
+    const std::string extension = extension_of(path);
+    if (extension == ".obj")
+        return read_obj_mesh(path, options);
+    if (extension == ".gltf" || extension == ".glb")
+        return read_gltf_mesh(path, options);
+    return Error{PLAIT_UNSUPPORTED,
+                 format("%s: cannot read a mesh from \"%s\"; known are .obj, .gltf, .glb",
+                        path.c_str(), extension.c_str())};
+}
+
 // The result of writing to memory, with the name of the file it is for.
 Result<ByteVector> for_file(const std::string& path, Result<ByteVector> bytes) {
     if (bytes)
@@ -114,6 +125,14 @@ Result<StrandSet> read_strands(const std::string& path, const ReadOptions& optio
 Status write_strands(const std::string& path, const StrandSet& strands) {
     try {
         return write_by_extension(path, strands);
+    } catch (const std::bad_alloc&) {
+        return out_of_memory(path);
+    }
+}
+
+Result<TriangleSet> read_mesh(const std::string& path, const ReadOptions& options) {
+    try {
+        return read_mesh_by_extension(path, options);
     } catch (const std::bad_alloc&) {
         return out_of_memory(path);
     }

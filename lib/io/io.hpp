@@ -1,8 +1,9 @@
-// Strands from and to files. The extension decides the format, without regard to case; what each
+// Strands from and to files, and meshes from them. The extension decides the format, without regard to case; what each
 // format holds is in docs/formats.md. Nothing is mended here.
 #pragma once
 
 #include "base/result.hpp"
+#include "core/mesh.hpp"
 #include "core/strand_set.hpp"
 
 #include <memory_resource>
@@ -12,7 +13,7 @@ namespace plait {
 
 struct ReadOptions {
     float scale = 1.0f; // file units to metres, applied to positions and thickness
-    std::pmr::memory_resource* memory = std::pmr::get_default_resource(); // of the StrandSet
+    std::pmr::memory_resource* memory = std::pmr::get_default_resource(); // of what is read
 };
 
 // .tfx (TressFX 3 and 4, with the .tfxbone beside it, if any, as skin), .hair, and polylines of
@@ -22,5 +23,9 @@ Result<StrandSet> read_strands(const std::string& path, const ReadOptions& optio
 // .tfx (version 4; strands of equal vertex counts; the skin, if any, to a .tfxbone beside it) or
 // .hair (without UV and skin). A file appears whole or not at all. IO, UNSUPPORTED.
 Status write_strands(const std::string& path, const StrandSet& strands);
+
+// Triangles of .obj, .gltf and .glb, where their nodes put them; corners at one place share a
+// vertex. NOT_FOUND, IO, BAD_DATA, UNSUPPORTED.
+Result<TriangleSet> read_mesh(const std::string& path, const ReadOptions& options = {});
 
 } // namespace plait

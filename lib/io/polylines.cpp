@@ -1,17 +1,13 @@
 // Polylines of OBJ (`l`) through assimp, which hands every polyline over as a run of two-vertex
 // faces: a run is a strand for as long as each segment starts where the one before it ended.
+#include "io/assimp.hpp"
 #include "io/file.hpp"
 #include "io/formats.hpp"
 #include "io/obj_check.hpp"
 
-#include <assimp/BaseImporter.h>
-#include <assimp/IOSystem.hpp>
-#include <assimp/Importer.hpp>
-#include <assimp/importerdesc.h>
 #include <assimp/scene.h>
 
 #include <exception>
-#include <memory>
 #include <new>
 #include <string_view>
 
@@ -56,25 +52,7 @@ Result<StrandSet> strands_of(const std::string& file, const aiScene& scene,
     return strands;
 }
 
-// assimp shows a file that it does not take for OBJ to all of its readers, and some of the old ones
-// run out of bounds on the way.
-void keep_only_obj(Assimp::Importer& importer) {
-    for (size_t i = importer.GetImporterCount(); i-- > 0;) {
-        if (std::string_view(importer.GetImporterInfo(i)->mName) == "Wavefront Object Importer")
-            continue;
-        const std::unique_ptr<Assimp::BaseImporter> other(importer.GetImporter(i));
-        importer.UnregisterLoader(other.get()); // which leaves it to us
-    }
-}
-
-// Materials (`mtllib`) are of no use here, and would be more bytes to doubt.
-class NoOtherFiles : public Assimp::IOSystem {
-  public:
-    bool Exists(const char*) const override { return false; }
-    char getOsSeparator() const override { return '/'; }
-    Assimp::IOStream* Open(const char*, const char*) override { return nullptr; }
-    void Close(Assimp::IOStream*) override {}
-};
+constexpr std::string_view OBJ_IMPORTER[] = {"Wavefront Object Importer"};
 
 } // namespace
 
@@ -90,7 +68,7 @@ Result<StrandSet> read_polylines(ByteVector text, const std::string& file,
     text.push_back(std::byte{'\n'}); // without, assimp leaves out the last line of 16 MiB or more
     try {
         Assimp::Importer importer;
-        keep_only_obj(importer);
+        keep_importers(importer, OBJ_IMPORTER);
         importer.SetIOHandler(new NoOtherFiles); // which is the importer's now
         const aiScene* scene = importer.ReadFileFromMemory(text.data(), text.size(), 0, "obj");
         if (!scene)

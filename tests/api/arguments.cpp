@@ -22,6 +22,7 @@ struct Objects {
     plait_groom* no_groom = nullptr;
     plait_sim* no_sim = nullptr;
     plait_follow_map* no_map = nullptr;
+    plait_mesh* no_mesh = nullptr;
     std::vector<float> floats = std::vector<float>(64, 0.0f);
     size_t size = 0;
 };
@@ -42,7 +43,8 @@ std::set<std::string> expect_refused(const std::vector<Bad>& table) {
         EXPECT_NE(std::string(plait_last_error()).find(bad.sentence), std::string::npos)
             << "\"" << bad.sentence << "\" is not in: " << plait_last_error();
         EXPECT_EQ(o.sim.hash(), hash) << bad.sentence;
-        EXPECT_TRUE(!o.no_context && !o.no_groom && !o.no_sim && !o.no_map) << "written on failure";
+        EXPECT_TRUE(!o.no_context && !o.no_groom && !o.no_sim && !o.no_map && !o.no_mesh)
+            << "written on failure";
         const std::string text = plait_last_error();
         functions.insert(text.substr(0, text.find(':')));
     }
@@ -137,6 +139,7 @@ TEST(Arguments, NullPointers) {
     const plait_pose pose = collider.pose;
     const auto fibre = plait_fibre_defaults();
     const auto map = plait_follow_map_desc_defaults();
+    const auto mesh = plait_mesh_desc_defaults();
     const auto refused = expect_refused({
         {"count is NULL", [](O&) { return plait_devices_list(nullptr, nullptr); }},
         {"out is NULL", [&](O&) { return plait_context_create(&context, nullptr); }},
@@ -173,6 +176,15 @@ TEST(Arguments, NullPointers) {
         {"out is NULL", [](O& o) { return plait_groom_guides(o.groom, 1, 0, nullptr, &o.no_map); }},
         {"map is NULL",
          [](O& o) { return plait_groom_guides(o.groom, 1, 0, &o.no_groom, nullptr); }},
+        {"desc is NULL", [](O& o) { return plait_mesh_create(nullptr, nullptr, &o.no_mesh); }},
+        {"out is NULL", [&](O&) { return plait_mesh_create(&mesh, nullptr, nullptr); }},
+        {"path is NULL", [](O& o) { return plait_mesh_load(nullptr, nullptr, &o.no_mesh); }},
+        {"out is NULL", [](O&) { return plait_mesh_load("x.obj", nullptr, nullptr); }},
+        {"mesh is NULL", [](O&) { return plait_mesh_describe(nullptr, nullptr); }},
+        {"mesh is NULL",
+         [](O& o) {
+             return plait_mesh_read(nullptr, PLAIT_MESH_FIELD_POSITIONS, nullptr, &o.size);
+         }},
         {"context is NULL",
          [](O& o) { return plait_sim_create(nullptr, o.groom, nullptr, &o.no_sim); }},
         {"groom is NULL",
@@ -289,6 +301,7 @@ TEST(Arguments, DestroyingNothingDoesNothing) {
     plait_context_destroy(nullptr);
     plait_groom_destroy(nullptr);
     plait_follow_map_destroy(nullptr);
+    plait_mesh_destroy(nullptr);
     plait_sim_destroy(nullptr);
 }
 

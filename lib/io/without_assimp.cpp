@@ -1,0 +1,35 @@
+// What stands in for polylines.cpp and meshes.cpp when plait is built without assimp.
+#include "io/formats.hpp"
+
+namespace plait {
+namespace {
+
+Error needs_assimp(const std::string& file, const char* what) {
+    return {PLAIT_UNSUPPORTED, format("%s: %s need assimp, which this build of plait is without "
+                                      "(configure with -DPLAIT_ASSIMP=ON)",
+                                      file.c_str(), what)};
+}
+
+} // namespace
+
+Result<StrandSet> read_polylines(const std::string& path, const ReadOptions&) {
+    return needs_assimp(path, "polylines");
+}
+
+Result<StrandSet> read_polylines(ByteVector, const std::string& file, const ReadOptions& options) {
+    return read_polylines(file, options);
+}
+
+Result<TriangleSet> read_obj_mesh(const std::string& path, const ReadOptions&) {
+    return needs_assimp(path, "meshes");
+}
+
+Result<TriangleSet> read_obj_mesh(ByteVector, const std::string& file, const ReadOptions&) {
+    return needs_assimp(file, "meshes");
+}
+
+Result<TriangleSet> read_gltf_mesh(const std::string& path, const ReadOptions&) {
+    return needs_assimp(path, "meshes");
+}
+
+} // namespace plait
