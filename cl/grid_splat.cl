@@ -32,6 +32,7 @@ typedef struct run_t {
 
 static inline void run_begin(run_t* run, stencil_t cell, uint nodes) {
     run->cell = cell;
+#pragma unroll
     for (uint node = 0u; node < nodes; ++node) {
         run->moments[node] = (float4)(0.0f);
         run->energy[node] = 0.0f;
@@ -47,6 +48,7 @@ static inline void run_end(const run_t* run, uint nodes, __global uint* sums) {
     if (run->cell.low == GRID_OUTSIDE)
         return;
     const float4 scale = (float4)((float3)(PLAIT_SUM_MOMENTUM_SCALE), PLAIT_SUM_DENSITY_SCALE);
+#pragma unroll
     for (uint node = 0u; node < nodes; ++node) {
         __global uint* words = sums + (size_t)stencil_voxel(run->cell, node) * PLAIT_SUM_STRIDE;
         const float4 moments = sum_round(scale * run->moments[node]);
@@ -71,22 +73,18 @@ static inline stencil_t cell_of(const plait_grid_params* params, float3 g) {
     return cell;
 }
 
-__kernel void plait_grid_splat(const uint item_count, const plait_grid_params params,
-                               __global const uint* vertex_count, __global const float4* position,
-                               __global const float4* position_prev, __global uint* grid_sum,
-                               __global uint* grid_outside) {
-    const uint strand = get_global_id(0);
-    if (strand >= item_count)
-        return;
-    const uint nodes = params.tent == PLAIT_TENT_VOXEL ? 1u : SPLAT_NODES;
-    const size_t first = (size_t)strand * params.vertex_stride;
+/* Adds all vertices of a strand to so many nodes each; returns how many lie outside the grid. Where
+ * `nodes` is a constant, the run stays in registers. */
+static inline uint splat_strand(const plait_grid_params* params, uint count, uint nodes,
+                                __global const float4* position,
+                                __global const float4* position_prev, __global uint* grid_sum) {
     uint outside = 0u;
     run_t run;
     run.cell.low = GRID_OUTSIDE;
-    for (uint i = 0u; i < vertex_count[strand]; ++i) {
-        const float3 x = position[first + i].xyz;
-        const float3 g = grid_coordinates(&params, x);
-        const stencil_t cell = cell_of(&params, g);
+    for (uint i = 0u; i < count; ++i) {
+        const float3 x = position[i].xyz;
+        const float3 g = grid_coordinates(params, x);
+        const stencil_t cell = cell_of(params, g);
         if (cell.low != run.cell.low) {
             run_end(&run, nodes, grid_sum);
             run_begin(&run, cell, nodes);
@@ -95,16 +93,29 @@ __kernel void plait_grid_splat(const uint item_count, const plait_grid_params pa
             ++outside;
             continue;
         }
-        const float3 v = summable_velocity(&params, x, position_prev[first + i].xyz);
-        if (nodes == 1u) {
-            run_add(&run, 0u, tent_voxel(g), v);
-            continue;
-        }
+        const float3 v = summable_velocity(params, x, position_prev[i].xyz);
 #pragma unroll
-        for (uint node = 0u; node < SPLAT_NODES; ++node)
-            run_add(&run, node, stencil_weight(cell, node), v);
+        for (uint node = 0u; node < nodes; ++node)
+            run_add(&run, node, nodes == 1u ? tent_voxel(g) : stencil_weight(cell, node), v);
     }
     run_end(&run, nodes, grid_sum);
+    return outside;
+}
+
+__kernel void plait_grid_splat(const uint item_count, const plait_grid_params params,
+                               __global const uint* vertex_count, __global const float4* position,
+                               __global const float4* position_prev, __global uint* grid_sum,
+                               __global uint* grid_outside) {
+    const uint strand = get_global_id(0);
+    if (strand >= item_count)
+        return;
+    const size_t first = (size_t)strand * params.vertex_stride;
+    const uint count = vertex_count[strand];
+    const uint outside =
+        params.tent == PLAIT_TENT_VOXEL
+            ? splat_strand(&params, count, 1u, position + first, position_prev + first, grid_sum)
+            : splat_strand(&params, count, SPLAT_NODES, position + first, position_prev + first,
+                           grid_sum);
     if (outside > 0u)
         atomic_add(grid_outside, outside);
 }

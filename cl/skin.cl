@@ -22,16 +22,19 @@ static inline void jacobi_rotate(float a[4][4], float v[4][4], int p, int q) {
     /* theta^2 may be infinite: t is 0 then */
     const float t = copysign(1.0f, theta) / (fabs(theta) + sqrt(theta * theta + 1.0f));
     const float c = 1.0f / sqrt(t * t + 1.0f), s = t * c;
+#pragma unroll
     for (int i = 0; i < 4; ++i) {
         const float ip = a[i][p], iq = a[i][q];
         a[i][p] = c * ip - s * iq;
         a[i][q] = s * ip + c * iq;
     }
+#pragma unroll
     for (int i = 0; i < 4; ++i) {
         const float pi = a[p][i], qi = a[q][i];
         a[p][i] = c * pi - s * qi;
         a[q][i] = s * pi + c * qi;
     }
+#pragma unroll
     for (int i = 0; i < 4; ++i) {
         const float ip = v[i][p], iq = v[i][q];
         v[i][p] = c * ip - s * iq;
@@ -56,21 +59,30 @@ static inline float4 closest_rotation(float3 r0, float3 r1, float3 r2) {
     float v[4][4] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
     for (int sweep = 0; sweep < SKIN_SWEEPS; ++sweep) {
         float off = 0.0f, on = 0.0f;
+#pragma unroll
         for (int p = 0; p < 4; ++p) {
             on += a[p][p] * a[p][p];
+#pragma unroll
             for (int q = p + 1; q < 4; ++q)
                 off += a[p][q] * a[p][q];
         }
         if (!(off > SKIN_ROUNDING * on))
             break;
+#pragma unroll
         for (int p = 0; p < 3; ++p)
+#pragma unroll
             for (int q = p + 1; q < 4; ++q)
                 jacobi_rotate(a, v, p, q);
     }
-    int best = 0;
-    for (int i = 1; i < 4; ++i)
-        best = a[i][i] > a[best][best] ? i : best;
-    return quat_normalize((float4)(v[0][best], v[1][best], v[2][best], v[3][best]));
+    float most_pull = a[0][0];
+    float4 best = (float4)(v[0][0], v[1][0], v[2][0], v[3][0]);
+#pragma unroll
+    for (int i = 1; i < 4; ++i) {
+        const bool more = a[i][i] > most_pull;
+        most_pull = more ? a[i][i] : most_pull;
+        best = more ? (float4)(v[0][i], v[1][i], v[2][i], v[3][i]) : best;
+    }
+    return quat_normalize(best);
 }
 
 __kernel void plait_skin(const uint item_count, const plait_layout_params params,

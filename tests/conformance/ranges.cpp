@@ -24,9 +24,15 @@ void expect_range(const WorkRange& range, size_t global, size_t local) {
 }
 
 TEST(Ranges, items_are_work_items_in_whole_groups) {
-    expect_range(spread(PLAIT_STAGE_tangents, 65, 1), 128, 64);
-    expect_range(spread(PLAIT_STAGE_tangents, 65, 1, {1024, 32, 32768}), 96, 32);
+    expect_range(spread(PLAIT_STAGE_follow_turns, 65, 1, {1024, 32, 32768}), 96, 32);
     expect_range(spread(PLAIT_STAGE_tangents, 65, 1, {1, 1, 32768}), 65, 1);
+}
+
+TEST(Ranges, vertices_fill_large_groups_where_a_group_is_no_loop) {
+    expect_range(spread(PLAIT_STAGE_tangents, 65, 1, {1024, 1024, 32768, 1}), 256, 256);
+    expect_range(spread(PLAIT_STAGE_tangents, 65, 1, {1024, 128, 32768, 1}), 128, 128);
+    expect_range(spread(PLAIT_STAGE_tangents, 65, 1, {1024, 1024, 32768, 16}), 128, 64);
+    expect_range(spread(PLAIT_STAGE_grid_splat, 65, 1, {1024, 1024, 32768, 1}), 128, 64);
 }
 
 TEST(Ranges, short_strands_share_a_group) {

@@ -4,7 +4,9 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 
 using simulate::Figure;
 using simulate::Json;
@@ -50,6 +52,40 @@ TEST_F(Loaded, says_what_is_there) {
     EXPECT_THAT(line, HasSubstr("a sphere of 0.1 m fitted under the roots"));
     EXPECT_THAT(size_warnings(scene, figure), IsEmpty());
     EXPECT_THAT(loaded_line(scene, figure), testing::Not(HasSubstr("scale")));
+}
+
+TEST_F(Loaded, some_strands_are_simulated_and_the_others_follow) {
+    Scene all = scene_of({{"groom", ball_of_hair(1.0f, "hair.tfx")}, {"guides", 40}});
+    const Figure whole = make_figure(all);
+    EXPECT_EQ(whole.follows, nullptr) << "there is none to follow";
+    EXPECT_EQ(whole.simulated_strands(), 40u);
+
+    Scene scene = scene_of({{"groom", ball_of_hair(1.0f, "hair.tfx")}, {"guides", 7}});
+    const Figure figure = make_figure(scene);
+    EXPECT_EQ(figure.info.strands, 40u);
+    EXPECT_EQ(figure.simulated_strands(), 7u);
+    EXPECT_THAT(loaded_line(scene, figure), HasSubstr("of which 7 are simulated"));
+    std::vector<uint32_t> numbers(40);
+    std::iota(numbers.begin(), numbers.end(), 0u);
+    std::vector<uint32_t> guides = figure.of_simulated(numbers);
+    EXPECT_EQ(guides.size(), 7u);
+    std::ranges::sort(guides);
+    EXPECT_EQ(std::ranges::adjacent_find(guides), guides.end()) << "each its own strand";
+    EXPECT_TRUE(figure.of_simulated({}).empty()) << "no materials";
+}
+
+TEST_F(Loaded, guides_that_cannot_be_are_refused) {
+    const std::string file = ball_of_hair(1.0f, "hair.tfx");
+    EXPECT_THAT(refusal_of([&] {
+                    Scene scene = scene_of({{"groom", file}, {"guides", 41}});
+                    make_figure(scene);
+                }),
+                HasSubstr("guides is 41"));
+    EXPECT_THAT(refusal_of([] { scene_of({{"guides", 0}}); }), HasSubstr("guides is 0"));
+    EXPECT_THAT(refusal_of([] {
+                    scene_of({{"guides", 5}, {"follows_per_guide", 3}});
+                }),
+                HasSubstr("follows_per_guide"));
 }
 
 TEST_F(Loaded, centimetres_are_noticed_and_named) {

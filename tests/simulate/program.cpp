@@ -100,6 +100,19 @@ TEST_F(Program, leaves_statistics) {
     EXPECT_THAT(text(), HasSubstr("ms/frame"));
 }
 
+TEST_F(Program, simulates_guides_and_draws_what_follows) {
+    ASSERT_EQ(run({"--strands", "200", "--guides", "20", "--seconds", "0.2", "--no-pictures",
+                   "--out", path("out")}),
+              0)
+        << text();
+    const Json stats = json("out/stats.json");
+    EXPECT_EQ(stats.at("guides"), 20);
+    EXPECT_EQ(stats.at("strands"), 200);
+    EXPECT_LT(stats.at("max_stretch").get<double>(), 0.01);
+    EXPECT_GT(stats.at("stage_ms").at("follow_turns").get<double>(), 0.0);
+    EXPECT_THAT(text(), HasSubstr("of which 20 are simulated"));
+}
+
 std::set<std::string> stage_names() {
     std::set<std::string> names;
     for (int stage = 0; stage < PLAIT_STAGE_COUNT; ++stage)

@@ -45,6 +45,8 @@ void add_options(CLI::App& app, CommandLine& line) {
     count("--strands", "strands", "N",
           "strands; of a file, at most so many [10000, all of a file]");
     count("--vertices", "vertices", "V", "vertices per strand, 2..256 [16, as in the file]");
+    count("--guides", "guides", "N",
+          "strands that are simulated, the others follow by turns [all]");
     app.add_option_function<std::string>(
            "--scale",
            [&keys](const std::string& value) {

@@ -91,8 +91,8 @@ Json compared(const Compared& other) {
 
 // How many strands each is of.
 Json materials_of(const Report& report) {
-    const auto taken =
-        strand_materials(report.scene.materials, report.figure.groom.get(), report.scene.seed);
+    const auto taken = report.figure.of_simulated(
+        strand_materials(report.scene.materials, report.figure.groom.get(), report.scene.seed));
     Json list = Json::array();
     for (uint32_t m = 0; m < report.scene.materials.size(); ++m)
         list.push_back({{"name", report.scene.materials[m].name},
@@ -114,6 +114,7 @@ Json to_json(const Report& report) {
     json["model"] = model_names[scene.sim.model];
     json["interhair"] = interhair_names[scene.sim.params.interhair];
     json["strands"] = report.main.last.strands;
+    json["guides"] = report.main.last.guides;
     json["vertices"] = report.main.last.vertices_per_strand;
     json["frames_planned"] = scene.frames();
     json["rate"] = scene.rate;

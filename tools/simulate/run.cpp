@@ -25,10 +25,12 @@ bool pins_hair(const Scene& scene) {
 }
 
 // Nor materials, in a comparison.
-SimHandle make_sim(plait_context* context, const plait_groom* groom, const Scene& scene) {
+SimHandle make_sim(plait_context* context, const Figure& figure, const Scene& scene) {
     plait_sim_desc desc = scene.sim;
     desc.pins = pins_hair(scene) ? 1 : 0;
-    const auto of_strands = strand_materials(scene.materials, groom, scene.seed);
+    desc.follow_map = figure.follows.get();
+    const auto of_strands =
+        figure.of_simulated(strand_materials(scene.materials, figure.groom.get(), scene.seed));
     std::vector<plait_material> materials;
     for (const MaterialChoice& choice : scene.materials)
         materials.push_back(choice.material);
@@ -38,7 +40,7 @@ SimHandle make_sim(plait_context* context, const plait_groom* groom, const Scene
         desc.strand_material = {of_strands.data(), of_strands.size(), 0};
     }
     plait_sim* sim = nullptr;
-    check(plait_sim_create(context, groom, &desc, &sim));
+    check(plait_sim_create(context, figure.simulated(), &desc, &sim));
     return SimHandle(sim);
 }
 
@@ -69,7 +71,7 @@ double Measurements::median_ms() const {
 
 Simulation::Simulation(const Scene& scene, const Figure& figure)
     : scene_(scene), figure_(figure), context_(make_context(scene)),
-      sim_(make_sim(context_.get(), figure.groom.get(), scene)) {
+      sim_(make_sim(context_.get(), figure, scene)) {
     row_ = stats_of(sim_.get()).vertices_per_strand;
     read_field(sim_.get(), PLAIT_FIELD_VERTEX_COUNT, vertex_count_);
     read_field(sim_.get(), PLAIT_FIELD_POSITION, rest_);
@@ -84,7 +86,7 @@ plait_sim_stats Simulation::stats() const {
 }
 
 void Simulation::add_pins() {
-    const auto guides = static_cast<uint32_t>(figure_.info.strands);
+    const uint32_t guides = figure_.simulated_strands();
     std::vector<char> held(rest_.size() / 4, 0); // by a tie before
     std::vector<plait_pin> pins;
     for (size_t i = 0; i < scene_.pins.size(); ++i) {

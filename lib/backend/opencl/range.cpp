@@ -12,6 +12,11 @@ namespace {
 // One work-group's size where nothing else asks for one: a wavefront of AMD, two warps of NVIDIA.
 constexpr size_t usual_group = 64;
 
+// Where an item is little work and a group no loop of a CPU core. A multiprocessor holds at most 16
+// groups at a time (NVIDIA, compute capability 7.5 and 8.6): of 64 work-items that is 1024, where 8.6
+// has room for 1536.
+constexpr size_t small_items_group = 256;
+
 size_t local_bytes_per_item(const plait_stage_info& stage) {
     size_t bytes = 0;
     for (const plait_stage_arg& arg : std::span(stage.args, stage.arg_count))
@@ -84,7 +89,9 @@ Result<WorkRange> work_range(const plait_stage_info& stage, const plait_dispatch
         return voxel_groups(stage, dispatch, limits);
     if (stage.space == PLAIT_SPACE_LANES)
         return lane_items(dispatch, limits);
-    const size_t local = std::min({usual_group, limits.device_items, limits.kernel_items});
+    const bool small = stage.space == PLAIT_SPACE_VERTEX || stage.space == PLAIT_SPACE_WORD;
+    const size_t wished = small && limits.lanes == 1 ? small_items_group : usual_group;
+    const size_t local = std::min({wished, limits.device_items, limits.kernel_items});
     return ranges_of((dispatch.item_count + local - 1) / local, local);
 }
 

@@ -29,7 +29,8 @@ struct WorkRange {
 
 size_t element_size(plait_element element);
 
-// VERTEX, STRAND, VOXEL, WORD: one work-item per item. STRAND_GROUP: short strands share a group of
+// VERTEX, STRAND, VOXEL, WORD: one work-item per item; in groups of 64, of vertices and words on
+// devices without lanes of 256. STRAND_GROUP: short strands share a group of
 // about 64 work-items, as in TressFX; with S strands in a group, work-item l is vertex l/S of
 // strand l mod S, so a kernel derives S = get_local_size(0) / V. VOXEL_GROUP: one group per voxel,
 // with as many of the wished work-items as the device allows. LANES: one work-item per `lanes`

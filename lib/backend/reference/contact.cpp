@@ -219,6 +219,11 @@ void Contacts::renew(const std::vector<Vec3>& x) {
     touched_ = touched_ || touching();
 }
 
+void Contacts::press(const std::vector<Vec3>& x) {
+    for (size_t i = 1; i < x.size(); ++i)
+        at_[i].push = at_[i].stiffness * std::max(at_[i].offset - at_[i].normal.dot(x[i]), 0.0);
+}
+
 bool Contacts::touching() const {
     return std::any_of(at_.begin(), at_.end(), [](const Contact& at) { return at.stiffness > 0; });
 }

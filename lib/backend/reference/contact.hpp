@@ -24,6 +24,8 @@ class Contacts {
     void slide_on() { slides_on_ = true; }
     // Look for the contacts of vertices at x again.
     void renew(const std::vector<Vec3>& x);
+    // The push of every contact where a solve left the vertices, after the last renewal.
+    void press(const std::vector<Vec3>& x);
     bool touching() const; // any vertex now
     bool touched() const { return touched_; }
     // Did the last renewal find another force than the solve before had?

@@ -126,7 +126,7 @@ void RodModel::store(const RodBuffers& buffers) {
     if (contacts_) {
         given = contacts_->work(x);
         if (inextensible_)
-            renew_contacts(); // where there is no room, depth gives way, not length
+            contacts_->press(x); // where there is no room, depth gives way, not length
         else
             contacts_->clip(x);
         if (touched() && least_limit_ > 0)

@@ -162,7 +162,9 @@ render::Image Album::State::draw(const Shot& shot, uint32_t samples, bool small)
 }
 
 std::string Album::State::setting() const {
-    return std::to_string(figure.info.strands) + " strands x " +
+    const std::string guides =
+        figure.guides ? std::to_string(figure.simulated_strands()) + " guides of " : "";
+    return guides + std::to_string(figure.info.strands) + " strands x " +
            std::to_string(figure.info.max_vertices) + ", " + scene.motion + ", " +
            std::to_string(scene.rate) + " Hz, " + std::to_string(scene.substeps) + " substeps";
 }

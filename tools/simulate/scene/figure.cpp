@@ -236,6 +236,29 @@ void load_groom(Scene& scene, Figure& figure) {
         figure.groom = load(choice, figure.info);
 }
 
+// Which strands of the groom a sim has, guides first.
+std::vector<uint32_t> strands_of(const plait_follow_map* follows) {
+    size_t size = 0;
+    check(plait_follow_map_read(follows, PLAIT_FOLLOW_MAP_FIELD_STRANDS, nullptr, &size));
+    std::vector<uint32_t> strands(size / sizeof(uint32_t));
+    check(plait_follow_map_read(follows, PLAIT_FOLLOW_MAP_FIELD_STRANDS, strands.data(), &size));
+    return strands;
+}
+
+void choose_guides(const Scene& scene, Figure& figure) {
+    const uint32_t wanted = scene.groom.guides;
+    if (wanted == 0 || wanted == figure.info.strands)
+        return;
+    if (wanted > figure.info.strands)
+        throw Failure("guides is " + std::to_string(wanted) + ", " + scene.groom.name + " has " +
+                      std::to_string(figure.info.strands) + " strands");
+    plait_groom* guides = nullptr;
+    plait_follow_map* follows = nullptr;
+    check(plait_groom_guides(figure.groom.get(), wanted, scene.seed, &guides, &follows));
+    figure.guides.reset(guides);
+    figure.follows.reset(follows);
+}
+
 HeadMesh solids_of(const Figure& figure) {
     HeadMesh all{{}, figure.head.triangles, figure.head.scalp};
     auto first = static_cast<uint32_t>(figure.head.vertices.size());
@@ -255,6 +278,7 @@ Figure make_figure(Scene& scene) {
     Figure figure{};
     const bool generated = scene.groom.generated;
     load_groom(scene, figure);
+    choose_guides(scene, figure);
     figure.head = make_head(scene);
     figure.colliders = colliders_for(scene, figure.groom.get());
     for (const Collider& collider : scene.moving_colliders)
@@ -270,6 +294,20 @@ Figure make_figure(Scene& scene) {
     figure.size = relative_size(roots, figure.info.mean_length);
     figure.solids = solids_of(figure);
     return figure;
+}
+
+uint32_t Figure::simulated_strands() const {
+    return static_cast<uint32_t>(describe(simulated()).strands);
+}
+
+std::vector<uint32_t> Figure::of_simulated(const std::vector<uint32_t>& of_strands) const {
+    if (!follows || of_strands.empty())
+        return of_strands;
+    std::vector<uint32_t> of_guides = strands_of(follows.get());
+    of_guides.resize(simulated_strands());
+    for (uint32_t& strand : of_guides)
+        strand = of_strands[strand];
+    return of_guides;
 }
 
 std::vector<Vector3f> Figure::posed_head(const plait_pose& pose) const {

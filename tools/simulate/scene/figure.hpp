@@ -14,6 +14,8 @@ namespace simulate {
 struct Figure {
     GroomHandle groom;
     plait_groom_info info;
+    GroomHandle guides; // where some of its strands are simulated and the others follow; else null
+    FollowMapHandle follows;
     HeadMesh head; // may be empty
     std::vector<Collider> colliders;
     std::vector<Hand> hands; // colliders with a motion of their own
@@ -22,6 +24,11 @@ struct Figure {
     Eigen::AlignedBox3f hair_bounds;          // at rest
     float azimuth;                            // degrees: from where the hair is seen
     float size; // of the scalp over the mannequin's, as a length: drawn hair is as much wider
+
+    const plait_groom* simulated() const { return guides ? guides.get() : groom.get(); }
+    uint32_t simulated_strands() const;
+    // What belongs to strands of the groom, of those that are simulated.
+    std::vector<uint32_t> of_simulated(const std::vector<uint32_t>& of_strands) const;
 
     // The head's mesh when the head is at `pose`; below the neck it stays, in between it twists.
     std::vector<Eigen::Vector3f> posed_head(const plait_pose& pose) const;

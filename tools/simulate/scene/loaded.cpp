@@ -66,6 +66,9 @@ std::string loaded_line(const Scene& scene, const Figure& figure) {
                        vertices + " vertices, " + std::to_string(info.vertices) + " in all; " +
                        number(size.x()) + " x " + number(size.y()) + " x " + number(size.z()) +
                        " m, " + number(info.mean_length) + " m long on average";
+    if (figure.guides)
+        text += ", of which " + std::to_string(figure.simulated_strands()) +
+                " are simulated and the others follow";
     if (scene.groom.scale != 1.0f)
         text += ", at a scale of " + number(scene.groom.scale);
     return text + "; " + colliders_of(scene, figure);

@@ -65,6 +65,9 @@ void read_groom(JsonReader& top, const Origin& origin, Scene& scene) {
     GroomChoice& groom = scene.groom;
     top.integer("strands", groom.strands, 1, 1000000);
     top.integer("vertices", groom.vertices, 2, 256);
+    top.integer("guides", groom.guides, 1, 1000000);
+    if (groom.guides > 0 && scene.sim.follows_per_guide > 0)
+        top.fail("guides", "are given, and follows_per_guide, too: hair follows in one way");
     read_scale(top, groom);
     const Json* style = top.value("style");
     const auto known = std::find(style_names.begin(), style_names.end(), groom.name);

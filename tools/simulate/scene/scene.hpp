@@ -39,6 +39,7 @@ struct GroomChoice {
     plait_generator::Style style; // when generated
     uint32_t strands = 0;         // 0: 10,000 when generated, all of a file
     uint32_t vertices = 0;        // 0: 16 when generated, as in the file
+    uint32_t guides = 0;          // strands that are simulated, the others follow; 0: all
     float scale = 1.0f;           // file units to metres
     bool scale_by_size = false;   // "auto": as large as a head of hair
     bool generated = true;
