@@ -51,12 +51,12 @@ class MeshColliders {
 // Where vertices are at rest, in the world, and the mesh.
 struct ClearanceInput {
     const MeshField& field;
-    plait_pose pose;             // of the mesh
-    std::span<const float> rest; // float4 [guides][V], in the groom's space
+    plait_pose pose;              // of the mesh
+    std::span<const float> rest;  // float4 [guides][V], in the groom's space
     std::span<const float> roots; // poses [guides][PLAIT_POSE_STRIDE] float4
     uint32_t row;                 // V
     float margin;                 // m
-    bool keeps_rest; // no vertex is farther out than it is at rest
+    bool keeps_rest;              // no vertex is farther out than it is at rest
 };
 
 // m outside of the surface, by vertex: the margin, or less.

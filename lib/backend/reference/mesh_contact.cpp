@@ -63,7 +63,8 @@ class Field {
                 weight[k] = up ? share[k] : 1 - share[k];
                 change[k] = up ? 1 : -1;
             }
-            const double node = value_at(cell[0] + upper[0], cell[1] + upper[1], cell[2] + upper[2]);
+            const double node =
+                value_at(cell[0] + upper[0], cell[1] + upper[1], cell[2] + upper[2]);
             value += weight.prod() * node;
             slope += node * Vec3(change.x() * weight.y() * weight.z(),
                                  change.y() * weight.z() * weight.x(),
@@ -212,9 +213,11 @@ void store(const View<double>& planes, const Lane& lane, size_t row,
            const std::optional<Touch>& touch) {
     std::array<double, PLAIT_LANE_PLANE_COMPONENTS> values{};
     if (touch)
-        values = {touch->plane.normal.x(), touch->plane.normal.y(), touch->plane.normal.z(),
-                  touch->plane.point.x(),  touch->plane.point.y(),  touch->plane.point.z(),
-                  touch->plane.height,     touch->start,            touch->friction};
+        values = {touch->plane.normal.x(), touch->plane.normal.y(),
+                  touch->plane.normal.z(), touch->plane.point.x(),
+                  touch->plane.point.y(),  touch->plane.point.z(),
+                  touch->plane.height,     touch->start,
+                  touch->friction};
     for (size_t c = 0; c < values.size(); ++c)
         planes[lane.index(row, c, values.size())] = values[c];
 }
@@ -236,8 +239,8 @@ void mesh_contact(uint32_t item_count, const plait_lane_params& params,
                 const double clearance =
                     args.mesh_clearance[(strand * params.row_stride + i) * params.collider_count +
                                         mesh];
-                const auto touch = touch_of(Body(args, params.collider_first + mesh, mesh), ways,
-                                            i, clearance, arc);
+                const auto touch = touch_of(Body(args, params.collider_first + mesh, mesh), ways, i,
+                                            clearance, arc);
                 if (touch && (!deepest || touch->gap < deepest->gap))
                     deepest = touch;
             }
