@@ -14,6 +14,9 @@ namespace {
 
 // Of a coordinate: what float32 loses of a distance on its way through two frames.
 constexpr double rounding = 1e-6;
+// m, less than half a hair's width: strands at rest tremble in float32, `cosserat` by 20 um, and are
+// not to be rubbed by the mesh for it.
+constexpr double trembling = 3e-5;
 
 // From the world.
 std::array<double, 3> to_own_frame(const plait_pose& pose, const float* world) {
@@ -110,7 +113,7 @@ std::pmr::vector<float> measure_clearance(const ClearanceInput& input,
         double largest = 0;
         for (size_t k = 0; k < 3; ++k)
             largest = std::max({largest, std::abs(double(world[k])), std::abs(own[k])});
-        const double distance = sample_field(input.field, own) - rounding * largest;
+        const double distance = sample_field(input.field, own) - rounding * largest - trembling;
         list[i] = static_cast<float>(std::min(double(input.margin), distance));
     }
     return list;

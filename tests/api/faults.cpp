@@ -1,6 +1,7 @@
 // Memory that runs out and devices that go: every allocation fails once, and nothing leaks or
 // changes.
 #include "faulty.hpp"
+#include "mesh_shapes.hpp"
 #include "support.hpp"
 
 #include <memory_resource>
@@ -121,6 +122,14 @@ TEST(Faults, EveryHostAllocationOfASimMayFail) {
     EXPECT_EQ(pool.live, 0);
 }
 
+plait::Mesh cube() {
+    const ShapeMesh shape = box_mesh(0.1, 0.1, 0.1);
+    auto desc = plait_mesh_desc_defaults();
+    desc.positions = {shape.positions.data(), shape.positions.size(), 0};
+    desc.triangles = {shape.triangles.data(), shape.triangles.size(), 0};
+    return plait::Mesh(desc);
+}
+
 // Containers that were not told of the caller's allocator take the default resource, which here has
 // nothing to give.
 TEST(Faults, ContainersOfASimAreInTheCallersMemory) {
@@ -144,8 +153,10 @@ TEST(Faults, ContainersOfASimAreInTheCallersMemory) {
             plait::Sim sim(context, groom, desc);
             sim.create_collider(plait_collider_desc_defaults());
             run(sim, 2);
-            if (model != PLAIT_MODEL_TRESSFX)
+            if (model != PLAIT_MODEL_TRESSFX) {
+                sim.create_collider(cube());
                 sim.set_models({PLAIT_MODEL_ARTICULATED, PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD});
+            }
             run(sim, 2);
             sim.restore(sim.save());
         });

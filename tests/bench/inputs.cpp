@@ -271,15 +271,18 @@ Words capsules() {
 // A ball as a mesh at rest, of the head's size, in a grid of this many nodes each way.
 constexpr uint32_t mesh_nodes = 48;
 
-Words mesh_row() {
-    Words words;
-    append(words, 0, 0, 0, 0);
-    append(words, 0, 0, 0, 1);
-    append(words, 0, 0, 0, 0);
-    append(words, 0, 0, 0, 0);
-    append(words, 0, 0, 0, 1);
-    append(words, 0.3f, PLAIT_KIND_MESH, 0, 0);
+template <size_t N> Words bits_of(const float (&row)[N]) {
+    Words words(N);
+    std::transform(row, row + N, words.begin(),
+                   [](float value) { return std::bit_cast<uint32_t>(value); });
     return words;
+}
+
+Words mesh_row() {
+    return bits_of<4 * PLAIT_COLLIDER_STRIDE>({0, 0, 0, 0, 0, 0, 0, 1, 0,    0,
+                                               0, 0, // begin, orientation, end
+                                               0, 0, 0, 0, 0, 0, 0, 1, 0.3f, PLAIT_KIND_MESH,
+                                               0, 0});
 }
 
 constexpr float mesh_edge = 2.4f * head_radius / (mesh_nodes - 1); // m
@@ -465,7 +468,9 @@ const std::map<std::string, Maker>& makers() {
         {"rest_length", lengths},
         {"capsule", [](const Shape&) { return capsules(); }},
         {"mesh_grid",
-         [](const Shape&) { return vectors(1, mesh_origin, mesh_origin, mesh_origin, mesh_edge); }},
+         [](const Shape&) {
+             return bits_of<4>({mesh_origin, mesh_origin, mesh_origin, mesh_edge});
+         }},
         {"mesh_nodes",
          [](const Shape&) {
              return Words{mesh_nodes, mesh_nodes, mesh_nodes, 0};
