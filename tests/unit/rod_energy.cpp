@@ -58,7 +58,7 @@ class Strand {
         const View<const double> turns(rest_rotation_.data(), rest_rotation_.size(), "turns");
         const View<const uint32_t> in_order;
         const View<const Vec4> capsules;
-        const View<const double> acceleration, pin;
+        const View<const double> acceleration, pin, plane;
         const View<double> q(rotation_.data(), rotation_.size(), "q");
         const View<double> q_before(before_.data(), before_.size(), "q_before");
         const View<double> x(x_.data(), x_.size(), "x"), v(v_.data(), v_.size(), "v"), none;
@@ -70,7 +70,7 @@ class Strand {
                          capsules,
                          q,
                          q_before,
-                         {x, v, none, none, acceleration, pin}},
+                         {x, v, none, none, acceleration, pin, plane}},
                         params, 0);
     }
     double* joint(size_t i) { return &material_[i * PLAIT_LANE_MATERIAL_COMPONENTS]; }
