@@ -598,7 +598,8 @@ std::vector<uint32_t> typical_buffer(const plait_stage_info& stage, const plait_
     if (stage.stage != PLAIT_STAGE_lane_accelerate && arg.access == PLAIT_ACCESS_READ &&
         name.ends_with("acceleration"))
         return {}; // hair that gravity alone pulls
-    if (stage.stage != PLAIT_STAGE_lane_pin && name == "lane_pin")
+    if (stage.stage != PLAIT_STAGE_lane_pin && stage.stage != PLAIT_STAGE_lane_air &&
+        name == "lane_pin")
         return {}; // and that nothing pins
     if (stage.stage != PLAIT_STAGE_mesh_contact && name == "lane_plane")
         return {}; // and that is near no mesh
