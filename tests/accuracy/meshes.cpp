@@ -1,38 +1,12 @@
 // Contact of the strand models with meshes: a ball of triangles is a ball, a face is a plane whose
 // friction lets go at its angle, and nothing passes through what is thin.
+#include "accuracy/one_collider.hpp"
 #include "api/mesh_shapes.hpp"
-#include "stability/one_strand.hpp"
 
 #include <memory>
-#include <ostream>
 
 namespace plait::test {
 namespace {
-
-constexpr float g = 9.81f; // m/s^2
-constexpr float length = 0.3f;
-constexpr double pi = 3.14159265358979;
-
-using Points = std::vector<std::array<float, 4>>;
-
-// A model as it is used: `chain` needs substeps to come to rest at all.
-struct Use {
-    plait_model model;
-    uint32_t substeps;
-};
-
-void PrintTo(const Use& use, std::ostream* out) {
-    *out << "model " << use.model << ", " << use.substeps << " substeps";
-}
-
-plait_sim_desc desc_of(const Use& use) {
-    plait_sim_desc desc = plait_sim_desc_defaults();
-    desc.model = use.model;
-    desc.substeps = use.substeps;
-    desc.params.gravity[1] = -g;
-    desc.params.drag = 1;
-    return desc;
-}
 
 plait_collider_id add(const OneStrand& strand, const ShapeMesh& shape,
                       const plait_collider_mesh_desc& desc) {
@@ -54,15 +28,6 @@ plait_collider_mesh_desc mesh_at(Vec3 t, float friction, uint32_t cells) {
     desc.cells = cells;
     desc.margin = 0;
     return desc;
-}
-
-double largest_move(const Points& a, const Points& b) {
-    double most = 0;
-    for (size_t i = 0; i < a.size(); ++i)
-        most = std::max(most, std::hypot(double(a[i][0]) - double(b[i][0]),
-                                         double(a[i][1]) - double(b[i][1]),
-                                         double(a[i][2]) - double(b[i][2])));
-    return most;
 }
 
 class Meshes : public testing::TestWithParam<Use> {};

@@ -1,37 +1,11 @@
 // Contact of the strand models with planes and boxes: what a plane at any tilt and friction's angle
 // say in closed form, kinds that are each other's limits, and nothing that passes through.
-#include "stability/one_strand.hpp"
+#include "accuracy/one_collider.hpp"
 
 #include <cstdio>
-#include <ostream>
 
 namespace plait::test {
 namespace {
-
-constexpr float g = 9.81f; // m/s^2
-constexpr float length = 0.3f;
-constexpr double pi = 3.14159265358979;
-
-using Points = std::vector<std::array<float, 4>>;
-
-// A model as it is used: `chain` needs substeps to come to rest at all.
-struct Use {
-    plait_model model;
-    uint32_t substeps;
-};
-
-void PrintTo(const Use& use, std::ostream* out) {
-    *out << "model " << use.model << ", " << use.substeps << " substeps";
-}
-
-plait_sim_desc desc_of(const Use& use) {
-    plait_sim_desc desc = plait_sim_desc_defaults();
-    desc.model = use.model;
-    desc.substeps = use.substeps;
-    desc.params.gravity[1] = -g;
-    desc.params.drag = 1;
-    return desc;
-}
 
 plait_collider_id add(const OneStrand& strand, const plait_collider_desc& desc) {
     plait_collider_id id{};
@@ -70,15 +44,6 @@ plait_collider_desc capsule(Vec3 a, Vec3 b, float radius, float friction) {
     desc.radius_a = desc.radius_b = radius;
     desc.friction = friction;
     return desc;
-}
-
-double largest_move(const Points& a, const Points& b) {
-    double most = 0;
-    for (size_t i = 0; i < a.size(); ++i)
-        most = std::max(most, std::hypot(double(a[i][0]) - double(b[i][0]),
-                                         double(a[i][1]) - double(b[i][1]),
-                                         double(a[i][2]) - double(b[i][2])));
-    return most;
 }
 
 // Where a strand along x comes to, after `seconds`, with one collider.
