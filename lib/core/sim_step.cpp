@@ -24,11 +24,9 @@ namespace plait {
 
 // In the order in which they act at one moment.
 constexpr Sim::Phase Sim::phases[] = {
-    &Sim::append_roots,   &Sim::append_pins,
-    &Sim::append_air,     &Sim::append_accelerations,
-    &Sim::append_solve,   &Sim::append_grid_over_lanes,
-    &Sim::append_publish, &Sim::append_grid,
-    &Sim::append_display,
+    &Sim::append_roots,         &Sim::append_pins,  &Sim::append_air,
+    &Sim::append_accelerations, &Sim::append_solve, &Sim::append_grid_over_lanes,
+    &Sim::append_publish,       &Sim::append_grid,  &Sim::append_display,
 };
 
 void Sim::append_phases(const At& at) {
@@ -122,7 +120,7 @@ void Sim::append_solve(const At& at) {
 }
 
 InterHair::Step Sim::grid_step() const {
-    return {layout_,           state_,           desc_.params, cube_,        roots_.step_head(),
+    return {layout_,          state_,       desc_.params, cube_,        roots_.step_head(),
             substep_length(), clock_.steps, desc_.seed,   context_.info};
 }
 
