@@ -2,7 +2,7 @@
  *
  * Items   voxels.
  * Reads   nothing but its parameters.
- * Writes  air_velocity, m/s, components in the world; w 0.
+ * Writes  air_velocity, m/s, components in the world; w 1, all of it.
  * Source  Bridson, Hourihan & Nordenstam 2007: the curl of three potentials of gradient noise
  *         (Perlin 2002, derivatives in closed form), which no point is a source of.
  * Changed lattice points have hashes, not tables of them, so that the wind never repeats.
@@ -88,5 +88,5 @@ __kernel void plait_air_field(const uint item_count, const plait_air_field_param
     const float3 cell = (float3)((float)(item % n), (float)(item / (n * n)), (float)(item / n % n));
     const float3 along = (cell + 0.5f) * params.voxel_edge;
     const float3 from_corner = quat_rotate(vload4(0, params.q), along);
-    air_velocity[item] = (float4)(turbulence_at(&params, from_corner), 0.0f);
+    air_velocity[item] = (float4)(turbulence_at(&params, from_corner), 1.0f);
 }

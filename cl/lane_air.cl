@@ -13,6 +13,7 @@
  * BDF2 would let hair pass air that starts suddenly: its history of the velocity goes on as it was.
  * The acceleration (D - D_)/2h, D the change of velocity that backward Euler would make and D_ that
  * of the substep before, gives a free vertex the velocity of backward Euler; in steady air it is 0.
+ * Of a jump of the wind a vertex feels its share, the field's w.
  * Source: drag see common/lane_air.clh; the rest is ours.
  */
 #pragma OPENCL FP_CONTRACT OFF
@@ -92,17 +93,21 @@ __kernel void plait_lane_air(const uint item_count, const plait_lane_air_params 
     for (int i = 1; i <= step.segments; ++i) {
         const mask there = (mask)(i) < counts;
         const vec3 v = load3(lane_v, place, i);
-        vec3 air = vec3_of((real)(params.air[0]), (real)(params.air[1]), (real)(params.air[2]));
+        quat air = quat_of((real)(params.air[0]), (real)(params.air[1]), (real)(params.air[2]),
+                           (real)(0.0f));
         if (params.field)
-            air = add3(air, lane_air_velocity(&grid, air_velocity,
-                                              add3(at_begin, load3(lane_x, place, i))));
-        const vec3 u = sub3(air, v), along = direction_at(place, lane_x, i, counts);
+            air = addq(air,
+                       lane_air_at(&grid, air_velocity, add3(at_begin, load3(lane_x, place, i))));
+        else
+            air.w = (real)(1.0f);
+        const vec3 wind = vec3_of(air.x, air.y, air.z), u = sub3(wind, v);
+        const vec3 along = direction_at(place, lane_x, i, counts);
         const real mass = lane_material_at(&step, i, PLAIT_LANE_MASS);
         const real share = params.drag * length_at(&step, i, params.equal_masses) / mass;
         const lane_drag drag = lane_drag_of(&params, u, along, share, most);
         vec3 push = drag.force;
         if (step.bdf2) {
-            const vec3 u_before = sub3(sub3(air, jump), load3(lane_v_before, place, i));
+            const vec3 u_before = sub3(axpy3(-air.w, jump, wind), load3(lane_v_before, place, i));
             const lane_drag before = lane_drag_of(&params, u_before, along, share, most);
             const vec3 change =
                 sub3(lane_drag_change(drag, params.h), lane_drag_change(before, params.h));

@@ -865,6 +865,11 @@ typedef struct plait_wind_desc {
     float diameter;    /* m, of a hair, [0, 0.1]; default 0: the groom's mean thickness, or 70 um */
     float air_density; /* kg/m^3, (0, 1e4], default 1.204 */
     float viscosity;   /* kinematic, m^2/s, [0, 1], default 1.516e-5; 0: a drag coefficient of 1 */
+    uint32_t shelter;  /* 1, as by default: hair and colliders, but for meshes, stop the wind behind
+                          them, and the air in hair goes along with it; 0: all hair is in the open */
+    float
+        hairs_per_strand; /* that a guide stands for in giving shelter, [0, 1e6], default 0: itself
+                          and its follows */
 } plait_wind_desc;
 
 PLAIT_API void plait_wind_desc_init(plait_wind_desc* desc, size_t size);

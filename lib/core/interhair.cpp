@@ -39,7 +39,7 @@ GridCube cube_around(const Groom& groom) {
     return cube;
 }
 
-Result<InterHair> InterHair::create(Device& device, const plait_sim_params& params) {
+Result<InterHair> InterHair::make_buffers(Device& device, const plait_sim_params& params) {
     InterHair grid;
     grid.mode_ = params.interhair;
     grid.edge_count_ = params.grid_edge_count;
@@ -55,10 +55,24 @@ Result<InterHair> InterHair::create(Device& device, const plait_sim_params& para
     PLAIT_TRY(device.create(grid.density_, PLAIT_ELEMENT_FLOAT, n, "grid_density"));
     PLAIT_TRY(device.create(grid.velocity_, PLAIT_ELEMENT_FLOAT4, n, "grid_velocity"));
     PLAIT_TRY(device.create(grid.outside_, u32, 1, "grid_outside"));
+    return grid;
+}
+
+Result<InterHair> InterHair::create(Device& device, const plait_sim_params& params) {
+    auto grid = make_buffers(device, params);
+    if (!grid || !grid->is_on())
+        return grid;
     Schedule zero;
-    clear(zero, grid.outside_, 0); // nothing has been outside before the first step
+    clear(zero, grid->outside_, 0); // nothing has been outside before the first step
     PLAIT_TRY(zero.submit(device));
     return grid;
+}
+
+Result<InterHair> InterHair::create_density(Device& device, uint32_t edge_count) {
+    plait_sim_params params{};
+    params.interhair = PLAIT_INTERHAIR_EXACT;
+    params.grid_edge_count = edge_count;
+    return make_buffers(device, params);
 }
 
 bool InterHair::fits(const plait_sim_params& params) const {
@@ -131,13 +145,20 @@ void InterHair::append(Schedule& schedule, const Step& step) const {
 
 void InterHair::append_over_lanes(Schedule& schedule, const Step& step, const Model& model,
                                   const Substep& at) const {
-    const LaneGrid grid{grid_params(step), sums_, outside_, density_, velocity_};
+    append_density(schedule, step, &model, at);
+    model.diffuse(schedule, at, {grid_params(step), sums_, outside_, density_, velocity_});
+}
+
+void InterHair::append_density(Schedule& schedule, const Step& step, const Model* lanes,
+                               const Substep& at) const {
+    const plait_grid_params params = grid_params(step);
     clear(schedule, outside_, 0);
+    if (!lanes)
+        return append_exact(schedule, step, params);
     clear(schedule, sums_, 0);
-    model.splat(schedule, at, grid);
-    schedule.add(PLAIT_STAGE_grid_resolve, voxels(edge_count_), grid.params,
+    lanes->splat(schedule, at, {params, sums_, outside_, density_, velocity_});
+    schedule.add(PLAIT_STAGE_grid_resolve, voxels(edge_count_), params,
                  {&sums_, &density_, &velocity_});
-    model.diffuse(schedule, at, grid);
 }
 
 uint64_t InterHair::device_bytes() const {

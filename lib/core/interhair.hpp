@@ -20,6 +20,8 @@ class InterHair {
   public:
     // Buffers for `params`; none if the step is off.
     static Result<InterHair> create(Device& device, const plait_sim_params& params);
+    // For append_density() alone.
+    static Result<InterHair> create_density(Device& device, uint32_t edge_count);
     bool fits(const plait_sim_params& params) const;
 
     struct Step {
@@ -38,6 +40,10 @@ class InterHair {
     // The same on the model's lanes, with exact sums; the caller publishes them afterwards.
     void append_over_lanes(Schedule& schedule, const Step& step, const Model& model,
                            const Substep& at) const;
+    // The hair alone, with exact sums: density and velocity. `lanes`: where they are read, else
+    // positions are.
+    void append_density(Schedule& schedule, const Step& step, const Model* lanes,
+                        const Substep& at) const;
     bool is_on() const { return mode_ != PLAIT_INTERHAIR_OFF; }
     bool is_exact() const { return mode_ == PLAIT_INTERHAIR_EXACT; }
 
@@ -47,6 +53,7 @@ class InterHair {
     uint64_t device_bytes() const;
 
   private:
+    static Result<InterHair> make_buffers(Device& device, const plait_sim_params& params);
     void append_slots(Schedule& schedule, const Step& step, const plait_grid_params& params) const;
     void append_exact(Schedule& schedule, const Step& step, const plait_grid_params& params) const;
 

@@ -19,13 +19,12 @@ struct Discard {
 
 Sim::Sim(Context& context, SimParts parts)
     : context_(context), layout_(parts.layout), desc_(parts.desc), mean_length_(parts.mean_length),
-      diameter_(parts.diameter), groom_(parts.fingerprint), cube_(parts.cube),
-      skin_(std::move(parts.skin)), model_(std::move(parts.model)), state_(std::move(parts.state)),
-      grid_(std::move(parts.grid)), display_(std::move(parts.display)),
-      roots_(layout_, &context.memory), colliders_(desc_.substeps, &context.memory),
-      meshes_(&context.memory), substeps_(1, desc_.substeps, &context.memory),
-      clock_(desc_.step, desc_.max_steps_per_call), schedule_(&context.memory),
-      pin_table_(&context.memory) {}
+      hair_(parts.hair), groom_(parts.fingerprint), cube_(parts.cube), skin_(std::move(parts.skin)),
+      model_(std::move(parts.model)), state_(std::move(parts.state)), grid_(std::move(parts.grid)),
+      display_(std::move(parts.display)), roots_(layout_, &context.memory),
+      colliders_(desc_.substeps, &context.memory), meshes_(&context.memory),
+      substeps_(1, desc_.substeps, &context.memory), clock_(desc_.step, desc_.max_steps_per_call),
+      schedule_(&context.memory), pin_table_(&context.memory) {}
 
 Sim::~Sim() {
     if (context_.measured == this)
@@ -151,7 +150,7 @@ Status Sim::set_wind(const plait_wind_desc* desc) {
                             "strands of the models %s take plait_sim_set_wind",
                             list_models(&ModelTraits::switches).c_str())};
     Wind next;
-    PLAIT_TRY(next.begin(device(), wind_, *desc, diameter_));
+    PLAIT_TRY(next.begin(device(), wind_, *desc, hair_));
     if (!wind_.blows())
         PLAIT_TRY(model_->open_wind(device()));
     std::swap(wind_, next);

@@ -29,8 +29,8 @@ struct RootsInput {
 struct SimParts {
     Layout layout;
     plait_sim_desc desc;
-    double mean_length;   // m, of the strands
-    float diameter;       // m, of a hair
+    double mean_length; // m, of the strands
+    HairSizes hair;
     uint64_t fingerprint; // of the groom's strands
     GridCube cube;
     Skin skin;
@@ -151,8 +151,9 @@ class Sim {
         return {};
     }
     Substep at(const Group& group, uint32_t substep) const;
-    std::array<float, 3> air() const; // m/s, in this fixed step
-    Substep present() const {         // between steps
+    std::array<float, 3> air() const;           // m/s, in this fixed step
+    std::array<float, 3> head_velocity() const; // m/s, of its middle, in the same
+    Substep present() const {                   // between steps
         return at({desc_.substeps, 0}, desc_.substeps - 1);
     }
 
@@ -179,8 +180,9 @@ class Sim {
     Status fixed_step(double end, uint32_t step, uint32_t steps);
     void append_dry_step();
     void append_shown();
-    InterHair::Step grid_step() const;
+    InterHair::Step grid_step(const plait_pose& head) const;
     bool grid_is_over_lanes() const;
+    bool hair_is_over_lanes() const;
 
     Status show_at_once();
     Status prepare_teleport();
@@ -232,8 +234,8 @@ class Sim {
     Layout layout_;
     plait_sim_desc desc_;
     double mean_length_; // m, of the strands
-    float diameter_;     // m, of a hair
-    uint64_t groom_;     // its fingerprint: snapshots are of one groom
+    HairSizes hair_;
+    uint64_t groom_; // its fingerprint: snapshots are of one groom
     GridCube cube_;
     Skin skin_;
     std::unique_ptr<Model> model_;

@@ -51,14 +51,17 @@ Layout make_layout(const Groom& groom, const plait_sim_desc& desc, const FollowM
     return {guides, count, row_of(groom, follows)};
 }
 
-// m, of the groom's strands, or a hair's.
-float mean_diameter(const Groom& groom) {
+// A hair's diameter where the groom says nothing.
+HairSizes hair_sizes(const Groom& groom, const Layout& layout) {
     double sum = 0, count = 0;
     for (const float d : groom.strands.thickness) {
         sum += double(d);
         count += d > 0;
     }
-    return count > 0 ? static_cast<float>(sum / count) : 70e-6f;
+    const double vertices = double(groom.shape.vertices) / double(groom.shape.strands);
+    return {count > 0 ? static_cast<float>(sum / count) : 70e-6f,
+            static_cast<float>(groom.shape.mean_length / vertices),
+            static_cast<float>(double(layout.strands()) / double(layout.guides))};
 }
 
 } // namespace
@@ -103,7 +106,7 @@ Result<SimParts> make_sim_parts(Context& context, const Groom& groom, const plai
     return SimParts{layout,
                     desc,
                     groom.shape.mean_length,
-                    mean_diameter(groom),
+                    hair_sizes(groom, layout),
                     fingerprint(groom),
                     cube_around(groom),
                     std::move(*skin),

@@ -93,8 +93,11 @@ void Sim::append_pins(const At& at) {
 
 // Around where the hair is.
 void Sim::append_air(const At& at) {
-    if (at.moment == Moment::step_begins && wind_.blows())
-        wind_.append(schedule_, roots_.step_begin(), cube_, clock_.step());
+    if (at.moment != Moment::step_begins || !wind_.blows())
+        return;
+    const InterHair::Step step = grid_step(roots_.step_begin());
+    wind_.append(schedule_, {step, hair_is_over_lanes() ? model_.get() : nullptr, at.substep},
+                 air(), head_velocity(), clock_.step());
 }
 
 // What pulls at single vertices in all substeps of a fixed step, where they are at its begin.
@@ -119,24 +122,28 @@ void Sim::append_solve(const At& at) {
         model_->substep(schedule_, at.substep);
 }
 
-InterHair::Step Sim::grid_step() const {
-    return {layout_,          state_,       desc_.params, cube_,        roots_.step_head(),
+InterHair::Step Sim::grid_step(const plait_pose& head) const {
+    return {layout_,          state_,       desc_.params, cube_,        head,
             substep_length(), clock_.steps, desc_.seed,   context_.info};
 }
 
-// On the lanes where these fill a CPU's registers; else, and where the caller has kernels of his own
-// for it, on the positions that were published.
+// Where lanes fill a CPU's registers; elsewhere the grids see the positions that were published.
+bool Sim::hair_is_over_lanes() const {
+    return model_->has_lanes() && context_.info.lanes > 1 &&
+           context_.device.supports(PLAIT_STAGE_lane_splat);
+}
+
+// Not where the caller has kernels of his own for it.
 bool Sim::grid_is_over_lanes() const {
-    const Device& device = context_.device;
     const auto& replaced = context_.replaced;
-    return grid_.is_exact() && model_->has_lanes() && context_.info.lanes > 1 &&
-           !replaced[PLAIT_STAGE_grid_splat] && !replaced[PLAIT_STAGE_grid_diffuse] &&
-           device.supports(PLAIT_STAGE_lane_splat) && device.supports(PLAIT_STAGE_lane_diffuse);
+    return grid_.is_exact() && hair_is_over_lanes() && !replaced[PLAIT_STAGE_grid_splat] &&
+           !replaced[PLAIT_STAGE_grid_diffuse] &&
+           context_.device.supports(PLAIT_STAGE_lane_diffuse);
 }
 
 void Sim::append_grid_over_lanes(const At& at) {
     if (at.moment == Moment::step_ends && grid_is_over_lanes())
-        grid_.append_over_lanes(schedule_, grid_step(), *model_, at.substep);
+        grid_.append_over_lanes(schedule_, grid_step(roots_.step_head()), *model_, at.substep);
 }
 
 void Sim::append_publish(const At& at) {
@@ -147,7 +154,7 @@ void Sim::append_publish(const At& at) {
 void Sim::append_grid(const At& at) {
     if (at.moment != Moment::step_ends || !grid_.is_on() || grid_is_over_lanes())
         return;
-    grid_.append(schedule_, grid_step());
+    grid_.append(schedule_, grid_step(roots_.step_head()));
     model_->adopt(schedule_, at.substep);
 }
 
@@ -189,13 +196,20 @@ std::array<float, 3> Sim::air() const {
     std::array<float, 3> air{p.wind[0], p.wind[1], p.wind[2]};
     if (p.air_with_head == 0)
         return air;
+    const auto head = head_velocity();
+    for (size_t i = 0; i < 3; ++i)
+        air[i] += p.air_with_head * head[i];
+    return air;
+}
+
+std::array<float, 3> Sim::head_velocity() const {
     float middle[3];
     for (size_t i = 0; i < 3; ++i)
         middle[i] = cube_.origin[i] + 0.5f * cube_.edge;
-    const auto moved = roots_.head_moves(middle);
-    for (size_t i = 0; i < 3; ++i)
-        air[i] += p.air_with_head * moved[i] / static_cast<float>(clock_.step());
-    return air;
+    auto velocity = roots_.head_moves(middle);
+    for (float& v : velocity)
+        v /= static_cast<float>(clock_.step());
+    return velocity;
 }
 
 } // namespace plait

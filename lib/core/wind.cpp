@@ -8,7 +8,8 @@
 namespace plait {
 namespace {
 
-constexpr uint32_t nodes = 16; // per edge of the turbulence's grid
+constexpr uint32_t nodes = AirGrid::nodes;
+constexpr double slowest = 1e-3; // m/s, for which shelter is reckoned
 // rms of a component of the curl of three noises, measured; and of a noise in one dimension, the root
 // of 2/3 of the integral of (1 - f)^2 t^2, f the fade.
 constexpr double rms_of_curl = 0.7047, rms_of_noise = 0.14069;
@@ -49,6 +50,7 @@ plait_wind_desc default_wind_desc() {
     desc.tangential = 0.3f;
     desc.air_density = 1.204f;
     desc.viscosity = 1.516e-5f;
+    desc.shelter = 1;
     return desc;
 }
 
@@ -66,16 +68,22 @@ Status check_wind(const plait_wind_desc& s) {
     PLAIT_RANGE(diameter, 0, 0.1f);
     PLAIT_TRY(check_range("air_density", double(s.air_density), 0, 1e4, true));
     PLAIT_RANGE(viscosity, 0, 1);
+    PLAIT_RANGE(shelter, 0, 1);
+    PLAIT_RANGE(hairs_per_strand, 0, 1e6f);
     return {};
 }
 
-Status Wind::begin(Device& device, const Wind& from, const plait_wind_desc& desc, float diameter) {
+Status Wind::begin(Device& device, const Wind& from, const plait_wind_desc& desc,
+                   const HairSizes& hair) {
     desc_ = desc;
     if (desc_.diameter == 0)
-        desc_.diameter = diameter;
-    if (desc_.turbulence > 0)
-        PLAIT_TRY(device.create(velocity_, PLAIT_ELEMENT_FLOAT4, size_t{nodes} * nodes * nodes,
-                                "air_velocity"));
+        desc_.diameter = hair.diameter;
+    vertex_length_ =
+        hair.length * (desc_.hairs_per_strand > 0 ? desc_.hairs_per_strand : hair.strands);
+    auto grid = AirGrid::create(device, desc_.turbulence > 0, desc_.shelter != 0);
+    if (!grid)
+        return grid.error();
+    grid_ = std::move(*grid);
     blows_ = true;
     if (!from.blows()) {
         reset();
@@ -115,11 +123,11 @@ plait_air_field_params Wind::field_params(double step) const {
     plait_air_field_params params{};
     const double scale = double(desc_.scale);
     params.edge_count = nodes;
-    params.voxel_edge = static_cast<float>(double(edge_) / scale);
-    std::copy_n(corner_.q, 4, params.q);
+    params.voxel_edge = static_cast<float>(double(grid_.voxel_edge()) / scale);
+    std::copy_n(grid_.corner().q, 4, params.q);
     for (size_t i = 0; i < 3; ++i) {
         const double carried = moving.way[i] + step * double(desc_.velocity[i]);
-        split((double(corner_.t[i]) - carried) / scale, params.cell[i], params.fraction[i]);
+        split((double(grid_.corner().t[i]) - carried) / scale, params.cell[i], params.fraction[i]);
     }
     double squares = 0;
     for (uint32_t octave = 0; octave < desc_.octaves; ++octave)
@@ -132,13 +140,38 @@ plait_air_field_params Wind::field_params(double step) const {
     return params;
 }
 
-void Wind::append(Schedule& schedule, const plait_pose& head, const GridCube& cube, double step) {
-    if (!velocity_)
+std::array<float, 3> Wind::stream(const std::array<float, 3>& air, double step) const {
+    const Vector wind = mean(moving.time + step);
+    std::array<float, 3> all = air;
+    for (size_t i = 0; i < 3; ++i)
+        all[i] += static_cast<float>(wind[i]);
+    return all;
+}
+
+// Cionco 1965, with the frontal area of hairs in all directions, pi/4 of their length times diameter,
+// and the drag of lane_air.
+float Wind::extinction(double speed) const {
+    const double d = double(desc_.diameter);
+    const double reynolds = std::max(speed, slowest) * d / double(desc_.viscosity);
+    const double coefficient = 1 + 10 * std::pow(reynolds, -2.0 / 3);
+    constexpr double directions = 0.7853981633974483;
+    return static_cast<float>(0.5 * coefficient * d * directions * double(vertex_length_));
+}
+
+void Wind::append(Schedule& schedule, const HairNow& hair, const std::array<float, 3>& air,
+                  const std::array<float, 3>& still, double step) {
+    if (!grid_.velocity())
         return;
-    std::copy_n(head.q, 4, corner_.q);
-    transform(head, cube.origin, corner_.t);
-    edge_ = cube.edge / float{nodes};
-    schedule.add(PLAIT_STAGE_air_field, nodes * nodes * nodes, field_params(step), {&velocity_});
+    grid_.place(hair.step.cube, hair.step.head);
+    if (desc_.turbulence > 0)
+        schedule.add(PLAIT_STAGE_air_field, nodes * nodes * nodes, field_params(step),
+                     {grid_.velocity()});
+    if (!grid_.is_sheltered())
+        return;
+    const auto wind = stream(air, step);
+    const double speed = std::hypot(double(wind[0] - still[0]), double(wind[1] - still[1]),
+                                    double(wind[2] - still[2]));
+    grid_.append_shelter(schedule, hair, {wind, still, extinction(speed)});
 }
 
 void Wind::advance(double step) {
@@ -154,16 +187,15 @@ WindStep Wind::at(const std::array<float, 3>& air, bool first, double step) cons
     now.drag = static_cast<float>(0.5 * double(desc_.air_density) * d);
     now.viscous = static_cast<float>(10 * std::pow(double(desc_.viscosity) / d, 2.0 / 3.0));
     now.tangential = desc_.tangential;
-    const Vector wind = mean(moving.time + step);
-    for (size_t i = 0; i < 3; ++i)
-        now.air[i] = air[i] + static_cast<float>(wind[i]);
+    if (!grid_.is_sheltered()) // else it is in the field
+        now.air = stream(air, step);
     if (first)
         now.jump = moving.jump;
-    now.velocity = velocity_ ? &velocity_ : nullptr;
+    now.velocity = grid_.velocity();
     now.nodes = nodes;
-    now.voxel_edge = edge_;
-    std::copy_n(corner_.q, 4, now.q);
-    std::copy_n(corner_.t, 3, now.t);
+    now.voxel_edge = grid_.voxel_edge();
+    std::copy_n(grid_.corner().q, 4, now.q);
+    std::copy_n(grid_.corner().t, 3, now.t);
     return now;
 }
 

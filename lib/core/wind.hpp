@@ -1,7 +1,7 @@
-// The wind of a sim: what the caller wants, its own time, and the stage that fills its turbulence.
+// The wind of a sim: what the caller wants, its own time, and the stages that say what it is where.
 #pragma once
 
-#include "core/interhair.hpp"
+#include "core/air_grid.hpp"
 #include "core/pose.hpp"
 #include "core/schedule.hpp"
 #include "core/wind_step.hpp"
@@ -16,6 +16,13 @@ plait_wind_desc default_wind_desc();
 // INVALID_ARGUMENT names the field, its value and its range.
 Status check_wind(const plait_wind_desc& desc);
 
+// What the groom says of single hairs.
+struct HairSizes {
+    float diameter; // m, the mean
+    float length;   // m, that a vertex of a guide stands for
+    float strands;  // that are shown, of each guide
+};
+
 class Wind {
   public:
     using Vector = std::array<double, 3>;
@@ -28,30 +35,33 @@ class Wind {
     };
     Moving moving;
 
-    // `from`: the wind that it takes the place of. `diameter`: m, where the descriptor leaves it to
-    // the groom. Fails without an effect.
-    Status begin(Device& device, const Wind& from, const plait_wind_desc& desc, float diameter);
+    // `from`: the wind that it takes the place of. Fails without an effect.
+    Status begin(Device& device, const Wind& from, const plait_wind_desc& desc,
+                 const HairSizes& hair);
     bool blows() const { return blows_; }
     void reset(); // to when it began
 
-    // The turbulence at the end of a fixed step of `step` s, around a head there.
-    void append(Schedule& schedule, const plait_pose& head, const GridCube& cube, double step);
+    // The wind at the end of a fixed step of `step` s, around the hair. `air`: m/s, that of a sim
+    // without wind; `still`: m/s, of the head.
+    void append(Schedule& schedule, const HairNow& hair, const std::array<float, 3>& air,
+                const std::array<float, 3>& still, double step);
     void advance(double step); // the fixed step is over
     // `first`: of the substeps of a fixed step. `air`: m/s, that of a sim without wind.
     WindStep at(const std::array<float, 3>& air, bool first, double step) const;
 
-    uint64_t device_bytes() const { return velocity_.bytes(); }
+    uint64_t device_bytes() const { return grid_.device_bytes(); }
 
   private:
     Vector mean(double time) const; // m/s
     double gust(double time) const; // of the mean's own speed
+    std::array<float, 3> stream(const std::array<float, 3>& air, double step) const; // m/s
+    float extinction(double speed) const; // 1/m, of one vertex per m^3
     plait_air_field_params field_params(double step) const;
 
     plait_wind_desc desc_{};
     bool blows_ = false;
-    plait_pose corner_ = identity_pose; // of the grid, in the last step
-    float edge_ = 1;                    // m, of a voxel
-    Buffer velocity_;                   // float4 [nodes^3], m/s; only with turbulence
+    float vertex_length_ = 0; // m of hair, of all that a guide stands for
+    AirGrid grid_;
 };
 
 } // namespace plait

@@ -11,7 +11,7 @@ struct WindStep {
     float drag;                // rho d/2, kg/m^2
     float viscous;             // 10 (nu/d)^(2/3), (m/s)^(2/3)
     float tangential;          // drag along the strand over that across
-    std::array<float, 3> air;  // m/s, where `velocity` adds nothing
+    std::array<float, 3> air;  // m/s, what `velocity` does not hold
     std::array<float, 3> jump; // m/s, of it since the substep before
     const Buffer* velocity;    // float4 [nodes^3], m/s; null: the same everywhere
     uint32_t nodes;            // per edge of their grid

@@ -144,6 +144,24 @@ void fill(plait_air_field_params& p, const Shape&) {
     p.octaves = 3;
     p.gain = 0.5f;
 }
+void fill(plait_air_obstacle_params& p, const Shape&) {
+    p.edge_count = grid_edge_count;
+    p.voxel_edge = grid_size / grid_edge_count;
+    p.q[3] = 1;
+    p.t[0] = p.t[1] = p.t[2] = -grid_size / 2;
+    p.extinction = 0.1f;
+    p.collider_count = colliders;
+}
+void fill(plait_air_shelter_params& p, const Shape&) {
+    p.edge_count = grid_edge_count;
+    p.voxel_edge = grid_size / grid_edge_count;
+    p.q[3] = 1;
+    p.plane = 1;
+    p.foot[0] = p.foot[1] = 0.3f;
+    p.way = 1.1f * p.voxel_edge;
+    p.turbulent = 1;
+    p.air[0] = 3;
+}
 void fill(plait_lane_air_params& p, const Shape& shape) {
     p.vertex_stride = p.row_stride = shape.vertices;
     p.tile = shape.tile;

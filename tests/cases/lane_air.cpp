@@ -51,7 +51,7 @@ std::vector<float> nodes(uint32_t edge_count) {
     for (uint32_t node = 0; node < edge_count * edge_count * edge_count; ++node) {
         for (int axis = 0; axis < 3; ++axis)
             velocities.push_back(static_cast<float>(random.uniform(-2, 2)));
-        velocities.push_back(0);
+        velocities.push_back(static_cast<float>(random.uniform(0, 1)));
     }
     return velocities;
 }

@@ -160,6 +160,9 @@
  * thousandth, and springs far stiffer than inertia cost float32 digits. Ours. */
 #define PLAIT_AIR_MOST_DRAG PLAIT_NUMBER(1000.0)
 
+/* 1/m: extinction of wind in a collider: e^-10 is left behind a centimetre. Ours. */
+#define PLAIT_AIR_SOLID PLAIT_NUMBER(1000.0)
+
 /* ---- switching ---------------------------------------------------------------------------------
  */
 

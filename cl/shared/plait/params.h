@@ -288,6 +288,32 @@ typedef struct plait_air_field_params {
     plait_u32 seed;
 } plait_air_field_params;
 
+/* air_obstacle: extinction of wind at the nodes of the inter-hair grid, its voxels' centres. */
+typedef struct plait_air_obstacle_params {
+    plait_u32 edge_count; /* voxels per edge n */
+    float voxel_edge;     /* m */
+    float q[4];           /* grid orientation */
+    float t[4];           /* world position of the grid's corner (w unused) */
+    float extinction;     /* 1/m, of a density of 1 */
+    plait_u32 collider_count;
+    plait_u32 collider_first; /* where in `collider` those of the substep begin */
+} plait_air_obstacle_params;
+
+/* air_shelter: one plane of nodes of the same grid; planes go one after the other as the wind does. */
+typedef struct plait_air_shelter_params {
+    plait_u32 edge_count;
+    float voxel_edge;   /* m */
+    float q[4];         /* grid orientation */
+    plait_u32 axis;     /* of the grid, 0 to 2: across which its planes lie */
+    plait_u32 plane;    /* 0: the first that the wind meets */
+    plait_u32 reversed; /* 1: the wind goes against the axis */
+    float foot[2]; /* voxels along the others: the wind's way from the plane before to a node */
+    float way;     /* m, its length */
+    plait_u32 turbulent; /* 1: air_velocity holds turbulence; 0: it is not read */
+    float air[3];        /* m/s, in the world: of the wind where nothing stops it */
+    float still[3];      /* m/s: of what there is no hair in */
+} plait_air_shelter_params;
+
 /* lane_air: drag of the air, before each substep. */
 typedef struct plait_lane_air_params {
     plait_u32 vertex_stride;

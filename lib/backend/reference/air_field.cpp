@@ -49,7 +49,7 @@ void air_field(uint32_t item_count, const plait_air_field_params& params,
         for (uint32_t octave = 0; octave < params.octaves; ++octave)
             wind += params.amplitude * std::pow(params.gain, octave) *
                     curl(refined(params, offset, octave), params.seed + octave);
-        args.air_velocity[item] = with_w(wind, 0);
+        args.air_velocity[item] = with_w(wind, 1);
     }
 }
 

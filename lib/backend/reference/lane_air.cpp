@@ -75,7 +75,11 @@ class Strand {
             lane_.vector(args_.lane_x_before, 0) + lane_.vector(args_.lane_x_before, i);
         return (4 * now - before) / 3 - root_;
     }
-    Vec3 air_at(const Vec3& x) const;
+    struct Air {
+        Vec3 velocity;
+        double open; // share of the wind's changes
+    };
+    Air air_at(const Vec3& x) const;
     Vertex vertex(uint32_t i, bool tip) const {
         const double before = material(i - 1, PLAIT_LANE_LENGTH);
         const double behind = material(i, PLAIT_LANE_LENGTH); // 0 at the tip
@@ -99,10 +103,10 @@ class Strand {
     double step_; // of the integrator
 };
 
-Vec3 Strand::air_at(const Vec3& x) const {
-    Vec3 air = vec3(params_.air);
+Strand::Air Strand::air_at(const Vec3& x) const {
     if (!params_.field)
-        return air;
+        return {vec3(params_.air), 1};
+    Air air{vec3(params_.air), 0};
     plait_lane_grid_params grid{};
     grid.edge_count = params_.edge_count;
     grid.voxel_edge = params_.voxel_edge;
@@ -113,20 +117,23 @@ Vec3 Strand::air_at(const Vec3& x) const {
     // beyond the outermost nodes as on them
     const double most = params_.edge_count - 0.5;
     const Grid::Nodes around = nodes.nodes(nodes.coordinates(x).cwiseMax(0.5).cwiseMin(most));
-    for (size_t n = 0; n < around.count; ++n)
-        air += around.node[n].weight * xyz(args_.air_velocity[around.node[n].voxel]);
+    for (size_t n = 0; n < around.count; ++n) {
+        const auto& [voxel, weight] = around.node[n];
+        air.velocity += weight * xyz(args_.air_velocity[voxel]);
+        air.open += weight * args_.air_velocity[voxel][3];
+    }
     return air;
 }
 
 void Strand::write_vertex(uint32_t i, bool tip) const {
     const Vertex hair = vertex(i, tip);
     const double most = PLAIT_AIR_MOST_DRAG / step_;
-    const Vec3 air = air_at(lane_.vector(args_.lane_x, 0) + position(i));
+    const auto [air, open] = air_at(lane_.vector(args_.lane_x, 0) + position(i));
     const Vec3 u = air - lane_.vector(args_.lane_v, i);
     const Drag drag = hair.drag(params_, u, most);
     Vec3 push = drag.force;
     if (params_.bdf2) {
-        const Vec3 before = air - vec3(params_.jump) - lane_.vector(args_.lane_v_before, i);
+        const Vec3 before = air - open * vec3(params_.jump) - lane_.vector(args_.lane_v_before, i);
         push += (drag.change(params_.h) - hair.drag(params_, before, most).change(params_.h)) /
                 (2 * params_.h);
     }

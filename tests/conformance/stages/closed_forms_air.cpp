@@ -1,5 +1,5 @@
-// Air: turbulence against a table that another program made, that it has no sources, and the drag of
-// a single segment.
+// Air: turbulence against a table that another program made, that it has no sources, shelter against
+// the law's integral, and the drag of a single segment.
 #include "closed_forms.hpp"
 
 #include <algorithm>
@@ -145,11 +145,158 @@ void lane_air_holds_at_terminal_velocity(Bench& bench) {
         }
 }
 
+// A cube of `nodes`^3 voxels of `edge` m, centred at the origin; its extinction is a number per voxel.
+struct ShelterGrid {
+    uint32_t nodes;
+    double edge;
+    std::vector<float> density;
+
+    template <typename Density> void fill(const Density& at) {
+        density.clear();
+        for (uint32_t y = 0; y < nodes; ++y)
+            for (uint32_t z = 0; z < nodes; ++z)
+                for (uint32_t x = 0; x < nodes; ++x)
+                    density.push_back(static_cast<float>(at(place(x, y, z))));
+    }
+    Vector place(uint32_t x, uint32_t y, uint32_t z) const {
+        const double low = 0.5 - nodes / 2.0;
+        return {edge * (x + low), edge * (y + low), edge * (z + low)};
+    }
+    // Share of a wind in `way` that is left at every node.
+    std::vector<double> open(Bench& bench, const Vector& way) const {
+        const size_t count = density.size();
+        plait_air_shelter_params params{};
+        params.edge_count = nodes;
+        params.voxel_edge = static_cast<float>(edge);
+        params.q[3] = 1;
+        uint32_t axis = 0;
+        for (uint32_t i = 1; i < 3; ++i)
+            axis = std::abs(way[i]) > std::abs(way[axis]) ? i : axis;
+        const double most = std::abs(way[axis]);
+        params.axis = axis;
+        params.reversed = way[axis] < 0;
+        params.foot[0] = static_cast<float>(way[axis == 0 ? 1 : 0] / most);
+        params.foot[1] = static_cast<float>(way[axis == 2 ? 1 : 2] / most);
+        params.way = static_cast<float>(edge * std::hypot(way[0], way[1], way[2]) / most);
+        Array depth = floats(std::vector<float>(count, 0.0f));
+        Array air = float4s(std::vector<float>(4 * count, 0.0f));
+        for (params.plane = 0; params.plane < nodes; ++params.plane) {
+            auto out = bench.run(PLAIT_STAGE_air_shelter, nodes * nodes, 1, params,
+                                 {floats(density), floats(density),
+                                  float4s(std::vector<float>(4 * count, 0.0f)), depth, air});
+            depth = out[3];
+            air = out[4];
+        }
+        std::vector<double> left;
+        for (size_t i = 0; i < count; ++i)
+            left.push_back(double(air.floats[4 * i + 3]));
+        return left;
+    }
+};
+
+// Hair of uniform density, of a density that grows linearly to the end of 10 cm, and a bump of 5 cm, from
+// the face that the wind meets on.
+double profile(int kind, double depth) {
+    if (depth < 0)
+        return 0;
+    if (kind == 0)
+        return depth <= 0.1 ? 1 : 0;
+    if (kind == 1)
+        return depth <= 0.1 ? depth / 0.1 : 0;
+    return depth <= 0.05 ? 0.5 * std::sin(3.14159265358979 * depth / 0.05) : 0;
+}
+// The integral of the same.
+double depth_of(int kind, double depth) {
+    const double d = std::clamp(depth, 0.0, kind == 2 ? 0.05 : 0.1);
+    if (kind == 0)
+        return d;
+    if (kind == 1)
+        return d * d / 0.2;
+    return 0.05 / (2 * 3.14159265358979) * (1 - std::cos(3.14159265358979 * d / 0.05));
+}
+
+// e^-sigma times the integral of the density, within .01 rms, in every direction of the axes.
+void air_shelter_of_layers_is_the_integral_s(Bench& bench) {
+    ShelterGrid grid{32, 0.11 / 31, {}};
+    for (uint32_t axis = 0; axis < 3; ++axis)
+        for (const double side : {1.0, -1.0})
+            for (const int kind : {0, 1, 2})
+                for (const double sigma : {5.0, 20.0, 60.0}) {
+                    const double face = -0.05;
+                    const auto depth_at = [&](const Vector& x) { return side * x[axis] - face; };
+                    grid.fill([&](const Vector& x) { return sigma * profile(kind, depth_at(x)); });
+                    Vector way{};
+                    way[axis] = side;
+                    const auto open = grid.open(bench, way);
+                    double squares = 0;
+                    for (uint32_t i = 0; i < 32; ++i) {
+                        const uint32_t cell[3] = {axis == 0 ? i : 7, axis == 1 ? i : 7,
+                                                  axis == 2 ? i : 7};
+                        const double exact = std::exp(
+                            -sigma *
+                            depth_of(kind, depth_at(grid.place(cell[0], cell[1], cell[2]))));
+                        const double error = open[(cell[1] * 32 + cell[2]) * 32 + cell[0]] - exact;
+                        squares += error * error / 32;
+                    }
+                    EXPECT_LT(std::sqrt(squares), 0.01) << "axis " << axis << " side " << side
+                                                        << " profile " << kind << " " << sigma;
+                }
+}
+
+// In a ball the wind has come through a chord.
+void air_shelter_of_a_ball_is_its_chord_s(Bench& bench) {
+    constexpr double radius = 0.3, edge = 1.0 / 32;
+    ShelterGrid grid{32, edge, {}};
+    for (const Vector& direction : {Vector{1, 0, 0}, Vector{1, 0.6, 0.3}, Vector{-0.2, 0.5, -1}})
+        for (const double sigma : {4.0, 15.0}) {
+            const double length = std::hypot(direction[0], direction[1], direction[2]);
+            const auto chord = [&](const Vector& x) {
+                double along = 0, square = 0;
+                for (size_t i = 0; i < 3; ++i) {
+                    along += x[i] * direction[i] / length;
+                    square += x[i] * x[i];
+                }
+                return along + std::sqrt(std::max(0.0, radius * radius - square + along * along));
+            };
+            // the share of a voxel that is in the ball
+            grid.fill([&](const Vector& x) {
+                constexpr int parts = 4;
+                double inside = 0;
+                for (int p = 0; p < parts * parts * parts; ++p) {
+                    const int at[3] = {p % parts, p / parts % parts, p / (parts * parts)};
+                    double square = 0;
+                    for (size_t i = 0; i < 3; ++i) {
+                        const double y = x[i] + edge * ((at[i] + 0.5) / parts - 0.5);
+                        square += y * y;
+                    }
+                    inside += square < radius * radius;
+                }
+                return sigma * inside / (parts * parts * parts);
+            });
+            const auto open = grid.open(bench, direction);
+            double squares = 0, number = 0;
+            for (uint32_t y = 0; y < 32; ++y)
+                for (uint32_t z = 0; z < 32; ++z)
+                    for (uint32_t x = 0; x < 32; ++x) {
+                        const Vector at = grid.place(x, y, z);
+                        if (std::hypot(at[0], at[1], at[2]) > radius - edge)
+                            continue;
+                        const double error =
+                            open[(y * 32 + z) * 32 + x] - std::exp(-sigma * chord(at));
+                        squares += error * error;
+                        ++number;
+                    }
+            EXPECT_LT(std::sqrt(squares / number), 0.01) << direction[1] << " " << sigma;
+        }
+}
+
 } // namespace
 
 const std::vector<ClosedForm>& air_closed_forms() {
     static const std::vector<ClosedForm> list = {
         PLAIT_CLOSED_FORM(air_field_is_the_table_s), PLAIT_CLOSED_FORM(air_field_has_no_sources),
+        PLAIT_CLOSED_FORM(air_shelter_of_layers_is_the_integral_s),
+        PLAIT_CLOSED_FORM(air_shelter_of_a_ball_is_its_chord_s),
         PLAIT_CLOSED_FORM(lane_air_holds_at_terminal_velocity)};
     return list;
 }

@@ -178,6 +178,8 @@ void read_wind(JsonReader& top, Scene& scene) {
     in.number("diameter", wind.diameter, 0, 0.1);
     in.number("air_density", wind.air_density, 1e-6, 1e4);
     in.number("viscosity", wind.viscosity, 0, 1);
+    in.integer("shelter", wind.shelter, 0, 1);
+    in.number("hairs_per_strand", wind.hairs_per_strand, 0, 1e6);
     in.finish();
     wind.seed = static_cast<uint32_t>(scene.seed);
     scene.wind = wind;
