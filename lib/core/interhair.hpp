@@ -4,6 +4,7 @@
 #include "core/model.hpp"
 #include "core/schedule.hpp"
 #include "core/state.hpp"
+#include "core/volume.hpp"
 
 #include <array>
 
@@ -38,6 +39,13 @@ class InterHair {
     // The same on the model's lanes, with exact sums; the caller publishes them afterwards.
     void append_over_lanes(Schedule& schedule, const Step& step, const Model& model,
                            const Substep& at) const;
+    // With volume, in their place; see Volume.
+    void append_volume_start(Schedule& schedule, const Step& step, const Model& model,
+                             const Substep& at) const;
+    void append_volume(Schedule& schedule, const Step& step, const Model& model,
+                       const Substep& at) const;
+    Volume& volume() { return volume_; }
+    const Volume& volume() const { return volume_; }
     bool is_exact() const { return mode_ == PLAIT_INTERHAIR_EXACT; }
 
     const Buffer& density() const { return density_; }
@@ -57,6 +65,7 @@ class InterHair {
     Buffer density_;  // float [nv^3]
     Buffer velocity_; // float4 [nv^3]
     Buffer outside_;  // uint [1]
+    Volume volume_;
 };
 
 // Where the grid is and how fine, for the grid stages.

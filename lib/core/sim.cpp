@@ -70,6 +70,12 @@ float mean_diameter(const Groom& groom) {
     return count > 0 ? static_cast<float>(sum / count) : 70e-6f;
 }
 
+// Whether the grid is where it was.
+bool same_place(const plait_sim_params& a, const plait_sim_params& b) {
+    return a.grid_edge == b.grid_edge && a.grid_in_world == b.grid_in_world &&
+           std::ranges::equal(a.grid_origin, b.grid_origin);
+}
+
 } // namespace
 
 Result<SimParts> make_sim_parts(Context& context, const Groom& groom, const plait_sim_desc& desc,
@@ -238,6 +244,8 @@ Status Sim::fixed_step(double end, bool keep) {
     PLAIT_TRY(for_each_group(substeps));
     end_substeps();
     PLAIT_TRY(submit());
+    if (grid_.volume())
+        grid_.volume().carry();
     if (wind_.blows())
         wind_.end_step(clock_.step());
     ++clock_.steps;
@@ -280,6 +288,8 @@ std::array<float, 3> Sim::air() const {
 void Sim::begin_substeps() {
     if (wind_.blows()) // around where the hair is
         wind_.begin_step(schedule_, roots_.step_begin(), cube_, clock_.step());
+    if (grid_.volume() && !grid_.volume().carries)
+        grid_.append_volume_start(schedule_, grid_step(roots_.step_begin()), *model_, first_group());
     if (!state_.acceleration)
         return;
     if (context_.replaced[PLAIT_STAGE_accelerate]) {
@@ -304,9 +314,12 @@ void Sim::add_substep(const Group& group, uint32_t index) {
 // Positions from what the model keeps, and the inter-hair step: on the lanes where these fill a
 // CPU's registers, else, and where the caller has kernels of his own for it, on positions.
 void Sim::end_substeps() {
-    const InterHair::Step step{
-        layout_,          state_,       desc_.params, cube_,        roots_.step_head(),
-        substep_length(), clock_.steps, desc_.seed,   context_.info};
+    const InterHair::Step step = grid_step(roots_.step_head());
+    if (grid_.volume()) {
+        grid_.append_volume(schedule_, step, *model_, first_group());
+        model_->publish(schedule_, present());
+        return;
+    }
     if (grid_.is_exact() && brakes_lanes()) {
         grid_.append_over_lanes(schedule_, step, *model_, present());
         model_->publish(schedule_, present());
@@ -316,6 +329,11 @@ void Sim::end_substeps() {
     grid_.append(schedule_, step);
     if (desc_.params.interhair != PLAIT_INTERHAIR_OFF)
         model_->adopt(schedule_, present());
+}
+
+InterHair::Step Sim::grid_step(const plait_pose& head) const {
+    return {layout_, state_,           desc_.params, cube_,      head, substep_length(),
+            clock_.steps, desc_.seed, context_.info};
 }
 
 bool Sim::brakes_lanes() const {
@@ -329,6 +347,7 @@ bool Sim::brakes_lanes() const {
 // All or nothing: what is new is made aside, taken, and given back if its stages cannot run.
 Status Sim::set_params(const plait_sim_params& params) {
     const Discard discard{*model_};
+    PLAIT_TRY(check_volume(params, desc_.model));
     PLAIT_TRY(model_->prepare(device(), params));
     InterHair grid;
     const bool same_grid = grid_.fits(params);
@@ -352,6 +371,8 @@ Status Sim::set_params(const plait_sim_params& params) {
         exchange();
     else
         log_warnings(next, warned);
+    if (status && !same_place(next, desc_.params))
+        grid_.volume().carries = false;
     return status;
 }
 
@@ -474,6 +495,7 @@ Status Sim::teleport(const RootsInput& input) {
     roots_.stop(schedule_);
     roots_.pose_now(schedule_, pose_spare_);
     stop_pins(schedule_, layout_, state_);
+    grid_.volume().carries = false;
     model_->teleport(schedule_, present(), pose_spare_);
     std::swap(state_.pose, pose_spare_);
     return show_at_once();
@@ -483,6 +505,7 @@ Status Sim::reset() {
     schedule_.clear();
     clock_.reset();
     wind_.reset();
+    grid_.volume().carries = false;
     roots_.stop(schedule_);
     colliders_.stop();
     stop_pins(schedule_, layout_, state_);

@@ -156,6 +156,9 @@ class Sim {
     Substep present() const {         // between steps
         return at({desc_.substeps, 0}, desc_.substeps - 1);
     }
+    // The last substep of some strands: colliders are there at the end of the step.
+    Substep first_group() const { return at({substeps_.front(), 0}, substeps_.front() - 1); }
+    InterHair::Step grid_step(const plait_pose& head) const;
     void begin_substeps();
     void add_substep(const Group& group, uint32_t index);
     void end_substeps();
@@ -187,7 +190,7 @@ class Sim {
     Status write_pins(std::span<const float> src);
     // A run of floats that a snapshot holds.
     struct Block {
-        enum class Of { vertices, histories, poses, motion, turns }; // what its values may be
+        enum class Of { vertices, histories, poses, motion, turns, pressures }; // what its values may be
         const Buffer* buffer;
         size_t floats;
         Of of;
