@@ -68,9 +68,8 @@ __kernel void plait_lane_air(const uint item_count, const plait_lane_air_params 
                              __global const float4* air_velocity,
                              __global const real* lane_material, __global const real* lane_x,
                              __global const real* lane_v, __global const real* lane_x_before,
-                             __global const real* lane_v_before,
-                             __global const real* lane_pressure, __global real* lane_push,
-                             __global real* lane_pin) {
+                             __global const real* lane_v_before, __global const real* lane_pressure,
+                             __global real* lane_push, __global real* lane_pin) {
     const lane_place place = lane_place_of(get_global_id(0));
     if (!lane_place_used(place, item_count))
         return;

@@ -55,8 +55,7 @@ static inline float speed_between(volume_hair a, volume_hair b, int axis) {
     if (b.solid)
         return along(b.wall, axis);
     const float density = a.density + b.density;
-    const float flow =
-        a.density * along(a.velocity, axis) + b.density * along(b.velocity, axis);
+    const float flow = a.density * along(a.velocity, axis) + b.density * along(b.velocity, axis);
     return density > 0.0f ? flow / density : 0.0f;
 }
 
@@ -91,8 +90,8 @@ __kernel void plait_volume_faces(const uint item_count, const plait_volume_param
                 continue;
             }
             const int other = node + side * volume_stride(place.count, axis);
-            const volume_hair hair = hair_at(&params, other, grid_density, grid_velocity,
-                                             volume_rest, volume_solid);
+            const volume_hair hair =
+                hair_at(&params, other, grid_density, grid_velocity, volume_rest, volume_solid);
             const float between = link_between(own, hair);
             if (side > 0)
                 link[axis] = between;
@@ -112,8 +111,7 @@ __kernel void plait_volume_faces(const uint item_count, const plait_volume_param
         return;
     }
     const float edges = params.voxel_edge / params.h;
-    const float wanted =
-        edges * divergence - edges * edges * room_of(&params, own) - carried;
+    const float wanted = edges * divergence - edges * edges * room_of(&params, own) - carried;
     const bool coheres = own.density > PLAIT_VOLUME_COHESIVE * own.rest;
     const float least = coheres ? -params.cohesion * own.rest : 0.0f;
     volume_node[node] = (float4)(wanted, least, PLAIT_VOLUME_RELAXATION / links, 0.0f);

@@ -65,8 +65,7 @@ __kernel void plait_volume_gather(const uint item_count, const plait_lane_volume
         return;
     const lane_strands strands = lane_strands_of(lane_strand, place, item_count);
     const mask counts = lane_counts(vertex_count, &strands);
-    const lane_grid grid =
-        lane_grid_at(params.q, params.t, params.voxel_edge, params.edge_count);
+    const lane_grid grid = lane_grid_at(params.q, params.t, params.voxel_edge, params.edge_count);
     const vec3 root = load3(lane_x, place, 0);
     const vec3 zero = vec3_of((real)(0.0f), (real)(0.0f), (real)(0.0f));
     store3(lane_pressure, place, 0, zero);
@@ -74,8 +73,7 @@ __kernel void plait_volume_gather(const uint item_count, const plait_lane_volume
         const vec3 g = lane_grid_coordinates(&grid, add3(root, load3(lane_x, place, i)));
         const mask inside = ((mask)(i) < counts) & lane_grid_contains(&grid, g);
         const lane_cell cell = lane_cell_of(&grid, g, inside, PLAIT_TENT_TRILINEAR);
-        const lane_pressed at =
-            pressed_at(&grid, cell, grid_velocity, volume_change, volume_push);
+        const lane_pressed at = pressed_at(&grid, cell, grid_velocity, volume_change, volume_push);
         store3(lane_pressure, place, i, pick3(inside, lane_grid_world(&grid, at.push), zero));
         if (!params.moves)
             continue;

@@ -33,7 +33,8 @@ __kernel void plait_volume_nodes(const uint item_count, const plait_volume_nodes
     if (voxel >= item_count)
         return;
     const uint n = params.edge_count;
-    const float3 cell = (float3)((float)(voxel % n), (float)(voxel / (n * n)), (float)(voxel / n % n));
+    const float3 cell =
+        (float3)((float)(voxel % n), (float)(voxel / (n * n)), (float)(voxel / n % n));
     const float3 offset = params.voxel_edge * (cell + 0.5f);
     const float3 x = vload3(0, params.t) + quat_rotate(vload4(0, params.q), offset);
     volume_solid[voxel] = solid_at(&params, capsule, x);

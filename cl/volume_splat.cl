@@ -12,18 +12,16 @@
 
 __kernel void plait_volume_splat(const uint item_count, const plait_lane_volume_params params,
                                  __global const uint* lane_strand,
-                                 __global const uint* vertex_count,
-                                 __global const real* lane_share, __global const real* lane_x,
-                                 __global const real* lane_v, __global uint* grid_sum,
-                                 __global uint* grid_outside) {
+                                 __global const uint* vertex_count, __global const real* lane_share,
+                                 __global const real* lane_x, __global const real* lane_v,
+                                 __global uint* grid_sum, __global uint* grid_outside) {
     const lane_place place = lane_place_of(get_global_id(0));
     if (!lane_place_used(place, item_count))
         return;
     const lane_strands strands = lane_strands_of(lane_strand, place, item_count);
     const mask counts = lane_counts(vertex_count, &strands);
     const uint lanes = lane_place_strands(place, item_count);
-    const lane_grid grid =
-        lane_grid_at(params.q, params.t, params.voxel_edge, params.edge_count);
+    const lane_grid grid = lane_grid_at(params.q, params.t, params.voxel_edge, params.edge_count);
     const vec3 root = load3(lane_x, place, 0);
     splat_t splat;
     splat_begin(&splat);
@@ -35,10 +33,10 @@ __kernel void plait_volume_splat(const uint item_count, const plait_lane_volume_
         const vec3 g = lane_grid_coordinates(&grid, x);
         const mask there = (mask)(i) < counts, inside = lane_grid_contains(&grid, g);
         const lane_cell cell = lane_cell_of(&grid, g, inside, PLAIT_TENT_TRILINEAR);
-        const real hair = 
-            lane_share[lane_index(place, PLAIT_LANE_SHARE_COMPONENTS, (size_t)i, PLAIT_LANE_SHARE_HAIR)];
-        const real rest = 
-            lane_share[lane_index(place, PLAIT_LANE_SHARE_COMPONENTS, (size_t)i, PLAIT_LANE_SHARE_REST)];
+        const real hair = lane_share[lane_index(place, PLAIT_LANE_SHARE_COMPONENTS, (size_t)i,
+                                                PLAIT_LANE_SHARE_HAIR)];
+        const real rest = lane_share[lane_index(place, PLAIT_LANE_SHARE_COMPONENTS, (size_t)i,
+                                                PLAIT_LANE_SHARE_REST)];
         for (uint k = 0; k < lanes; ++k) {
             if (!LANE_OF_MASK(there, k))
                 continue;

@@ -148,8 +148,8 @@ void InterHair::append_over_lanes(Schedule& schedule, const Step& step, const Mo
 void InterHair::append_volume_start(Schedule& schedule, const Step& step, const Model& model,
                                     const Substep& at) const {
     const auto h = static_cast<float>(at.step);
-    volume_.append_start(schedule,
-                         {grid_params(step), h, sums_, outside_, density_, velocity_}, model, at);
+    volume_.append_start(schedule, {grid_params(step), h, sums_, outside_, density_, velocity_},
+                         model, at);
 }
 
 void InterHair::append_volume(Schedule& schedule, const Step& step, const Model& model,

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace plait {
 namespace {
 
+constexpr int rounds = 10;       // of the fit, each a splat and a gather on the host
 constexpr double most_hair = 16; // of a vertex: sums of fixed point have an end
 
 double distance(std::span<const float> positions, size_t a, size_t b) {
@@ -39,13 +41,11 @@ void share_hair(std::span<const float> positions, std::span<const uint32_t> coun
 
 class Nodes {
   public:
-    Nodes(const RestGrid& grid, std::pmr::memory_resource* memory)
-        : grid_(grid), density_(size_t{grid.edge_count} * grid.edge_count * grid.edge_count, 0.0,
-                                memory) {}
+    explicit Nodes(const RestGrid& grid) : grid_(grid) {}
 
-    // Calls visit(density at a node, weight there) for the nodes around a point, as the kernels
-    // have it.
-    template <typename Visit> void around(const float* point, const Visit& visit) {
+    size_t count() const { return size_t{grid_.edge_count} * grid_.edge_count * grid_.edge_count; }
+    // Calls visit(node, weight) for the nodes around a point, as the kernels have it.
+    template <typename Visit> void around(const float* point, const Visit& visit) const {
         const size_t n = grid_.edge_count;
         const double voxel = double(grid_.edge) / double(n);
         size_t low[3];
@@ -66,13 +66,58 @@ class Nodes {
                 cell[i] = low[i] + (up ? 1 : 0);
                 weight *= up ? high[i] : 1 - high[i];
             }
-            visit(density_[(cell[1] * n + cell[2]) * n + cell[0]], weight);
+            visit((cell[1] * n + cell[2]) * n + cell[0], weight);
         }
     }
 
   private:
     RestGrid grid_;
-    std::pmr::vector<double> density_;
+};
+
+// What is gathered from nodes is smoother than what is at them: hair would find the groom itself too
+// dense at its densest places and swell by a sixth. So densities of vertices are scaled until the
+// mean of them at a node is the density there.
+class Fit {
+  public:
+    Fit(std::span<const float> positions, const Nodes& nodes, RestDensity& rest,
+        std::pmr::memory_resource* memory)
+        : positions_(positions), nodes_(nodes), rest_(rest), at_nodes_(nodes.count(), 0.0, memory),
+          ratio_(nodes.count(), 0.0, memory) {}
+
+    void begin() {
+        for (size_t i = 0; i < rest_.hair.size(); ++i)
+            nodes_.around(&positions_[3 * i], [&](size_t node, double weight) {
+                at_nodes_[node] += weight * double(rest_.hair[i]);
+            });
+        rest_.density.assign(rest_.hair.size(), 0.0f);
+        for (size_t i = 0; i < rest_.hair.size(); ++i)
+            rest_.density[i] = static_cast<float>(gathered(i, at_nodes_));
+    }
+    void improve() {
+        std::ranges::fill(ratio_, 0.0);
+        for (size_t i = 0; i < rest_.hair.size(); ++i)
+            nodes_.around(&positions_[3 * i], [&](size_t node, double weight) {
+                ratio_[node] += weight * double(rest_.hair[i]) * double(rest_.density[i]);
+            });
+        for (size_t node = 0; node < ratio_.size(); ++node)
+            ratio_[node] =
+                ratio_[node] > 0 ? at_nodes_[node] * at_nodes_[node] / ratio_[node] : 1.0;
+        for (size_t i = 0; i < rest_.hair.size(); ++i)
+            rest_.density[i] *= static_cast<float>(gathered(i, ratio_));
+    }
+
+  private:
+    double gathered(size_t vertex, const std::pmr::vector<double>& values) const {
+        double sum = 0;
+        nodes_.around(&positions_[3 * vertex],
+                      [&](size_t node, double weight) { sum += weight * values[node]; });
+        return sum;
+    }
+
+    std::span<const float> positions_;
+    const Nodes& nodes_;
+    RestDensity& rest_;
+    std::pmr::vector<double> at_nodes_, ratio_;
 };
 
 } // namespace
@@ -81,17 +126,12 @@ RestDensity measure_rest_density(std::span<const float> positions, std::span<con
                                  const RestGrid& grid, std::pmr::memory_resource* memory) {
     RestDensity rest(memory);
     share_hair(positions, counts, rest.hair);
-    Nodes nodes(grid, memory);
-    for (size_t i = 0; i < rest.hair.size(); ++i)
-        nodes.around(&positions[3 * i], [&](double& density, double weight) {
-            density += weight * double(rest.hair[i]);
-        });
-    for (size_t i = 0; i < rest.hair.size(); ++i) {
-        double gathered = 0;
-        nodes.around(&positions[3 * i],
-                     [&](double& density, double weight) { gathered += weight * density; });
-        rest.density.push_back(static_cast<float>(gathered));
-    }
+    const Nodes nodes(grid);
+    Fit fit(positions, nodes, rest, memory);
+    fit.begin();
+    for (int round = 0; round < (std::getenv("FIT") ? std::atoi(std::getenv("FIT")) : rounds);
+         ++round)
+        fit.improve();
     return rest;
 }
 

@@ -289,7 +289,8 @@ void Sim::begin_substeps() {
     if (wind_.blows()) // around where the hair is
         wind_.begin_step(schedule_, roots_.step_begin(), cube_, clock_.step());
     if (grid_.volume() && !grid_.volume().carries)
-        grid_.append_volume_start(schedule_, grid_step(roots_.step_begin()), *model_, first_group());
+        grid_.append_volume_start(schedule_, grid_step(roots_.step_begin()), *model_,
+                                  first_group());
     if (!state_.acceleration)
         return;
     if (context_.replaced[PLAIT_STAGE_accelerate]) {
@@ -332,8 +333,8 @@ void Sim::end_substeps() {
 }
 
 InterHair::Step Sim::grid_step(const plait_pose& head) const {
-    return {layout_, state_,           desc_.params, cube_,      head, substep_length(),
-            clock_.steps, desc_.seed, context_.info};
+    return {layout_,          state_,       desc_.params, cube_,        head,
+            substep_length(), clock_.steps, desc_.seed,   context_.info};
 }
 
 bool Sim::brakes_lanes() const {

@@ -190,7 +190,15 @@ class Sim {
     Status write_pins(std::span<const float> src);
     // A run of floats that a snapshot holds.
     struct Block {
-        enum class Of { vertices, histories, poses, motion, turns, pressures }; // what its values may be
+        enum class Of {
+            vertices,
+            histories,
+            poses,
+            motion,
+            turns,
+            pushes,
+            pressures
+        }; // what its values may be
         const Buffer* buffer;
         size_t floats;
         Of of;

@@ -289,9 +289,11 @@ std::pmr::vector<Sim::Block> Sim::blocks(const SnapshotHeader& h) {
         model_->add_pressure(pushes);
         for (const LaneBuffer& lanes : pushes)
             list.push_back({lanes.buffer, size_t{lanes.layout.strands} * lanes.layout.row * 3,
-                            Block::Of::motion, lanes});
-        list.push_back({&grid_.volume().pressure(), size_t{h.volume} * h.volume * h.volume,
-                        Block::Of::pressures, {}});
+                            Block::Of::pushes, lanes});
+        list.push_back({&grid_.volume().pressure(),
+                        size_t{h.volume} * h.volume * h.volume,
+                        Block::Of::pressures,
+                        {}});
     }
     return list;
 }
@@ -304,7 +306,9 @@ std::pmr::vector<Sim::Block> Sim::saved_blocks(const SnapshotHeader& h,
     auto list = blocks(h);
     if (std::ranges::equal(strands, settings()))
         return list;
-    const auto is_lane = [](const Block& block) { return block.lanes.buffer != nullptr; };
+    const auto is_lane = [](const Block& block) {
+        return block.lanes.buffer != nullptr && block.of != Block::Of::pushes;
+    };
     const auto first = std::ranges::find_if(list, is_lane);
     const auto last = std::find_if_not(first, list.end(), is_lane);
     std::pmr::vector<Block> saved(list.begin(), first, &context_.memory);

@@ -58,7 +58,8 @@ Result<Volume> Volume::create(Device& device, const plait_sim_params& params) {
     Volume volume;
     if (params.volume == PLAIT_VOLUME_OFF)
         return volume;
-    const size_t n = size_t{params.grid_edge_count} * params.grid_edge_count * params.grid_edge_count;
+    const size_t n =
+        size_t{params.grid_edge_count} * params.grid_edge_count * params.grid_edge_count;
     constexpr auto one = PLAIT_ELEMENT_FLOAT, four = PLAIT_ELEMENT_FLOAT4;
     PLAIT_TRY(device.create(volume.pressure_, one, n, "volume_pressure"));
     PLAIT_TRY(device.create(volume.next_, one, n, "volume_pressure"));
@@ -88,9 +89,9 @@ void Volume::solve(Schedule& schedule, const VolumeGrid& grid, const Substep& at
     params.carried = before ? 1 : 0;
     if (!before)
         std::ranges::copy(fall_of(at.params, grid.params, grid.step), params.fall);
-    schedule.add(PLAIT_STAGE_volume_faces, voxels(grid.params), params,
-                 {&grid.density, &grid.velocity, &rest_, &solid_, before, &link_, &node_,
-                  &pressure});
+    schedule.add(
+        PLAIT_STAGE_volume_faces, voxels(grid.params), params,
+        {&grid.density, &grid.velocity, &rest_, &solid_, before, &link_, &node_, &pressure});
     for (uint32_t sweep = 0; sweep < sweeps; ++sweep)
         for (const uint32_t colour : {0u, 1u})
             schedule.add(PLAIT_STAGE_volume_pressure, colour_nodes,

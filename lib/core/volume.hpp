@@ -42,7 +42,7 @@ class Volume {
         return {grid.params, grid.sums, grid.outside, grid.velocity, change_, push_, 0, false};
     }
 
-    Buffer pressure_, next_;     // float [nv^3]: of the last step, of this one
+    Buffer pressure_, next_; // float [nv^3]: of the last step, of this one
     Buffer rest_, solid_, link_, node_, change_, push_;
 };
 

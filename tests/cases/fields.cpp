@@ -18,8 +18,9 @@ constexpr std::string_view of_layout[] = {
     "edge_count",    "capacity",   "share", "boxes",          "components"};
 // uint that takes one of two values
 constexpr std::string_view choices[] = {
-    "per_root", "accelerates", "pins", "planes",       "history", "bdf2",        "shock_form",
-    "form",     "slot_hash",   "tent", "diffuse_rule", "field",   "equal_masses", "pressure", "moves", "carried", "colour"};
+    "per_root",     "accelerates", "pins",      "planes",  "history",      "bdf2",
+    "shock_form",   "form",        "slot_hash", "tent",    "diffuse_rule", "field",
+    "equal_masses", "pressure",    "moves",     "carried", "colour"};
 // float4 of which w is not used
 constexpr std::string_view vectors[] = {"head_from_t", "head_to_t", "t", "wind", "corner"};
 

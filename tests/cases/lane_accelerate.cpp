@@ -32,7 +32,8 @@ Case lane_accelerate_case() {
         setup.width = size.stride;
         setup.buffers = {
             null_array(), uints(hair.vertex_count), float4s(some_too_strong(size)),
-            lane_floats(pressure, 3), lane_floats(std::vector<float>(size_t{3} * size.strands * size.stride, 9), 3)};
+            lane_floats(pressure, 3),
+            lane_floats(std::vector<float>(size_t{3} * size.strands * size.stride, 9), 3)};
         result.setups.push_back(setup.with(plait_lane_tile_params{size.stride, 1, size.stride, 0}));
         setup.name += ", pressure";
         result.setups.push_back(setup.with(plait_lane_tile_params{size.stride, 1, size.stride, 1}));

@@ -43,21 +43,20 @@ std::string compare(const Setup&, const Outputs& expected, const Outputs& got) {
 } // namespace
 
 Case volume_splat_case() {
-    Case result = {PLAIT_STAGE_volume_splat, {}, {}, {"blend", "moves", "history"},
-                   {{"grid_sum", compare}}};
+    Case result = {
+        PLAIT_STAGE_volume_splat, {}, {}, {"blend", "moves", "history"}, {{"grid_sum", compare}}};
     for (const GridHair& hair : make_grid_hair()) {
         const LaneGridHair lanes = over_lanes(hair);
         Setup setup = hair.setup().with(volume_params_of(lanes.params));
         setup.items = hair.size.strands;
         setup.width = hair.size.stride;
-        setup.buffers = {
-            null_array(),
-            uints(hair.vertex_count),
-            lane_floats(shares(hair), PLAIT_LANE_SHARE_COMPONENTS),
-            lane_floats(lanes.x, 3),
-            lane_floats(lanes.v, 3),
-            uints(std::vector<uint32_t>(size_t{hair.voxels()} * PLAIT_SUM_STRIDE, 0)),
-            uints({7})};
+        setup.buffers = {null_array(),
+                         uints(hair.vertex_count),
+                         lane_floats(shares(hair), PLAIT_LANE_SHARE_COMPONENTS),
+                         lane_floats(lanes.x, 3),
+                         lane_floats(lanes.v, 3),
+                         uints(std::vector<uint32_t>(size_t{hair.voxels()} * PLAIT_SUM_STRIDE, 0)),
+                         uints({7})};
         result.setups.push_back(setup);
         if (hair.size.strands < 3)
             continue;

@@ -12,8 +12,9 @@ void volume_nodes(uint32_t item_count, const plait_volume_nodes_params& params,
     const Pose pose{quat(params.q), vec3(params.t)};
     for (size_t node = 0; node < item_count; ++node) {
         const auto cell = grid.cell(node);
-        const Vec3 centre = double(params.voxel_edge) *
-                            Vec3(double(cell[0]) + 0.5, double(cell[1]) + 0.5, double(cell[2]) + 0.5);
+        const Vec3 centre =
+            double(params.voxel_edge) *
+            Vec3(double(cell[0]) + 0.5, double(cell[1]) + 0.5, double(cell[2]) + 0.5);
         const Vec3 x = pose.q * centre + pose.t;
         args.volume_solid[node] = Vec4::Zero();
         for (size_t i = 0; i < params.collider_count; ++i) {

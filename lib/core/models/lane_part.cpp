@@ -247,13 +247,12 @@ void LanePart::discard() {
 // With wind lane_air does.
 void LanePart::accelerate(Schedule& schedule, const Substep& at) const {
     if (source_.accelerates && !at.wind)
-        schedule.add(
-            PLAIT_STAGE_lane_accelerate, lanes_.strands,
-            plait_lane_tile_params{lanes_.row, lanes_.tile, source_.layout.row,
-                                   volume_.pressure ? 1u : 0u},
-            {&lane_strand_, &at.state.vertex_count, &at.state.acceleration, &volume_.pressure,
-             &acceleration_},
-            lanes_.row);
+        schedule.add(PLAIT_STAGE_lane_accelerate, lanes_.strands,
+                     plait_lane_tile_params{lanes_.row, lanes_.tile, source_.layout.row,
+                                            volume_.pressure ? 1u : 0u},
+                     {&lane_strand_, &at.state.vertex_count, &at.state.acceleration,
+                      &volume_.pressure, &acceleration_},
+                     lanes_.row);
 }
 
 void LanePart::pin(Schedule& schedule, const Substep& at) const {
@@ -342,8 +341,8 @@ void LanePart::substep(Schedule& schedule, const Substep& at, float mean_length)
     else
         schedule.add(traits_.stage, lanes_.strands, params,
                      {&lane_strand_, &at.state.rest, &at.state.pose, &fill_.material, &fill_.rest,
-                      &at.capsules, &push(), &pin_, &plane_, &x_, &v_, &q_, &q_before_,
-                      &history_.x, &history_.v},
+                      &at.capsules, &push(), &pin_, &plane_, &x_, &v_, &q_, &q_before_, &history_.x,
+                      &history_.v},
                      lanes_.row);
 }
 
@@ -404,8 +403,7 @@ plait_lane_volume_params LanePart::volume_params(const LaneVolume& volume) const
     return params;
 }
 
-void LanePart::splat_volume(Schedule& schedule, const Substep& at,
-                            const LaneVolume& volume) const {
+void LanePart::splat_volume(Schedule& schedule, const Substep& at, const LaneVolume& volume) const {
     schedule.add(PLAIT_STAGE_volume_splat, lanes_.strands, volume_params(volume),
                  {&lane_strand_, &at.state.vertex_count, &volume_.share, &x_, &v_, &volume.sums,
                   &volume.outside},
@@ -446,10 +444,9 @@ void LanePart::add_dynamic(std::pmr::vector<LaneBuffer>& to) const {
 
 uint64_t LanePart::device_bytes() const {
     uint64_t bytes = 0;
-    for (const Buffer* buffer :
-         {&fill_.material, &fill_.rest, &fill_.start, &x_, &v_, &q_, &q_before_, &history_.x,
-          &history_.v, &acceleration_, &pin_, &plane_, &lane_strand_, &volume_.share,
-          &volume_.pressure})
+    for (const Buffer* buffer : {&fill_.material, &fill_.rest, &fill_.start, &x_, &v_, &q_,
+                                 &q_before_, &history_.x, &history_.v, &acceleration_, &pin_,
+                                 &plane_, &lane_strand_, &volume_.share, &volume_.pressure})
         bytes += buffer->bytes();
     return bytes;
 }

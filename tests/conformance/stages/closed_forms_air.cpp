@@ -115,7 +115,8 @@ Vector drag_on(Bench& bench, const Segment& segment, uint32_t bdf2) {
         {null_array(), uints({2}), float4s(std::vector<float>(8, 0.0f)), float4s(pose),
          null_array(), null_array(), lane_floats(material, PLAIT_LANE_MATERIAL_COMPONENTS),
          lane_floats(x, 3), lane_floats(v, 3), lane_floats(before, 3), lane_floats(v, 3),
-         null_array(), lane_floats(std::vector<float>(6, 9), 3), lane_floats(std::vector<float>(8, 0), 4)});
+         null_array(), lane_floats(std::vector<float>(6, 9), 3),
+         lane_floats(std::vector<float>(8, 0), 4)});
     Vector all{};
     for (size_t i = 0; i < 3; ++i) // x relative to the root is where it was
         all[i] =

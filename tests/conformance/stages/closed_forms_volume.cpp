@@ -69,9 +69,9 @@ Solved solve(Bench& bench, const State& state, uint32_t sweeps, float cohesion =
     const uint32_t items = state.n * state.n * ((state.n + 1) / 2);
     for (uint32_t sweep = 0; sweep < sweeps; ++sweep)
         for (const uint32_t colour : {0u, 1u})
-            pressure = bench.run(PLAIT_STAGE_volume_pressure, items, 1,
-                                 plait_volume_sweep_params{state.n, colour},
-                                 {link, node, pressure})[2];
+            pressure =
+                bench.run(PLAIT_STAGE_volume_pressure, items, 1,
+                          plait_volume_sweep_params{state.n, colour}, {link, node, pressure})[2];
     const auto out = bench.run(PLAIT_STAGE_volume_impulse, state.count(), 1,
                                plait_volume_impulse_params{state.n, edge, h, 0},
                                {link, null_array(), pressure, unwritten_float4s(state.count()),
