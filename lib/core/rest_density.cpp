@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 namespace plait {
 namespace {
@@ -129,8 +128,7 @@ RestDensity measure_rest_density(std::span<const float> positions, std::span<con
     const Nodes nodes(grid);
     Fit fit(positions, nodes, rest, memory);
     fit.begin();
-    for (int round = 0; round < (std::getenv("FIT") ? std::atoi(std::getenv("FIT")) : rounds);
-         ++round)
+    for (int round = 0; round < rounds; ++round)
         fit.improve();
     return rest;
 }

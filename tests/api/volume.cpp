@@ -52,9 +52,9 @@ plait::Sim on_floor(const plait::Context& context, const plait_sim_desc& desc) {
         size_t axis;
         float at, normal;
     };
-    for (const Side& one : {Side{1, -spacing / 2, 1}, Side{2, -spacing / 2, 1},
-                            Side{2, spacing * (side - 0.5f), -1}, Side{0, -0.005f, 1},
-                            Side{0, 0.19f, -1}}) {
+    for (const Side& one :
+         {Side{1, -spacing / 2, 1}, Side{2, -spacing / 2, 1}, Side{2, spacing * (side - 0.5f), -1},
+          Side{0, -0.005f, 1}, Side{0, 0.19f, -1}}) {
         auto plane = plait_collider_desc_defaults();
         plane.kind = PLAIT_COLLIDER_KIND_PLANE;
         std::fill_n(plane.normal, 3, 0.0f);
@@ -80,7 +80,8 @@ ON_EVERY_BACKEND(VolumeOf);
 
 TEST_P(VolumeOf, HoldsLayersApartThatWouldLieOnTheFloor) {
     for (const plait_model model : every_model) {
-        plait::Sim bare = on_floor(context, limp(model)), sim = on_floor(context, with_volume(model));
+        plait::Sim bare = on_floor(context, limp(model)),
+                   sim = on_floor(context, with_volume(model));
         run(bare, 60);
         run(sim, 60);
         EXPECT_GT(height_of(sim), 2.5f * height_of(bare)) << model << ": " << height_of(bare);
