@@ -7,24 +7,14 @@
  *         the frontal area of what stands in a volume. Here that of hairs in all directions.
  */
 #pragma OPENCL FP_CONTRACT OFF
-#undef PLAIT_LANES
-#define PLAIT_LANES 1 /* the colliders that strand models know, for a node alone */
-#include "common/lane_collider.clh"
+#include "common/collider.clh"
 #include "common/lane_grid.clh"
 
 static inline int is_solid(__global const float4* collider, const plait_air_obstacle_params* params,
-                           float3 x) {
-    const vec3 origin = vec3_of(0.0f, 0.0f, 0.0f), place = vec3_of(x.x, x.y, x.z);
-    for (uint index = 0u; index < params->collider_count; ++index) {
-        const uint at = params->collider_first + index;
-        if (!lane_collider_meets(collider + PLAIT_COLLIDER_STRIDE * (size_t)at, x, x, 0.0f))
-            continue;
-        const float kind = lane_collider_kind(collider, at);
-        lane_collider near = lane_collider_at(kind, collider, at);
-        lane_collider_ready(kind, &near);
-        if (lane_collider_gap(kind, &near, origin, place).distance < 0.0f)
+                           vec3 x) {
+    for (uint index = 0u; index < params->collider_count; ++index)
+        if (collider_gap(collider, params->collider_first + index, x).distance < 0.0f)
             return 1;
-    }
     return 0;
 }
 
@@ -39,7 +29,8 @@ __kernel void plait_air_obstacle(const uint item_count, const plait_air_obstacle
     const float3 cell = (float3)((float)(item % n), (float)(item / (n * n)), (float)(item / n % n));
     const float3 along = (cell + 0.5f) * params.voxel_edge;
     const vec3 world = lane_grid_world(&grid, vec3_of(along.x, along.y, along.z));
-    const float3 x = grid.corner + (float3)(world.x, world.y, world.z);
+    const vec3 x =
+        vec3_of(grid.corner.x + world.x, grid.corner.y + world.y, grid.corner.z + world.z);
     air_extinction[item] =
         is_solid(collider, &params, x) ? PLAIT_AIR_SOLID : params.extinction * grid_density[item];
 }

@@ -1,9 +1,9 @@
 /* lane_accelerate: accelerations of vertices, strand after strand, to the lanes.
  *
  * Items   strands, over lanes.
- * Reads   lane_strand, vertex_count, acceleration.
- * Writes  lane_acceleration: 0 past the tip, where it would pull at masses that are not there, and
- *         where a component is not finite or beyond PLAIT_MOST_ACCELERATION.
+ * Reads   lane_strand, vertex_count, acceleration, lane_pressure.
+ * Writes  lane_acceleration: 0 past the tip, where it would pull at masses that are not there; the
+ *         caller's counts as 0 where a component is not finite or beyond PLAIT_MOST_ACCELERATION.
  */
 #include "common/lane_step.clh"
 
@@ -11,6 +11,7 @@ __kernel void plait_lane_accelerate(const uint item_count, const plait_lane_tile
                                     __global const uint* lane_strand,
                                     __global const uint* vertex_count,
                                     __global const float4* acceleration,
+                                    __global const real* lane_pressure,
                                     __global real* lane_acceleration) {
     const lane_place place = lane_place_of(get_global_id(0));
     if (!lane_place_used(place, item_count))
@@ -23,6 +24,9 @@ __kernel void plait_lane_accelerate(const uint item_count, const plait_lane_tile
     for (uint i = 0; i < PLAIT_VERTICES; ++i) {
         const vec3 own = gather3(acceleration, &strands, params.row_stride, i);
         const mask pulls = (real)((float)i) < count;
-        store3(lane_acceleration, place, i, pick3(pulls, lane_allowed_acceleration(own), zero));
+        vec3 push = lane_allowed_acceleration(own);
+        if (params.pressure)
+            push = add3(push, load3(lane_pressure, place, i));
+        store3(lane_acceleration, place, i, pick3(pulls, push, zero));
     }
 }

@@ -3,8 +3,8 @@
  *
  * Items   strands, over lanes.
  * Reads   lane_strand, vertex_count, rest, pose, acceleration, air_velocity, lane_material, lane_x,
- *         lane_v, with BDF2 lane_x_before, lane_v_before.
- * Writes  lane_push: the caller's acceleration and that of drag; 0 past the tip.
+ *         lane_v, with BDF2 lane_x_before, lane_v_before, with volume lane_pressure.
+ * Writes  lane_push: the accelerations by drag, by the caller and by pressure; 0 past the tip.
  * Moves   lane_spring: the spring is added to the pin that is there.
  *
  * Drag f at the substep's begin, of the rate c, taken implicitly, m (f - c (v' - v)), v' = (x - X)/h'
@@ -69,8 +69,8 @@ __kernel void plait_lane_air(const uint item_count, const plait_lane_air_params 
                              __global const float4* air_velocity,
                              __global const real* lane_material, __global const real* lane_x,
                              __global const real* lane_v, __global const real* lane_x_before,
-                             __global const real* lane_v_before, __global real* lane_push,
-                             __global real* lane_spring) {
+                             __global const real* lane_v_before, __global const real* lane_pressure,
+                             __global real* lane_push, __global real* lane_spring) {
     const lane_place place = lane_place_of(get_global_id(0));
     if (!lane_place_used(place, item_count))
         return;
@@ -116,6 +116,8 @@ __kernel void plait_lane_air(const uint item_count, const plait_lane_air_params 
         if (params.accelerates)
             push = add3(push, lane_allowed_acceleration(
                                   gather3(acceleration, &strands, params.row_stride, (uint)i)));
+        if (params.pressure)
+            push = add3(push, load3(lane_pressure, place, i));
         store3(lane_push, place, i, pick3(there, push, zero));
         const vec3 target =
             axpy3((real)(step.h), v, add3(lane_history_position(&step, state, i), shift));

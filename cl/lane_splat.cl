@@ -10,61 +10,8 @@
  *         arrive.
  */
 #pragma OPENCL FP_CONTRACT OFF
-#include "common/lane_grid.clh"
-#include "common/sum.clh"
-
-/* Voxels that a work-item holds at once: blocks of 4 x 4 x 4 have a place for each. */
-#define SPLAT_HELD 64
-#define SPLAT_NONE 0xffffffffu
-
-typedef struct {
-    uint voxel[SPLAT_HELD];
-    float8 moments[SPLAT_HELD]; /* tent v (xyz), tent, tent |v|^2 */
-} splat_t;
-
-static inline void splat_flush(const splat_t* splat, uint held, __global uint* sums) {
-    const float8 moments = splat->moments[held];
-    const float4 scale = (float4)((float3)(PLAIT_SUM_MOMENTUM_SCALE), PLAIT_SUM_DENSITY_SCALE);
-    const float4 first = sum_round(scale * moments.lo);
-    const float4 energy = sum_round((float4)(PLAIT_SUM_ENERGY_SCALE * moments.s4));
-    __global uint* words = sums + (size_t)splat->voxel[held] * PLAIT_SUM_STRIDE;
-    sum_add(words, convert_long(first.w));
-    sum_add(words + 2, convert_long(first.x));
-    sum_add(words + 4, convert_long(first.y));
-    sum_add(words + 6, convert_long(first.z));
-    sum_add(words + 8, convert_long(energy.x));
-}
-
-static inline void splat_add(splat_t* splat, uint voxel, uint held, float8 moments,
-                             __global uint* sums) {
-    if (splat->voxel[held] != voxel) {
-        if (splat->voxel[held] != SPLAT_NONE)
-            splat_flush(splat, held, sums);
-        splat->voxel[held] = voxel;
-        splat->moments[held] = (float8)(0.0f);
-    }
-    splat->moments[held] += moments;
-}
-
-/* A vertex' share in the eight voxels around it. */
-static inline void splat_corners(splat_t* splat, const lane_grid* grid, uint3 cell, float3 high,
-                                 float8 moments, __global uint* sums) {
-    const uint n = (uint)grid->count;
-    for (uint corner = 0u; corner < (n > 1u ? 8u : 1u); ++corner) {
-        const uint3 at = cell + (uint3)(corner & 1u, corner >> 1 & 1u, corner >> 2);
-        const float x = corner & 1u ? high.x : 1.0f - high.x;
-        const float y = corner & 2u ? high.y : 1.0f - high.y;
-        const float z = corner & 4u ? high.z : 1.0f - high.z;
-        splat_add(splat, (at.y * n + at.z) * n + at.x,
-                  (at.x & 3u) | (at.y & 3u) << 2 | (at.z & 3u) << 4, moments * (x * y * z), sums);
-    }
-}
-
-/* NaN, of an overflow, as 0. */
-static inline real summable(real v) {
-    const real most = (real)(PLAIT_SUM_MAX_SPEED);
-    return pick(v == v, clamp(v, -most, most), (real)(0.0f));
-}
+#define SPLAT_LAST_SCALE PLAIT_SUM_ENERGY_SCALE
+#include "common/lane_sum.clh"
 
 __kernel void plait_lane_splat(const uint item_count, const plait_lane_grid_params params,
                                __global const uint* lane_strand, __global const uint* vertex_count,
@@ -79,8 +26,7 @@ __kernel void plait_lane_splat(const uint item_count, const plait_lane_grid_para
     const lane_grid grid = lane_grid_of(&params);
     const vec3 root = load3(lane_x, place, 0);
     splat_t splat;
-    for (uint held = 0; held < SPLAT_HELD; ++held)
-        splat.voxel[held] = SPLAT_NONE;
+    splat_begin(&splat);
     uint outside = 0u;
     for (int i = 0; i < (int)params.vertex_stride; ++i) {
         const vec3 x = i > 0 ? add3(root, load3(lane_x, place, i)) : root;
@@ -111,9 +57,7 @@ __kernel void plait_lane_splat(const uint item_count, const plait_lane_grid_para
                 splat_corners(&splat, &grid, at, high, moments, grid_sum);
         }
     }
-    for (uint held = 0; held < SPLAT_HELD; ++held)
-        if (splat.voxel[held] != SPLAT_NONE)
-            splat_flush(&splat, held, grid_sum);
+    splat_end(&splat, grid_sum);
     if (outside > 0u)
         atomic_add(grid_outside, outside);
 }

@@ -469,6 +469,11 @@ typedef enum plait_diffuse_rule {
     PLAIT_DIFFUSE_RULE_FLOORED = 1,
     PLAIT_DIFFUSE_RULE_FORCE_32 = 0x7fffffff
 } plait_diffuse_rule;
+typedef enum plait_volume_form {
+    PLAIT_VOLUME_OFF = 0,
+    PLAIT_VOLUME_PRESSURE = 1,
+    PLAIT_VOLUME_FORCE_32 = 0x7fffffff
+} plait_volume_form;
 
 /* Whether the groom is the unloaded shape of the strands, from which they sag, or their equilibrium
  * under their own weight: lengths and rest rotations of the joints are then computed, in closed
@@ -550,6 +555,16 @@ typedef struct plait_sim_params {
     float grid_origin[3]; /* corner, m, each [-1e6, 1e6], when grid_edge > 0; in the frame of
                              grid_in_world */
     float grid_edge;      /* whole edge, m, [0, 1e6]; 0: a cube around the groom's bounds x 1.5 */
+
+    /* volume: hair keeps the room it has in the groom; docs/volume.md. Models chain, cosserat, rod,
+     * articulated, with interhair EXACT, whose braking it takes the place of */
+    plait_volume_form volume; /* default OFF */
+    float volume_share;       /* density to keep, over that at rest, [0, 4], default 1 */
+    uint32_t volume_sweeps;   /* of the pressure's solve, per fixed step, [1, 64], default 10 */
+    float volume_rate;        /* 1/s: hair that is too dense parts no faster, [0, 1e3], default 5 */
+    float volume_viscosity;   /* 1/s: hair takes the velocity of the hair around it, [0, 1e3],
+                                 default 5 */
+    float cohesion; /* m^2/s^2: tension that hair bears, over its density, [0, 1e4], default 0 */
 
     float accelerate_values[16]; /* each [-1e6, 1e6], default 0: passed to the caller's kernel for
                                     accelerate, which defines them; a warning if none runs */

@@ -63,9 +63,9 @@ void AirGrid::append_obstacle(Schedule& schedule, const Substep& at, float extin
 
 // Plane by plane as the wind goes against the hair, across the axis along which it goes most.
 void AirGrid::append_shelter(Schedule& schedule, const HairNow& hair, const Stream& stream) const {
-    InterHair::Step step{hair.step.layout, hair.step.state, params_,        hair.step.cube,
-                         hair.step.head,   hair.step.h,     hair.step.frame, hair.step.seed,
-                         hair.step.device};
+    InterHair::Step step{hair.step.layout, hair.step.state, params_,
+                         hair.step.cube,   hair.step.head,  hair.step.h,
+                         hair.step.frame,  hair.step.seed,  hair.step.device};
     hair_.append_density(schedule, step, hair.lanes, hair.at);
     append_obstacle(schedule, hair.at, stream.extinction);
     std::array<float, 3> against{};

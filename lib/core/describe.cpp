@@ -6,6 +6,8 @@
 
 #include "base/format.hpp"
 
+#include <cmath>
+
 namespace plait {
 namespace {
 
@@ -45,6 +47,23 @@ std::string stiffening_warning(const SagReport& sag, bool told) {
                          "bend_stiffness is far from what holds this hairstyle");
 }
 
+// In such a step hair falls farther than the pressure's sweeps bring back.
+std::string volume_warning(const plait_sim_desc& desc, const GridCube& cube) {
+    const plait_sim_params& p = desc.params;
+    if (p.volume == PLAIT_VOLUME_OFF)
+        return {};
+    const float voxel =
+        (p.grid_edge > 0 ? p.grid_edge : cube.edge) / static_cast<float>(p.grid_edge_count);
+    const float g = std::hypot(p.gravity[0], p.gravity[1], p.gravity[2]);
+    const float fall = g * desc.step * desc.step;
+    if (fall <= voxel / 4)
+        return {};
+    return format(
+        "volume: hair falls by %.2g m in a step of %.2g s, more than a quarter of a voxel "
+        "of %.2g m: shorter steps or larger voxels hold it",
+        double(fall), double(desc.step), double(voxel));
+}
+
 // A kernel of the caller's that is not run.
 constexpr const char* accelerate_off =
     "the context has a kernel of yours for the stage accelerate, and this sim was made with "
@@ -66,6 +85,7 @@ std::string Sim::warning() const {
     const bool told = !text.empty();
     append(text, residual_warning(sag, layout_.guides, desc_.sag_free));
     append(text, stiffening_warning(sag, told));
+    append(text, volume_warning(desc_, cube_));
     if (no_accelerate() == accelerate_off)
         append(text, accelerate_off);
     return text;

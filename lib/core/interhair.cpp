@@ -65,6 +65,10 @@ Result<InterHair> InterHair::create(Device& device, const plait_sim_params& para
     Schedule zero;
     clear(zero, grid->outside_, 0); // nothing has been outside before the first step
     PLAIT_TRY(zero.submit(device));
+    auto volume = Volume::create(device, params);
+    if (!volume)
+        return volume.error();
+    grid->volume_ = std::move(*volume);
     return grid;
 }
 
@@ -79,6 +83,7 @@ bool InterHair::fits(const plait_sim_params& params) const {
     if (params.interhair != mode_ || mode_ == PLAIT_INTERHAIR_OFF)
         return params.interhair == mode_;
     return params.grid_edge_count == edge_count_ &&
+           (params.volume != PLAIT_VOLUME_OFF) == bool(volume_) &&
            (mode_ != PLAIT_INTERHAIR_SLOTS || params.slot_capacity == capacity_);
 }
 
@@ -161,8 +166,23 @@ void InterHair::append_density(Schedule& schedule, const Step& step, const Model
                  {&sums_, &density_, &velocity_});
 }
 
+void InterHair::append_volume_start(Schedule& schedule, const Step& step, const Model& model,
+                                    const Substep& at) const {
+    const auto h = static_cast<float>(at.step);
+    volume_.append_start(schedule, {grid_params(step), h, sums_, outside_, density_, velocity_},
+                         model, at);
+}
+
+void InterHair::append_volume(Schedule& schedule, const Step& step, const Model& model,
+                              const Substep& at) const {
+    const auto h = static_cast<float>(at.step);
+    volume_.append_step(schedule, {grid_params(step), h, sums_, outside_, density_, velocity_},
+                        model, at);
+}
+
 uint64_t InterHair::device_bytes() const {
-    return slots_.bytes() + sums_.bytes() + density_.bytes() + velocity_.bytes() + outside_.bytes();
+    return slots_.bytes() + sums_.bytes() + density_.bytes() + velocity_.bytes() +
+           outside_.bytes() + volume_.device_bytes();
 }
 
 } // namespace plait

@@ -4,6 +4,7 @@
 #include "core/model.hpp"
 #include "core/schedule.hpp"
 #include "core/state.hpp"
+#include "core/volume.hpp"
 
 #include <array>
 
@@ -45,6 +46,13 @@ class InterHair {
     void append_density(Schedule& schedule, const Step& step, const Model* lanes,
                         const Substep& at) const;
     bool is_on() const { return mode_ != PLAIT_INTERHAIR_OFF; }
+    // With volume, in their place; see Volume.
+    void append_volume_start(Schedule& schedule, const Step& step, const Model& model,
+                             const Substep& at) const;
+    void append_volume(Schedule& schedule, const Step& step, const Model& model,
+                       const Substep& at) const;
+    Volume& volume() { return volume_; }
+    const Volume& volume() const { return volume_; }
     bool is_exact() const { return mode_ == PLAIT_INTERHAIR_EXACT; }
 
     const Buffer& density() const { return density_; }
@@ -65,6 +73,7 @@ class InterHair {
     Buffer density_;  // float [nv^3]
     Buffer velocity_; // float4 [nv^3]
     Buffer outside_;  // uint [1]
+    Volume volume_;
 };
 
 // Where the grid is and how fine, for the grid stages.

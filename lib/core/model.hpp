@@ -56,6 +56,14 @@ struct LaneGrid {
     const Buffer &sums, &outside, &density, &velocity;
 };
 
+// The same for volume, which has the grid's velocity and, per node, what pressure does.
+struct LaneVolume {
+    plait_grid_params params;
+    const Buffer &sums, &outside, &velocity, &change, &push;
+    float blend; // [0, 1]
+    bool moves;  // velocities change, too
+};
+
 class Model {
   public:
     virtual ~Model() = default;
@@ -97,6 +105,8 @@ class Model {
     virtual bool has_lanes() const { return false; }
     virtual void splat(Schedule&, const Substep&, const LaneGrid&) const {}
     virtual void diffuse(Schedule&, const Substep&, const LaneGrid&) const {}
+    virtual void splat_volume(Schedule&, const Substep&, const LaneVolume&) const {}
+    virtual void gather_volume(Schedule&, const Substep&, const LaneVolume&) const {}
     // Appends putting every vertex at its rest position under state.pose.
     virtual void reset(Schedule& schedule, const Substep& at) = 0;
     // Appends carrying the state from state.pose to `pose`.
@@ -111,6 +121,8 @@ class Model {
     virtual void list_parts(std::span<const Settings>, std::pmr::vector<PartShape>&) const {}
     // Adds the model's own buffers that carry state from step to step.
     virtual void add_dynamic(std::pmr::vector<LaneBuffer>&) const {}
+    // The same of what carried pressure does; without volume the buffers are none.
+    virtual void add_pressure(std::pmr::vector<LaneBuffer>&) const {}
     virtual uint64_t device_bytes() const { return 0; }
 };
 

@@ -21,6 +21,7 @@ constexpr const char* interhairs[] = {"off", "slots", "exact"};
 constexpr const char* slot_hashes[] = {"thesis", "pcg"};
 constexpr const char* tents[] = {"voxel", "trilinear"};
 constexpr const char* diffuse_rules[] = {"thesis", "floored"};
+constexpr const char* volumes[] = {"off", "pressure"};
 
 // Who reads a parameter: the models of which a trait holds.
 constexpr uint32_t models_that(bool ModelTraits::*has) {
@@ -132,6 +133,13 @@ constexpr plait_param_info table[] = {
     whole(AT(grid_in_world), 0, 1),
     real(AT(grid_origin), "m", -1e6, 1e6),
     real(AT(grid_edge), "m", 0, 1e6),
+
+    of(strand_models, choice(AT(volume), volumes)),
+    of(strand_models, real(AT(volume_share), "", 0, 4)),
+    of(strand_models, whole(AT(volume_sweeps), 1, 64)),
+    of(strand_models, real(AT(volume_rate), "1/s", 0, 1e3)),
+    of(strand_models, real(AT(volume_viscosity), "1/s", 0, 1e3)),
+    of(strand_models, real(AT(cohesion), "m^2/s^2", 0, 1e4)),
 
     real(AT(accelerate_values), "", -1e6, 1e6),
 };

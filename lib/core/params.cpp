@@ -116,6 +116,10 @@ plait_sim_params default_params() {
     p.diffuse_ratio = 2;
     p.diffuse_factor = 0.9f;
     p.diffuse_floor = 0.5f;
+    p.volume_share = 1;
+    p.volume_sweeps = 10;
+    p.volume_rate = 5;
+    p.volume_viscosity = 5;
     return p;
 }
 
@@ -135,7 +139,20 @@ Status check_params(const plait_sim_params& params) {
     for (const plait_param_info& param : param_table())
         if (!left_to_model(param, params))
             PLAIT_TRY(check_param(param, params));
+    if (params.volume != PLAIT_VOLUME_OFF && params.interhair != PLAIT_INTERHAIR_EXACT)
+        return Error{PLAIT_INVALID_ARGUMENT,
+                     format("volume is %d (pressure), interhair is %d: volume needs interhair 2 "
+                            "(exact)",
+                            params.volume, params.interhair)};
     return check_slot_total(params);
+}
+
+Status check_volume(const plait_sim_params& params, plait_model model) {
+    if (params.volume == PLAIT_VOLUME_OFF || traits_of(model).switches)
+        return {};
+    return Error{PLAIT_INVALID_ARGUMENT,
+                 format("volume is %d: strands of model %d have none; those of the models %s do",
+                        params.volume, model, list_models(&ModelTraits::switches).c_str())};
 }
 
 Status check_sim_desc(const plait_sim_desc& s) {
@@ -165,7 +182,8 @@ Status check_sim_desc(const plait_sim_desc& s) {
                             "have materials",
                             s.material_count, s.model,
                             list_models(&ModelTraits::switches).c_str())};
-    return check_params(s.params);
+    PLAIT_TRY(check_params(s.params));
+    return check_volume(s.params, s.model);
 }
 
 Status check_strand_model(const plait_model& model, size_t strand) {

@@ -15,6 +15,12 @@ struct Discard {
     ~Discard() { model.discard(); }
 };
 
+// Whether the grid is where it was.
+bool same_place(const plait_sim_params& a, const plait_sim_params& b) {
+    return a.grid_edge == b.grid_edge && a.grid_in_world == b.grid_in_world &&
+           std::ranges::equal(a.grid_origin, b.grid_origin);
+}
+
 } // namespace
 
 Sim::Sim(Context& context, SimParts parts)
@@ -93,6 +99,7 @@ Status Sim::show_at_once() {
 // All or nothing: what is new is made aside, taken, and given back if its stages cannot run.
 Status Sim::set_params(const plait_sim_params& params) {
     const Discard discard{*model_};
+    PLAIT_TRY(check_volume(params, desc_.model));
     PLAIT_TRY(model_->prepare(device(), params));
     InterHair grid;
     const bool same_grid = grid_.fits(params);
@@ -116,6 +123,8 @@ Status Sim::set_params(const plait_sim_params& params) {
         exchange();
     else
         log_warnings(next, warned);
+    if (status && !same_place(next, desc_.params))
+        grid_.volume().carries = false;
     return status;
 }
 
@@ -238,6 +247,7 @@ Status Sim::teleport(const RootsInput& input) {
     roots_.stop(schedule_);
     roots_.append_poses_now(schedule_, pose_spare_);
     append_stopped_pins(schedule_, layout_, state_);
+    grid_.volume().carries = false;
     model_->teleport(schedule_, present(), pose_spare_);
     std::swap(state_.pose, pose_spare_);
     return show_at_once();
@@ -247,6 +257,7 @@ Status Sim::reset() {
     schedule_.clear();
     clock_.reset();
     wind_.reset();
+    grid_.volume().carries = false;
     roots_.stop(schedule_);
     colliders_.stop();
     append_stopped_pins(schedule_, layout_, state_);

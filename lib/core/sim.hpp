@@ -173,10 +173,13 @@ class Sim {
     void append_air(const At& at);
     void append_accelerations(const At& at);
     void append_solve(const At& at);
+    void append_volume(const At& at);
     void append_grid_over_lanes(const At& at);
     void append_publish(const At& at);
     void append_grid(const At& at);
     void append_display(const At& at);
+    // The last substep of some strands: colliders are there at the end of the step.
+    Substep first_group() const { return at({substeps_.front(), 0}, substeps_.front() - 1); }
     Status fixed_step(double end, uint32_t step, uint32_t steps);
     void append_dry_step();
     void append_shown();
@@ -210,7 +213,15 @@ class Sim {
     Status write_pins(std::span<const float> src);
     // A run of floats that a snapshot holds.
     struct Block {
-        enum class Of { vertices, histories, poses, motion, turns }; // what its values may be
+        enum class Of {
+            vertices,
+            histories,
+            poses,
+            motion,
+            turns,
+            pushes,
+            pressures
+        }; // what its values may be
         const Buffer* buffer;
         size_t floats;
         Of of;

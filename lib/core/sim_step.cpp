@@ -6,6 +6,7 @@
 //   air                                turbulence
 //   accelerations                      of single vertices
 //   solve                                                    the model
+//   volume                             pressure at rest                  pressure, velocities
 //   grid over lanes                                                      brakes velocities
 //   publish                                                              positions
 //   grid                                                                 brakes velocities
@@ -24,9 +25,10 @@ namespace plait {
 
 // In the order in which they act at one moment.
 constexpr Sim::Phase Sim::phases[] = {
-    &Sim::append_roots,         &Sim::append_pins,  &Sim::append_air,
-    &Sim::append_accelerations, &Sim::append_solve, &Sim::append_grid_over_lanes,
-    &Sim::append_publish,       &Sim::append_grid,  &Sim::append_display,
+    &Sim::append_roots,           &Sim::append_pins,    &Sim::append_air,
+    &Sim::append_accelerations,   &Sim::append_solve,   &Sim::append_volume,
+    &Sim::append_grid_over_lanes, &Sim::append_publish, &Sim::append_grid,
+    &Sim::append_display,
 };
 
 void Sim::append_phases(const At& at) {
@@ -61,6 +63,8 @@ Status Sim::fixed_step(double end, uint32_t step, uint32_t steps) {
     PLAIT_TRY(for_each_group(substeps));
     append_phases({Moment::step_ends, present(), step, steps});
     PLAIT_TRY(submit());
+    if (grid_.volume())
+        grid_.volume().carry();
     if (wind_.blows())
         wind_.advance(clock_.step());
     ++clock_.steps;
@@ -136,8 +140,8 @@ bool Sim::hair_is_over_lanes() const {
 // Not where the caller has kernels of his own for it.
 bool Sim::grid_is_over_lanes() const {
     const auto& replaced = context_.replaced;
-    return grid_.is_exact() && hair_is_over_lanes() && !replaced[PLAIT_STAGE_grid_splat] &&
-           !replaced[PLAIT_STAGE_grid_diffuse] &&
+    return grid_.is_exact() && !grid_.volume() && hair_is_over_lanes() &&
+           !replaced[PLAIT_STAGE_grid_splat] && !replaced[PLAIT_STAGE_grid_diffuse] &&
            context_.device.supports(PLAIT_STAGE_lane_diffuse);
 }
 
@@ -146,13 +150,24 @@ void Sim::append_grid_over_lanes(const At& at) {
         grid_.append_over_lanes(schedule_, grid_step(roots_.step_head()), *model_, at.substep);
 }
 
+// In place of the brake. The pressure goes on from step to step; where it cannot, it is sought first.
+void Sim::append_volume(const At& at) {
+    if (!grid_.volume())
+        return;
+    if (at.moment == Moment::step_begins && !grid_.volume().carries)
+        grid_.append_volume_start(schedule_, grid_step(roots_.step_begin()), *model_,
+                                  first_group());
+    if (at.moment == Moment::step_ends)
+        grid_.append_volume(schedule_, grid_step(roots_.step_head()), *model_, first_group());
+}
+
 void Sim::append_publish(const At& at) {
     if (at.moment == Moment::step_ends)
         model_->publish(schedule_, at.substep);
 }
 
 void Sim::append_grid(const At& at) {
-    if (at.moment != Moment::step_ends || !grid_.is_on() || grid_is_over_lanes())
+    if (at.moment != Moment::step_ends || !grid_.is_on() || grid_.volume() || grid_is_over_lanes())
         return;
     grid_.append(schedule_, grid_step(roots_.step_head()));
     model_->adopt(schedule_, at.substep);

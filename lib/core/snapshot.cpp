@@ -52,7 +52,7 @@ struct SnapshotHeader {
     double wind_time;  // Wind::Moving
     double wind_way[3];
     float wind_jump[3];
-    uint32_t unused;
+    uint32_t volume; // nodes per edge of the grid whose pressure is carried; 0: none
 };
 static_assert(sizeof(SnapshotHeader) == 72 + 112 + 32 + 48);
 static_assert(sizeof(Colliders::Slot) == sizeof(float) * (2 + 21 + 28),
@@ -61,10 +61,11 @@ static_assert(sizeof(Colliders::Slot) == sizeof(float) * (2 + 21 + 28),
 namespace {
 
 constexpr uint32_t magic = 0x74696c70; // "plit"
-constexpr uint32_t version = 6;
+constexpr uint32_t version = 7;
 
 // Of a position (m) or a velocity (m/s): a head and a groom may be 1e6 m away each.
 constexpr float largest = 4e6f;
+constexpr float most_pressure = 1e30f;
 constexpr double unit_error = 1e-2; // of a quaternion's square
 
 Error malformed(const std::string& what) {
@@ -114,8 +115,8 @@ Status check_header(const SnapshotHeader& h) {
             return malformed(format("wind_way[%zu] is %g m, wind_jump[%zu] %g m/s, ranges are "
                                     "[-1e15, 1e15] and [-1e6, 1e6]",
                                     i, h.wind_way[i], i, double(h.wind_jump[i])));
-    if (h.unused != 0)
-        return malformed(format("unused is %u, not 0", h.unused));
+    if (h.volume > 64)
+        return malformed(format("volume is %u nodes, range is [0, 64]", h.volume));
     if (h.aimed > 1 || h.kept > 1 || h.switched > 1 || h.pins > 1)
         return malformed(
             format("aimed is %u, kept is %u, switched is %u, pins is %u, range is [0, 1]", h.aimed,
@@ -283,6 +284,17 @@ std::pmr::vector<Sim::Block> Sim::blocks(const SnapshotHeader& h) {
     if (h.pins)
         for (const Buffer* pins : {&state_.pin, &state_.pin_at, &state_.pin_to})
             list.push_back({pins, 4 * vertices, Block::Of::histories, {}});
+    if (h.volume > 0) {
+        std::pmr::vector<LaneBuffer> pushes(&context_.memory);
+        model_->add_pressure(pushes);
+        for (const LaneBuffer& lanes : pushes)
+            list.push_back({lanes.buffer, size_t{lanes.layout.strands} * lanes.layout.row * 3,
+                            Block::Of::pushes, lanes});
+        list.push_back({&grid_.volume().pressure(),
+                        size_t{h.volume} * h.volume * h.volume,
+                        Block::Of::pressures,
+                        {}});
+    }
     return list;
 }
 
@@ -294,7 +306,9 @@ std::pmr::vector<Sim::Block> Sim::saved_blocks(const SnapshotHeader& h,
     auto list = blocks(h);
     if (std::ranges::equal(strands, settings()))
         return list;
-    const auto is_lane = [](const Block& block) { return block.lanes.buffer != nullptr; };
+    const auto is_lane = [](const Block& block) {
+        return block.lanes.buffer != nullptr && block.of != Block::Of::pushes;
+    };
     const auto first = std::ranges::find_if(list, is_lane);
     const auto last = std::find_if_not(first, list.end(), is_lane);
     std::pmr::vector<Block> saved(list.begin(), first, &context_.memory);
@@ -331,6 +345,7 @@ SnapshotHeader Sim::snapshot_header() {
     h.wind_time = wind_.moving.time;
     std::ranges::copy(wind_.moving.way, h.wind_way);
     std::ranges::copy(wind_.moving.jump, h.wind_jump);
+    h.volume = grid_.volume().carries ? desc_.params.grid_edge_count : 0;
     const auto strands = settings();
     h.switched = std::ranges::any_of(
         strands, [&](const Settings& s) { return s != own_settings(desc_.model); });
@@ -443,6 +458,12 @@ Status Sim::check_fits(const SnapshotHeader& h) const {
 Status Sim::check_block(const Block& block, const unsigned char* from) const {
     const char* name = block.buffer->name();
     const bool poses = block.of == Block::Of::poses, turns = block.of == Block::Of::turns;
+    if (block.of == Block::Of::pressures) {
+        for (size_t i = 0; i < block.floats; ++i)
+            if (const float value = float_at(from, i); !(std::abs(value) <= most_pressure))
+                return outside("volume_pressure", i, double(value), "[-1e30, 1e30]");
+        return {};
+    }
     for (size_t i = 0; i < block.floats; i += 4) {
         if (turns || (poses && i % 8 == 0)) {
             PLAIT_TRY(check_turn(from, i, name, block.lanes.blended));
@@ -502,7 +523,8 @@ Status Sim::restore_block(const Block& block, const unsigned char* from) {
 
 Status Sim::restore_blocks(std::span<const Block> list, const unsigned char* from) {
     for (const Block& block : list) {
-        if (*block.buffer) // this sim may do without
+        const bool fits = block.of != Block::Of::pressures || block.buffer->count() == block.floats;
+        if (*block.buffer && fits) // this sim may do without
             PLAIT_TRY(restore_block(block, from));
         from += block.floats * sizeof(float);
     }
@@ -566,6 +588,7 @@ Status Sim::restore(std::span<const unsigned char> src) {
         std::ranges::copy(h.wind_way, wind_.moving.way.begin());
         std::ranges::copy(h.wind_jump, wind_.moving.jump.begin());
     }
+    grid_.volume().carries = grid_.volume() && h.volume == desc_.params.grid_edge_count;
     if (!h.kept)
         display_.append_step_before(schedule_, layout_, state_);
     append_shown();

@@ -167,7 +167,7 @@ plait_sim_desc random_desc(const Case& c, Dice& dice) {
 class Scene {
   public:
     Scene(plait::Context& context, const Case& c, uint32_t seed)
-        : case_(c), dice_(seed), mesh_dice_(seed + 1000),
+        : case_(c), dice_(seed), mesh_dice_(seed + 1000), volume_dice_(seed + 2000),
           sim_(context, groom(), random_desc(c, dice_)) {}
 
     void frame_of_calls() {
@@ -175,6 +175,8 @@ class Scene {
             call();
         if (case_.model != PLAIT_MODEL_TRESSFX && mesh_dice_.one_in(5))
             add_mesh();
+        if (case_.model != PLAIT_MODEL_TRESSFX && volume_dice_.one_in(6))
+            change_volume();
         at_ = {at_[0] + dice_.between(-0.03f, 0.03f), at_[1], at_[2]};
         sim_.set_roots(head_at(at_));
         sim_.step(dice_.one_in(10) ? 0.04 : frame);
@@ -189,6 +191,7 @@ class Scene {
             sim_.set_pins({});
         auto params = sim_.params();
         params.drag = 15;
+        params.volume = PLAIT_VOLUME_OFF;
         sim_.set_params(params);
         run(sim_, steps);
     }
@@ -222,6 +225,18 @@ class Scene {
     }
     void call();
     void pins_wind_or_models();
+    void change_volume() {
+        auto params = sim_.params();
+        const bool on = !volume_dice_.one_in(3);
+        params.interhair = on ? PLAIT_INTERHAIR_EXACT : PLAIT_INTERHAIR_OFF;
+        params.volume = on ? PLAIT_VOLUME_PRESSURE : PLAIT_VOLUME_OFF;
+        params.grid_edge_count = 1 + volume_dice_.below(16);
+        params.volume_share = volume_dice_.between(0, 4);
+        params.volume_sweeps = 1 + volume_dice_.below(12);
+        params.volume_viscosity = volume_dice_.one_in(2) ? 0 : volume_dice_.decade(-1, 2);
+        params.cohesion = volume_dice_.one_in(2) ? 0 : volume_dice_.decade(-2, 2);
+        sim_.set_params(params);
+    }
     std::optional<size_t> some_collider() {
         if (colliders_.empty())
             return {};
@@ -229,7 +244,7 @@ class Scene {
     }
 
     const Case& case_;
-    Dice dice_, mesh_dice_;
+    Dice dice_, mesh_dice_, volume_dice_;
     plait::Sim sim_;
     std::vector<plait_collider_id> colliders_;
     Point at_{0, 0, 0};

@@ -136,6 +136,9 @@ void fill(plait_pins_params& p, const Shape& shape) {
 void fill(plait_lane_pin_params& p, const Shape& shape) {
     p = {shape.vertices, shape.tile, shape.vertices, 0.5f, 1e4f, 1e5f, step, 300};
 }
+void fill(plait_lane_tile_params& p, const Shape& shape) {
+    p = {shape.vertices, shape.tile, shape.vertices, 0};
+}
 void fill(plait_air_field_params& p, const Shape&) {
     p.edge_count = grid_edge_count;
     p.voxel_edge = grid_size / grid_edge_count / 0.5f;
@@ -176,6 +179,39 @@ void fill(plait_lane_air_params& p, const Shape& shape) {
     p.voxel_edge = grid_size / grid_edge_count;
     p.q[3] = 1;
     p.t[0] = p.t[1] = p.t[2] = -grid_size / 2;
+}
+void fill(plait_lane_volume_params& p, const Shape& shape) {
+    p.vertex_stride = shape.vertices;
+    p.tile = shape.tile;
+    p.edge_count = grid_edge_count;
+    p.voxel_edge = grid_size / grid_edge_count;
+    p.q[3] = 1;
+    p.t[0] = p.t[1] = p.t[2] = -grid_size / 2;
+    p.blend = 0.08f;
+    p.moves = 1;
+}
+void fill(plait_volume_nodes_params& p, const Shape&) {
+    p.edge_count = grid_edge_count;
+    p.voxel_edge = grid_size / grid_edge_count;
+    p.q[3] = 1;
+    p.t[0] = p.t[1] = p.t[2] = -grid_size / 2;
+    p.collider_count = colliders;
+    p.h = step;
+}
+void fill(plait_volume_params& p, const Shape&) {
+    p.edge_count = grid_edge_count;
+    p.voxel_edge = grid_size / grid_edge_count;
+    p.h = step;
+    p.share = 1;
+    p.recovery = 0.2f;
+    p.most_recovery = 0.08f;
+    p.carried = 1;
+}
+void fill(plait_volume_sweep_params& p, const Shape&) {
+    p.edge_count = grid_edge_count;
+}
+void fill(plait_volume_impulse_params& p, const Shape&) {
+    p = {grid_edge_count, grid_size / grid_edge_count, step, 1};
 }
 void fill(plait_lane_grid_params& p, const Shape& shape) {
     plait_grid_params grid{};
@@ -293,6 +329,20 @@ template <size_t N> Words bits_of(const float (&row)[N]) {
     Words words(N);
     std::transform(row, row + N, words.begin(),
                    [](float value) { return std::bit_cast<uint32_t>(value); });
+    return words;
+}
+
+// Hair in all nodes but those of the outermost layer, which are air.
+Words volume_nodes() {
+    Words words;
+    const auto inner = [](uint32_t i) { return i > 0 && i + 1 < grid_edge_count; };
+    for (uint32_t node = 0; node < voxels; ++node) {
+        const bool hair = inner(node % grid_edge_count) &&
+                          inner(node / grid_edge_count % grid_edge_count) &&
+                          inner(node / (grid_edge_count * grid_edge_count));
+        const Words one = bits_of<4>({0, 0, hair ? 0.5f : 0.0f, 0});
+        words.insert(words.end(), one.begin(), one.end());
+    }
     return words;
 }
 
@@ -530,6 +580,13 @@ const std::map<std::string, Maker>& makers() {
         {"lane_to", lane_positions},
         {"lane_q", downwards},
         {"lane_q_before", downwards},
+        {"lane_share",
+         [](const Shape& s) {
+             return lane_rows<PLAIT_LANE_SHARE_COMPONENTS>(s, {1, 20});
+         }},
+        {"volume_rest", [](const Shape&) { return densities(); }},
+        {"volume_link", [](const Shape&) { return vectors(voxels, 0.05f, 0.05f, 0.05f, 0); }},
+        {"volume_node", [](const Shape&) { return volume_nodes(); }},
         {"grid_sum", [](const Shape&) { return Words(size_t{voxels} * PLAIT_SUM_STRIDE, 1); }},
         {"grid_density", [](const Shape&) { return densities(); }},
         {"grid_velocity", [](const Shape&) { return vectors(voxels, 0.01f, 0.01f, 0.01f, 0.02f); }},

@@ -61,7 +61,8 @@ Case air_obstacle_case() {
             if (count > 0)
                 colliders.insert(colliders.begin(), sphere); // of the substep before
             Setup setup;
-            setup.name = std::to_string(edge_count) + " voxels, " + std::to_string(count) + " colliders";
+            setup.name =
+                std::to_string(edge_count) + " voxels, " + std::to_string(count) + " colliders";
             setup.items = edge_count * edge_count * edge_count;
             setup.buffers = {floats(densities(setup.items)),
                              count > 0 ? float4s(pack(colliders)) : null_array(),

@@ -32,7 +32,8 @@ std::vector<float> values(uint32_t count, double low, double high, uint32_t gap)
     Random random(count + gap);
     std::vector<float> list;
     for (uint32_t i = 0; i < count; ++i)
-        list.push_back(gap > 0 && i % gap == 1 ? 0.0f : static_cast<float>(random.uniform(low, high)));
+        list.push_back(gap > 0 && i % gap == 1 ? 0.0f
+                                               : static_cast<float>(random.uniform(low, high)));
     return list;
 }
 
@@ -47,8 +48,8 @@ Case air_shelter_case() {
             for (uint32_t plane = 0; plane < std::min(edge_count, 3u); ++plane) {
                 const uint32_t nodes = edge_count * edge_count * edge_count;
                 Setup setup;
-                setup.name = std::to_string(edge_count) + " voxels, plane " + std::to_string(plane) +
-                             " along " + std::to_string(axis);
+                setup.name = std::to_string(edge_count) + " voxels, plane " +
+                             std::to_string(plane) + " along " + std::to_string(axis);
                 setup.items = edge_count * edge_count;
                 setup.buffers = {floats(values(nodes, 0, 9, 4)), floats(values(nodes, 1, 90, 3)),
                                  float4s(values(4 * nodes, -2, 2, 0)),

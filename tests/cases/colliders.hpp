@@ -28,37 +28,37 @@ inline std::vector<float> pack(const std::vector<Collider>& colliders) {
 }
 
 inline const Collider tapered = {{-.3f, -.1f, .1f, .25f, .4f, .3f, .2f, .08f},
-                          {-.2f, 0, 0, .25f, .4f, .4f, .1f, .08f},
-                          {.12f, -.24f, .16f, .9506840f},
-                          .3f};
+                                 {-.2f, 0, 0, .25f, .4f, .4f, .1f, .08f},
+                                 {.12f, -.24f, .16f, .9506840f},
+                                 .3f};
 inline const Collider straight = {{.1f, -.5f, -.4f, .15f, .1f, .1f, -.4f, .15f},
-                           {.2f, -.4f, -.4f, .15f, .1f, .2f, -.3f, .15f},
-                           {0, .6f, 0, .8f},
-                           2};
+                                  {.2f, -.4f, -.4f, .15f, .1f, .2f, -.3f, .15f},
+                                  {0, .6f, 0, .8f},
+                                  2};
 inline const Collider sphere = {{-.3f, .4f, -.2f, .2f, -.3f, .4f, -.2f, .2f},
-                         {-.25f, .35f, -.2f, .2f, -.25f, .35f, -.2f, .2f},
-                         {0, 0, 0, 1},
-                         0};
+                                {-.25f, .35f, -.2f, .2f, -.25f, .35f, -.2f, .2f},
+                                {0, 0, 0, 1},
+                                0};
 // The sphere at b holds the one at a.
 inline const Collider swallowed = {{.3f, -.3f, .3f, .05f, .32f, -.33f, .3f, .2f},
-                            {.3f, -.35f, .3f, .05f, .32f, -.38f, .3f, .2f},
-                            {0, 0, .28f, .96f},
-                            .5f};
+                                   {.3f, -.35f, .3f, .05f, .32f, -.38f, .3f, .2f},
+                                   {0, 0, .28f, .96f},
+                                   .5f};
 // A third of the hair lies under it.
 inline const Collider plane = {{.1f, -.2f, .1f, 0, 0, 1, 0, 0},
-                        {.1f, -.15f, .1f, 0, .48f, .64f, -.6f, 0},
-                        {.3f, 0, .24f, .9233634f},
-                        .4f,
-                        PLAIT_KIND_PLANE};
+                               {.1f, -.15f, .1f, 0, .48f, .64f, -.6f, 0},
+                               {.3f, 0, .24f, .9233634f},
+                               .4f,
+                               PLAIT_KIND_PLANE};
 inline const Collider box = {{.1f, .1f, 0, .06f, .36f, -.48f, .64f, .48f},
-                      {.15f, .1f, .05f, .06f, .3f, .12f, .2f, 0},
-                      {.12f, -.24f, .16f, .9506840f},
-                      .6f,
-                      PLAIT_KIND_BOX};
+                             {.15f, .1f, .05f, .06f, .3f, .12f, .2f, 0},
+                             {.12f, -.24f, .16f, .9506840f},
+                             .6f,
+                             PLAIT_KIND_BOX};
 inline const Collider sharp_box = {{-.3f, -.2f, .1f, 0, 0, .6f, 0, .8f},
-                            {-.25f, -.2f, .2f, 0, .25f, .1f, .3f, 0},
-                            {0, 0, .28f, .96f},
-                            .2f,
-                            PLAIT_KIND_BOX};
+                                   {-.25f, -.2f, .2f, 0, .25f, .1f, .3f, 0},
+                                   {0, 0, .28f, .96f},
+                                   .2f,
+                                   PLAIT_KIND_BOX};
 
 } // namespace plait::cases

@@ -11,13 +11,13 @@ constexpr float heavier = 1e4f; // so that springs have stiffnesses of about 1 N
 
 struct Form {
     const char* name;
-    uint32_t bdf2, pins, accelerates, equal_masses, field;
+    uint32_t bdf2, pins, accelerates, pressure, equal_masses, field;
 };
-constexpr Form forms[] = {{"still", 0, 0, 0, 0, 0},
-                          {"equal masses", 0, 0, 1, 1, 0},
-                          {"BDF2, pins", 1, 1, 1, 0, 0},
-                          {"BDF2, field", 1, 0, 0, 1, 1},
-                          {"all", 1, 1, 1, 0, 1}};
+constexpr Form forms[] = {{"still", 0, 0, 0, 0, 0, 0},
+                          {"equal masses", 0, 0, 1, 0, 1, 0},
+                          {"BDF2, pins", 1, 1, 1, 0, 0, 0},
+                          {"BDF2, field", 1, 0, 0, 1, 1, 1},
+                          {"all", 1, 1, 1, 1, 0, 1}};
 
 plait_lane_air_params params_of(const Size& size, const Form& form) {
     plait_lane_air_params params{};
@@ -27,6 +27,7 @@ plait_lane_air_params params_of(const Size& size, const Form& form) {
     params.bdf2 = form.bdf2;
     params.pins = form.pins;
     params.accelerates = form.accelerates;
+    params.pressure = form.pressure;
     params.equal_masses = form.equal_masses;
     params.drag = 4.2e-5f * heavier;
     params.viscous = 3.6f;
@@ -54,6 +55,14 @@ std::vector<float> nodes(uint32_t edge_count) {
         velocities.push_back(static_cast<float>(random.uniform(0, 1)));
     }
     return velocities;
+}
+
+std::vector<float> pressures(size_t count) {
+    Random random(5);
+    std::vector<float> values;
+    for (size_t i = 0; i < count; ++i)
+        values.push_back(static_cast<float>(random.uniform(-9, 9)));
+    return values;
 }
 
 // Every second vertex is pinned a centimetre from where it is, about as stiffly as by drag.
@@ -96,6 +105,7 @@ Case lane_air_case() {
                              lane_floats(lanes.v, 3),
                              lane_floats(lanes.x_before, 3),
                              lane_floats(lanes.v_before, 3),
+                             lane_floats(pressures(lanes.x.size()), 3),
                              lane_floats(std::vector<float>(lanes.x.size(), 9), 3),
                              lane_floats(some_pins(lanes), 4)};
             result.setups.push_back(setup.with(params_of(size, form)));

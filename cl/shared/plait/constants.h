@@ -163,6 +163,18 @@
 /* 1/m: extinction of wind in a collider: e^-10 is left behind a centimetre. Ours. */
 #define PLAIT_AIR_SOLID PLAIT_NUMBER(1000.0)
 
+/* ---- volume ------------------------------------------------------------------------------------
+ */
+
+/* Share of the density to keep below which hair is air to the pressure, and the least density at
+ * all, in mean vertices per voxel. Ours. */
+#define PLAIT_VOLUME_AIR PLAIT_NUMBER(0.05)
+#define PLAIT_VOLUME_LEAST_DENSITY PLAIT_NUMBER(1e-3)
+/* Share of it above which hair coheres. Ours. */
+#define PLAIT_VOLUME_COHESIVE PLAIT_NUMBER(0.3)
+/* Overrelaxation of the sweeps: layers of hair are a few voxels deep. Ours. */
+#define PLAIT_VOLUME_RELAXATION PLAIT_NUMBER(1.5)
+
 /* ---- switching ---------------------------------------------------------------------------------
  */
 

@@ -61,6 +61,7 @@ typedef uint32_t plait_u32;
 #define PLAIT_SUM_DENSITY_SCALE 16777216.0f    /* 2^24 per unit of tent weight */
 #define PLAIT_SUM_MOMENTUM_SCALE 1073741824.0f /* 2^30 per m/s of weighted velocity */
 #define PLAIT_SUM_ENERGY_SCALE 1073741824.0f   /* 2^30 per m^2/s^2 of weighted squared speed */
+#define PLAIT_SUM_REST_SCALE 65536.0f          /* 2^16 per weighted density (volume_splat) */
 /* m/s; components beyond are clamped before the sum. The energy of 600,000 vertices that fast still
  * fits a sum, and that of one at 1 mm/s has three digits. */
 #define PLAIT_SUM_MAX_SPEED 64.0f
@@ -323,6 +324,7 @@ typedef struct plait_lane_air_params {
     plait_u32 bdf2;         /* 0: backward Euler; 1: BDF2, reads the step before */
     plait_u32 pins;         /* 1: lane_spring holds pins, to which the spring is added */
     plait_u32 accelerates;  /* 1: vertices have accelerations; 0: `acceleration` is null */
+    plait_u32 pressure;     /* 1: lane_pressure is added; 0: it is null */
     plait_u32 equal_masses; /* 1: a vertex has the segment before it; 0: half of both */
     float drag;             /* rho d/2, kg/m^2: drag per length and squared speed at C = 1 */
     float viscous;          /* 10 (nu/d)^(2/3), (m/s)^(2/3) */
@@ -335,6 +337,58 @@ typedef struct plait_lane_air_params {
     float q[4];
     float t[4]; /* world position of the grid's corner (w unused) */
 } plait_lane_air_params;
+
+/* volume_splat, volume_gather: the grid as in plait_lane_grid_params; the tent is trilinear. */
+typedef struct plait_lane_volume_params {
+    plait_u32 vertex_stride;
+    plait_u32 tile;
+    plait_u32 edge_count;
+    float voxel_edge;
+    float q[4];
+    float t[4];
+    float blend;       /* [0, 1]: share of the grid's velocity in a vertex' own (volume_gather) */
+    plait_u32 moves;   /* 1: velocities change; 0: lane_pressure alone is written (volume_gather) */
+    plait_u32 history; /* 1: BDF2's step before is kept; 0: lane_v_before is null */
+} plait_lane_volume_params;
+
+typedef struct plait_volume_nodes_params {
+    plait_u32 edge_count;
+    float voxel_edge;
+    float q[4];
+    float t[4]; /* world position of the grid's corner (w unused) */
+    plait_u32 collider_count;
+    plait_u32 collider_first; /* where in `capsule` those of the substep begin */
+    float h;                  /* s, of that substep */
+} plait_volume_nodes_params;
+
+typedef struct plait_volume_params {
+    plait_u32 edge_count;
+    float voxel_edge;    /* m */
+    float h;             /* s, of the fixed step */
+    float fall[3];       /* m/s, along the grid's axes, added to the velocity of hair */
+    float share;         /* density to keep, over that at rest */
+    float recovery;      /* [0, 1]: share of what is too dense that parts in a step */
+    float most_recovery; /* and at most this share of the volume */
+    float cohesion;      /* m^2/s^2: what hair bears in tension, over its density at rest */
+    plait_u32 carried;   /* 1: pressure starts as it was; 0: volume_before is null */
+} plait_volume_params;
+
+typedef struct plait_volume_sweep_params {
+    plait_u32 edge_count;
+    plait_u32 colour; /* 0: nodes of even x + y + z; 1: of odd */
+} plait_volume_sweep_params;
+
+typedef struct plait_volume_impulse_params {
+    plait_u32 edge_count;
+    float voxel_edge;  /* m */
+    float h;           /* s, of the fixed step */
+    plait_u32 carried; /* as in plait_volume_params */
+} plait_volume_impulse_params;
+
+/* lane_share: per vertex. */
+#define PLAIT_LANE_SHARE_HAIR 0 /* hair that it stands for, over that of the mean vertex */
+#define PLAIT_LANE_SHARE_REST 1 /* density of such shares around it at rest, per voxel */
+#define PLAIT_LANE_SHARE_COMPONENTS 2
 
 /* lane_reset, lane_teleport. */
 typedef struct plait_lane_state_params {
@@ -349,6 +403,7 @@ typedef struct plait_lane_tile_params {
     plait_u32 vertex_stride;
     plait_u32 tile;
     plait_u32 row_stride;
+    plait_u32 pressure; /* 1: lane_pressure is added; 0: it is null */
 } plait_lane_tile_params;
 
 /* lane_unpack, lane_orient. */

@@ -26,8 +26,8 @@ struct Plane {
         double sum = 0;
         for (size_t i = 0; i < nodes; ++i)
             for (size_t j = 0; j < nodes; ++j) {
-                const double weight =
-                    std::max(0.0, 1 - std::abs(a - double(i))) * std::max(0.0, 1 - std::abs(b - double(j)));
+                const double weight = std::max(0.0, 1 - std::abs(a - double(i))) *
+                                      std::max(0.0, 1 - std::abs(b - double(j)));
                 if (weight > 0)
                     sum += weight * double(values[voxel(i, j)]);
             }
@@ -50,7 +50,8 @@ void air_shelter(uint32_t item_count, const plait_air_shelter_params& params,
         const size_t node = here.voxel(item % n, item / n);
         double depth = 0;
         if (params.plane > 0) {
-            const double a = double(item % n) - params.foot[0], b = double(item / n) - params.foot[1];
+            const double a = double(item % n) - params.foot[0],
+                         b = double(item / n) - params.foot[1];
             const double last = double(n - 1);
             depth = args.air_extinction[node] * params.way / 2;
             if (a >= 0 && a <= last && b >= 0 && b <= last)
@@ -61,8 +62,9 @@ void air_shelter(uint32_t item_count, const plait_air_shelter_params& params,
         Vec3 wind = vec3(params.air);
         if (params.turbulent)
             wind += xyz(args.air_velocity[node]);
-        const Vec3 hair = args.grid_density[node] > 0 ? quat(params.q) * xyz(args.grid_velocity[node])
-                                                      : vec3(params.still);
+        const Vec3 hair = args.grid_density[node] > 0
+                              ? quat(params.q) * xyz(args.grid_velocity[node])
+                              : vec3(params.still);
         const double open = std::exp(-depth);
         args.air_velocity[node] = with_w(open * wind + (1 - open) * hair, open);
     }

@@ -10,6 +10,10 @@ Grid::Grid(const plait_lane_grid_params& params)
     : pose_{quat(params.q), vec3(params.t)}, voxel_edge_(params.voxel_edge), h_(0),
       edge_count_(static_cast<int>(params.edge_count)), tent_(params.tent) {}
 
+Grid::Grid(const plait_lane_volume_params& params)
+    : pose_{quat(params.q), vec3(params.t)}, voxel_edge_(params.voxel_edge), h_(0),
+      edge_count_(static_cast<int>(params.edge_count)), tent_(PLAIT_TENT_TRILINEAR) {}
+
 Vec3 Grid::coordinates(const Vec3& x) const {
     return pose_.invert(x) / voxel_edge_;
 }

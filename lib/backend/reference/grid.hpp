@@ -18,6 +18,7 @@ class Grid {
   public:
     explicit Grid(const plait_grid_params& params);
     explicit Grid(const plait_lane_grid_params& params);
+    explicit Grid(const plait_lane_volume_params& params); // trilinear
 
     // Grid coordinates in voxel units: conj(q) (x - t) / e.
     Vec3 coordinates(const Vec3& x) const;

@@ -10,9 +10,11 @@ void lane_accelerate(uint32_t item_count, const plait_lane_tile_params& params,
         const Lane lane(slot, params.vertex_stride, params.tile);
         const uint32_t count = vertices_of(args.vertex_count, strand, params.vertex_stride);
         for (uint32_t i = 0; i < params.vertex_stride; ++i) {
-            const Vec3 own =
-                i < count ? checked_acceleration(args.acceleration[strand * params.row_stride + i])
-                          : Vec3::Zero();
+            Vec3 own = Vec3::Zero();
+            if (i < count)
+                own = checked_acceleration(args.acceleration[strand * params.row_stride + i]);
+            if (i < count && params.pressure)
+                own += lane.vector(args.lane_pressure, i);
             lane.store(args.lane_acceleration, i, own);
         }
     }

@@ -139,6 +139,8 @@ void Strand::write_vertex(uint32_t i, bool tip) const {
     }
     if (params_.accelerates)
         push += checked_acceleration(args_.acceleration[strand_ * params_.row_stride + i]);
+    if (params_.pressure)
+        push += lane_.vector(args_.lane_pressure, i);
     Vec3 target = history(i) + step_ * lane_.vector(args_.lane_v, i);
     double stiffness = material(i, PLAIT_LANE_MASS) * drag.rate / step_;
     if (params_.pins) {

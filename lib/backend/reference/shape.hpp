@@ -29,8 +29,10 @@ class Shape {
             per_root_ = params.per_root != 0;
         if constexpr (requires { params.collider_count; })
             colliders_ = size_t{params.collider_first} + params.collider_count;
-        if constexpr (requires { params.edge_count; })
+        if constexpr (requires { params.voxel_edge; })
             set_grid(params.edge_count, params.voxel_edge);
+        else if constexpr (requires { params.edge_count; })
+            set_grid(params.edge_count, 1);
         if constexpr (requires { params.capacity; })
             set_capacity(params.capacity);
         if constexpr (requires { params.bdf2; })
@@ -45,6 +47,10 @@ class Shape {
             field_ = params.field != 0;
         if constexpr (requires { params.planes; })
             planes_ = params.planes != 0;
+        if constexpr (requires { params.pressure; })
+            pressure_ = params.pressure != 0;
+        if constexpr (requires { params.carried; })
+            carried_ = params.carried != 0;
         if constexpr (requires { params.boxes; })
             points_ = size_t{params.count} * (params.boxes ? 2 : 1);
         set_rows(space);
@@ -84,7 +90,8 @@ class Shape {
     size_t tiled_vertices_ = 0; // of whole tiles of strands
     bool per_root_ = false;
     bool history_ = false;
-    bool accelerates_ = true, pins_ = true, field_ = true; // where the parameters do not say
+    // where the parameters do not say
+    bool accelerates_ = true, pins_ = true, field_ = true, pressure_ = true, carried_ = true;
     bool planes_ = false; // mesh_contact makes them, and checks on access
 };
 

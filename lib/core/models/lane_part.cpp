@@ -53,7 +53,25 @@ LaneSource::LaneSource(const ModelInput& input)
       memory(input.memory), strands{{input.groom.strands.positions, input.memory},
                                     {input.groom.strands.vertex_counts, input.memory},
                                     {input.stiffness.begin(), input.stiffness.end(), input.memory}},
-      materials(input.materials) {}
+      materials(input.materials), cube(cube_around(input.groom)), rest(input.memory) {}
+
+RestGrid LaneSource::rest_grid_of(const plait_sim_params& params) const {
+    if (params.volume == PLAIT_VOLUME_OFF)
+        return {};
+    const bool own = params.grid_edge > 0;
+    RestGrid grid{params.grid_edge_count, own ? params.grid_edge : cube.edge, {}};
+    std::copy_n(own ? params.grid_origin : cube.origin, 3, grid.origin.begin());
+    return grid;
+}
+
+void LaneSource::measure_rest(const RestGrid& grid) {
+    if (grid == rest_grid)
+        return;
+    rest = grid.edge_count == 0
+               ? RestDensity(memory)
+               : measure_rest_density(strands.positions, strands.counts, grid, memory);
+    rest_grid = grid;
+}
 
 LanePart::LanePart(const LaneSource& source, const Settings& settings, uint32_t row,
                    Members members)
@@ -163,6 +181,42 @@ Status LanePart::prepare_history(Device& device, const plait_sim_params& params)
     return device.write(next_history_.v, state.data());
 }
 
+// Lanes past the last strand repeat it, as lane_strand has them; rows past a tip hold no hair.
+Status LanePart::make_pressed(Device& device, Pressed& to, const RestGrid& grid) const {
+    to.grid = grid;
+    if (grid.edge_count == 0)
+        return {};
+    std::pmr::vector<size_t> first(source_.memory);
+    size_t vertices = 0;
+    for (const uint32_t count : source_.strands.counts) {
+        first.push_back(vertices);
+        vertices += count;
+    }
+    constexpr size_t components = PLAIT_LANE_SHARE_COMPONENTS;
+    std::pmr::vector<float> shares(lanes_.rows() * components, 0.0f, source_.memory);
+    for (size_t lane = 0; lane < lanes_.padded_strands(); ++lane) {
+        const uint32_t strand = member(lane);
+        for (size_t i = 0; i < source_.strands.counts[strand]; ++i) {
+            const size_t vertex = first[strand] + i;
+            shares[lanes_.index(lane, i, PLAIT_LANE_SHARE_HAIR, components)] =
+                source_.rest.hair[vertex];
+            shares[lanes_.index(lane, i, PLAIT_LANE_SHARE_REST, components)] =
+                source_.rest.density[vertex];
+        }
+    }
+    PLAIT_TRY(make(device, to.share, components, "lane_share"));
+    PLAIT_TRY(device.write(to.share, shares.data()));
+    PLAIT_TRY(make(device, to.pressure, 3, "lane_pressure"));
+    shares.assign(to.pressure.count(), 0.0f);
+    return device.write(to.pressure, shares.data());
+}
+
+Status LanePart::prepare_volume(Device& device, const plait_sim_params& params) {
+    const RestGrid grid = source_.rest_grid_of(params);
+    has_next_volume_ = grid != volume_.grid;
+    return has_next_volume_ ? make_pressed(device, next_volume_, grid) : Status{};
+}
+
 // The groom stays the shape in which strands are; what changes is what holds them in it.
 Status LanePart::prepare(Device& device, const plait_sim_params& params) {
     const Materials materials = materials_of(params);
@@ -170,6 +224,7 @@ Status LanePart::prepare(Device& device, const plait_sim_params& params) {
     has_next_fill_ = !(fill_.material && materials == fill_.of && load == fill_.load);
     if (has_next_fill_)
         PLAIT_TRY(make_fill(device, next_fill_, members_, materials, load));
+    PLAIT_TRY(prepare_volume(device, params));
     return prepare_history(device, params);
 }
 
@@ -178,22 +233,26 @@ void LanePart::swap() noexcept {
         std::swap(fill_, next_fill_);
     if (has_next_history_)
         std::swap(history_, next_history_);
+    if (has_next_volume_)
+        std::swap(volume_, next_volume_);
 }
 
 void LanePart::discard() {
     next_fill_ = Fill(source_.memory);
     next_history_ = {};
-    has_next_fill_ = has_next_history_ = false;
+    next_volume_ = {};
+    has_next_fill_ = has_next_history_ = has_next_volume_ = false;
 }
 
 // With wind lane_air does.
 void LanePart::accelerate(Schedule& schedule, const Substep& at) const {
     if (source_.accelerates && !at.wind)
-        schedule.add(
-            PLAIT_STAGE_lane_accelerate, lanes_.strands,
-            plait_lane_tile_params{lanes_.row, lanes_.tile, source_.layout.row},
-            {&lane_strand_, &at.state.vertex_count, &at.state.acceleration, &acceleration_},
-            lanes_.row);
+        schedule.add(PLAIT_STAGE_lane_accelerate, lanes_.strands,
+                     plait_lane_tile_params{lanes_.row, lanes_.tile, source_.layout.row,
+                                            volume_.pressure ? 1u : 0u},
+                     {&lane_strand_, &at.state.vertex_count, &at.state.acceleration,
+                      &volume_.pressure, &acceleration_},
+                     lanes_.row);
 }
 
 void LanePart::pin(Schedule& schedule, const Substep& at) const {
@@ -215,6 +274,7 @@ void LanePart::blow(Schedule& schedule, const Substep& at, const WindStep& wind)
     params.bdf2 = settings_.bdf2_of(at.params);
     params.pins = source_.pins ? 1 : 0;
     params.accelerates = source_.accelerates ? 1 : 0;
+    params.pressure = volume_.pressure ? 1 : 0;
     params.equal_masses = traits_.halves_tip ? 0 : 1;
     params.drag = wind.drag;
     params.viscous = wind.viscous;
@@ -229,7 +289,7 @@ void LanePart::blow(Schedule& schedule, const Substep& at, const WindStep& wind)
     schedule.add(PLAIT_STAGE_lane_air, lanes_.strands, params,
                  {&lane_strand_, &at.state.vertex_count, &at.state.rest, &at.state.pose,
                   &at.state.acceleration, wind.velocity, &fill_.material, &x_, &v_, &history_.x,
-                  &history_.v, &acceleration_, &pin_},
+                  &history_.v, &volume_.pressure, &acceleration_, &pin_},
                  lanes_.row);
 }
 
@@ -242,7 +302,7 @@ void LanePart::find_planes(Schedule& schedule, const Substep& at,
     schedule.add(PLAIT_STAGE_mesh_contact, lanes_.strands, params,
                  {&lane_strand_, &at.state.rest, &at.state.pose, &fill_.material, &at.colliders,
                   &at.meshes->grid, &at.meshes->nodes, &at.meshes->values, &at.meshes->clearance,
-                  &acceleration_, &pin_, &x_, &v_, &history_.x, &history_.v, &plane_},
+                  &push(), &pin_, &x_, &v_, &history_.x, &history_.v, &plane_},
                  lanes_.row);
 }
 
@@ -264,7 +324,7 @@ void LanePart::substep(Schedule& schedule, const Substep& at, float mean_length)
     params.collider_first = at.collider_first;
     params.contact_rate = contact_rate(p.gravity, at.h, params.bdf2, mean_length);
     params.contact_slip = contact_slip(at.h, mean_length);
-    params.accelerates = acceleration_ ? 1 : 0;
+    params.accelerates = push() ? 1 : 0;
     params.pins = pin_ ? 1 : 0;
     params.planes = at.meshes && plane_ ? 1 : 0;
     if (source_.pins)
@@ -276,12 +336,12 @@ void LanePart::substep(Schedule& schedule, const Substep& at, float mean_length)
     if (!traits_.bends)
         schedule.add(traits_.stage, lanes_.strands, params,
                      {&lane_strand_, &at.state.rest, &at.state.pose, &fill_.material, &at.colliders,
-                      &acceleration_, &pin_, &plane_, &x_, &v_, &history_.x, &history_.v},
+                      &push(), &pin_, &plane_, &x_, &v_, &history_.x, &history_.v},
                      lanes_.row);
     else
         schedule.add(traits_.stage, lanes_.strands, params,
                      {&lane_strand_, &at.state.rest, &at.state.pose, &fill_.material, &fill_.rest,
-                      &at.colliders, &acceleration_, &pin_, &plane_, &x_, &v_, &q_, &q_before_,
+                      &at.colliders, &push(), &pin_, &plane_, &x_, &v_, &q_, &q_before_,
                       &history_.x, &history_.v},
                      lanes_.row);
 }
@@ -329,6 +389,35 @@ void LanePart::diffuse(Schedule& schedule, const Substep& at, const LaneGrid& gr
                  lanes_.row);
 }
 
+plait_lane_volume_params LanePart::volume_params(const LaneVolume& volume) const {
+    plait_lane_volume_params params{};
+    params.vertex_stride = lanes_.row;
+    params.tile = lanes_.tile;
+    params.edge_count = volume.params.edge_count;
+    params.voxel_edge = volume.params.voxel_edge;
+    std::ranges::copy(volume.params.q, params.q);
+    std::ranges::copy(volume.params.t, params.t);
+    params.blend = volume.blend;
+    params.moves = volume.moves ? 1 : 0;
+    params.history = history_.v ? 1 : 0;
+    return params;
+}
+
+void LanePart::splat_volume(Schedule& schedule, const Substep& at, const LaneVolume& volume) const {
+    schedule.add(PLAIT_STAGE_volume_splat, lanes_.strands, volume_params(volume),
+                 {&lane_strand_, &at.state.vertex_count, &volume_.share, &x_, &v_, &volume.sums,
+                  &volume.outside},
+                 lanes_.row);
+}
+
+void LanePart::gather_volume(Schedule& schedule, const Substep& at,
+                             const LaneVolume& volume) const {
+    schedule.add(PLAIT_STAGE_volume_gather, lanes_.strands, volume_params(volume),
+                 {&lane_strand_, &at.state.vertex_count, &x_, &volume.velocity, &volume.change,
+                  &volume.push, &v_, &history_.v, &volume_.pressure},
+                 lanes_.row);
+}
+
 void LanePart::reset(Schedule& schedule, const Substep& at) {
     schedule.add(PLAIT_STAGE_lane_reset, lanes_.strands, state_params(),
                  {&lane_strand_, &at.state.rest, &at.state.pose,
@@ -355,9 +444,9 @@ void LanePart::add_dynamic(std::pmr::vector<LaneBuffer>& to) const {
 
 uint64_t LanePart::device_bytes() const {
     uint64_t bytes = 0;
-    for (const Buffer* buffer :
-         {&fill_.material, &fill_.rest, &fill_.start, &x_, &v_, &q_, &q_before_, &history_.x,
-          &history_.v, &acceleration_, &pin_, &plane_, &lane_strand_})
+    for (const Buffer* buffer : {&fill_.material, &fill_.rest, &fill_.start, &x_, &v_, &q_,
+                                 &q_before_, &history_.x, &history_.v, &acceleration_, &pin_,
+                                 &plane_, &lane_strand_, &volume_.share, &volume_.pressure})
         bytes += buffer->bytes();
     return bytes;
 }

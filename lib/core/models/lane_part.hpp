@@ -5,9 +5,11 @@
 // Which strand is in which lane is the part's own; a list tells the stages.
 #pragma once
 
+#include "core/interhair.hpp"
 #include "core/model.hpp"
 #include "core/models/material.hpp"
 #include "core/models/traits.hpp"
+#include "core/rest_density.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -27,6 +29,14 @@ struct LaneSource {
     std::pmr::memory_resource* memory;
     RestStrands strands; // for when the material changes
     StrandMaterialsPtr materials;
+    GridCube cube; // of the inter-hair grid, where the caller has none
+
+    // Nothing where there is no volume.
+    RestGrid rest_grid_of(const plait_sim_params& params) const;
+    // Measures `rest` where it is of another grid.
+    void measure_rest(const RestGrid& grid);
+    RestGrid rest_grid;
+    RestDensity rest;
 };
 
 class LanePart;
@@ -65,6 +75,8 @@ class LanePart {
     void adopt(Schedule& schedule, const Substep& at) const;
     void splat(Schedule& schedule, const Substep& at, const LaneGrid& grid) const;
     void diffuse(Schedule& schedule, const Substep& at, const LaneGrid& grid) const;
+    void splat_volume(Schedule& schedule, const Substep& at, const LaneVolume& volume) const;
+    void gather_volume(Schedule& schedule, const Substep& at, const LaneVolume& volume) const;
     void reset(Schedule& schedule, const Substep& at);
     void teleport(Schedule& schedule, const Substep& at, const Buffer& pose);
 
@@ -75,6 +87,7 @@ class LanePart {
 
     const SagReport& sag() const { return fill_.sag; }
     void add_dynamic(std::pmr::vector<LaneBuffer>& to) const;
+    LaneBuffer pressure() const { return {&volume_.pressure, 3, lanes_}; }
     uint64_t device_bytes() const;
 
   private:
@@ -91,6 +104,11 @@ class LanePart {
     struct History {
         Buffer x, v;
     };
+    // With volume.
+    struct Pressed {
+        RestGrid grid;
+        Buffer share, pressure;
+    };
     // Strands on their way from one part here: pairs of lane there, lane here.
     struct Moves {
         Buffer list;
@@ -103,6 +121,11 @@ class LanePart {
     Status make_fill(Device& device, Fill& fill, const Members& members, const Materials& materials,
                      const RestLoad& load) const;
     Status prepare_history(Device& device, const plait_sim_params& params);
+    Status prepare_volume(Device& device, const plait_sim_params& params);
+    Status make_pressed(Device& device, Pressed& to, const RestGrid& grid) const;
+    plait_lane_volume_params volume_params(const LaneVolume& volume) const;
+    // What pulls at vertices beside gravity, where anything does.
+    const Buffer& push() const { return acceleration_ ? acceleration_ : volume_.pressure; }
     void pin(Schedule& schedule, const Substep& at) const;
     void blow(Schedule& schedule, const Substep& at, const WindStep& wind) const;
     void find_planes(Schedule& schedule, const Substep& at, const plait_lane_params& solve) const;
@@ -135,12 +158,13 @@ class LanePart {
     Members members_;
     LaneLayout lanes_;
     Fill fill_, next_fill_;
-    bool has_next_fill_ = false, has_next_history_ = false;
+    bool has_next_fill_ = false, has_next_history_ = false, has_next_volume_ = false;
     Buffer x_, v_, q_, q_before_;
     Buffer acceleration_; // only with accelerations, or wind
     Buffer pin_;          // only with pins, or wind
     Buffer plane_;        // only with meshes
     History history_, next_history_;
+    Pressed volume_, next_volume_;
     Buffer lane_strand_; // uint [lanes of whole tiles]
 };
 

@@ -99,6 +99,8 @@ Status LanePart::move_from(Device& device, Schedule& schedule, const Substep& at
     move(schedule, *moves, 3, other.v_, v_);
     move(schedule, *moves, 4, other.q_, q_);
     move(schedule, *moves, 4, other.q_before_, q_before_);
+    if (volume_.pressure && other.volume_.pressure)
+        move(schedule, *moves, 3, other.volume_.pressure, volume_.pressure);
     if (takes_history_of(other)) {
         move(schedule, *moves, 3, other.history_.x, history_.x);
         move(schedule, *moves, 3, other.history_.v, history_.v);
@@ -145,6 +147,7 @@ Status LanePart::take_over(Device& device, Schedule& schedule, const Substep& at
         PLAIT_TRY(make(device, history_.x, 3, "lane_x_before"));
         PLAIT_TRY(make(device, history_.v, 3, "lane_v_before"));
     }
+    PLAIT_TRY(make_pressed(device, volume_, source_.rest_grid_of(at.params)));
     PLAIT_TRY(fill_arrivals(device, schedule, from));
     std::pmr::vector<const LanePart*> others(source_.memory);
     for (const uint32_t strand : members_)

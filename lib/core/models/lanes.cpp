@@ -68,6 +68,10 @@ class LaneModel final : public Model {
     bool has_lanes() const override { return true; }
     void splat(Schedule& schedule, const Substep& at, const LaneGrid& grid) const override;
     void diffuse(Schedule& schedule, const Substep& at, const LaneGrid& grid) const override;
+    void splat_volume(Schedule& schedule, const Substep& at,
+                      const LaneVolume& volume) const override;
+    void gather_volume(Schedule& schedule, const Substep& at,
+                       const LaneVolume& volume) const override;
     void reset(Schedule& schedule, const Substep& at) override;
     void teleport(Schedule& schedule, const Substep& at, const Buffer& pose) override;
     SagReport sag() const override;
@@ -75,6 +79,7 @@ class LaneModel final : public Model {
     void list_parts(std::span<const Settings> settings,
                     std::pmr::vector<PartShape>& to) const override;
     void add_dynamic(std::pmr::vector<LaneBuffer>& to) const override;
+    void add_pressure(std::pmr::vector<LaneBuffer>& to) const override;
     uint64_t device_bytes() const override;
 
   private:
@@ -141,6 +146,7 @@ Status LaneModel::prepare(Device& device, const plait_sim_params& params) {
                                         source_.memory);
     read_settings(settings);
     PLAIT_TRY(check_constraints(params, substeps_of(settings, source_.memory).size()));
+    source_.measure_rest(source_.rest_grid_of(params));
     for (const PartPtr& part : parts_) {
         if (!opened_)
             PLAIT_TRY(part->open(device));
@@ -161,6 +167,7 @@ std::pmr::vector<LanePlace> LaneModel::places() const {
 Status LaneModel::prepare_settings(Device& device, Schedule& schedule, const Substep& at,
                                    std::span<const Settings> settings) {
     PLAIT_TRY(check_constraints(at.params, substeps_of(settings, source_.memory).size()));
+    source_.measure_rest(source_.rest_grid_of(at.params));
     const auto from = places();
     const auto take_over = [&](const Settings& own, uint32_t row,
                                LanePart::Members&& members) -> Status {
@@ -272,6 +279,18 @@ void LaneModel::diffuse(Schedule& schedule, const Substep& at, const LaneGrid& g
         part->diffuse(schedule, at, grid);
 }
 
+void LaneModel::splat_volume(Schedule& schedule, const Substep& at,
+                             const LaneVolume& volume) const {
+    for (const PartPtr& part : parts_)
+        part->splat_volume(schedule, at, volume);
+}
+
+void LaneModel::gather_volume(Schedule& schedule, const Substep& at,
+                              const LaneVolume& volume) const {
+    for (const PartPtr& part : parts_)
+        part->gather_volume(schedule, at, volume);
+}
+
 void LaneModel::reset(Schedule& schedule, const Substep& at) {
     for (const PartPtr& part : parts_)
         part->reset(schedule, at);
@@ -300,6 +319,11 @@ void LaneModel::read_settings(std::span<Settings> settings) const {
 void LaneModel::add_dynamic(std::pmr::vector<LaneBuffer>& to) const {
     for (const PartPtr& part : parts_)
         part->add_dynamic(to);
+}
+
+void LaneModel::add_pressure(std::pmr::vector<LaneBuffer>& to) const {
+    for (const PartPtr& part : parts_)
+        to.push_back(part->pressure());
 }
 
 uint64_t LaneModel::device_bytes() const {

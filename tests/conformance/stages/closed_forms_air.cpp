@@ -115,12 +115,13 @@ Vector drag_on(Bench& bench, const Segment& segment, uint32_t bdf2) {
         {null_array(), uints({2}), float4s(std::vector<float>(8, 0.0f)), float4s(pose),
          null_array(), null_array(), lane_floats(material, PLAIT_LANE_MATERIAL_COMPONENTS),
          lane_floats(x, 3), lane_floats(v, 3), lane_floats(before, 3), lane_floats(v, 3),
-         lane_floats(std::vector<float>(6, 9), 3), lane_floats(std::vector<float>(8, 0), 4)});
+         null_array(), lane_floats(std::vector<float>(6, 9), 3),
+         lane_floats(std::vector<float>(8, 0), 4)});
     Vector all{};
     for (size_t i = 0; i < 3; ++i) // x relative to the root is where it was
         all[i] =
-            double(out[11].floats[3 + i]) + double(out[12].floats[7]) / double(mass) *
-                                                (double(out[12].floats[4 + i]) - double(x[3 + i]));
+            double(out[12].floats[3 + i]) + double(out[13].floats[7]) / double(mass) *
+                                                (double(out[13].floats[4 + i]) - double(x[3 + i]));
     return all;
 }
 

@@ -1,0 +1,135 @@
+#include "core/volume.hpp"
+
+#include "core/pose.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plait {
+namespace {
+
+constexpr uint32_t first_sweeps = 200; // once, for layers of 16 voxels
+constexpr double parting = 13.4; // 1/s, of what is too dense: a fifth in a sixtieth of a second
+
+uint32_t voxels(const plait_grid_params& grid) {
+    return grid.edge_count * grid.edge_count * grid.edge_count;
+}
+
+plait_volume_nodes_params nodes_params(const plait_grid_params& grid, const Substep& at) {
+    plait_volume_nodes_params params{};
+    params.edge_count = grid.edge_count;
+    params.voxel_edge = grid.voxel_edge;
+    std::ranges::copy(grid.q, params.q);
+    std::ranges::copy(grid.t, params.t);
+    params.collider_count = at.collider_count;
+    params.collider_first = at.collider_first;
+    params.h = at.h;
+    return params;
+}
+
+// What h of gravity does to a velocity, along the grid's axes.
+std::array<float, 3> fall_of(const plait_sim_params& p, const plait_grid_params& grid, float h) {
+    plait_pose back = identity_pose;
+    for (size_t i = 0; i < 4; ++i)
+        back.q[i] = i < 3 ? -grid.q[i] : grid.q[i];
+    std::array<float, 3> fall{};
+    const float gained[3] = {h * p.gravity[0], h * p.gravity[1], h * p.gravity[2]};
+    float turned[3];
+    transform(back, gained, turned);
+    std::ranges::copy(turned, fall.begin());
+    return fall;
+}
+
+plait_volume_params faces_params(const plait_sim_params& p, const VolumeGrid& grid) {
+    plait_volume_params params{};
+    params.edge_count = grid.params.edge_count;
+    params.voxel_edge = grid.params.voxel_edge;
+    params.h = grid.step;
+    params.share = p.volume_share;
+    params.recovery = static_cast<float>(1 - std::exp(-parting * double(grid.step)));
+    params.most_recovery = grid.step * p.volume_rate;
+    params.cohesion = p.cohesion;
+    return params;
+}
+
+} // namespace
+
+Result<Volume> Volume::create(Device& device, const plait_sim_params& params) {
+    Volume volume;
+    if (params.volume == PLAIT_VOLUME_OFF)
+        return volume;
+    const size_t n =
+        size_t{params.grid_edge_count} * params.grid_edge_count * params.grid_edge_count;
+    constexpr auto one = PLAIT_ELEMENT_FLOAT, four = PLAIT_ELEMENT_FLOAT4;
+    PLAIT_TRY(device.create(volume.pressure_, one, n, "volume_pressure"));
+    PLAIT_TRY(device.create(volume.next_, one, n, "volume_pressure"));
+    PLAIT_TRY(device.create(volume.rest_, one, n, "volume_rest"));
+    PLAIT_TRY(device.create(volume.solid_, four, n, "volume_solid"));
+    PLAIT_TRY(device.create(volume.link_, four, n, "volume_link"));
+    PLAIT_TRY(device.create(volume.node_, four, n, "volume_node"));
+    PLAIT_TRY(device.create(volume.change_, four, n, "volume_change"));
+    PLAIT_TRY(device.create(volume.push_, four, n, "volume_push"));
+    return volume;
+}
+
+void Volume::splat(Schedule& schedule, const VolumeGrid& grid, const Model& model,
+                   const Substep& at) const {
+    for (const Buffer* words : {&grid.outside, &grid.sums})
+        schedule.add(PLAIT_STAGE_grid_clear, static_cast<uint32_t>(words->count()),
+                     plait_grid_clear_params{0}, {words});
+    model.splat_volume(schedule, at, lanes_of(grid));
+    schedule.add(PLAIT_STAGE_volume_nodes, voxels(grid.params), nodes_params(grid.params, at),
+                 {&grid.sums, &at.colliders, &grid.density, &grid.velocity, &rest_, &solid_});
+}
+
+void Volume::solve(Schedule& schedule, const VolumeGrid& grid, const Substep& at,
+                   const Buffer* before, const Buffer& pressure, uint32_t sweeps) const {
+    const uint32_t n = grid.params.edge_count, colour_nodes = n * n * ((n + 1) / 2);
+    plait_volume_params params = faces_params(at.params, grid);
+    params.carried = before ? 1 : 0;
+    if (!before)
+        std::ranges::copy(fall_of(at.params, grid.params, grid.step), params.fall);
+    schedule.add(
+        PLAIT_STAGE_volume_faces, voxels(grid.params), params,
+        {&grid.density, &grid.velocity, &rest_, &solid_, before, &link_, &node_, &pressure});
+    for (uint32_t sweep = 0; sweep < sweeps; ++sweep)
+        for (const uint32_t colour : {0u, 1u})
+            schedule.add(PLAIT_STAGE_volume_pressure, colour_nodes,
+                         plait_volume_sweep_params{n, colour}, {&link_, &node_, &pressure});
+    schedule.add(PLAIT_STAGE_volume_impulse, voxels(grid.params),
+                 plait_volume_impulse_params{n, grid.params.voxel_edge, grid.step, params.carried},
+                 {&link_, before, &pressure, &change_, &push_});
+}
+
+void Volume::append_start(Schedule& schedule, const VolumeGrid& grid, const Model& model,
+                          const Substep& at) const {
+    splat(schedule, grid, model, at);
+    solve(schedule, grid, at, nullptr, pressure_, first_sweeps);
+    model.gather_volume(schedule, at, lanes_of(grid));
+}
+
+void Volume::append_step(Schedule& schedule, const VolumeGrid& grid, const Model& model,
+                         const Substep& at) const {
+    splat(schedule, grid, model, at);
+    solve(schedule, grid, at, &pressure_, next_, at.params.volume_sweeps);
+    LaneVolume lanes = lanes_of(grid);
+    lanes.blend =
+        static_cast<float>(-std::expm1(-double(grid.step) * double(at.params.volume_viscosity)));
+    lanes.moves = true;
+    model.gather_volume(schedule, at, lanes);
+}
+
+void Volume::carry() noexcept {
+    pressure_.swap(next_);
+    carries = true;
+}
+
+uint64_t Volume::device_bytes() const {
+    uint64_t bytes = 0;
+    for (const Buffer* buffer :
+         {&pressure_, &next_, &rest_, &solid_, &link_, &node_, &change_, &push_})
+        bytes += buffer->bytes();
+    return bytes;
+}
+
+} // namespace plait

@@ -1,0 +1,49 @@
+// Volume: a one-sided pressure on the nodes of the inter-hair grid, carried from step to step.
+#pragma once
+
+#include "core/model.hpp"
+#include "core/schedule.hpp"
+
+namespace plait {
+
+// Where the grid is and what it already holds.
+struct VolumeGrid {
+    plait_grid_params params;
+    float step; // s, the fixed one
+    const Buffer &sums, &outside, &density, &velocity;
+};
+
+class Volume {
+  public:
+    // None where `params` want none.
+    static Result<Volume> create(Device& device, const plait_sim_params& params);
+    explicit operator bool() const { return bool(pressure_); }
+
+    // Appends the pressure that would hold hair as it lies: a step that fell, and enough sweeps.
+    void append_start(Schedule& schedule, const VolumeGrid& grid, const Model& model,
+                      const Substep& at) const;
+    // Appends what a fixed step ends with; carry() after it.
+    void append_step(Schedule& schedule, const VolumeGrid& grid, const Model& model,
+                     const Substep& at) const;
+    void carry() noexcept;
+
+    // Whether pressure() goes on from the step before; else the next step begins with a start.
+    bool carries = false;
+    const Buffer& pressure() const { return pressure_; } // float [nv^3]
+    uint64_t device_bytes() const;
+
+  private:
+    void splat(Schedule& schedule, const VolumeGrid& grid, const Model& model,
+               const Substep& at) const;
+    // `before`: null where nothing is carried.
+    void solve(Schedule& schedule, const VolumeGrid& grid, const Substep& at, const Buffer* before,
+               const Buffer& pressure, uint32_t sweeps) const;
+    LaneVolume lanes_of(const VolumeGrid& grid) const {
+        return {grid.params, grid.sums, grid.outside, grid.velocity, change_, push_, 0, false};
+    }
+
+    Buffer pressure_, next_; // float [nv^3]: of the last step, of this one
+    Buffer rest_, solid_, link_, node_, change_, push_;
+};
+
+} // namespace plait

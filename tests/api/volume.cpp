@@ -1,0 +1,265 @@
+// Volume: hair that keeps its room, what goes on over snapshots, switches and teleports, what refuses
+// it, and what it costs where it is off. How well it keeps it: tests/accuracy.
+#include "support.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+namespace {
+
+constexpr plait_model every_model[] = {PLAIT_MODEL_ARTICULATED, PLAIT_MODEL_CHAIN,
+                                       PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD};
+constexpr size_t vertices = 10, side = 9;
+constexpr float spacing = 0.009f;
+
+// Layers of limp hair along x, rooted in a wall.
+Strands layers() {
+    Strands strands;
+    for (size_t j = 0; j < side; ++j)
+        for (size_t k = 0; k < side; ++k) {
+            Strand strand;
+            for (size_t i = 0; i < vertices; ++i)
+                strand.push_back({0.02f * float(i), spacing * float(j), spacing * float(k)});
+            strands.push_back(strand);
+        }
+    return strands;
+}
+
+plait_sim_desc limp(plait_model model) {
+    auto desc = plait_sim_desc_defaults();
+    desc.model = model;
+    desc.params.bend_stiffness = 1e-11f;
+    desc.params.grid_edge_count = 16;
+    desc.params.grid_edge = 0.4f;
+    desc.params.grid_origin[0] = -0.1f;
+    desc.params.grid_origin[1] = -0.1f;
+    desc.params.grid_origin[2] = -0.16f;
+    return desc;
+}
+
+plait_sim_desc with_volume(plait_model model) {
+    plait_sim_desc desc = limp(model);
+    desc.params.interhair = PLAIT_INTERHAIR_EXACT;
+    desc.params.volume = PLAIT_VOLUME_PRESSURE;
+    return desc;
+}
+
+// On a floor below the lowest layer, between walls: a heap in the open would run apart, as a liquid
+// does.
+plait::Sim on_floor(const plait::Context& context, const plait_sim_desc& desc) {
+    plait::Sim sim(context, make_groom(layers()), desc);
+    struct Side {
+        size_t axis;
+        float at, normal;
+    };
+    for (const Side& one :
+         {Side{1, -spacing / 2, 1}, Side{2, -spacing / 2, 1}, Side{2, spacing * (side - 0.5f), -1},
+          Side{0, -0.005f, 1}, Side{0, 0.19f, -1}}) {
+        auto plane = plait_collider_desc_defaults();
+        plane.kind = PLAIT_COLLIDER_KIND_PLANE;
+        std::fill_n(plane.normal, 3, 0.0f);
+        plane.a[one.axis] = one.at;
+        plane.normal[one.axis] = one.normal;
+        (void)sim.create_collider(plane);
+    }
+    return sim;
+}
+
+// Mean height of the outer half of all strands over the floor, over that at rest.
+float height_of(const plait::Sim& sim) {
+    const auto positions = sim.read(PLAIT_FIELD_POSITION);
+    float sum = 0;
+    for (size_t strand = 0; strand < side * side; ++strand)
+        for (size_t i = vertices / 2; i < vertices; ++i)
+            sum += positions[4 * (strand * vertices + i) + 1] + spacing / 2;
+    return sum / float(side * side * (vertices - vertices / 2)) / (spacing * float(side) / 2);
+}
+
+class VolumeOf : public OnBackend {};
+ON_EVERY_BACKEND(VolumeOf);
+
+TEST_P(VolumeOf, HoldsLayersApartThatWouldLieOnTheFloor) {
+    for (const plait_model model : every_model) {
+        plait::Sim bare = on_floor(context, limp(model)),
+                   sim = on_floor(context, with_volume(model));
+        run(bare, 60);
+        run(sim, 60);
+        EXPECT_GT(height_of(sim), 2.5f * height_of(bare)) << model << ": " << height_of(bare);
+        EXPECT_GT(height_of(sim), 0.4f) << model; // of limp hair that slides down between walls
+        EXPECT_LT(height_of(sim), 1.1f) << model;
+        EXPECT_EQ(sim.stats().nonfinite, 0u);
+        EXPECT_EQ(sim.stats().grid_outside, 0u);
+    }
+}
+
+TEST_P(VolumeOf, OffItCostsNothingAndChangesNoBit) {
+    auto profiled = plait_context_desc_defaults();
+    profiled.backend = GetParam().c_str();
+    profiled.profile = 1;
+    const plait::Context timed(profiled);
+    for (const plait_model model : every_model) {
+        plait::Sim never = on_floor(timed, limp(model)), stopped = on_floor(timed, limp(model));
+        const auto bytes = never.describe().device_bytes;
+        stopped.set_params(with_volume(model).params);
+        EXPECT_GT(stopped.describe().device_bytes, bytes);
+        plait_sim_params off = limp(model).params;
+        off.volume_share = 2; // nobody reads it
+        off.cohesion = 3;
+        stopped.set_params(off);
+        EXPECT_EQ(stopped.describe().device_bytes, bytes);
+        for (plait::Sim* each : {&never, &stopped})
+            (void)launched_stages(*each); // of its making
+        run(never, 3);
+        run(stopped, 3);
+        EXPECT_EQ(never.read(PLAIT_FIELD_POSITION), stopped.read(PLAIT_FIELD_POSITION)) << model;
+        EXPECT_EQ(never.hash(), stopped.hash()) << model;
+        EXPECT_EQ(launched_stages(never), launched_stages(stopped)) << model;
+        stopped.set_params(with_volume(model).params);
+        run(stopped, 2);
+        const auto stages = launched_stages(stopped);
+        EXPECT_EQ(std::ranges::count(stages, "volume_gather"), 3) << "with a start";
+        EXPECT_EQ(std::ranges::count(stages, "volume_pressure"), 2 * (200 + 2 * 10));
+        EXPECT_EQ(std::ranges::count(stages, "lane_diffuse"), 0);
+        EXPECT_EQ(std::ranges::count(stages, "grid_diffuse"), 0);
+    }
+}
+
+TEST_P(VolumeOf, RepeatsBitForBit) {
+    for (const plait_model model : every_model) {
+        plait::Sim one = on_floor(context, with_volume(model));
+        plait::Sim other = on_floor(context, with_volume(model));
+        run(one, 20);
+        run(other, 20);
+        EXPECT_EQ(one.hash(), other.hash()) << model;
+    }
+}
+
+// The pressure itself, and what it does to vertices in the next step.
+TEST_P(VolumeOf, SnapshotsHoldThePressure) {
+    for (const plait_model model : every_model) {
+        plait::Sim sim = on_floor(context, with_volume(model));
+        run(sim, 15);
+        const auto saved = sim.save();
+        sim.restore(saved); // the reference, too, goes on from float32
+        plait::Sim again(context, make_groom(layers()), with_volume(model));
+        again.restore(saved);
+        EXPECT_EQ(again.hash(), sim.hash());
+        run(sim, 10);
+        run(again, 10);
+        EXPECT_EQ(again.hash(), sim.hash()) << model;
+        // a sim without volume, or of another grid, takes the rest
+        plait::Sim bare(context, make_groom(layers()), limp(model));
+        bare.restore(saved);
+        plait_sim_desc finer = with_volume(model);
+        finer.params.grid_edge_count = 20;
+        plait::Sim other(context, make_groom(layers()), finer);
+        other.restore(saved);
+        EXPECT_EQ(other.read(PLAIT_FIELD_POSITION), bare.read(PLAIT_FIELD_POSITION));
+        run(other, 10);
+        EXPECT_EQ(other.stats().nonfinite, 0u);
+        // and one with volume that of a sim without
+        again.restore(bare.save());
+        run(again, 10);
+        EXPECT_EQ(again.stats().nonfinite, 0u);
+    }
+}
+
+TEST_P(VolumeOf, BeginsAnewWithAReset) {
+    plait::Sim sim = on_floor(context, with_volume(PLAIT_MODEL_COSSERAT));
+    const uint64_t begin = sim.hash();
+    run(sim, 7);
+    const auto first = sim.read(PLAIT_FIELD_POSITION);
+    sim.reset();
+    EXPECT_EQ(sim.hash(), begin);
+    run(sim, 7);
+    EXPECT_EQ(sim.read(PLAIT_FIELD_POSITION), first);
+}
+
+// The pressure begins anew and holds what it held.
+TEST_P(VolumeOf, TeleportsCarryHairAsItLies) {
+    for (const plait_model model : every_model) {
+        plait::Sim sim = on_floor(context, with_volume(model));
+        run(sim, 30);
+        const float before = height_of(sim);
+        sim.teleport(head_at({0, 0, 0})); // where it is
+        run(sim, 30);
+        EXPECT_NEAR(height_of(sim), before, 0.15f) << model;
+        EXPECT_EQ(sim.stats().grid_outside, 0u);
+    }
+}
+
+// Accelerations of 0 and air without a mass take what pressure does to the solve, too.
+TEST_P(VolumeOf, AddsUpWithAccelerationsAndWind) {
+    for (const plait_model model : every_model) {
+        plait_sim_desc desc = with_volume(model);
+        plait::Sim plain = on_floor(context, desc), windy = on_floor(context, desc);
+        desc.accelerations = 1;
+        plait::Sim pulled = on_floor(context, desc);
+        auto wind = plait_wind_desc_defaults();
+        wind.air_density = 1e-12f;
+        windy.set_wind(wind);
+        for (plait::Sim* each : {&plain, &windy, &pulled})
+            run(*each, 15);
+        const auto positions = plain.read(PLAIT_FIELD_POSITION);
+        EXPECT_EQ(pulled.read(PLAIT_FIELD_POSITION), positions) << model;
+        EXPECT_LT(largest_difference(windy.read(PLAIT_FIELD_POSITION), positions), 1e-4f) << model;
+    }
+}
+
+// Strands that come to another part, of other substeps, keep what presses them.
+TEST_P(VolumeOf, StaysOverSwitches) {
+    plait::Sim sim = on_floor(context, with_volume(PLAIT_MODEL_ARTICULATED));
+    run(sim, 20);
+    auto chain = plait_strand_settings_defaults();
+    chain.model = PLAIT_MODEL_CHAIN;
+    chain.substeps = 2;
+    std::vector<uint32_t> indices;
+    for (size_t strand = 0; strand < side * side; ++strand)
+        indices.push_back(strand % 3 == 0);
+    sim.set_settings({plait_strand_settings_defaults(), chain}, indices);
+    run(sim, 1);
+    const auto saved = sim.save();
+    run(sim, 40);
+    EXPECT_GT(height_of(sim), 0.4f);
+    EXPECT_LT(height_of(sim), 1.1f);
+    plait::Sim again = on_floor(context, with_volume(PLAIT_MODEL_ARTICULATED));
+    again.restore(saved);
+    sim.restore(saved);
+    EXPECT_EQ(again.hash(), sim.hash());
+    run(sim, 5);
+    run(again, 5);
+    EXPECT_EQ(again.hash(), sim.hash());
+}
+
+TEST_P(VolumeOf, NeedsTheExactGridAndStrandsOverLanes) {
+    plait::Sim sim(context, make_groom(layers()), limp(PLAIT_MODEL_CHAIN));
+    plait_sim_params params = with_volume(PLAIT_MODEL_CHAIN).params;
+    for (const plait_interhair interhair : {PLAIT_INTERHAIR_OFF, PLAIT_INTERHAIR_SLOTS}) {
+        params.interhair = interhair;
+        EXPECT_EQ(plait_sim_set_params(sim, &params), PLAIT_INVALID_ARGUMENT);
+        EXPECT_NE(std::strstr(plait_last_error(), "interhair"), nullptr) << plait_last_error();
+    }
+    params.interhair = PLAIT_INTERHAIR_EXACT;
+    plait::Sim flat(context, make_groom(layers()), tressfx_desc());
+    EXPECT_EQ(plait_sim_set_params(flat, &params), PLAIT_INVALID_ARGUMENT);
+    EXPECT_NE(std::strstr(plait_last_error(), "volume"), nullptr) << plait_last_error();
+    plait_sim_desc desc = tressfx_desc();
+    desc.params = params;
+    plait_sim* made = nullptr;
+    const plait::Groom groom = make_groom(layers());
+    EXPECT_EQ(plait_sim_create(context, groom, &desc, &made), PLAIT_INVALID_ARGUMENT);
+    EXPECT_NE(std::strstr(plait_last_error(), "model"), nullptr) << plait_last_error();
+}
+
+// A step in which hair falls by a quarter of a voxel, or more.
+TEST_P(VolumeOf, WarnsOfStepsThatAreTooLongForItsVoxels) {
+    plait_sim_desc desc = with_volume(PLAIT_MODEL_CHAIN);
+    plait::Sim fine(context, make_groom(layers()), desc);
+    EXPECT_EQ(std::strstr(fine.describe().warning, "volume"), nullptr);
+    desc.step = 1.0f / 30;
+    plait::Sim coarse(context, make_groom(layers()), desc);
+    EXPECT_NE(std::strstr(coarse.describe().warning, "volume"), nullptr)
+        << coarse.describe().warning;
+}
+
+} // namespace
