@@ -1,7 +1,7 @@
 /* articulated: one substep of an inextensible rod.
  *
  * Items   strands, over lanes.
- * Reads   lane_strand, rest, pose, lane_material, lane_rest, capsule.
+ * Reads   lane_strand, rest, pose, lane_material, lane_rest, collider.
  * Moves   lane_x, lane_v, lane_q, and the steps before.
  * Source  common/articulated.clh: the potential, the recursion, and what of both is ours.
  */
@@ -62,7 +62,7 @@ static inline void articulated_solve(const rod_problem* rod, rod_state* s, uint 
 __kernel void plait_articulated(const uint item_count, const plait_lane_params params,
                                 __global const uint* lane_strand, __global const float4* rest,
                                 __global const float4* pose, __global const real* lane_material,
-                                __global const real* lane_rest, __global const float4* capsule,
+                                __global const real* lane_rest, __global const float4* collider,
                                 __global const real* lane_acceleration,
                                 __global const real* lane_pin, __global const real* lane_plane,
                                 __global real* lane_x, __global real* lane_v, __global real* lane_q,
@@ -77,7 +77,7 @@ __kernel void plait_articulated(const uint item_count, const plait_lane_params p
     vec3 y[PLAIT_VERTICES], w[PLAIT_VERTICES];
     lane_predict(&step, &params, state, y, w);
     lane_contacts contacts;
-    contact_begin(&contacts, &step, &params, capsule, lane_plane, lane_x);
+    contact_begin(&contacts, &step, &params, collider, lane_plane, lane_x);
     contacts.v = lane_v;
     const rod_problem rod =
         rod_problem_of(&step, y, lane_rest, contact_may_be(&params) ? &contacts : 0, 0);

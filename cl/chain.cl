@@ -1,7 +1,7 @@
 /* chain: one step of an inextensible chain without bending.
  *
  * Items   strands, over lanes.
- * Reads   lane_strand, rest, pose, lane_material, capsule.
+ * Reads   lane_strand, rest, pose, lane_material, collider.
  * Moves   lane_x, lane_v, and the step before.
  * Source  inertial targets; K tridiagonal length solves (Han & Harada 2013); one exact
  *         follow-the-leader sweep with the velocity correction of Mueller et al. 2012, of which
@@ -166,7 +166,7 @@ static inline void chain_solve(const lane_step* step, lane_contacts* contacts, u
 __kernel void plait_chain(const uint item_count, const plait_lane_params params,
                           __global const uint* lane_strand, __global const float4* rest,
                           __global const float4* pose, __global const real* lane_material,
-                          __global const float4* capsule, __global const real* lane_acceleration,
+                          __global const float4* collider, __global const real* lane_acceleration,
                           __global const real* lane_pin, __global const real* lane_plane,
                           __global real* lane_x, __global real* lane_v,
                           __global real* lane_x_before, __global real* lane_v_before) {
@@ -191,7 +191,7 @@ __kernel void plait_chain(const uint item_count, const plait_lane_params params,
     lane_contacts of_step;
     lane_contacts* contacts = contact_may_be(&params) ? &of_step : 0;
     if (contacts)
-        contact_begin(contacts, &step, &params, capsule, lane_plane, lane_x);
+        contact_begin(contacts, &step, &params, collider, lane_plane, lane_x);
     chain_solve(&step, contacts, params.iterations, pulled, target, x);
     for (int i = 0; i <= step.segments; ++i)
         solved[i] = x[i];

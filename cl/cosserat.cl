@@ -1,7 +1,7 @@
 /* cosserat: one substep of a stable Cosserat rod.
  *
  * Items   strands, over lanes.
- * Reads   lane_strand, rest, pose, lane_material, lane_rest, capsule.
+ * Reads   lane_strand, rest, pose, lane_material, lane_rest, collider.
  * Moves   lane_x, lane_v, lane_q, and the steps before.
  * Source  Hsu et al. 2025; Kugelstadt & Schoemer 2016. Changed: see common/cosserat.clh and
  *         common/rod.clh; orientations start from the rotation of the substep before, repeated
@@ -13,7 +13,7 @@
 __kernel void plait_cosserat(const uint item_count, const plait_lane_params params,
                              __global const uint* lane_strand, __global const float4* rest,
                              __global const float4* pose, __global const real* lane_material,
-                             __global const real* lane_rest, __global const float4* capsule,
+                             __global const real* lane_rest, __global const float4* collider,
                              __global const real* lane_acceleration, __global const real* lane_pin,
                              __global const real* lane_plane, __global real* lane_x,
                              __global real* lane_v, __global real* lane_q,
@@ -28,7 +28,7 @@ __kernel void plait_cosserat(const uint item_count, const plait_lane_params para
     vec3 y[PLAIT_VERTICES], w[PLAIT_VERTICES];
     lane_predict(&step, &params, state, y, w);
     lane_contacts contacts;
-    contact_begin(&contacts, &step, &params, capsule, lane_plane, lane_x);
+    contact_begin(&contacts, &step, &params, collider, lane_plane, lane_x);
     rod_factors factors;
     rod_problem rod =
         rod_problem_of(&step, y, lane_rest, contact_may_be(&params) ? &contacts : 0, &factors);

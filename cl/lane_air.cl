@@ -5,7 +5,7 @@
  * Reads   lane_strand, vertex_count, rest, pose, acceleration, air_velocity, lane_material, lane_x,
  *         lane_v, with BDF2 lane_x_before, lane_v_before.
  * Writes  lane_push: the caller's acceleration and that of drag; 0 past the tip.
- * Moves   lane_pin: the spring is added to the pin that is there.
+ * Moves   lane_spring: the spring is added to the pin that is there.
  *
  * Drag f at the substep's begin, of the rate c, taken implicitly, m (f - c (v' - v)), v' = (x - X)/h'
  * the velocity at its end, is the acceleration f and a spring of stiffness m c/h' to X + h' v. c is
@@ -69,7 +69,7 @@ __kernel void plait_lane_air(const uint item_count, const plait_lane_air_params 
                              __global const real* lane_material, __global const real* lane_x,
                              __global const real* lane_v, __global const real* lane_x_before,
                              __global const real* lane_v_before, __global real* lane_push,
-                             __global real* lane_pin) {
+                             __global real* lane_spring) {
     const lane_place place = lane_place_of(get_global_id(0));
     if (!lane_place_used(place, item_count))
         return;
@@ -88,7 +88,7 @@ __kernel void plait_lane_air(const uint item_count, const plait_lane_air_params 
     const quat none = quat_of((real)(0.0f), (real)(0.0f), (real)(0.0f), (real)(0.0f));
     const real most = (real)(PLAIT_AIR_MOST_DRAG / step.h);
     store3(lane_push, place, 0, zero);
-    storeq(lane_pin, place, 0, none);
+    storeq(lane_spring, place, 0, none);
     for (int i = 1; i <= step.segments; ++i) {
         const mask there = (mask)(i) < counts;
         const vec3 v = load3(lane_v, place, i);
@@ -114,8 +114,8 @@ __kernel void plait_lane_air(const uint item_count, const plait_lane_air_params 
         store3(lane_push, place, i, pick3(there, push, zero));
         const vec3 target =
             axpy3((real)(step.h), v, add3(lane_history_position(&step, state, i), shift));
-        const quat pin = params.pins ? loadq(lane_pin, place, i) : none;
+        const quat pin = params.pins ? loadq(lane_spring, place, i) : none;
         const quat spring = with_spring(pin, target, mass * drag.rate / step.h);
-        storeq(lane_pin, place, i, pickq(there, spring, none));
+        storeq(lane_spring, place, i, pickq(there, spring, none));
     }
 }

@@ -1,7 +1,7 @@
 /* mesh_contact: of each vertex the plane of a mesh that it may meet in a substep.
  *
  * Items   strands, over lanes.
- * Reads   lane_strand, rest, pose, lane_material, capsule, mesh_grid, mesh_nodes, mesh_field,
+ * Reads   lane_strand, rest, pose, lane_material, collider, mesh_grid, mesh_nodes, mesh_field,
  *         mesh_clearance, lane_acceleration, lane_pin, lane_x, lane_v, and the steps before.
  * Writes  lane_plane.
  * Source  Baerentzen & Aanaes 2005 (signs of the field, made on the host); ours: the way from where
@@ -256,7 +256,7 @@ static inline void mesh_find(const mesh_body* body, const mesh_ways* ways, const
 __kernel void plait_mesh_contact(const uint item_count, const plait_lane_params params,
                                  __global const uint* lane_strand, __global const float4* rest,
                                  __global const float4* pose, __global const real* lane_material,
-                                 __global const float4* capsule, __global const float4* mesh_grid,
+                                 __global const float4* collider, __global const float4* mesh_grid,
                                  __global const uint* mesh_nodes, __global const float* mesh_values,
                                  __global const float* mesh_clearance,
                                  __global const real* lane_acceleration,
@@ -292,7 +292,7 @@ __kernel void plait_mesh_contact(const uint item_count, const plait_lane_params 
     mesh_list list;
     for (uint mesh = 0; mesh < params.collider_count; ++mesh) {
         const mesh_body body =
-            mesh_body_at(capsule, params.collider_first + mesh,
+            mesh_body_at(collider, params.collider_first + mesh,
                          mesh_field_at(mesh_grid, mesh_nodes, mesh_values, mesh));
         mesh_list_near(&body, &ways, &list);
         planes.mesh = mesh;

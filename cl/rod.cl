@@ -1,7 +1,7 @@
 /* rod: one substep of the Cosserat rod by damped Gauss-Newton with a direct solve.
  *
  * Items   strands, over lanes.
- * Reads   lane_strand, rest, pose, lane_material, lane_rest, capsule.
+ * Reads   lane_strand, rest, pose, lane_material, lane_rest, collider.
  * Moves   lane_x, lane_v, lane_q, and the steps before.
  * Source  the potential of common/rod.clh; unknowns per segment k are the displacement of vertex
  * k+1 and the rotation vector of q_k, so the Hessian is block tridiagonal, 6x6. Gauss-Newton plus
@@ -353,7 +353,7 @@ static inline void rod_solve(const rod_problem* rod, rod_state* s, uint iteratio
 __kernel void plait_rod(const uint item_count, const plait_lane_params params,
                         __global const uint* lane_strand, __global const float4* rest,
                         __global const float4* pose, __global const real* lane_material,
-                        __global const real* lane_rest, __global const float4* capsule,
+                        __global const real* lane_rest, __global const float4* collider,
                         __global const real* lane_acceleration, __global const real* lane_pin,
                         __global const real* lane_plane, __global real* lane_x,
                         __global real* lane_v, __global real* lane_q, __global real* lane_q_before,
@@ -367,7 +367,7 @@ __kernel void plait_rod(const uint item_count, const plait_lane_params params,
     vec3 y[PLAIT_VERTICES], w[PLAIT_VERTICES];
     lane_predict(&step, &params, state, y, w);
     lane_contacts contacts;
-    contact_begin(&contacts, &step, &params, capsule, lane_plane, lane_x);
+    contact_begin(&contacts, &step, &params, collider, lane_plane, lane_x);
     rod_factors factors;
     const rod_problem rod =
         rod_problem_of(&step, y, lane_rest, contact_may_be(&params) ? &contacts : 0, &factors);

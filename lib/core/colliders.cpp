@@ -127,7 +127,7 @@ Status Colliders::reserve(Device& device, size_t count) {
     const size_t room = std::max(rows(count), buffer_.count() / PLAIT_COLLIDER_STRIDE * 2);
     packed_.reserve(room * collider_floats);
     PLAIT_TRY(
-        device.create(buffer_, PLAIT_ELEMENT_FLOAT4, room * PLAIT_COLLIDER_STRIDE, "capsule"));
+        device.create(buffer_, PLAIT_ELEMENT_FLOAT4, room * PLAIT_COLLIDER_STRIDE, "collider"));
     uploaded_ = false;
     return {};
 }
@@ -230,7 +230,7 @@ Status Colliders::destroy(plait_collider_id id) {
     return {};
 }
 
-Status Colliders::begin_step(Device& device, double end) {
+Status Colliders::advance(Device& device, double end) {
     for (Slot& slot : slots_) {
         const bool rested = same(slot.from, slot.to);
         slot.from = slot.to;
@@ -253,7 +253,7 @@ Status Colliders::begin_step(Device& device, double end) {
     return {};
 }
 
-void Colliders::end_call() {
+void Colliders::arrive() {
     for (Slot& slot : slots_)
         slot.at = slot.target;
 }

@@ -33,11 +33,11 @@ class Colliders {
     uint32_t meshes() const { return meshes_; } // of these
     // float4 [all substeps, one number of them after the other][count][PLAIT_COLLIDER_STRIDE], the
     // meshes last
-    const Buffer& capsules() const { return buffer_; }
+    const Buffer& buffer() const { return buffer_; }
 
     // As Roots: the step's path ends at share `end` of the call's. Uploads what moved.
-    Status begin_step(Device& device, double end);
-    void end_call();
+    Status advance(Device& device, double end);
+    void arrive();
     void stop(); // no path: every collider is where it is now
 
     struct Slot {

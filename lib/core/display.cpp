@@ -82,24 +82,26 @@ Status Display::make_turns(Device& device, const Groom& groom, const Layout& lay
     return device.write(follow_guide_, guides.data());
 }
 
-void Display::keep(Schedule& schedule, const Layout& layout, const State& state) const {
+void Display::append_step_before(Schedule& schedule, const Layout& layout,
+                                 const State& state) const {
     if (interpolates())
         schedule.add(PLAIT_STAGE_snapshot, layout.guide_vertices(), plait_layout_params{layout.row},
                      {&state.pose, &state.position, &position_local_});
 }
 
-void Display::keep_frame(Schedule& schedule, const Layout& layout, const State& state) const {
+void Display::append_frame_before(Schedule& schedule, const Layout& layout,
+                                  const State& state) const {
     if (last_frame_)
         schedule.add(PLAIT_STAGE_last_frame, layout.vertices(), plait_layout_params{layout.row},
                      {&position(state), &last_frame_});
 }
 
-void Display::update(Schedule& schedule, const Layout& layout, const State& state,
+void Display::append(Schedule& schedule, const Layout& layout, const State& state,
                      const Roots& roots, const plait_sim_params& params, float remainder) const {
     const Buffer& shown = position(state);
     const Buffer& pose = interpolates() ? pose_now_ : state.pose;
     if (interpolates()) {
-        roots.pose_now(schedule, pose_now_);
+        roots.append_poses_now(schedule, pose_now_);
         schedule.add(PLAIT_STAGE_output, layout.guide_vertices(),
                      plait_output_params{layout.row, remainder},
                      {&position_local_, &state.position, &state.pose, &pose_now_, &position_out_});

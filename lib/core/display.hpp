@@ -31,12 +31,12 @@ class Display {
                                   std::pmr::memory_resource* memory);
 
     bool interpolates() const { return static_cast<bool>(position_out_); }
-    // Keeps the present step as the one before the last.
-    void keep(Schedule& schedule, const Layout& layout, const State& state) const;
-    // Keeps what is shown as the frame before, if that is asked for.
-    void keep_frame(Schedule& schedule, const Layout& layout, const State& state) const;
-    // Fills position and tangent; `remainder`: share of a step since the last one.
-    void update(Schedule& schedule, const Layout& layout, const State& state, const Roots& roots,
+    // What keeps the present step as the one before the last.
+    void append_step_before(Schedule& schedule, const Layout& layout, const State& state) const;
+    // What keeps what is shown as the frame before, if that is asked for.
+    void append_frame_before(Schedule& schedule, const Layout& layout, const State& state) const;
+    // What fills position and tangent; `remainder`: share of a step since the last one.
+    void append(Schedule& schedule, const Layout& layout, const State& state, const Roots& roots,
                 const plait_sim_params& params, float remainder) const;
 
     const Buffer& position(const State& state) const {

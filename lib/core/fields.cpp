@@ -200,7 +200,8 @@ Status Sim::write(plait_field field, const void* src) {
     PLAIT_TRY(device().write(to, 0, vertices, merged.data()));
     schedule_.clear();
     model_->adopt(schedule_, present());
-    return refresh();
+    append_shown();
+    return submit();
 }
 
 } // namespace plait

@@ -38,6 +38,7 @@ class InterHair {
     // The same on the model's lanes, with exact sums; the caller publishes them afterwards.
     void append_over_lanes(Schedule& schedule, const Step& step, const Model& model,
                            const Substep& at) const;
+    bool is_on() const { return mode_ != PLAIT_INTERHAIR_OFF; }
     bool is_exact() const { return mode_ == PLAIT_INTERHAIR_EXACT; }
 
     const Buffer& density() const { return density_; }

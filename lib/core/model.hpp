@@ -22,9 +22,9 @@ struct Substep {
     const Layout& layout;
     const State& state;
     const plait_sim_params& params;
-    const Buffer& capsules;
+    const Buffer& colliders;
     uint32_t collider_count;
-    uint32_t collider_first; // in `capsules`, of this substep
+    uint32_t collider_first; // in `colliders`, of this substep
     uint32_t mesh_count;     // after those; 0: `meshes` is null
     const MeshBuffers* meshes;
     double step;              // s, the fixed one

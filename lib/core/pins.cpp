@@ -19,22 +19,21 @@ void add(Schedule& schedule, const Layout& layout, const Buffer& at, const Buffe
 
 } // namespace
 
-void add_pins(Schedule& schedule, const Layout& layout, const State& state, float end) {
+void advance_pins(State& state) {
+    std::swap(state.pin_from, state.pin_to);
+}
+
+void append_pin_targets(Schedule& schedule, const Layout& layout, const State& state, float end) {
     if (state.pin)
         add(schedule, layout, state.pin_at, state.pin, state.pin_to, end);
 }
 
-void begin_pins_step(Schedule& schedule, const Layout& layout, State& state, float end) {
-    std::swap(state.pin_from, state.pin_to);
-    add_pins(schedule, layout, state, end);
-}
-
-void end_pins_call(Schedule& schedule, const Layout& layout, const State& state) {
+void append_pins_arrived(Schedule& schedule, const Layout& layout, const State& state) {
     if (state.pin)
         add(schedule, layout, state.pin, state.pin, state.pin_at, 1);
 }
 
-void stop_pins(Schedule& schedule, const Layout& layout, const State& state) {
+void append_stopped_pins(Schedule& schedule, const Layout& layout, const State& state) {
     if (state.pin)
         for (const Buffer* to : {&state.pin_at, &state.pin_from, &state.pin_to})
             add(schedule, layout, state.pin, state.pin, *to, 1);

@@ -13,14 +13,14 @@
 namespace plait {
 
 // None of these does anything in a sim without pins.
-// Appends where they are at `end` of the call, [0, 1], as pin_to.
-void add_pins(Schedule& schedule, const Layout& layout, const State& state, float end);
-// The same, with what was pin_to as pin_from.
-void begin_pins_step(Schedule& schedule, const Layout& layout, State& state, float end);
-// Appends that the call is over: they are where the caller wants them.
-void end_pins_call(Schedule& schedule, const Layout& layout, const State& state);
-// Appends that they have come no way.
-void stop_pins(Schedule& schedule, const Layout& layout, const State& state);
+// A fixed step begins: what was pin_to is pin_from. append_pin_targets() is due.
+void advance_pins(State& state);
+// Where they are at `end` of the call, [0, 1], as pin_to.
+void append_pin_targets(Schedule& schedule, const Layout& layout, const State& state, float end);
+// The call is over: they are where the caller wants them.
+void append_pins_arrived(Schedule& schedule, const Layout& layout, const State& state);
+// They have come no way.
+void append_stopped_pins(Schedule& schedule, const Layout& layout, const State& state);
 // Waits.
 Status clear_pins(Device& device, const Layout& layout, const State& state,
                   std::pmr::memory_resource* memory);

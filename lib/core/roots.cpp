@@ -85,29 +85,33 @@ void Roots::add(Schedule& schedule, const Poses& from, const Poses& to, float al
                  {own ? &from.poses : nullptr, own ? &to.poses : nullptr, &pose});
 }
 
-void Roots::begin_step(Schedule& schedule, double end) {
+void Roots::advance(double end) {
     std::swap(from_, to_);
     to_.head = interpolate(at_.head, goal().head, end);
     const bool was_own = to_.own;
     to_.own = at_.own || goal().own;
-    if (!to_.own && !was_own)
-        return; // the buffer, if there is one, holds identities already
-    schedule.add(PLAIT_STAGE_roots, layout_.guides,
-                 roots_params(identity_pose, identity_pose, static_cast<float>(end), true),
-                 {&at_.poses, &goal().poses, &to_.poses});
+    fill_ = to_.own || was_own; // else the buffer, if there is one, holds identities already
+    end_ = static_cast<float>(end);
 }
 
-void Roots::pose_in_step(Schedule& schedule, float alpha, const Buffer& pose) const {
+void Roots::append_path(Schedule& schedule) const {
+    if (fill_)
+        schedule.add(PLAIT_STAGE_roots, layout_.guides,
+                     roots_params(identity_pose, identity_pose, end_, true),
+                     {&at_.poses, &goal().poses, &to_.poses});
+}
+
+void Roots::append_poses(Schedule& schedule, float alpha, const Buffer& pose) const {
     add(schedule, from_, to_, alpha, pose);
 }
 
-void Roots::end_call() {
+void Roots::arrive() {
     if (aimed)
         std::swap(at_, target_);
     aimed = false;
 }
 
-void Roots::pose_now(Schedule& schedule, const Buffer& pose) const {
+void Roots::append_poses_now(Schedule& schedule, const Buffer& pose) const {
     add(schedule, at_, at_, 1, pose);
 }
 
@@ -119,8 +123,10 @@ std::array<float, 3> Roots::head_moves(const float p[3]) const {
 }
 
 void Roots::stop(Schedule& schedule) {
-    begin_step(schedule, 0);
-    begin_step(schedule, 0);
+    for (int end = 0; end < 2; ++end) { // of the path: its begin is the end of the one before
+        advance(0);
+        append_path(schedule);
+    }
 }
 
 } // namespace plait

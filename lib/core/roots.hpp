@@ -3,9 +3,8 @@
 // Two paths are kept. The call's path leads from where the roots were when the call of
 // plait_sim_step began (`at_`) to where they shall be at its end (`target_`). The step's path leads
 // from the sample at the end of the fixed step before (`from_`) to the sample at the end of this
-// one
-// (`to_`). The stage `roots` interpolates the second for the substeps, and takes the samples of the
-// first when roots have poses of their own.
+// one (`to_`). The stage `roots` interpolates the second for the substeps, and takes the samples of
+// the first when roots have poses of their own.
 #pragma once
 
 #include "backend/device.hpp"
@@ -29,14 +28,16 @@ class Roots {
     Result<const Buffer*> target_poses(Device& device);
     void aim_at_target_poses(const plait_pose& head);
 
-    // Moves the step's path on: it ends at share `end` of the call.
-    void begin_step(Schedule& schedule, double end);
+    // Moves the step's path on: it ends at share `end` of the call. append_path() is due.
+    void advance(double end);
+    // What fills that end where roots have poses of their own.
+    void append_path(Schedule& schedule) const;
     // Poses at share `alpha` of the step's path.
-    void pose_in_step(Schedule& schedule, float alpha, const Buffer& pose) const;
+    void append_poses(Schedule& schedule, float alpha, const Buffer& pose) const;
     // The call is over: the roots are at their target.
-    void end_call();
+    void arrive();
     // Poses where the roots are between calls.
-    void pose_now(Schedule& schedule, const Buffer& pose) const;
+    void append_poses_now(Schedule& schedule, const Buffer& pose) const;
     // No path: the step begins and ends where the roots are now.
     void stop(Schedule& schedule);
 
@@ -66,6 +67,8 @@ class Roots {
 
     Layout layout_;
     std::pmr::memory_resource* memory_;
+    float end_ = 0;     // of the step's path, in the call
+    bool fill_ = false; // the poses at its end, on the device, are not those yet
     Poses at_, target_, from_, to_;
 };
 

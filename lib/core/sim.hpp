@@ -135,7 +135,6 @@ class Sim {
     struct Measured;
     Status take_measured(Measured& out) const;
     Status begin_measuring();
-    Status fixed_step(double end, bool keep);
     // A number of substeps that some strands take.
     struct Group {
         uint32_t substeps;
@@ -156,11 +155,33 @@ class Sim {
     Substep present() const {         // between steps
         return at({desc_.substeps, 0}, desc_.substeps - 1);
     }
-    void begin_substeps();
-    void add_substep(const Group& group, uint32_t index);
-    void end_substeps();
-    bool brakes_lanes() const;
-    Status refresh();
+
+    // sim_step.cpp
+    enum class Moment { call_begins, step_begins, substep, step_ends, call_ends };
+    struct At {
+        Moment moment;
+        Substep substep;
+        uint32_t step = 0, steps = 0; // which fixed step of how many in the call
+        float end = 1;                // share of the call at which that step ends
+    };
+    using Phase = void (Sim::*)(const At&); // appends what it does at a moment, if anything
+    static const Phase phases[];
+    void append_phases(const At& at);
+    void append_roots(const At& at);
+    void append_pins(const At& at);
+    void append_air(const At& at);
+    void append_accelerations(const At& at);
+    void append_solve(const At& at);
+    void append_grid_over_lanes(const At& at);
+    void append_publish(const At& at);
+    void append_grid(const At& at);
+    void append_display(const At& at);
+    Status fixed_step(double end, uint32_t step, uint32_t steps);
+    void append_dry_step();
+    void append_shown();
+    InterHair::Step grid_step() const;
+    bool grid_is_over_lanes() const;
+
     Status show_at_once();
     Status prepare_teleport();
     Status check_stages(); // and builds them

@@ -567,8 +567,9 @@ Status Sim::restore(std::span<const unsigned char> src) {
         std::ranges::copy(h.wind_jump, wind_.moving.jump.begin());
     }
     if (!h.kept)
-        display_.keep(schedule_, layout_, state_);
-    return refresh();
+        display_.append_step_before(schedule_, layout_, state_);
+    append_shown();
+    return submit();
 }
 
 Result<uint64_t> Sim::hash() {

@@ -93,7 +93,7 @@ uint64_t Sim::device_bytes() const {
     uint64_t bytes = model_->device_bytes() + grid_.device_bytes() + display_.device_bytes() +
                      skin_.device_bytes() + pose_spare_.bytes() + strand_stats_.bytes() +
                      boxes_.bytes() + box_.bytes() + wind_.device_bytes() +
-                     colliders_.capsules().bytes();
+                     colliders_.buffer().bytes();
     if (const MeshBuffers* meshes = meshes_.buffers())
         bytes += meshes->bytes();
     for (const Buffer* buffer : state_.all())

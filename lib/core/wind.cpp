@@ -132,8 +132,7 @@ plait_air_field_params Wind::field_params(double step) const {
     return params;
 }
 
-void Wind::begin_step(Schedule& schedule, const plait_pose& head, const GridCube& cube,
-                      double step) {
+void Wind::append(Schedule& schedule, const plait_pose& head, const GridCube& cube, double step) {
     if (!velocity_)
         return;
     std::copy_n(head.q, 4, corner_.q);
@@ -142,7 +141,7 @@ void Wind::begin_step(Schedule& schedule, const plait_pose& head, const GridCube
     schedule.add(PLAIT_STAGE_air_field, nodes * nodes * nodes, field_params(step), {&velocity_});
 }
 
-void Wind::end_step(double step) {
+void Wind::advance(double step) {
     moving.time += step;
     for (size_t i = 0; i < 3; ++i)
         moving.way[i] += step * double(desc_.velocity[i]);

@@ -34,9 +34,9 @@ class Wind {
     bool blows() const { return blows_; }
     void reset(); // to when it began
 
-    // Appends the turbulence at the end of a fixed step of `step` s, around a head there.
-    void begin_step(Schedule& schedule, const plait_pose& head, const GridCube& cube, double step);
-    void end_step(double step);
+    // The turbulence at the end of a fixed step of `step` s, around a head there.
+    void append(Schedule& schedule, const plait_pose& head, const GridCube& cube, double step);
+    void advance(double step); // the fixed step is over
     // `first`: of the substeps of a fixed step. `air`: m/s, that of a sim without wind.
     WindStep at(const std::array<float, 3>& air, bool first, double step) const;
 

@@ -495,7 +495,7 @@ const std::map<std::string, Maker>& makers() {
         {"strand_motion", poses},
         {"vertex_count", [](const Shape& s) { return Words(s.strands, s.vertices); }},
         {"rest_length", lengths},
-        {"capsule", [](const Shape&) { return capsules(); }},
+        {"collider", [](const Shape&) { return capsules(); }},
         {"mesh_grid",
          [](const Shape&) {
              return bits_of<4>({mesh_origin, mesh_origin, mesh_origin, mesh_edge});
@@ -627,12 +627,11 @@ std::vector<uint32_t> typical_buffer(const plait_stage_info& stage, const plait_
     if (stage.stage != PLAIT_STAGE_lane_accelerate && arg.access == PLAIT_ACCESS_READ &&
         name.ends_with("acceleration"))
         return {}; // hair that gravity alone pulls
-    if (stage.stage != PLAIT_STAGE_lane_pin && stage.stage != PLAIT_STAGE_lane_air &&
-        name == "lane_pin")
+    if (stage.stage != PLAIT_STAGE_lane_pin && name == "lane_pin")
         return {}; // and that nothing pins
     if (stage.stage != PLAIT_STAGE_mesh_contact && name == "lane_plane")
         return {}; // and that is near no mesh
-    if (stage.stage == PLAIT_STAGE_mesh_contact && name == "capsule")
+    if (stage.stage == PLAIT_STAGE_mesh_contact && name == "collider")
         return mesh_row();
     if (stage.stage == PLAIT_STAGE_mesh_contact && name == "lane_x")
         return lying_positions(shape);

@@ -92,7 +92,7 @@ Setup make(const Size& size, std::vector<Collider> colliders) {
 // middle between two faces of a box that rounding chooses.
 Case collide_case() {
     Case result = {PLAIT_STAGE_collide, {}, {{"position", 1e-5}}, unread_of_colliders()};
-    result.flags.push_back("capsule.kind");
+    result.flags.push_back("collider.kind");
     for (const Size& size : sizes()) {
         result.setups.push_back(make(size, {tapered, straight, sphere, swallowed}));
         result.setups.push_back(make(size, {tapered}));

@@ -121,7 +121,7 @@ std::string name_of(const Size& size) {
 }
 
 const std::vector<std::string>& unread_of_colliders() {
-    static const std::vector<std::string> list = {"capsule.begin.a.radius"};
+    static const std::vector<std::string> list = {"collider.begin.a.radius"};
     return list;
 }
 

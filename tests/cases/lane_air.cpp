@@ -72,7 +72,7 @@ std::vector<float> some_pins(const LaneHair& lanes) {
 } // namespace
 
 Case lane_air_case() {
-    Case result = {PLAIT_STAGE_lane_air, {}, {{"lane_push", 2e-3}, {"lane_pin", 4e-5}}};
+    Case result = {PLAIT_STAGE_lane_air, {}, {{"lane_push", 2e-3}, {"lane_spring", 4e-5}}};
     result.unread = {"lane_material.stretch", "lane_material.bend", "lane_material.twist",
                      "lane_material.cross"};
     for (const Size& size : sizes())

@@ -407,7 +407,7 @@ void add_rods_on_surfaces(Case& result) {
             result.setups.push_back(lane_setup(size,
                                                make_lane_hair_on_surfaces(size, 48, 100.0f, far),
                                                lane_params(size, 1, far == 0), true));
-    result.flags.push_back("capsule.kind");
+    result.flags.push_back("collider.kind");
 }
 
 // A plane across the way of forces, `gap` (m) below a vertex, carried along a little.

@@ -32,7 +32,7 @@ typedef uint32_t plait_u32;
 #define PLAIT_MOTION_STRIDE 2 /* strand_motion: quaternion; (translation, blend c) */
 #define PLAIT_COLLIDER_STRIDE 6
 
-/* Elements of a collider, in the buffers that stages call `capsule` after the commonest kind; they
+/* Elements of a collider, in the buffers that stages call `collider`; they
  * hold all colliders of a step's first substep, then all of its second, and so on. What moves is
  * rigid: its first point goes from BEGIN to END and all turns about it.
  *
@@ -158,7 +158,7 @@ typedef struct plait_length_params {
 typedef struct plait_collide_params {
     plait_u32 vertex_stride;
     plait_u32 collider_count;
-    plait_u32 collider_first; /* where in `capsule` those of the substep begin */
+    plait_u32 collider_first; /* where in `collider` those of the substep begin */
 } plait_collide_params;
 
 /* clamp: limit the displacement of a vertex per substep. */
@@ -246,7 +246,7 @@ typedef struct plait_lane_params {
     float gravity[3]; /* m/s^2 */
     float air[3];     /* velocity of the air, m/s */
     plait_u32 collider_count;
-    plait_u32 collider_first; /* where in `capsule` those of the substep begin */
+    plait_u32 collider_first; /* where in `collider` those of the substep begin */
     float contact_rate; /* 1/s^2: stiffness of contact over mass; a load of m a sinks a/rate in */
     float contact_slip; /* m: the displacement per substep at which friction is all of mu N */
     plait_u32 accelerates; /* 1: vertices have accelerations; 0: lane_acceleration is null */
@@ -295,7 +295,7 @@ typedef struct plait_lane_air_params {
     plait_u32 row_stride;
     float h;                /* s, of the substep */
     plait_u32 bdf2;         /* 0: backward Euler; 1: BDF2, reads the step before */
-    plait_u32 pins;         /* 1: lane_pin holds pins, to which the spring is added */
+    plait_u32 pins;         /* 1: lane_spring holds pins, to which the spring is added */
     plait_u32 accelerates;  /* 1: vertices have accelerations; 0: `acceleration` is null */
     plait_u32 equal_masses; /* 1: a vertex has the segment before it; 0: half of both */
     float drag;             /* rho d/2, kg/m^2: drag per length and squared speed at C = 1 */

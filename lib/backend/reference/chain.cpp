@@ -213,7 +213,7 @@ void chain(uint32_t item_count, const plait_lane_params& params, const chain_arg
         }
         std::optional<Contacts> contacts;
         if (params.collider_count > 0 || params.planes)
-            contacts.emplace(params, args.capsule, motion, before, stretch, links.own,
+            contacts.emplace(params, args.collider, motion, before, stretch, links.own,
                              mesh_planes_of(lane, params, args.lane_plane));
         Contacts* held = contacts ? &*contacts : nullptr;
         const std::vector<Vec3> solved = solve(links, motion, params, held);

@@ -27,7 +27,7 @@ void collide(uint32_t item_count, const plait_collide_params& params, const coll
         if (i >= vertices_of(args.vertex_count, strand, params.vertex_stride) || pinned(position))
             continue;
         for (size_t index = 0; index < params.collider_count; ++index) {
-            const Collider collider = collider_at(args.capsule, params.collider_first + index);
+            const Collider collider = collider_at(args.collider, params.collider_first + index);
             const Surface at = collider.surface(xyz(position));
             if (!(at.distance < 0))
                 continue;

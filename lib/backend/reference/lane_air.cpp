@@ -87,8 +87,8 @@ class Strand {
     void put(uint32_t i, const Vec3& push, const Vec3& target, double stiffness) const {
         lane_.store(args_.lane_push, i, push);
         for (int c = 0; c < 3; ++c)
-            args_.lane_pin[lane_.index(i, static_cast<size_t>(c), 4)] = target[c];
-        args_.lane_pin[lane_.index(i, 3, 4)] = stiffness;
+            args_.lane_spring[lane_.index(i, static_cast<size_t>(c), 4)] = target[c];
+        args_.lane_spring[lane_.index(i, 3, 4)] = stiffness;
     }
 
     const plait_lane_air_params& params_;
@@ -135,10 +135,10 @@ void Strand::write_vertex(uint32_t i, bool tip) const {
     Vec3 target = history(i) + step_ * lane_.vector(args_.lane_v, i);
     double stiffness = material(i, PLAIT_LANE_MASS) * drag.rate / step_;
     if (params_.pins) {
-        const double pin = args_.lane_pin[lane_.index(i, 3, 4)];
+        const double pin = args_.lane_spring[lane_.index(i, 3, 4)];
         Vec3 held;
         for (int c = 0; c < 3; ++c)
-            held[c] = args_.lane_pin[lane_.index(i, static_cast<size_t>(c), 4)];
+            held[c] = args_.lane_spring[lane_.index(i, static_cast<size_t>(c), 4)];
         if (pin > 0)
             target = (pin * held + stiffness * target) / (pin + stiffness);
         stiffness += pin;

@@ -133,7 +133,7 @@ struct Body {
 
     Body(const mesh_contact_args& args, size_t collider, size_t mesh) : field(args, mesh) {
         const auto row = [&](size_t element) -> Vec4 {
-            return args.capsule[collider * PLAIT_COLLIDER_STRIDE + element];
+            return args.collider[collider * PLAIT_COLLIDER_STRIDE + element];
         };
         pose = {quat(row(PLAIT_COLLIDER_BEGIN + 1)), xyz(row(PLAIT_COLLIDER_END))};
         from = xyz(row(PLAIT_COLLIDER_BEGIN));

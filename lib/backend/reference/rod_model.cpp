@@ -69,7 +69,7 @@ RodModel::RodModel(const RodBuffers& buffers, const plait_lane_params& params, s
         leave_out_stretch();
     if (params.collider_count == 0 && !params.planes)
         return;
-    contacts_ = std::make_shared<Contacts>(params, buffers.capsules, motion_, length_before_,
+    contacts_ = std::make_shared<Contacts>(params, buffers.colliders, motion_, length_before_,
                                            stretch_before, mass_,
                                            mesh_planes_of(lane_, params, buffers.state.plane));
 }

@@ -26,7 +26,7 @@ struct RodBuffers {
     const View<const Vec4>& pose;
     const View<const double>& material;
     const View<const double>& rest_rotation;
-    const View<const Vec4>& capsules;
+    const View<const Vec4>& colliders;
     const View<double>& q;
     const View<double>& q_before;
     LaneState state;
@@ -133,7 +133,7 @@ void step_rods(uint32_t item_count, const plait_lane_params& params, const Args&
                              args.pose,
                              args.lane_material,
                              args.lane_rest,
-                             args.capsule,
+                             args.collider,
                              args.lane_q,
                              args.lane_q_before,
                              {args.lane_x, args.lane_v, args.lane_x_before, args.lane_v_before,

@@ -240,7 +240,7 @@ void LanePart::find_planes(Schedule& schedule, const Substep& at,
     params.collider_first = at.collider_first + at.collider_count;
     params.collider_count = at.mesh_count;
     schedule.add(PLAIT_STAGE_mesh_contact, lanes_.strands, params,
-                 {&lane_strand_, &at.state.rest, &at.state.pose, &fill_.material, &at.capsules,
+                 {&lane_strand_, &at.state.rest, &at.state.pose, &fill_.material, &at.colliders,
                   &at.meshes->grid, &at.meshes->nodes, &at.meshes->values, &at.meshes->clearance,
                   &acceleration_, &pin_, &x_, &v_, &history_.x, &history_.v, &plane_},
                  lanes_.row);
@@ -275,13 +275,13 @@ void LanePart::substep(Schedule& schedule, const Substep& at, float mean_length)
         find_planes(schedule, at, params);
     if (!traits_.bends)
         schedule.add(traits_.stage, lanes_.strands, params,
-                     {&lane_strand_, &at.state.rest, &at.state.pose, &fill_.material, &at.capsules,
+                     {&lane_strand_, &at.state.rest, &at.state.pose, &fill_.material, &at.colliders,
                       &acceleration_, &pin_, &plane_, &x_, &v_, &history_.x, &history_.v},
                      lanes_.row);
     else
         schedule.add(traits_.stage, lanes_.strands, params,
                      {&lane_strand_, &at.state.rest, &at.state.pose, &fill_.material, &fill_.rest,
-                      &at.capsules, &acceleration_, &pin_, &plane_, &x_, &v_, &q_, &q_before_,
+                      &at.colliders, &acceleration_, &pin_, &plane_, &x_, &v_, &q_, &q_before_,
                       &history_.x, &history_.v},
                      lanes_.row);
 }

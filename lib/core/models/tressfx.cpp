@@ -117,7 +117,7 @@ void collide(Schedule& schedule, const Substep& at) {
     if (at.collider_count > 0)
         schedule.add(PLAIT_STAGE_collide, at.layout.guide_vertices(),
                      plait_collide_params{at.layout.row, at.collider_count, at.collider_first},
-                     {&s.vertex_count, &at.capsules, &s.position_prev, &s.position});
+                     {&s.vertex_count, &at.colliders, &s.position_prev, &s.position});
 }
 
 void clamp(Schedule& schedule, const Substep& at) {

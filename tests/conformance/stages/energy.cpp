@@ -38,9 +38,9 @@ struct Strand {
 // Index of each buffer in the setups of lane_setup().
 struct Places {
     size_t rest = 1, pose = 2, material = 3, turns = 4, x, v, q = 0, q_before = 0;
-    size_t capsules, accelerations, pins;
+    size_t colliders, accelerations, pins;
     explicit Places(bool bends)
-        : x(bends ? 9 : 8), v(x + 1), capsules(x - 4), accelerations(x - 3), pins(x - 2) {
+        : x(bends ? 9 : 8), v(x + 1), colliders(x - 4), accelerations(x - 3), pins(x - 2) {
         if (bends)
             q = v + 1, q_before = v + 2;
     }
@@ -194,13 +194,13 @@ double depth_under(const Array& colliders, size_t row, const Vec3& x) {
 // What the contacts' springs hold: as at l/200 in all that is deeper.
 double held(const Strand& s, const Setup& setup, const State& at, bool bends) {
     const auto& p = setup.params_as<plait_lane_params>();
-    const Array& capsules = setup.buffers[Places(bends).capsules];
+    const Array& colliders = setup.buffers[Places(bends).colliders];
     double sum = 0;
     for (size_t i = 1; i < s.mass.size(); ++i) {
         double depth = 0;
         for (size_t c = p.collider_first; c < p.collider_first + p.collider_count; ++c) {
             const Vec3 x = s.root_at + at.x[i];
-            depth = std::max(depth, depth_under(capsules, PLAIT_COLLIDER_STRIDE * c, x));
+            depth = std::max(depth, depth_under(colliders, PLAIT_COLLIDER_STRIDE * c, x));
         }
         depth = std::min(depth, s.length[i - 1] / 200);
         sum += s.mass[i] * double(p.contact_rate) / 2 * depth * depth;
@@ -247,9 +247,9 @@ void stop(Setup& setup, bool bends) {
         for (int c = 0; c < 3; ++c)
             setup.buffers[at.x].floats[3 * k * setup.width + c] = static_cast<float>(root[c]);
     }
-    std::vector<float>& capsules = setup.buffers[at.capsules].floats;
-    for (size_t c = 0; c < capsules.size(); c += size_t{4} * PLAIT_COLLIDER_STRIDE) {
-        float* capsule = &capsules[c];
+    std::vector<float>& colliders = setup.buffers[at.colliders].floats;
+    for (size_t c = 0; c < colliders.size(); c += size_t{4} * PLAIT_COLLIDER_STRIDE) {
+        float* capsule = &colliders[c];
         std::copy_n(capsule + 4 * PLAIT_COLLIDER_END, 4, capsule + 4 * PLAIT_COLLIDER_BEGIN);
         const float none[] = {0, 0, 0, 1};
         std::copy_n(none, 4, capsule + 4 * PLAIT_COLLIDER_TURN);

@@ -28,7 +28,7 @@ static inline void pbd_sweep(const lane_step* step, vec3* x) {
 __kernel void plait_chain(const uint item_count, const plait_lane_params params,
                           __global const uint* lane_strand, __global const float4* rest,
                           __global const float4* pose, __global const real* lane_material,
-                          __global const float4* capsule, __global const real* lane_acceleration,
+                          __global const float4* collider, __global const real* lane_acceleration,
                           __global const real* lane_pin, __global const real* lane_plane,
                           __global real* lane_x, __global real* lane_v,
                           __global real* lane_x_before, __global real* lane_v_before) {
@@ -45,7 +45,7 @@ __kernel void plait_chain(const uint item_count, const plait_lane_params params,
     for (uint k = 0; k < params.iterations; ++k) {
         pbd_sweep(&step, x);
         for (int i = 1; i <= step.segments; ++i)
-            x[i] = baseline_collide(&step, &params, capsule, lane_x, i, x[i]);
+            x[i] = baseline_collide(&step, &params, collider, lane_x, i, x[i]);
     }
 
     lane_velocities(&step, x, y, w);

@@ -1,0 +1,201 @@
+// A call of plait_sim_step: its moments, and at each of them the phases that have something to do.
+//
+//                     call begins      fixed step begins     substep     fixed step ends   call ends
+//   roots                              poses of their own    poses
+//   pins                               targets                                             targets
+//   air                                turbulence
+//   accelerations                      of single vertices
+//   solve                                                    the model
+//   grid over lanes                                                      brakes velocities
+//   publish                                                              positions
+//   grid                                                                 brakes velocities
+//   display           frame before     step before                                         positions,
+//                                                                                          tangents
+//
+// A phase appends dispatches and changes nothing else, so that the same list says which kernels a
+// sim needs before its first step. What the host keeps (paths of roots, pins and colliders, the
+// wind's time) moves on by advance(), once a fixed step, and by arrive(), at the end of a call.
+#include "core/pins.hpp"
+#include "core/sim.hpp"
+
+#include <algorithm>
+
+namespace plait {
+
+// In the order in which they act at one moment.
+constexpr Sim::Phase Sim::phases[] = {
+    &Sim::append_roots,         &Sim::append_pins,  &Sim::append_air,
+    &Sim::append_accelerations, &Sim::append_solve, &Sim::append_grid_over_lanes,
+    &Sim::append_publish,       &Sim::append_grid,  &Sim::append_display,
+};
+
+void Sim::append_phases(const At& at) {
+    for (const Phase phase : phases)
+        (this->*phase)(at);
+}
+
+Status Sim::step(double dt) {
+    schedule_.clear(); // what a failed call may have left
+    const Tick tick = clock_.advance(dt);
+    append_phases({Moment::call_begins, present(), 0, tick.steps});
+    for (uint32_t k = 0; k < tick.steps; ++k)
+        PLAIT_TRY(fixed_step(tick.end_of(k), k, tick.steps));
+    roots_.arrive();
+    colliders_.arrive();
+    append_phases({Moment::call_ends, present(), tick.steps, tick.steps});
+    return submit();
+}
+
+Status Sim::fixed_step(double end, uint32_t step, uint32_t steps) {
+    roots_.advance(end);
+    advance_pins(state_);
+    PLAIT_TRY(colliders_.advance(device(), end));
+    append_phases({Moment::step_begins, present(), step, steps, static_cast<float>(end)});
+    const auto substeps = [&](const Group& group) -> Status {
+        for (uint32_t i = 0; i < group.substeps; ++i) {
+            append_phases({Moment::substep, at(group, i), step, steps});
+            PLAIT_TRY(submit());
+        }
+        return {};
+    };
+    PLAIT_TRY(for_each_group(substeps));
+    append_phases({Moment::step_ends, present(), step, steps});
+    PLAIT_TRY(submit());
+    if (wind_.blows())
+        wind_.advance(clock_.step());
+    ++clock_.steps;
+    return {};
+}
+
+// Of a fixed step in which nothing moves: its first substep stands for all of a group's.
+void Sim::append_dry_step() {
+    append_phases({Moment::step_begins, present()});
+    (void)for_each_group([&](const Group& group) {
+        append_phases({Moment::substep, at(group, 0)});
+        return Status{};
+    });
+    append_phases({Moment::step_ends, present()});
+}
+
+void Sim::append_roots(const At& at) {
+    if (at.moment == Moment::step_begins)
+        roots_.append_path(schedule_);
+    if (at.moment == Moment::substep)
+        roots_.append_poses(schedule_, at.substep.share, state_.pose);
+}
+
+void Sim::append_pins(const At& at) {
+    if (at.moment == Moment::step_begins)
+        append_pin_targets(schedule_, layout_, state_, at.end);
+    if (at.moment == Moment::call_ends)
+        append_pins_arrived(schedule_, layout_, state_);
+}
+
+// Around where the hair is.
+void Sim::append_air(const At& at) {
+    if (at.moment == Moment::step_begins && wind_.blows())
+        wind_.append(schedule_, roots_.step_begin(), cube_, clock_.step());
+}
+
+// What pulls at single vertices in all substeps of a fixed step, where they are at its begin.
+void Sim::append_accelerations(const At& at) {
+    if (at.moment != Moment::step_begins || !state_.acceleration)
+        return;
+    if (context_.replaced[PLAIT_STAGE_accelerate]) {
+        plait_accelerate_params params{};
+        params.vertex_stride = layout_.row;
+        params.h = substep_length();
+        params.time = static_cast<float>(clock_.time());
+        std::ranges::copy(desc_.params.accelerate_values, params.value);
+        schedule_.add(
+            PLAIT_STAGE_accelerate, layout_.guide_vertices(), params,
+            {&state_.vertex_count, &state_.position, &state_.position_prev, &state_.acceleration});
+    }
+    model_->accelerate(schedule_, at.substep);
+}
+
+void Sim::append_solve(const At& at) {
+    if (at.moment == Moment::substep)
+        model_->substep(schedule_, at.substep);
+}
+
+InterHair::Step Sim::grid_step() const {
+    return {layout_,          state_,       desc_.params, cube_,        roots_.step_head(),
+            substep_length(), clock_.steps, desc_.seed,   context_.info};
+}
+
+// On the lanes where these fill a CPU's registers; else, and where the caller has kernels of his own
+// for it, on the positions that were published.
+bool Sim::grid_is_over_lanes() const {
+    const Device& device = context_.device;
+    const auto& replaced = context_.replaced;
+    return grid_.is_exact() && model_->has_lanes() && context_.info.lanes > 1 &&
+           !replaced[PLAIT_STAGE_grid_splat] && !replaced[PLAIT_STAGE_grid_diffuse] &&
+           device.supports(PLAIT_STAGE_lane_splat) && device.supports(PLAIT_STAGE_lane_diffuse);
+}
+
+void Sim::append_grid_over_lanes(const At& at) {
+    if (at.moment == Moment::step_ends && grid_is_over_lanes())
+        grid_.append_over_lanes(schedule_, grid_step(), *model_, at.substep);
+}
+
+void Sim::append_publish(const At& at) {
+    if (at.moment == Moment::step_ends)
+        model_->publish(schedule_, at.substep);
+}
+
+void Sim::append_grid(const At& at) {
+    if (at.moment != Moment::step_ends || !grid_.is_on() || grid_is_over_lanes())
+        return;
+    grid_.append(schedule_, grid_step());
+    model_->adopt(schedule_, at.substep);
+}
+
+// A call without a fixed step leaves what is shown as it is, unless that is between two steps.
+void Sim::append_display(const At& at) {
+    if (at.moment == Moment::call_begins)
+        display_.append_frame_before(schedule_, layout_, state_);
+    if (at.moment == Moment::step_begins && at.step + 1 == at.steps)
+        display_.append_step_before(schedule_, layout_, state_);
+    if (at.moment == Moment::call_ends && (at.steps > 0 || display_.interpolates()))
+        append_shown();
+}
+
+void Sim::append_shown() {
+    display_.append(schedule_, layout_, state_, roots_, desc_.params,
+                    static_cast<float>(clock_.remainder()));
+}
+
+Substep Sim::at(const Group& group, uint32_t substep) const {
+    return {layout_,
+            state_,
+            desc_.params,
+            colliders_.buffer(),
+            colliders_.count() - colliders_.meshes(),
+            (group.first + substep) * colliders_.count(),
+            meshes_.buffers() ? colliders_.meshes() : 0,
+            meshes_.buffers(),
+            clock_.step(),
+            group.substeps,
+            length_of(group.substeps),
+            air(),
+            static_cast<float>(substep + 1) / static_cast<float>(group.substeps),
+            wind_.blows() ? std::optional(wind_.at(air(), substep == 0, clock_.step()))
+                          : std::nullopt};
+}
+
+std::array<float, 3> Sim::air() const {
+    const plait_sim_params& p = desc_.params;
+    std::array<float, 3> air{p.wind[0], p.wind[1], p.wind[2]};
+    if (p.air_with_head == 0)
+        return air;
+    float middle[3];
+    for (size_t i = 0; i < 3; ++i)
+        middle[i] = cube_.origin[i] + 0.5f * cube_.edge;
+    const auto moved = roots_.head_moves(middle);
+    for (size_t i = 0; i < 3; ++i)
+        air[i] += p.air_with_head * moved[i] / static_cast<float>(clock_.step());
+    return air;
+}
+
+} // namespace plait
