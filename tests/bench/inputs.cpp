@@ -464,6 +464,35 @@ Words lane_positions(const Shape& shape) {
     return in_lanes(shape, rows);
 }
 
+// Strands that begin on the head, lie on it for a share of their length, down its meridians, and
+// stand off it from there: row 0 the root, the others relative to it.
+constexpr float lying_share = 0.2f;
+
+Words lying_positions(const Shape& shape) {
+    const auto roots = root_positions(shape.strands);
+    const size_t lanes = (size_t{shape.strands} + shape.tile - 1) / shape.tile * shape.tile;
+    Words words(lanes * shape.vertices * 3);
+    for (size_t lane = 0; lane < lanes; ++lane) {
+        const float* root = &roots[3 * std::min<size_t>(lane, shape.strands - 1)];
+        const float polar = std::acos(root[1] / head_radius);
+        const float across = std::max(std::hypot(root[0], root[2]), 1e-6f);
+        const float along[2] = {root[0] / across, root[2] / across};
+        for (size_t i = 0; i < shape.vertices; ++i) {
+            const float arc =
+                strand_length * static_cast<float>(i) / static_cast<float>(shape.vertices - 1);
+            const float lies = std::min(arc, lying_share * strand_length);
+            const float angle = polar + lies / head_radius;
+            const float radius = head_radius + (arc - lies) + (i > 0 ? 0.001f : 0.0f);
+            const float x[3] = {radius * std::sin(angle) * along[0], radius * std::cos(angle),
+                                radius * std::sin(angle) * along[1]};
+            for (size_t c = 0; c < 3; ++c)
+                words[((lane / shape.tile * shape.vertices + i) * 3 + c) * shape.tile +
+                      lane % shape.tile] = word(i == 0 ? x[c] : x[c] - root[c]);
+        }
+    }
+    return words;
+}
+
 // Every row the same.
 template <size_t Components>
 Words lane_rows(const Shape& shape, const std::array<float, Components>& row) {
@@ -679,6 +708,8 @@ std::vector<uint32_t> typical_buffer(const plait_stage_info& stage, const plait_
         return {}; // and that is near no mesh
     if (stage.stage == PLAIT_STAGE_mesh_contact && name == "collider")
         return mesh_row();
+    if (stage.stage == PLAIT_STAGE_mesh_contact && name == "lane_x")
+        return lying_positions(shape);
     const auto maker = makers().find(arg.name);
     if (maker != makers().end())
         return maker->second(shape);

@@ -430,14 +430,24 @@ Setup on_planes(Setup setup, const LaneHair& lanes, float friction, bool bends) 
     setup.name += ", on planes";
     Random random(params.vertex_stride + 7);
     std::vector<float>& planes = setup.buffers[bends ? 8 : 7].floats;
-    for (size_t s = 0; s < setup.items; ++s)
+    for (size_t s = 0; s < setup.items; ++s) {
+        size_t last = 0;
         for (size_t i = 2; i < lanes.hair.vertex_count[s]; i += 3) {
             const size_t row = s * setup.width + i;
             const auto plane = plane_under(lanes, random, row, s % 3 == 2 ? -0.015 : 0.004,
                                            s % 2 ? friction : 0.3f);
             std::ranges::transform(plane, &planes[PLAIT_LANE_PLANE_COMPONENTS * row],
                                    [](double value) { return static_cast<float>(value); });
+            last = i;
         }
+        const auto row = planes.begin() +
+                         static_cast<std::ptrdiff_t>(PLAIT_LANE_PLANE_COMPONENTS * s * setup.width);
+        row[PLAIT_LANE_PLANE_LAST] = static_cast<float>(last);
+        // what is left in rows that nobody reads: a plane far above
+        std::fill(row + static_cast<std::ptrdiff_t>(PLAIT_LANE_PLANE_COMPONENTS * (last + 1)),
+                  row + static_cast<std::ptrdiff_t>(PLAIT_LANE_PLANE_COMPONENTS * setup.width),
+                  -0.5f);
+    }
     return setup.with(params);
 }
 

@@ -56,6 +56,9 @@
 #define PLAIT_MESH_MARCH_STEPS 12
 /* m: nearer, the way has come to the mesh. Ours. */
 #define PLAIT_MESH_MARCH_LEAST PLAIT_NUMBER(2e-4)
+/* Cells: no step along the way is shorter. What is thinner is lost in a grid, so that a step passes
+ * no crossing but by less than this. Ours. */
+#define PLAIT_MESH_MARCH_STEP PLAIT_NUMBER(0.25)
 /* Slope of a distance below which it has no normal: between two surfaces that are equally near it
  * falls from 1 to 0. Ours. */
 #define PLAIT_MESH_MIN_SLOPE PLAIT_NUMBER(0.5)

@@ -458,7 +458,9 @@ typedef struct plait_lane_move_params {
 #define PLAIT_LANE_CROSS 5 /* 4(EI2 - EI)/lbar, N m */
 #define PLAIT_LANE_MATERIAL_COMPONENTS 6
 
-/* lane_plane: of each vertex the plane of a mesh that it may meet in the substep. */
+/* lane_plane: of each vertex the plane of a mesh that it may meet in the substep. Row 0, for the
+ * root has none, holds the last vertex of the strand that has one, and rows after that anything. */
+#define PLAIT_LANE_PLANE_LAST 0     /* of row 0; 0: no vertex has a plane */
 #define PLAIT_LANE_PLANE_NORMAL 0   /* xyz, in the world, out of the mesh; 0: none */
 #define PLAIT_LANE_PLANE_ANCHOR 3   /* xyz, m, relative to the root: the vertex, if it stuck */
 #define PLAIT_LANE_PLANE_HEIGHT 6   /* m, of the anchor above the plane */

@@ -53,8 +53,11 @@ Motion::Motion(const Lane& lane, const plait_lane_params& params, const LaneStat
 std::vector<std::optional<MeshPlane>> mesh_planes_of(const Lane& lane,
                                                      const plait_lane_params& params,
                                                      const View<const double>& planes) {
-    std::vector<std::optional<MeshPlane>> list;
-    for (size_t i = 0; i < params.vertex_stride && params.planes; ++i) {
+    if (!params.planes)
+        return {};
+    std::vector<std::optional<MeshPlane>> list(params.vertex_stride);
+    const double last = planes[lane.index(0, PLAIT_LANE_PLANE_LAST, PLAIT_LANE_PLANE_COMPONENTS)];
+    for (size_t i = 1; double(i) <= last && i < list.size(); ++i) {
         const auto at = [&](size_t component) {
             return planes[lane.index(i, component, PLAIT_LANE_PLANE_COMPONENTS)];
         };
@@ -64,7 +67,8 @@ std::vector<std::optional<MeshPlane>> mesh_planes_of(const Lane& lane,
         const MeshPlane plane{vector(PLAIT_LANE_PLANE_NORMAL), vector(PLAIT_LANE_PLANE_ANCHOR),
                               at(PLAIT_LANE_PLANE_HEIGHT), at(PLAIT_LANE_PLANE_START),
                               at(PLAIT_LANE_PLANE_FRICTION)};
-        list.push_back(plane.normal.isZero(0) ? std::nullopt : std::optional(plane));
+        if (!plane.normal.isZero(0))
+            list[i] = plane;
     }
     return list;
 }

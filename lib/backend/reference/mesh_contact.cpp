@@ -111,7 +111,8 @@ std::optional<Plane> met(const Field& field, const Vec3& from, const Vec3& to, d
             nearest = plane;
         if (distance < PLAIT_MESH_MARCH_LEAST || t >= 1)
             break;
-        t = std::min(t + distance / std::max((to - from).norm(), 1e-9), 1.0);
+        const double step = std::max(distance, PLAIT_MESH_MARCH_STEP * field.edge());
+        t = std::min(t + step / std::max((to - from).norm(), 1e-9), 1.0);
     }
     if (!nearest)
         return {};
@@ -211,7 +212,7 @@ std::optional<Touch> touch_of(const Body& body, const Ways& ways, size_t vertex,
 
 void store(const View<double>& planes, const Lane& lane, size_t row,
            const std::optional<Touch>& touch) {
-    std::array<double, PLAIT_LANE_PLANE_COMPONENTS> values{};
+    std::vector<double> values(3); // no normal
     if (touch)
         values = {touch->plane.normal.x(), touch->plane.normal.y(),
                   touch->plane.normal.z(), touch->plane.point.x(),
@@ -219,7 +220,7 @@ void store(const View<double>& planes, const Lane& lane, size_t row,
                   touch->plane.height,     touch->start,
                   touch->friction};
     for (size_t c = 0; c < values.size(); ++c)
-        planes[lane.index(row, c, values.size())] = values[c];
+        planes[lane.index(row, c, PLAIT_LANE_PLANE_COMPONENTS)] = values[c];
 }
 
 } // namespace
@@ -232,9 +233,11 @@ void mesh_contact(uint32_t item_count, const plait_lane_params& params,
         const Ways ways(lane, params, args,
                         root_of(args.rest, pose_of(args.pose, strand), strand, params.row_stride));
         double arc = 0;
+        std::vector<std::optional<Touch>> list(params.vertex_stride);
+        size_t last = 0;
         for (uint32_t i = 0; i < params.vertex_stride; ++i) {
             arc += ways.length[i];
-            std::optional<Touch> deepest;
+            std::optional<Touch>& deepest = list[i];
             for (size_t mesh = 0; mesh < params.collider_count && ways.length[i] > 0; ++mesh) {
                 const double clearance =
                     args.mesh_clearance[(strand * params.row_stride + i) * params.collider_count +
@@ -244,8 +247,13 @@ void mesh_contact(uint32_t item_count, const plait_lane_params& params,
                 if (touch && (!deepest || touch->gap < deepest->gap))
                     deepest = touch;
             }
-            store(args.lane_plane, lane, i, deepest);
+            if (deepest)
+                last = i;
         }
+        args.lane_plane[lane.index(0, PLAIT_LANE_PLANE_LAST, PLAIT_LANE_PLANE_COMPONENTS)] =
+            double(last);
+        for (size_t i = 1; i <= last; ++i)
+            store(args.lane_plane, lane, i, list[i]);
     }
 }
 
