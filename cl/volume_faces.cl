@@ -10,7 +10,8 @@
  * hair wants
  *     0 <= p - least,   h div v' - s >= 0,   and one of both 0,
  *     v' = v - h (d_b - d_a)/(density e)  at open faces,
- *     s = 1 - R/r where there is room, else the lesser of recovery (1 - R/r) and most_recovery.
+ *     s = 1 - R/r where there is room, else the lesser of most_recovery and
+ *         recovery max(0, 1 - R/r - slack).
  * Divided by (h/e)^2 that is one row of the matrix whose off-diagonals are the links, 1/density, and
  * `wanted` what is left for p = 0. Nodes with hardly any hair, and the outermost ones, are air, p = 0.
  * Source  contact condition of Narain et al. 2010; p carried over: van Kan 1986; faces: ours.
@@ -62,7 +63,9 @@ static inline float speed_between(volume_hair a, volume_hair b, int axis) {
 /* s: the share by which the hair of a node is to part; negative: by which it may close up. */
 static inline float room_of(const plait_volume_params* params, volume_hair hair) {
     const float excess = 1.0f - hair.rest / hair.density;
-    return excess > 0.0f ? fmin(params->recovery * excess, params->most_recovery) : excess;
+    if (excess <= 0.0f)
+        return excess;
+    return fmin(params->recovery * fmax(excess - params->slack, 0.0f), params->most_recovery);
 }
 
 __kernel void plait_volume_faces(const uint item_count, const plait_volume_params params,

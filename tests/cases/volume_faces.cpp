@@ -20,6 +20,7 @@ Case volume_faces_case() {
             params.fall[1] = -0.3f;
             params.fall[2] = 0.1f;
             params.share = 0.9f;
+            params.slack = 0.05f;
             params.recovery = 0.2f;
             params.most_recovery = 0.08f;
             params.cohesion = 0.6f;

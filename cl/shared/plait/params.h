@@ -367,7 +367,8 @@ typedef struct plait_volume_params {
     float h;             /* s, of the fixed step */
     float fall[3];       /* m/s, along the grid's axes, added to the velocity of hair */
     float share;         /* density to keep, over that at rest */
-    float recovery;      /* [0, 1]: share of what is too dense that parts in a step */
+    float slack;         /* [0, 1): share of its room by which hair may be too dense */
+    float recovery;      /* [0, 1]: share of what is denser that parts in a step */
     float most_recovery; /* and at most this share of the volume */
     float cohesion;      /* m^2/s^2: what hair bears in tension, over its density at rest */
     plait_u32 carried;   /* 1: pressure starts as it was; 0: volume_before is null */

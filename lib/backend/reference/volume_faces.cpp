@@ -60,7 +60,8 @@ class Equations {
 
     double part(size_t node) const {
         const double excess = 1 - kept(node) / density(node);
-        return excess > 0 ? std::min(params_.recovery * excess, double(params_.most_recovery))
+        const double beyond = std::max(0.0, excess - double(params_.slack));
+        return excess > 0 ? std::min(params_.recovery * beyond, double(params_.most_recovery))
                           : excess;
     }
 
