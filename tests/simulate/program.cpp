@@ -18,6 +18,7 @@
 #include <vector>
 
 using Json = nlohmann::json;
+using testing::AllOf;
 using testing::ContainsRegex;
 using testing::HasSubstr;
 
@@ -221,6 +222,19 @@ TEST_F(Program, repeats_itself) {
     const Json first = json("out/stats.json");
     ASSERT_EQ(run(words), 0) << text();
     EXPECT_EQ(first.at("hash"), json("out/stats.json").at("hash"));
+}
+
+TEST_F(Program, meets_meshes) {
+    ASSERT_EQ(run({"--scene", PLAIT_SCENES "/bust.json", "--strands", "100", "--seconds", "0.5",
+                   "--no-pictures", "--out", path("out")}),
+              0)
+        << text();
+    EXPECT_THAT(text(), HasSubstr("1 mesh of 18564 triangles"));
+    EXPECT_EQ(json("out/stats.json")["nonfinite"], 0);
+    EXPECT_LT(json("out/stats.json")["max_stretch"], 0.05);
+    const std::string scene = write("scene.json", R"({"meshes": [{"file": "none.obj"}]})");
+    EXPECT_EQ(run({"--scene", scene, "--out", path("out")}), 1);
+    EXPECT_THAT(text(), AllOf(HasSubstr("meshes[0].file"), HasSubstr("none.obj")));
 }
 
 TEST_F(Program, draws_sheets) {

@@ -50,6 +50,27 @@ TEST_F(SceneFile, has_wind) {
     EXPECT_THAT(refusal(R"({"model": "tressfx", "wind": {}})"), HasSubstr("tressfx"));
 }
 
+TEST_F(SceneFile, has_meshes) {
+    const Scene scene = read(R"({"meshes": [{"file": "a.obj", "scale": 0.01, "margin": 0.002,
+        "friction": 0.1, "cells": 64, "two_sided": true, "moves_with_head": false}]})");
+    ASSERT_EQ(scene.meshes.size(), 1u);
+    const simulate::MeshChoice& mesh = scene.meshes[0];
+    EXPECT_EQ(mesh.file, path("a.obj"));
+    EXPECT_FLOAT_EQ(mesh.scale, 0.01f);
+    EXPECT_FLOAT_EQ(mesh.desc.margin, 0.002f);
+    EXPECT_FLOAT_EQ(mesh.desc.friction, 0.1f);
+    EXPECT_EQ(mesh.desc.cells, 64u);
+    EXPECT_EQ(mesh.desc.two_sided, 1u);
+    EXPECT_FALSE(scene.head_is_mesh());
+    EXPECT_TRUE(read(R"({"meshes": [{"file": "a.obj"}]})").head_is_mesh());
+    EXPECT_THAT(refusal(R"({"meshes": [{}]})"), HasSubstr("meshes[0].file"));
+    EXPECT_THAT(refusal(R"({"meshes": [{"file": "a.obj", "cells": 7}]})"),
+                AllOf(HasSubstr("meshes[0].cells"), HasSubstr("7"), HasSubstr("[8, 256]")));
+    EXPECT_THAT(refusal(R"({"meshes": [{"file": "a.obj", "thin": 1}]})"), HasSubstr("thin"));
+    EXPECT_THAT(refusal(R"({"model": "tressfx", "meshes": [{"file": "a.obj"}]})"),
+                HasSubstr("tressfx"));
+}
+
 TEST_F(SceneFile, sets_what_it_says) {
     const Scene scene = read(R"({
         "groom": "curly", "strands": 300, "vertices": 24, "seed": 7, "style": {"curl_radius": 0.02},

@@ -13,6 +13,7 @@ template <auto destroy> struct Destroyer {
 using ContextHandle = std::unique_ptr<plait_context, Destroyer<plait_context_destroy>>;
 using GroomHandle = std::unique_ptr<plait_groom, Destroyer<plait_groom_destroy>>;
 using FollowMapHandle = std::unique_ptr<plait_follow_map, Destroyer<plait_follow_map_destroy>>;
+using MeshHandle = std::unique_ptr<plait_mesh, Destroyer<plait_mesh_destroy>>;
 using SimHandle = std::unique_ptr<plait_sim, Destroyer<plait_sim_destroy>>;
 
 } // namespace common

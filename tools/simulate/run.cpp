@@ -122,15 +122,34 @@ void Simulation::add_colliders() {
         check(plait_collider_create(sim_.get(), &shape, &id));
         return id;
     };
-    for (const Collider& collider : figure_.colliders) {
-        if (!collider.keyframes.empty())
-            continue;
-        const plait_collider_id id = create(collider.shape);
-        if (collider.moves_with_head)
-            moving_.push_back(id);
-    }
+    const auto add = [&](const std::vector<Collider>& colliders) {
+        for (const Collider& collider : colliders) {
+            if (!collider.keyframes.empty())
+                continue;
+            const plait_collider_id id = create(collider.shape);
+            if (collider.moves_with_head)
+                moving_.push_back(id);
+        }
+    };
+    add(figure_.colliders);
+    if (scene_.sim.model == PLAIT_MODEL_TRESSFX)
+        add(figure_.stand_ins);
+    else
+        add_meshes();
     for (const Hand& hand : figure_.hands)
         hands_.push_back(create(hand.shape()));
+}
+
+// In the pose in which the groom lies on them.
+void Simulation::add_meshes() {
+    for (const LoadedMesh& mesh : figure_.meshes) {
+        plait_collider_id id{};
+        if (plait_collider_create_mesh(sim_.get(), mesh.mesh.get(), &mesh.choice.desc, &id) !=
+            PLAIT_OK)
+            throw Failure(mesh.choice.place + ": " + plait_last_error());
+        if (mesh.choice.moves_with_head)
+            moving_.push_back(id);
+    }
 }
 
 template <typename Work>

@@ -55,6 +55,7 @@ class Simulation {
 
   private:
     void add_colliders();
+    void add_meshes();
     void add_pins();
     bool keeps_timeline() const { return scene_.profile || !scene_.trace.empty(); }
     // Does `work`, and enters it under `call`, which has yet no times.

@@ -168,7 +168,7 @@ Vector pivot_under(const std::vector<Vector3f>& roots) {
 HeadMesh make_head(const Scene& scene) {
     if (!scene.head.file.empty())
         return load_head(scene.head.file, scene.groom.scale);
-    return scene.groom.generated ? mannequin() : HeadMesh{};
+    return scene.groom.generated && !scene.head_is_mesh() ? mannequin() : HeadMesh{};
 }
 
 Vector3f mean_of(const std::vector<Vector3f>& points) {
@@ -210,12 +210,20 @@ float best_azimuth(const plait_groom* groom, const std::vector<Vector3f>& roots)
     return behind > well_behind * spread_of(roots) ? from_behind : from_front;
 }
 
-std::vector<Collider> colliders_for(const Scene& scene, const plait_groom* groom) {
-    std::vector<Collider> colliders = scene.colliders         ? *scene.colliders
-                                      : scene.groom.generated ? mannequin_colliders()
-                                                              : skull_under(groom);
-    colliders.insert(colliders.end(), scene.moving_colliders.begin(), scene.moving_colliders.end());
-    return colliders;
+std::vector<Collider> made_for(const Scene& scene, const plait_groom* groom) {
+    return scene.groom.generated ? mannequin_colliders() : skull_under(groom);
+}
+
+// None are made where the head itself is a collider.
+void add_colliders(const Scene& scene, Figure& figure) {
+    figure.meshes = load_meshes(scene.meshes, scene.groom.generated);
+    if (scene.colliders)
+        figure.colliders = *scene.colliders;
+    else
+        (scene.head_is_mesh() ? figure.stand_ins : figure.colliders) =
+            made_for(scene, figure.groom.get());
+    figure.colliders.insert(figure.colliders.end(), scene.moving_colliders.begin(),
+                            scene.moving_colliders.end());
 }
 
 // Loaded twice where the size decides about the unit.
@@ -262,13 +270,18 @@ void choose_guides(const Scene& scene, Figure& figure) {
 HeadMesh solids_of(const Figure& figure) {
     HeadMesh all{{}, figure.head.triangles, figure.head.scalp};
     auto first = static_cast<uint32_t>(figure.head.vertices.size());
-    for (const Hand& hand : figure.hands) {
-        for (const auto& [a, b, c] : hand.mesh().triangles)
+    all.scalp.resize(first, 0.0f);
+    const auto add = [&](const HeadMesh& part) {
+        for (const auto& [a, b, c] : part.triangles)
             all.triangles.push_back({first + a, first + b, first + c});
-        first += static_cast<uint32_t>(hand.mesh().vertices.size());
-    }
-    if (!all.scalp.empty())
+        first += static_cast<uint32_t>(part.vertices.size());
+        all.scalp.insert(all.scalp.end(), part.scalp.begin(), part.scalp.end());
         all.scalp.resize(first, 0.0f);
+    };
+    for (const LoadedMesh& mesh : figure.meshes)
+        add(mesh.drawn);
+    for (const Hand& hand : figure.hands)
+        add(hand.mesh());
     return all;
 }
 
@@ -280,14 +293,14 @@ Figure make_figure(Scene& scene) {
     load_groom(scene, figure);
     choose_guides(scene, figure);
     figure.head = make_head(scene);
-    figure.colliders = colliders_for(scene, figure.groom.get());
+    add_colliders(scene, figure);
     for (const Collider& collider : scene.moving_colliders)
         figure.hands.emplace_back(collider);
     const std::vector<Vector3f> roots = roots_of(figure.groom.get());
     figure.pivot = generated ? Vector{} : pivot_under(roots);
     figure.pivot = scene.head.pivot.value_or(figure.pivot);
     figure.neck = scene.head.neck;
-    if (generated && scene.head.file.empty() && !figure.neck)
+    if (generated && scene.head.file.empty() && !figure.neck && !scene.head_is_mesh())
         figure.neck = mannequin_neck;
     figure.hair_bounds = {Vector3f(figure.info.bounds_min), Vector3f(figure.info.bounds_max)};
     figure.azimuth = scene.camera.azimuth.value_or(best_azimuth(figure.groom.get(), roots));
@@ -328,12 +341,15 @@ std::vector<Vector3f> Figure::posed_head(const plait_pose& pose) const {
 
 std::vector<Vector3f> Figure::posed_solids(const plait_pose& pose, float time) const {
     std::vector<Vector3f> posed = posed_head(pose);
-    for (const Hand& hand : hands) {
-        const plait_pose place = hand.pose(time);
+    const auto add = [&](const HeadMesh& part, const plait_pose& place) {
         const Eigen::Quaternionf turn(place.q[3], place.q[0], place.q[1], place.q[2]);
-        for (const Vector3f& vertex : hand.mesh().vertices)
+        for (const Vector3f& vertex : part.vertices)
             posed.push_back(turn * vertex + Vector3f(place.t));
-    }
+    };
+    for (const LoadedMesh& mesh : meshes)
+        add(mesh.drawn, mesh.choice.moves_with_head ? pose : mesh.choice.desc.pose);
+    for (const Hand& hand : hands)
+        add(hand.mesh(), hand.pose(time));
     return posed;
 }
 

@@ -3,6 +3,7 @@
 
 #include "hand.hpp"
 #include "head_mesh.hpp"
+#include "meshes.hpp"
 #include "scene.hpp"
 
 #include <Eigen/Geometry>
@@ -18,7 +19,9 @@ struct Figure {
     FollowMapHandle follows;
     HeadMesh head; // may be empty
     std::vector<Collider> colliders;
-    std::vector<Hand> hands; // colliders with a motion of their own
+    std::vector<LoadedMesh> meshes;  // colliders, too
+    std::vector<Collider> stand_ins; // for them, where strands of the model tressfx meet no mesh
+    std::vector<Hand> hands;         // colliders with a motion of their own
     std::array<float, 3> pivot;
     std::optional<std::array<float, 2>> neck; // absent: the whole mesh turns
     Eigen::AlignedBox3f hair_bounds;          // at rest
@@ -33,7 +36,7 @@ struct Figure {
     // The head's mesh when the head is at `pose`; below the neck it stays, in between it twists.
     std::vector<Eigen::Vector3f> posed_head(const plait_pose& pose) const;
 
-    // What is drawn beside the hair, the hands included: vertices now, the rest for ever.
+    // What is drawn beside the hair, the meshes and the hands included: vertices now, the rest for ever.
     std::vector<Eigen::Vector3f> posed_solids(const plait_pose& pose, float time) const;
     HeadMesh solids;
 };

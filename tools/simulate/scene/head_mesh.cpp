@@ -132,16 +132,22 @@ HeadMesh read_by_assimp(const std::string& file) {
 // mannequin's is drawn in their colour, and fades over this height above the hairline, m.
 constexpr float hairline = 0.010f;
 
+std::vector<float> scalp_of(const std::vector<Eigen::Vector3f>& vertices) {
+    std::vector<float> scalp;
+    for (const Eigen::Vector3f& p : vertices) {
+        const float low = static_cast<float>(
+            plait_generator::scalp_height(double(p.x()), double(p.y()), double(p.z())));
+        scalp.push_back(0.9f * std::clamp(low / hairline, 0.0f, 1.0f));
+    }
+    return scalp;
+}
+
 HeadMesh mannequin() {
     const plait_generator::HeadMesh made = plait_generator::make_head(2);
     HeadMesh head;
-    for (size_t v = 0; v < made.positions.size(); v += 3) {
+    for (size_t v = 0; v < made.positions.size(); v += 3)
         head.vertices.emplace_back(made.positions[v], made.positions[v + 1], made.positions[v + 2]);
-        const Eigen::Vector3f& p = head.vertices.back();
-        const float low = static_cast<float>(
-            plait_generator::scalp_height(double(p.x()), double(p.y()), double(p.z())));
-        head.scalp.push_back(0.9f * std::clamp(low / hairline, 0.0f, 1.0f));
-    }
+    head.scalp = scalp_of(head.vertices);
     for (size_t t = 0; t < made.triangles.size(); t += 3)
         head.triangles.push_back({made.triangles[t], made.triangles[t + 1], made.triangles[t + 2]});
     return head;

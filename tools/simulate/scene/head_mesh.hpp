@@ -18,6 +18,9 @@ struct HeadMesh {
 
 HeadMesh mannequin();
 
+// `scalp` of vertices in the mannequin's space.
+std::vector<float> scalp_of(const std::vector<Eigen::Vector3f>& vertices);
+
 // .tfxmesh (ASCII, as TressFX 4 exports), or whatever assimp reads. Throws Failure.
 HeadMesh load_head(const std::string& file, float scale);
 

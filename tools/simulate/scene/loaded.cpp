@@ -17,9 +17,20 @@ std::string number(float value) {
     return text;
 }
 
+std::string meshes_of(const Figure& figure) {
+    size_t triangles = 0;
+    for (const LoadedMesh& mesh : figure.meshes)
+        triangles += mesh.drawn.triangles.size();
+    const size_t count = figure.meshes.size();
+    return std::to_string(count) + (count == 1 ? " mesh of " : " meshes of ") +
+           std::to_string(triangles) + " triangles";
+}
+
 std::string colliders_of(const Scene& scene, const Figure& figure) {
     if (figure.colliders.empty())
-        return "no colliders";
+        return figure.meshes.empty() ? "no colliders" : "";
+    if (!figure.stand_ins.empty())
+        return std::to_string(figure.colliders.size()) + " colliders that move";
     if (scene.colliders || scene.groom.generated)
         return std::to_string(figure.colliders.size()) + " colliders of the " +
                (scene.colliders ? "scene" : "mannequin");
@@ -71,7 +82,10 @@ std::string loaded_line(const Scene& scene, const Figure& figure) {
                 " are simulated and the others follow";
     if (scene.groom.scale != 1.0f)
         text += ", at a scale of " + number(scene.groom.scale);
-    return text + "; " + colliders_of(scene, figure);
+    const std::string colliders = colliders_of(scene, figure);
+    if (!colliders.empty())
+        text += "; " + colliders;
+    return figure.meshes.empty() ? text : text + "; " + meshes_of(figure);
 }
 
 std::vector<std::string> size_warnings(const Scene& scene, const Figure& figure) {

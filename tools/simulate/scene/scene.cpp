@@ -2,6 +2,7 @@
 
 #include "common/collider_reader.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -132,6 +133,12 @@ void read_moving_colliders(JsonReader& top, std::vector<Collider>& colliders) {
         in.finish();
         colliders.push_back(std::move(collider));
     });
+}
+
+void take_meshes(JsonReader& top, const Origin& origin, Scene& scene) {
+    scene.meshes = read_meshes(top, std::filesystem::path(origin.file).parent_path().string());
+    if (!scene.meshes.empty() && scene.sim.model == PLAIT_MODEL_TRESSFX)
+        top.fail("meshes", "are given, and strands of the model tressfx meet none");
 }
 
 // Absent: what holds the hairstyle together.
@@ -340,6 +347,10 @@ uint32_t Scene::frames() const {
     return static_cast<uint32_t>(std::max(1L, std::lround(seconds * static_cast<float>(rate))));
 }
 
+bool Scene::head_is_mesh() const {
+    return std::ranges::any_of(meshes, &MeshChoice::moves_with_head);
+}
+
 Scene make_scene(const std::string& file, const Json& command_line) {
     Origin origin{file, command_line, {}};
     Json document = file.empty() ? Json::object() : read_json(origin);
@@ -352,6 +363,7 @@ Scene make_scene(const std::string& file, const Json& command_line) {
     read_head(top, origin, scene.head);
     read_colliders(top, scene.colliders);
     read_moving_colliders(top, scene.moving_colliders);
+    take_meshes(top, origin, scene);
     read_pins(top, scene);
     read_wind(top, scene);
     if (top.text("motion", scene.motion) && scene.motion.find('.') != std::string::npos)

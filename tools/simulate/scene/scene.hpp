@@ -4,6 +4,7 @@
 
 #include "common.hpp"
 #include "materials.hpp"
+#include "meshes.hpp"
 #include "motion.hpp"
 
 #include "generator/generator.hpp"
@@ -78,6 +79,7 @@ struct Scene {
     PictureChoice pictures;
     std::optional<std::vector<Collider>> colliders; // absent: made for the groom
     std::vector<Collider> moving_colliders;         // beside those
+    std::vector<MeshChoice> meshes;                 // beside those
     std::vector<Tie> pins;
     std::optional<plait_wind_desc> wind;
     std::vector<MaterialChoice> materials;
@@ -95,6 +97,7 @@ struct Scene {
     std::string trace; // file; "": none
 
     uint32_t frames() const;
+    bool head_is_mesh() const;           // of the colliders
     static plait_sim_desc default_sim(); // what long hair needs under real gravity
 };
 

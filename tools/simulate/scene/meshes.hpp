@@ -1,0 +1,35 @@
+// Colliders that are meshes, from files: what a scene says of them, and what is loaded.
+#pragma once
+
+#include "common.hpp"
+#include "head_mesh.hpp"
+
+#include <plait/plait.h>
+
+#include <string>
+#include <vector>
+
+namespace simulate {
+
+struct MeshChoice {
+    std::string place; // "scene.json:12: meshes[0]"
+    std::string file;
+    float scale = 1.0f; // file units to metres
+    plait_collider_mesh_desc desc = plait_collider_mesh_desc_defaults();
+    bool moves_with_head = true;
+};
+
+// Files are relative to `folder`.
+std::vector<MeshChoice> read_meshes(JsonReader& top, const std::string& folder);
+
+struct LoadedMesh {
+    MeshHandle mesh;
+    MeshChoice choice;
+    HeadMesh drawn;
+};
+
+// Throws Failure that says where the scene names the file. `generated`: the hair is the
+// mannequin's, and skin where that has a scalp is drawn as such.
+std::vector<LoadedMesh> load_meshes(const std::vector<MeshChoice>& choices, bool generated);
+
+} // namespace simulate
