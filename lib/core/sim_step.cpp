@@ -4,9 +4,9 @@
 //   roots                              poses of their own    poses
 //   pins                               targets                                             targets
 //   air                                turbulence
+//   volume                             pressure at rest                  pressure, velocities
 //   accelerations                      of single vertices
 //   solve                                                    the model
-//   volume                             pressure at rest                  pressure, velocities
 //   grid over lanes                                                      brakes velocities
 //   publish                                                              positions
 //   grid                                                                 brakes velocities
@@ -25,10 +25,10 @@ namespace plait {
 
 // In the order in which they act at one moment.
 constexpr Sim::Phase Sim::phases[] = {
-    &Sim::append_roots,           &Sim::append_pins,    &Sim::append_air,
-    &Sim::append_accelerations,   &Sim::append_solve,   &Sim::append_volume,
-    &Sim::append_grid_over_lanes, &Sim::append_publish, &Sim::append_grid,
-    &Sim::append_display,
+    &Sim::append_roots,         &Sim::append_pins,  &Sim::append_air,
+    &Sim::append_volume, // whose pressure is an acceleration
+    &Sim::append_accelerations, &Sim::append_solve, &Sim::append_grid_over_lanes,
+    &Sim::append_publish,       &Sim::append_grid,  &Sim::append_display,
 };
 
 void Sim::append_phases(const At& at) {
