@@ -347,8 +347,7 @@ Lean mean_lean(plait::Sim& sim) {
 // at the rim the wind is felt. In the open all of it lies flat.
 TEST_P(WindOf, HairIsShelteredByHair) {
     if (GetParam() == "reference")
-        GTEST_SKIP()
-            << "two minutes there; its stages are held to the same law by the conformance tests";
+        GTEST_SKIP() << "slow there; its stages are held to the same law by the conformance tests";
     for (const plait_model model : every_model)
         for (const uint32_t shelter : {1u, 0u}) {
             auto desc = plait_sim_desc_defaults();
