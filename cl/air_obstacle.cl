@@ -1,4 +1,5 @@
-/* air_obstacle: how fast hair and colliders take wind away, at the nodes of the inter-hair grid.
+/* air_obstacle: how fast hair and colliders take wind away, at the nodes of a grid around the
+ * groom.
  *
  * Items   voxels.
  * Reads   grid_density, collider.

@@ -1,5 +1,5 @@
-/* air_shelter: what is left of the wind at the nodes of one plane of the inter-hair grid, behind the
- * plane before it; and the air there, which otherwise goes along with the hair.
+/* air_shelter: what is left of the wind at the nodes of one plane of a grid around the groom, behind
+ * the plane before it; and the air there, which otherwise goes along with the hair.
  *
  * Items   nodes of a plane.
  * Reads   air_extinction, grid_density, grid_velocity.
@@ -9,19 +9,15 @@
  *
  * tau(node) = tau(foot) + (sigma(node) + sigma(foot))/2 way: `foot` is where the wind came through
  * the plane before, between four of its nodes; outside of the grid there is nothing. One look at four
- * nodes each, where a march along the wind's way takes hundreds, as exact: within .014 rms of a ball's
+ * nodes each, where a march along the wind's way takes hundreds, as exact: within .01 rms of a ball's
  * chord.
  */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/quat.clh"
 #include "plait/params.h"
 
-/* The axis' two others, in their order. */
-static inline uint2 across_of(uint axis) {
-    return (uint2)(axis == 0u ? 1u : 0u, axis == 2u ? 1u : 2u);
-}
-
-/* Voxel at (a, b) of the plane `k` along `axis`: y n^2 + z n + x. */
+/* Voxel at (a, b), along the two other axes in their order, of the plane `k` along `axis`:
+ * y n^2 + z n + x. */
 static inline uint voxel_at(uint n, uint axis, uint k, uint a, uint b) {
     const uint x = axis == 0u ? k : a;
     const uint y = axis == 0u ? a : axis == 1u ? k : b;

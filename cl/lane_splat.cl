@@ -50,9 +50,7 @@ __kernel void plait_lane_splat(const uint item_count, const plait_lane_grid_para
             const float3 high =
                 (float3)(LANE(cell.high.x, k), LANE(cell.high.y, k), LANE(cell.high.z, k));
             if (params.tent == PLAIT_TENT_VOXEL)
-                splat_add(&splat, (at.y * params.edge_count + at.z) * params.edge_count + at.x,
-                          (at.x & 3u) | (at.y & 3u) << 2 | (at.z & 3u) << 4, moments * high.x,
-                          grid_sum);
+                splat_add(&splat, &grid, at, moments * high.x, grid_sum);
             else
                 splat_corners(&splat, &grid, at, high, moments, grid_sum);
         }

@@ -35,7 +35,7 @@ Result<AirGrid> AirGrid::create(Device& device, bool eddies, bool sheltered) {
     grid.params_.interhair = PLAIT_INTERHAIR_EXACT;
     grid.params_.tent = PLAIT_TENT_FORM_TRILINEAR;
     grid.params_.grid_edge_count = nodes;
-    auto hair = InterHair::create_density(device, nodes);
+    auto hair = InterHair::create_density(device, grid.params_);
     if (!hair)
         return hair.error();
     grid.hair_ = std::move(*hair);

@@ -72,10 +72,7 @@ Result<InterHair> InterHair::create(Device& device, const plait_sim_params& para
     return grid;
 }
 
-Result<InterHair> InterHair::create_density(Device& device, uint32_t edge_count) {
-    plait_sim_params params{};
-    params.interhair = PLAIT_INTERHAIR_EXACT;
-    params.grid_edge_count = edge_count;
+Result<InterHair> InterHair::create_density(Device& device, const plait_sim_params& params) {
     return make_buffers(device, params);
 }
 

@@ -21,8 +21,8 @@ class InterHair {
   public:
     // Buffers for `params`; none if the step is off.
     static Result<InterHair> create(Device& device, const plait_sim_params& params);
-    // For append_density() alone.
-    static Result<InterHair> create_density(Device& device, uint32_t edge_count);
+    // For append_density() alone, with exact sums.
+    static Result<InterHair> create_density(Device& device, const plait_sim_params& params);
     bool fits(const plait_sim_params& params) const;
 
     struct Step {

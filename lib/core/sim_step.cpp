@@ -3,7 +3,7 @@
 //                     call begins      fixed step begins     substep     fixed step ends   call ends
 //   roots                              poses of their own    poses
 //   pins                               targets                                             targets
-//   air                                turbulence
+//   air                                eddies, shelter
 //   volume                             pressure at rest                  pressure, velocities
 //   accelerations                      of single vertices
 //   solve                                                    the model
@@ -15,7 +15,8 @@
 //
 // A phase appends dispatches and changes nothing else, so that the same list says which kernels a
 // sim needs before its first step. What the host keeps (paths of roots, pins and colliders, the
-// wind's time) moves on by advance(), once a fixed step, and by arrive(), at the end of a call.
+// wind's grid and time) moves on by advance() and place(), once a fixed step, and by arrive(), at the
+// end of a call.
 #include "core/pins.hpp"
 #include "core/sim.hpp"
 
@@ -51,6 +52,7 @@ Status Sim::step(double dt) {
 Status Sim::fixed_step(double end, uint32_t step, uint32_t steps) {
     roots_.advance(end);
     advance_pins(state_);
+    wind_.place(cube_, roots_.step_begin());
     PLAIT_TRY(colliders_.advance(device(), end));
     append_phases({Moment::step_begins, present(), step, steps, static_cast<float>(end)});
     const auto substeps = [&](const Group& group) -> Status {
@@ -95,7 +97,6 @@ void Sim::append_pins(const At& at) {
         append_pins_arrived(schedule_, layout_, state_);
 }
 
-// Around where the hair is.
 void Sim::append_air(const At& at) {
     if (at.moment != Moment::step_begins || !wind_.blows())
         return;

@@ -159,10 +159,9 @@ float Wind::extinction(double speed) const {
 }
 
 void Wind::append(Schedule& schedule, const HairNow& hair, const std::array<float, 3>& air,
-                  const std::array<float, 3>& still, double step) {
+                  const std::array<float, 3>& still, double step) const {
     if (!grid_.velocity())
         return;
-    grid_.place(hair.step.cube, hair.step.head);
     if (desc_.turbulence > 0)
         schedule.add(PLAIT_STAGE_air_field, nodes * nodes * nodes, field_params(step),
                      {grid_.velocity()});

@@ -41,10 +41,12 @@ class Wind {
     bool blows() const { return blows_; }
     void reset(); // to when it began
 
-    // The wind at the end of a fixed step of `step` s, around the hair. `air`: m/s, that of a sim
-    // without wind; `still`: m/s, of the head.
+    // A fixed step begins: the grid moves to where the hair is. append() is due.
+    void place(const GridCube& cube, const plait_pose& head) { grid_.place(cube, head); }
+    // The wind at the end of the step, of `step` s. `air`: m/s, that of a sim without wind; `still`:
+    // m/s, of the head.
     void append(Schedule& schedule, const HairNow& hair, const std::array<float, 3>& air,
-                const std::array<float, 3>& still, double step);
+                const std::array<float, 3>& still, double step) const;
     void advance(double step); // the fixed step is over
     // `first`: of the substeps of a fixed step. `air`: m/s, that of a sim without wind.
     WindStep at(const std::array<float, 3>& air, bool first, double step) const;

@@ -139,6 +139,8 @@ plait_wind_desc random_wind(Dice& dice) {
     wind.tangential = dice.between(0, 1);
     wind.diameter = dice.one_in(2) ? 0 : dice.decade(-5, -3);
     wind.seed = dice.below(1000);
+    wind.hairs_per_strand = static_cast<float>(wind.seed); // 0: itself
+    wind.shelter = wind.seed % 4 > 0;
     return wind;
 }
 

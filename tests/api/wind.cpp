@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <span>
 
 namespace {
 
@@ -344,11 +345,11 @@ Lean mean_lean(plait::Sim& sim) {
 }
 
 // A head that goes on at 2 m/s through still air takes the air in its hair along: inside nothing tilts,
-// at the rim the wind is felt. In the open all of it lies flat.
+// at the rim the wind is felt. In the open all of it lies flat. The reference, which reads positions and
+// not lanes, takes seven seconds for a model: one is enough there.
 TEST_P(WindOf, HairIsShelteredByHair) {
-    if (GetParam() == "reference")
-        GTEST_SKIP() << "slow there; its stages are held to the same law by the conformance tests";
-    for (const plait_model model : every_model)
+    const size_t models = GetParam() == "reference" ? 1 : std::size(every_model);
+    for (const plait_model model : std::span(every_model).first(models))
         for (const uint32_t shelter : {1u, 0u}) {
             auto desc = plait_sim_desc_defaults();
             desc.model = model;

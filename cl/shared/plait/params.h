@@ -289,7 +289,7 @@ typedef struct plait_air_field_params {
     plait_u32 seed;
 } plait_air_field_params;
 
-/* air_obstacle: extinction of wind at the nodes of the inter-hair grid, its voxels' centres. */
+/* air_obstacle: extinction of wind at the nodes of a grid, its voxels' centres. */
 typedef struct plait_air_obstacle_params {
     plait_u32 edge_count; /* voxels per edge n */
     float voxel_edge;     /* m */
@@ -357,7 +357,7 @@ typedef struct plait_volume_nodes_params {
     float q[4];
     float t[4]; /* world position of the grid's corner (w unused) */
     plait_u32 collider_count;
-    plait_u32 collider_first; /* where in `capsule` those of the substep begin */
+    plait_u32 collider_first; /* where in `collider` those of the substep begin */
     float h;                  /* s, of that substep */
 } plait_volume_nodes_params;
 

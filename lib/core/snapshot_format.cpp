@@ -1,0 +1,203 @@
+#include "core/snapshot_format.hpp"
+
+#include "base/format.hpp"
+#include "base/hash.hpp"
+#include "core/params.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace plait::snapshots {
+namespace {
+
+// Of a position (m) or a velocity (m/s): a head and a groom may be 1e6 m away each.
+constexpr float largest = 4e6f;
+constexpr double unit_error = 1e-2; // of a quaternion's square
+
+Status check_pose(const plait_pose& pose, const char* name) {
+    const auto checked = checked_pose(pose, name);
+    return checked ? Status{} : malformed(checked.error().message);
+}
+
+// All but kind, friction and poses is as create_mesh() makes it.
+Status check_mesh_slot(const Colliders::Slot& slot) {
+    plait_collider_mesh_desc desc{};
+    desc.cells = 8;
+    desc.friction = slot.friction;
+    PLAIT_TRY(check_mesh_collider(desc));
+    Colliders::Slot bare = slot;
+    for (float* vector : {bare.a, bare.b, bare.normal, bare.half_extents})
+        std::fill_n(vector, 3, 0.0f);
+    bare.radius_a = bare.radius_b = bare.rounding = 0;
+    std::copy_n(identity_pose.q, 4, bare.orientation);
+    if (std::memcmp(&bare, &slot, sizeof slot) != 0)
+        return Error{PLAIT_INVALID_ARGUMENT, "is a mesh, and has a shape besides"};
+    return {};
+}
+
+Status check_slot(const Colliders::Slot& slot, size_t index) {
+    if (slot.alive > 1)
+        return malformed(format("collider %zu: alive is %u, range is [0, 1]", index, slot.alive));
+    if (!slot.alive) {
+        Colliders::Slot gone{};
+        gone.generation = slot.generation;
+        if (std::memcmp(&gone, &slot, sizeof slot) != 0)
+            return malformed(format("collider %zu is gone, but not all of it is zero", index));
+        return {};
+    }
+    const bool mesh = Colliders::is_mesh(slot);
+    if (const auto status =
+            mesh ? check_mesh_slot(slot) : check_collider(Colliders::shape_of(slot));
+        !status)
+        return malformed(format("collider %zu: %s", index, status.error().message.c_str()));
+    for (const plait_pose* pose : {&slot.at, &slot.target, &slot.from, &slot.to})
+        PLAIT_TRY(check_pose(*pose, "collider"));
+    return {};
+}
+
+// One mesh from `from` on, which it moves on; `vertices`: [guides][V].
+Result<MeshColliders::Entry> saved_mesh(uint32_t slot, size_t vertices,
+                                        std::span<const unsigned char>& from,
+                                        std::pmr::memory_resource* memory) {
+    SavedMesh saved;
+    if (from.size() < sizeof saved)
+        return malformed(format("collider %u: it ends before its mesh", slot));
+    std::memcpy(&saved, from.data(), sizeof saved);
+    from = from.subspan(sizeof saved);
+    uint64_t count = 1;
+    for (const uint32_t nodes : saved.nodes) {
+        if (nodes < 2 || nodes > 1024)
+            return malformed(format("collider %u: %u nodes, range is [2, 1024]", slot, nodes));
+        count *= nodes;
+    }
+    const uint64_t floats = count + vertices;
+    if (from.size() / sizeof(float) < floats)
+        return malformed(format("collider %u: %llu numbers of a mesh, %zu bytes are left", slot,
+                                static_cast<unsigned long long>(floats), from.size()));
+    for (size_t i = 0; i < floats; ++i)
+        PLAIT_TRY(check_range(from.data(), i, "mesh"));
+    for (size_t i = 0; i < 3; ++i)
+        if (!(std::abs(saved.origin[i]) <= largest))
+            return outside("origin", i, double(saved.origin[i]), "[-4e6, 4e6]");
+    for (const float size : {saved.edge, saved.band})
+        if (!(size > 0 && size <= largest))
+            return outside("mesh edge", slot, double(size), "(0, 4e6]");
+    MeshColliders::Entry entry{slot, MeshField(memory), std::pmr::vector<float>(vertices, memory)};
+    std::copy_n(saved.origin, 3, entry.field.origin.begin());
+    std::copy_n(saved.nodes, 3, entry.field.nodes.begin());
+    entry.field.edge = saved.edge;
+    entry.field.band = saved.band;
+    entry.field.value.resize(count);
+    std::memcpy(entry.field.value.data(), from.data(), count * sizeof(float));
+    from = from.subspan(count * sizeof(float));
+    std::memcpy(entry.clearance.data(), from.data(), vertices * sizeof(float));
+    from = from.subspan(vertices * sizeof(float));
+    return entry;
+}
+
+} // namespace
+
+Error malformed(const std::string& what) {
+    return {PLAIT_BAD_DATA, "snapshot: " + what};
+}
+
+uint64_t checksum_of(std::span<const unsigned char> bytes) {
+    constexpr size_t first = offsetof(SnapshotHeader, checksum) + sizeof(uint64_t);
+    Hash hash;
+    hash.add(bytes.data() + first, bytes.size() - first);
+    return hash.value();
+}
+
+Status check_whole(const SnapshotHeader& h, std::span<const unsigned char> bytes) {
+    if (h.magic != magic)
+        return malformed(format("begins with 0x%08x, not 0x%08x", h.magic, magic));
+    if (h.version != version)
+        return Error{
+            PLAIT_UNSUPPORTED,
+            format("snapshot: version %u, this library reads version %u", h.version, version)};
+    if (const uint64_t sum = checksum_of(bytes); sum != h.checksum)
+        return malformed(format("its checksum is 0x%016llx, that of its %zu bytes 0x%016llx: it is "
+                                "damaged or cut",
+                                static_cast<unsigned long long>(h.checksum), bytes.size(),
+                                static_cast<unsigned long long>(sum)));
+    return {};
+}
+
+Status check_header(const SnapshotHeader& h) {
+    if (!(std::abs(h.waiting) <= 2))
+        return malformed(format("%g s wait for a step, range is [-2, 2]", h.waiting));
+    for (size_t i = 0; i < 4; ++i) {
+        PLAIT_TRY(check_pose(h.heads[i], "head"));
+        if (h.own[i] > 1)
+            return malformed(format("own[%zu] is %u, range is [0, 1]", i, h.own[i]));
+    }
+    if (!(h.wind_time >= 0 && h.wind_time <= 1e12))
+        return malformed(format("wind_time is %g s, range is [0, 1e12]", h.wind_time));
+    for (size_t i = 0; i < 3; ++i)
+        if (!(std::abs(h.wind_way[i]) <= 1e15 && std::abs(h.wind_jump[i]) <= 1e6f))
+            return malformed(format("wind_way[%zu] is %g m, wind_jump[%zu] %g m/s, ranges are "
+                                    "[-1e15, 1e15] and [-1e6, 1e6]",
+                                    i, h.wind_way[i], i, double(h.wind_jump[i])));
+    if (h.volume > 64)
+        return malformed(format("volume is %u nodes, range is [0, 64]", h.volume));
+    if (h.aimed > 1 || h.kept > 1 || h.switched > 1 || h.pins > 1)
+        return malformed(
+            format("aimed is %u, kept is %u, switched is %u, pins is %u, range is [0, 1]", h.aimed,
+                   h.kept, h.switched, h.pins));
+    return {};
+}
+
+Result<std::pmr::vector<Colliders::Slot>>
+saved_slots(const SnapshotHeader& h, const unsigned char* from, std::pmr::memory_resource* memory) {
+    std::pmr::vector<Colliders::Slot> slots(h.colliders, memory);
+    if (!slots.empty())
+        std::memcpy(slots.data(), from, slots.size() * sizeof slots[0]);
+    for (size_t i = 0; i < slots.size(); ++i)
+        PLAIT_TRY(check_slot(slots[i], i));
+    return slots;
+}
+
+float float_at(const unsigned char* bytes, size_t index) {
+    float value;
+    std::memcpy(&value, bytes + sizeof value * index, sizeof value);
+    return value;
+}
+
+Error outside(const char* name, size_t index, double value, const char* range) {
+    return malformed(format("%s[%zu] is %g, range is %s", name, index, value, range));
+}
+
+Status check_range(const unsigned char* bytes, size_t index, const char* name) {
+    if (const float value = float_at(bytes, index); !(std::abs(value) <= largest))
+        return outside(name, index, double(value), "[-4e6, 4e6]");
+    return {};
+}
+
+Status check_turn(const unsigned char* bytes, size_t first, const char* name, bool blended) {
+    double square = 0;
+    for (size_t i = first; i < first + 4; ++i)
+        square += double(float_at(bytes, i)) * double(float_at(bytes, i));
+    if (blended && !(square <= 1 + unit_error))
+        return outside(name, first / 4, square, "[0, 1.01] (square of a quaternion)");
+    if (!blended && !(std::abs(square - 1) <= unit_error))
+        return outside(name, first / 4, square, "1 +- 0.01 (square of a quaternion)");
+    return {};
+}
+
+Result<MeshColliders::Entries> saved_meshes(std::span<const Colliders::Slot> slots, size_t vertices,
+                                            std::span<const unsigned char>& from,
+                                            std::pmr::memory_resource* memory) {
+    MeshColliders::Entries list(memory);
+    for (uint32_t i = 0; i < slots.size(); ++i) {
+        if (!Colliders::is_mesh(slots[i]))
+            continue;
+        auto entry = saved_mesh(i, vertices, from, memory);
+        if (!entry)
+            return entry.error();
+        list.push_back(std::move(*entry));
+    }
+    return list;
+}
+
+} // namespace plait::snapshots
