@@ -808,7 +808,8 @@ PLAIT_API void plait_roots_init(plait_roots* roots, size_t size);
  * that fails changes nothing. */
 PLAIT_API plait_result plait_sim_set_roots(plait_sim* sim, const plait_roots* roots);
 
-/* Carry the hair rigidly to new roots, at once, without dynamics. Checked as in set_roots. */
+/* Carry the hair rigidly to new roots, at once, without dynamics. Checked as in set_roots. Colliders are
+ * at once where their poses were last set: set those that go along before. */
 PLAIT_API plait_result plait_sim_teleport(plait_sim* sim, const plait_roots* roots);
 
 /* Advance by dt seconds, [0, 10]: enqueues the fixed steps that fit; the rest waits for the next

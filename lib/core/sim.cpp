@@ -245,6 +245,8 @@ Status Sim::teleport(const RootsInput& input) {
     PLAIT_TRY(set_roots(input));
     roots_.arrive();
     roots_.stop(schedule_);
+    colliders_.arrive(); // what goes along has come no way either
+    colliders_.stop();
     roots_.append_poses_now(schedule_, pose_spare_);
     append_stopped_pins(schedule_, layout_, state_);
     grid_.volume().carries = false;

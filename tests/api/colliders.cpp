@@ -190,4 +190,42 @@ TEST_P(Colliders, ADestroyedColliderIsGone) {
     EXPECT_EQ(with.read(PLAIT_FIELD_POSITION), without.read(PLAIT_FIELD_POSITION));
 }
 
+plait_collider_desc under_the_tuft() {
+    auto sphere = plait_collider_desc_defaults();
+    sphere.a[0] = sphere.b[0] = 0.07f;
+    sphere.a[1] = sphere.b[1] = -0.1f;
+    sphere.radius_a = sphere.radius_b = 0.09f;
+    sphere.friction = 0.5f;
+    return sphere;
+}
+
+// A sphere that hair lies on is carried 20 m away with the head: it is there at once, as the hair is,
+// which goes on as if nothing had been. Half a segment: contacts of a chain make millimetres of what is
+// rounded at 20 m.
+TEST_P(Colliders, GoAlongWithATeleport) {
+    const Point moved{20, -8, 5};
+    const plait_roots there = head_at(moved);
+    for (const plait_model model : {PLAIT_MODEL_TRESSFX, PLAIT_MODEL_ARTICULATED, PLAIT_MODEL_CHAIN,
+                                    PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD}) {
+        auto desc = model == PLAIT_MODEL_TRESSFX ? tressfx_desc() : plait_sim_desc_defaults();
+        desc.model = model;
+        plait::Sim stays(context, make_groom(tuft(3, 8)), desc);
+        plait::Sim goes(context, make_groom(tuft(3, 8)), desc);
+        (void)stays.create_collider(under_the_tuft());
+        const plait_collider_id id = goes.create_collider(under_the_tuft());
+        run(stays, 60);
+        run(goes, 60);
+        goes.set_collider_pose(id, there.head);
+        goes.teleport(there);
+        run(stays, 5);
+        run(goes, 5);
+        const auto expected = stays.read(PLAIT_FIELD_POSITION);
+        const auto got = goes.read(PLAIT_FIELD_POSITION);
+        for (size_t i = 0; i < got.size(); i += 4)
+            for (size_t axis = 0; axis < 3; ++axis)
+                EXPECT_NEAR(got[i + axis] - moved[axis], expected[i + axis], 0.01f)
+                    << model << " vertex " << i / 4;
+    }
+}
+
 } // namespace
