@@ -65,10 +65,13 @@ static inline vec3 noise_derivatives(const noise_place* place, hash seed) {
     const hash root = pcg_of(seed);
     const real zero = (real)(0.0f);
     vec3 sum = vec3_of(zero, zero, zero);
+#pragma unroll
     for (uint k = 0; k < 2; ++k) {
         const hash of_z = pcg_of((place->z.cell + k) ^ root);
+#pragma unroll
         for (uint j = 0; j < 2; ++j) {
             const hash of_y = pcg_of((place->y.cell + j) ^ of_z);
+#pragma unroll
             for (uint i = 0; i < 2; ++i) {
                 const vec3 g = noise_vector(pcg_of((place->x.cell + i) ^ of_y));
                 const real value = g.x * (place->x.at - (float)i) + g.y * (place->y.at - (float)j) +
@@ -88,6 +91,7 @@ static inline vec3 noise_derivatives(const noise_place* place, hash seed) {
 /* Curl of the three potentials of an octave. */
 static inline vec3 noise_curl(const noise_place* place, uint seed) {
     vec3 d[3];
+#pragma unroll
     for (uint potential = 0; potential < 3; ++potential)
         d[potential] = noise_derivatives(place, pcg_of((hash)(seed ^ potential * 0x9e3779b9u)));
     return vec3_of(d[2].y - d[1].z, d[0].z - d[2].x, d[1].x - d[0].y);

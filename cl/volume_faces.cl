@@ -85,6 +85,7 @@ __kernel void plait_volume_faces(const uint item_count, const plait_volume_param
     const float own_before = params.carried ? volume_before[node] : 0.0f;
     float link[3], divergence = 0.0f, links = 0.0f, carried = 0.0f;
     bool inner = true;
+#pragma unroll
     for (int axis = 0; axis < 3; ++axis) {
         link[axis] = 0.0f;
         for (int side = -1; side <= 1; side += 2) {
