@@ -402,6 +402,9 @@ PLAIT_API plait_result plait_mesh_describe(const plait_mesh* mesh, plait_mesh_in
 typedef enum plait_mesh_field {
     PLAIT_MESH_FIELD_POSITIONS = 0, /* float[3] [vertices] */
     PLAIT_MESH_FIELD_TRIANGLES = 1, /* uint32_t[3] [triangles] */
+    /* uint32_t [vertices]: of each the one it was when it came in, the first of those that were welded
+       to one. What moves the mesh as it came moves this one: positions[i] = came[sources[i]] */
+    PLAIT_MESH_FIELD_SOURCES = 2,
     PLAIT_MESH_FIELD_FORCE_32 = 0x7fffffff
 } plait_mesh_field;
 
@@ -1066,21 +1069,32 @@ PLAIT_API void plait_mesh_fit_info_init(plait_mesh_fit_info* info, size_t size);
 PLAIT_API plait_result plait_mesh_fit(const plait_mesh* mesh, plait_collider_desc* dst,
                                       size_t count, plait_mesh_fit_info* out);
 
-/* A rigid mesh. Distances to it are made once, on a grid: what is thinner than two cells, or
- * sharper, it loses. */
+/* How hair finds a mesh. */
+typedef enum plait_mesh_form {
+    /* rigid: distances are made once, on a grid; what is thinner than two cells, or sharper, is
+       lost */
+    PLAIT_MESH_FORM_FIELD = 0,
+    /* by its nearest triangle: exact, for meshes that bend, are thin or open; dearer where hair is
+       near */
+    PLAIT_MESH_FORM_NEAREST = 1,
+    PLAIT_MESH_FORM_FORCE_32 = 0x7fffffff
+} plait_mesh_form;
+
 typedef struct plait_collider_mesh_desc {
     uint32_t struct_size;
-    uint32_t cells; /* along the grid's longest side, [8, 256], default 48 */
+    uint32_t cells; /* of FIELD, along the grid's longest side, [8, 256], default 48 */
     float margin;   /* m, hair stays so far outside, less within twice of it from its root, [0,
                        0.05], default 5e-4 */
     float friction; /* Coulomb coefficient, [0, 10], default 0.3 */
     /* 1, the default: no vertex is pushed farther out than it is where the groom has it, the roots
        and the mesh being where they are now; 0: all are */
     uint32_t clearance;
-    /* 0: the mesh is closed, and hair stays outside. 1: it is a sheet, closed or not: hair stays a
-       cell's edge from it on either side */
+    /* 0: the mesh is closed, and hair stays outside. 1: it is a sheet, closed or not: hair stays, by
+       FIELD a cell's edge, by NEAREST the margin from it on the side where it is */
     uint32_t two_sided;
     plait_pose pose; /* at creation */
+
+    plait_mesh_form form; /* default FIELD */
 } plait_collider_mesh_desc;
 
 PLAIT_API void plait_collider_mesh_desc_init(plait_collider_mesh_desc* desc, size_t size);
@@ -1095,6 +1109,14 @@ PLAIT_API plait_result plait_collider_create_mesh(plait_sim* sim, const plait_me
  * @errors NOT_FOUND (not of this sim, or destroyed) */
 PLAIT_API plait_result plait_collider_set_pose(plait_sim* sim, plait_collider_id collider,
                                                const plait_pose* pose);
+/* Where the vertices of a mesh of form NEAREST, PLAIT_MESH_FIELD_POSITIONS, will be at the end of
+ * the next plait_sim_step, in the collider's own frame: float[3], m, each [-1e6, 1e6], as many as
+ * there are; interpolated from where they are. Kept until it is called again. Hair on it goes along
+ * with what moves and stretches under it.
+ * @errors NOT_FOUND, INVALID_STATE (no mesh, or of form FIELD), INVALID_ARGUMENT (count; vertex and
+ * value) */
+PLAIT_API plait_result plait_collider_set_positions(plait_sim* sim, plait_collider_id collider,
+                                                    const plait_view* positions);
 /* Shape and friction of `desc`, from the next fixed step on; hair that is inside then is pushed
  * out. desc->pose is checked and not used. @errors NOT_FOUND, INVALID_STATE (it is a mesh) */
 PLAIT_API plait_result plait_collider_set_shape(plait_sim* sim, plait_collider_id collider,

@@ -346,6 +346,9 @@ class Sim : public detail::Owner<plait_sim, plait_sim_destroy> {
     void set_collider_pose(plait_collider_id id, const plait_pose& pose) {
         check(plait_collider_set_pose(get(), id, &pose));
     }
+    void set_collider_positions(plait_collider_id id, const plait_view& positions) {
+        check(plait_collider_set_positions(get(), id, &positions));
+    }
     void set_collider_shape(plait_collider_id id, const plait_collider_desc& desc) {
         check(plait_collider_set_shape(get(), id, &desc));
     }

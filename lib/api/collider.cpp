@@ -1,6 +1,7 @@
 // Colliders.
 #include "api/objects.hpp"
 #include "api/structs.hpp"
+#include "api/view.hpp"
 #include "core/params.hpp"
 
 #include <algorithm>
@@ -108,6 +109,17 @@ plait_result plait_collider_set_pose(plait_sim* sim, plait_collider_id collider,
         if (!checked)
             return checked.error();
         return sim->sim.set_collider_pose(collider, *checked);
+    });
+}
+
+plait_result plait_collider_set_positions(plait_sim* sim, plait_collider_id collider,
+                                          const plait_view* positions) {
+    return api::guard(__func__, [&]() -> Status {
+        PLAIT_TRY(api::need(sim, "sim"));
+        PLAIT_TRY(api::need(positions, "positions"));
+        std::pmr::vector<float> values(&sim->memory());
+        PLAIT_TRY(api::copy_view(*positions, 3, "positions", values));
+        return sim->sim.set_collider_positions(collider, values);
     });
 }
 

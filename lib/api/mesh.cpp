@@ -74,14 +74,16 @@ plait_collider_desc capsule_of(const FittedCone& cone) {
     return capsule;
 }
 
-Result<std::span<const std::byte>> field_bytes(const TriangleSet& surface, plait_mesh_field field) {
+Result<std::span<const std::byte>> field_bytes(const Mesh& mesh, plait_mesh_field field) {
     switch (field) {
     case PLAIT_MESH_FIELD_POSITIONS:
-        return std::as_bytes(std::span(surface.positions));
+        return std::as_bytes(std::span(mesh.surface.positions));
     case PLAIT_MESH_FIELD_TRIANGLES:
-        return std::as_bytes(std::span(surface.triangles));
+        return std::as_bytes(std::span(mesh.surface.triangles));
+    case PLAIT_MESH_FIELD_SOURCES:
+        return std::as_bytes(std::span(mesh.sources));
     default:
-        return invalid(format("field is %d, range is [0, %d]", field, PLAIT_MESH_FIELD_TRIANGLES));
+        return invalid(format("field is %d, range is [0, %d]", field, PLAIT_MESH_FIELD_SOURCES));
     }
 }
 
@@ -140,7 +142,7 @@ plait_result plait_mesh_read(const plait_mesh* mesh, plait_mesh_field field, voi
                              size_t* size) {
     return api::guard(__func__, [&]() -> Status {
         PLAIT_TRY(api::need(mesh, "mesh"));
-        const auto bytes = api::field_bytes(mesh->mesh.surface, field);
+        const auto bytes = api::field_bytes(mesh->mesh, field);
         if (!bytes)
             return bytes.error();
         const auto wanted = api::wants_bytes(dst, size, bytes->size());

@@ -5,6 +5,7 @@
 #include <plait/params.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <numeric>
@@ -69,9 +70,17 @@ void pack_box(const Colliders::Slot& slot, const plait_pose& begin, const plait_
     now[7] = 0;
 }
 
+// A box of no size about its origin, and which part of the step the substep is.
+void pack_mesh(const Colliders::Slot& slot, const plait_pose& begin, const plait_pose& end,
+               std::array<float, 2> shares, float* out) {
+    pack_box(slot, begin, end, out);
+    out[3] = shares[0];
+    out[size_t{4} * PLAIT_COLLIDER_END + 3] = shares[1];
+}
+
 // The path from `begin` to `end`; returns where the next collider goes.
 float* pack(const Colliders::Slot& slot, const plait_pose& begin, const plait_pose& end,
-            float* out) {
+            std::array<float, 2> shares, float* out) {
     float* const now = out + size_t{4} * PLAIT_COLLIDER_END;
     switch (static_cast<plait_collider_kind>(slot.kind)) {
     case PLAIT_COLLIDER_KIND_PLANE:
@@ -79,8 +88,10 @@ float* pack(const Colliders::Slot& slot, const plait_pose& begin, const plait_po
         pack_plane(slot, end, now);
         break;
     case PLAIT_COLLIDER_KIND_BOX:
-    case PLAIT_COLLIDER_KIND_MESH: // a box of no size, about its origin
         pack_box(slot, begin, end, out);
+        break;
+    case PLAIT_COLLIDER_KIND_MESH:
+        pack_mesh(slot, begin, end, shares, out);
         break;
     default:
         pack_capsule(slot, begin, out);
@@ -151,14 +162,16 @@ Result<plait_collider_id> Colliders::create(Device& device, const plait_collider
     return make_id(static_cast<size_t>(&slot - slots_.data()), slot.generation);
 }
 
-Result<plait_collider_id> Colliders::create_mesh(Device& device, const plait_pose& pose,
-                                                 float friction) {
+Result<plait_collider_id> Colliders::create_mesh(Device& device,
+                                                 const plait_collider_mesh_desc& desc) {
     PLAIT_TRY(reserve(device, count_ + 1));
-    Slot& slot = take_slot(pose);
+    Slot& slot = take_slot(desc.pose);
     slot.kind = PLAIT_COLLIDER_KIND_MESH;
-    slot.friction = friction;
+    slot.form = static_cast<uint32_t>(desc.form);
+    slot.friction = desc.friction;
     slot.orientation[3] = 1;
     ++meshes_;
+    bending_ += bends(slot);
     return make_id(static_cast<size_t>(&slot - slots_.data()), slot.generation);
 }
 
@@ -223,6 +236,7 @@ Status Colliders::destroy(plait_collider_id id) {
     Slot& slot = slots_[*index];
     const uint32_t generation = slot.generation;
     meshes_ -= is_mesh(slot);
+    bending_ -= bends(slot);
     slot = {}; // equal states have equal bytes
     slot.generation = generation;
     --count_;
@@ -241,13 +255,18 @@ Status Colliders::advance(Device& device, double end) {
         return {};
     packed_.resize(rows(count_) * collider_floats);
     float* out = packed_.data();
+    const auto order_of = [](const Slot& slot) { return is_mesh(slot) + bends(slot); };
+    const auto pack_all = [&](double first, double last) { // shares of the step
+        for (const int order : {0, 1, 2})
+            for (const Slot& slot : slots_)
+                if (slot.alive && order_of(slot) == order)
+                    out = pack(slot, interpolate(slot.from, slot.to, first),
+                               interpolate(slot.from, slot.to, last),
+                               {static_cast<float>(first), static_cast<float>(last)}, out);
+    };
     for (const uint32_t substeps : substeps_)
         for (uint32_t i = 0; i < substeps; ++i) // as the roots go
-            for (const bool mesh : {false, true})
-                for (const Slot& slot : slots_)
-                    if (slot.alive && is_mesh(slot) == mesh)
-                        out = pack(slot, interpolate(slot.from, slot.to, double(i) / substeps),
-                                   interpolate(slot.from, slot.to, double(i + 1) / substeps), out);
+            pack_all(double(i) / substeps, double(i + 1) / substeps);
     PLAIT_TRY(device.upload(buffer_, 0, packed_.size() / 4, packed_.data()));
     uploaded_ = true;
     return {};
@@ -270,6 +289,7 @@ Status Colliders::assign(Device& device, std::span<const Slot> slots) {
     PLAIT_TRY(reserve(device, alive));
     slots_.assign(slots.begin(), slots.end());
     meshes_ = static_cast<uint32_t>(std::count_if(slots.begin(), slots.end(), is_mesh));
+    bending_ = static_cast<uint32_t>(std::count_if(slots.begin(), slots.end(), bends));
     count_ = alive;
     uploaded_ = false;
     return {};

@@ -18,8 +18,8 @@ class Colliders {
     Status set_substeps(Device& device, std::span<const uint32_t> numbers);
 
     Result<plait_collider_id> create(Device& device, const plait_collider_desc& desc);
-    // A mesh, of which only `pose` and `friction` are kept here: see MeshColliders.
-    Result<plait_collider_id> create_mesh(Device& device, const plait_pose& pose, float friction);
+    // A mesh, of which only pose, friction and form are kept here: see MeshColliders, BendingMeshes.
+    Result<plait_collider_id> create_mesh(Device& device, const plait_collider_mesh_desc& desc);
     Result<uint32_t> find(plait_collider_id id) const; // its slot
     Status set_pose(plait_collider_id id, const plait_pose& pose);
     // Shape and friction of `desc`, its pose not.
@@ -30,9 +30,10 @@ class Colliders {
     size_t list(std::span<plait_collider_id> dst) const; // as many as fit; their number
 
     uint32_t count() const { return count_; }
-    uint32_t meshes() const { return meshes_; } // of these
+    uint32_t meshes() const { return meshes_; }   // of these
+    uint32_t bending() const { return bending_; } // and of these those of form NEAREST
     // float4 [all substeps, one number of them after the other][count][PLAIT_COLLIDER_STRIDE], the
-    // meshes last
+    // meshes last, and of these those of form NEAREST
     const Buffer& buffer() const { return buffer_; }
 
     // As Roots: the step's path ends at share `end` of the call's. Uploads what moved.
@@ -45,6 +46,7 @@ class Colliders {
         uint32_t alive = 0;
         // the shape, as the fields of plait_collider_desc
         uint32_t kind = 0;
+        uint32_t form = 0; // of a mesh
         float a[3] = {};
         float b[3] = {};
         float radius_a = 0;
@@ -57,6 +59,9 @@ class Colliders {
         plait_pose at = identity_pose, target = identity_pose; // of the call
         plait_pose from = identity_pose, to = identity_pose;   // of the step
     };
+    static bool bends(const Slot& slot) {
+        return is_mesh(slot) && slot.form == PLAIT_MESH_FORM_NEAREST;
+    }
     static bool is_mesh(const Slot& slot) {
         return slot.alive && slot.kind == PLAIT_COLLIDER_KIND_MESH;
     }
@@ -72,7 +77,7 @@ class Colliders {
     std::pmr::vector<uint32_t> substeps_;
     std::pmr::vector<Slot> slots_;
     std::pmr::vector<float> packed_; // scratch for uploads
-    uint32_t count_ = 0, meshes_ = 0;
+    uint32_t count_ = 0, meshes_ = 0, bending_ = 0;
     bool uploaded_ = false; // the buffer holds the step's path
     Buffer buffer_;
 };

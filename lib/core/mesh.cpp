@@ -163,7 +163,9 @@ class Mender {
                 continue;
             const size_t before = mesh_.surface.positions.size();
             kept_[i] = welder.add(raw_.positions[i], mesh_.surface.positions);
-            if (mesh_.surface.positions.size() == before)
+            if (mesh_.surface.positions.size() > before)
+                mesh_.sources.push_back(static_cast<uint32_t>(i));
+            else
                 PLAIT_TRY(note(PLAIT_MESH_REPAIR_WELDED_VERTEX,
                                format("vertex %zu: within 1e-6 of the mesh's size, %g m, of one "
                                       "before, welded to it",
@@ -215,9 +217,11 @@ class Mender {
         for (size_t i = 0; i < x.size(); ++i)
             if (number[i] != unused) {
                 x[used] = x[i];
+                mesh_.sources[used] = mesh_.sources[i];
                 number[i] = used++;
             }
         x.resize(used);
+        mesh_.sources.resize(used);
         for (Triangle& triangle : mesh_.surface.triangles)
             for (uint32_t& corner : triangle)
                 corner = number[corner];

@@ -42,9 +42,10 @@ struct MeshShape {
 
 // Immutable once made, so threads and contexts may share it.
 struct Mesh {
-    explicit Mesh(std::pmr::memory_resource* memory) : surface(memory) {}
+    explicit Mesh(std::pmr::memory_resource* memory) : surface(memory), sources(memory) {}
 
     TriangleSet surface;
+    std::pmr::vector<uint32_t> sources; // of each vertex, which it was
     MeshShape shape;
     MeshRepairs repairs;
 };

@@ -113,7 +113,7 @@ std::pmr::vector<float> measure_clearance(const ClearanceInput& input,
         double largest = 0;
         for (size_t k = 0; k < 3; ++k)
             largest = std::max({largest, std::abs(double(world[k])), std::abs(own[k])});
-        const double distance = sample_field(input.field, own) - rounding * largest - trembling;
+        const double distance = input.distance(own) - rounding * largest - trembling;
         list[i] = static_cast<float>(std::min(double(input.margin), distance));
     }
     return list;

@@ -5,6 +5,7 @@
 #include "backend/device.hpp"
 #include "core/mesh_field.hpp"
 
+#include <functional>
 #include <memory_resource>
 #include <span>
 #include <vector>
@@ -50,7 +51,8 @@ class MeshColliders {
 
 // Where vertices are at rest, in the world, and the mesh.
 struct ClearanceInput {
-    const MeshField& field;
+    // m, of a point in the mesh's own frame, negative inside
+    const std::function<double(const std::array<double, 3>&)>& distance;
     plait_pose pose;              // of the mesh
     std::span<const float> rest;  // float4 [guides][V], in the groom's space
     std::span<const float> roots; // poses [guides][PLAIT_POSE_STRIDE] float4

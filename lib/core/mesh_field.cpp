@@ -40,23 +40,6 @@ void lay_grid(const Mesh& mesh, const MeshFieldRules& rules, MeshField& field) {
     }
 }
 
-Status check_sides(const Mesh& mesh) {
-    const MeshShape& shape = mesh.shape;
-    if (shape.open_edges > 0)
-        return Error{PLAIT_INVALID_ARGUMENT,
-                     format("the mesh has %llu open edges, the first between the vertices %u and "
-                            "%u: it has no inside; close it, or set two_sided",
-                            static_cast<unsigned long long>(shape.open_edges), shape.first_open[0],
-                            shape.first_open[1])};
-    if (shape.unsided_edges > 0)
-        return Error{PLAIT_INVALID_ARGUMENT,
-                     format("the mesh has %llu edges of more than two triangles or without sides, "
-                            "the first between the vertices %u and %u; set two_sided",
-                            static_cast<unsigned long long>(shape.unsided_edges),
-                            shape.first_unsided[0], shape.first_unsided[1])};
-    return {};
-}
-
 // One row of nodes along x. From a node outside that is farther than the band no node on the row
 // within the difference is nearer than it: they need no search.
 void bake_row(const MeshDistance& distance, const MeshFieldRules& rules, size_t y, size_t z,
@@ -76,6 +59,23 @@ void bake_row(const MeshDistance& distance, const MeshFieldRules& rules, size_t 
 }
 
 } // namespace
+
+Status check_sides(const Mesh& mesh) {
+    const MeshShape& shape = mesh.shape;
+    if (shape.open_edges > 0)
+        return Error{PLAIT_INVALID_ARGUMENT,
+                     format("the mesh has %llu open edges, the first between the vertices %u and "
+                            "%u: it has no inside; close it, or set two_sided",
+                            static_cast<unsigned long long>(shape.open_edges), shape.first_open[0],
+                            shape.first_open[1])};
+    if (shape.unsided_edges > 0)
+        return Error{PLAIT_INVALID_ARGUMENT,
+                     format("the mesh has %llu edges of more than two triangles or without sides, "
+                            "the first between the vertices %u and %u; set two_sided",
+                            static_cast<unsigned long long>(shape.unsided_edges),
+                            shape.first_unsided[0], shape.first_unsided[1])};
+    return {};
+}
 
 std::array<double, 3> MeshField::place(size_t x, size_t y, size_t z) const {
     const size_t index[3] = {x, y, z};

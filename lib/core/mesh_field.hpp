@@ -29,6 +29,9 @@ struct MeshField {
 // that has no inside and is not two-sided.
 Status bake_field(const Mesh& mesh, const MeshFieldRules& rules, MeshField& field);
 
+// INVALID_ARGUMENT: a mesh that has no inside.
+Status check_sides(const Mesh& mesh);
+
 // m, at a point of the mesh's frame; outside the grid at least its distance from it and the band.
 double sample_field(const MeshField& field, const std::array<double, 3>& x);
 

@@ -1,6 +1,7 @@
 // A strand model: which stages one substep takes, over which buffers.
 #pragma once
 
+#include "core/bending_meshes.hpp"
 #include "core/lane_layout.hpp"
 #include "core/materials.hpp"
 #include "core/mesh_colliders.hpp"
@@ -27,6 +28,8 @@ struct Substep {
     uint32_t collider_first; // in `colliders`, of this substep
     uint32_t mesh_count;     // after those; 0: `meshes` is null
     const MeshBuffers* meshes;
+    uint32_t bending_count; // after those; 0: `bending` is null
+    const BendingBuffers* bending;
     double step;              // s, the fixed one
     uint32_t substeps;        // of it; what steps are strands that take so many
     float h;                  // s, its length

@@ -301,6 +301,7 @@ Status check_mesh_collider(const plait_collider_mesh_desc& s) {
     PLAIT_RANGE(friction, 0, 10);
     PLAIT_RANGE(clearance, 0, 1);
     PLAIT_RANGE(two_sided, 0, 1);
+    PLAIT_RANGE_ENUM(form, PLAIT_MESH_FORM_NEAREST);
     return {};
 }
 

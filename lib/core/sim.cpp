@@ -29,8 +29,9 @@ Sim::Sim(Context& context, SimParts parts)
       model_(std::move(parts.model)), state_(std::move(parts.state)), grid_(std::move(parts.grid)),
       display_(std::move(parts.display)), roots_(layout_, &context.memory),
       colliders_(desc_.substeps, &context.memory), meshes_(&context.memory),
-      substeps_(1, desc_.substeps, &context.memory), clock_(desc_.step, desc_.max_steps_per_call),
-      schedule_(&context.memory), pin_table_(&context.memory) {}
+      bending_(&context.memory), substeps_(1, desc_.substeps, &context.memory),
+      clock_(desc_.step, desc_.max_steps_per_call), schedule_(&context.memory),
+      pin_table_(&context.memory) {}
 
 Sim::~Sim() {
     if (context_.measured == this)
@@ -247,6 +248,8 @@ Status Sim::teleport(const RootsInput& input) {
     roots_.stop(schedule_);
     colliders_.arrive(); // what goes along has come no way either
     colliders_.stop();
+    bending_.arrive();
+    bending_.stop();
     roots_.append_poses_now(schedule_, pose_spare_);
     append_stopped_pins(schedule_, layout_, state_);
     grid_.volume().carries = false;
@@ -262,6 +265,7 @@ Status Sim::reset() {
     grid_.volume().carries = false;
     roots_.stop(schedule_);
     colliders_.stop();
+    bending_.stop();
     append_stopped_pins(schedule_, layout_, state_);
     roots_.append_poses_now(schedule_, state_.pose);
     model_->reset(schedule_, present());

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "backend/launches.hpp"
+#include "core/bending_meshes.hpp"
 #include "core/clock.hpp"
 #include "core/colliders.hpp"
 #include "core/context.hpp"
@@ -93,6 +94,7 @@ class Sim {
     // sim_meshes.cpp
     Result<plait_collider_id> create_mesh_collider(const Mesh& mesh,
                                                    const plait_collider_mesh_desc& desc);
+    Status set_collider_positions(plait_collider_id id, std::span<const float> positions);
     Status destroy_collider(plait_collider_id id);
 
     // fields.cpp
@@ -195,9 +197,12 @@ class Sim {
     void add_bounds();
     Status make_bounds();
     Status check_settings(std::span<const Settings> settings) const;
-    Result<std::pmr::vector<float>> clearance_of(const MeshField& field,
+    using MeshDistanceOf = std::function<double(const std::array<double, 3>&)>;
+    Result<std::pmr::vector<float>> clearance_of(const MeshDistanceOf& distance,
                                                  const plait_collider_mesh_desc& desc);
-    Status take_meshes(MeshColliders::Entries&& meshes);
+    Status add_field(uint32_t slot, const Mesh& mesh, const plait_collider_mesh_desc& desc);
+    Status add_bending(uint32_t slot, const Mesh& mesh, const plait_collider_mesh_desc& desc);
+    Status take_meshes(MeshColliders::Entries&& meshes, BendingMeshes::Entries&& bending);
     Status take_substeps(const std::pmr::vector<uint32_t>& substeps);
     Result<uint64_t> accelerations_ignored() const;
     uint64_t device_bytes() const;
@@ -255,7 +260,8 @@ class Sim {
     Display display_;
     Roots roots_;
     Colliders colliders_;
-    MeshColliders meshes_;                // of those colliders that are
+    MeshColliders meshes_; // of those colliders that are, by form
+    BendingMeshes bending_;
     std::pmr::vector<uint32_t> substeps_; // that strands take, each number once
     Clock clock_;
     Schedule schedule_;

@@ -1,25 +1,62 @@
 // Colliders that are meshes.
 #include "base/format.hpp"
+#include "core/mesh_distance.hpp"
 #include "core/models/traits.hpp"
 #include "core/sim.hpp"
 
 namespace plait {
 
 // Roots are where the last step left them.
-Result<std::pmr::vector<float>> Sim::clearance_of(const MeshField& field,
+Result<std::pmr::vector<float>> Sim::clearance_of(const MeshDistanceOf& distance,
                                                   const plait_collider_mesh_desc& desc) {
     std::pmr::vector<float> rest(4 * size_t{layout_.guide_vertices()}, &context_.memory);
     std::pmr::vector<float> roots(4 * state_.pose.count(), &context_.memory);
     PLAIT_TRY(device().read(state_.rest, 0, layout_.guide_vertices(), rest.data()));
     PLAIT_TRY(device().read(state_.pose, roots.data()));
     return measure_clearance(
-        {field, desc.pose, rest, roots, layout_.row, desc.margin, desc.clearance != 0},
+        {distance, desc.pose, rest, roots, layout_.row, desc.margin, desc.clearance != 0},
         &context_.memory);
 }
 
-Status Sim::take_meshes(MeshColliders::Entries&& meshes) {
-    PLAIT_TRY(model_->keep_planes(device(), !meshes.empty()));
-    return meshes_.assign(device(), std::move(meshes));
+Status Sim::take_meshes(MeshColliders::Entries&& meshes, BendingMeshes::Entries&& bending) {
+    PLAIT_TRY(model_->keep_planes(device(), !meshes.empty() || !bending.empty()));
+    PLAIT_TRY(meshes_.assign(device(), std::move(meshes)));
+    return bending_.assign(device(), std::move(bending));
+}
+
+Status Sim::add_field(uint32_t slot, const Mesh& mesh, const plait_collider_mesh_desc& desc) {
+    MeshColliders::Entry entry{slot, MeshField(&context_.memory),
+                               std::pmr::vector<float>(&context_.memory)};
+    PLAIT_TRY(bake_field(mesh, {desc.cells, desc.two_sided != 0}, entry.field));
+    auto clearance = clearance_of(
+        [&](const std::array<double, 3>& x) { return sample_field(entry.field, x); }, desc);
+    if (!clearance)
+        return clearance.error();
+    entry.clearance = std::move(*clearance);
+    return meshes_.add(device(), std::move(entry));
+}
+
+Status Sim::add_bending(uint32_t slot, const Mesh& mesh, const plait_collider_mesh_desc& desc) {
+    const bool two_sided = desc.two_sided != 0;
+    if (!two_sided)
+        PLAIT_TRY(check_sides(mesh));
+    BendingMeshes::Entry entry(slot, two_sided, &context_.memory);
+    entry.surface.positions = mesh.surface.positions;
+    entry.surface.triangles = mesh.surface.triangles;
+    entry.begin();
+    const MeshDistance distance(entry.surface, &context_.memory);
+    uint32_t hint = 0;
+    auto clearance = clearance_of(
+        [&](const std::array<double, 3>& x) {
+            const MeshNearest nearest = distance.nearest({x[0], x[1], x[2]}, hint);
+            hint = nearest.triangle;
+            return two_sided ? nearest.distance : nearest.signed_distance();
+        },
+        desc);
+    if (!clearance)
+        return clearance.error();
+    entry.clearance = std::move(*clearance);
+    return bending_.add(device(), std::move(entry));
 }
 
 Result<plait_collider_id> Sim::create_mesh_collider(const Mesh& mesh,
@@ -29,20 +66,14 @@ Result<plait_collider_id> Sim::create_mesh_collider(const Mesh& mesh,
                      format("the sim is of model 0 (tressfx), whose strands do not meet meshes; "
                             "those of the models %s do",
                             list_models(&ModelTraits::switches).c_str())};
-    MeshColliders::Entry entry{0, MeshField(&context_.memory),
-                               std::pmr::vector<float>(&context_.memory)};
-    PLAIT_TRY(bake_field(mesh, {desc.cells, desc.two_sided != 0}, entry.field));
-    auto clearance = clearance_of(entry.field, desc);
-    if (!clearance)
-        return clearance.error();
-    entry.clearance = std::move(*clearance);
-    const auto id = colliders_.create_mesh(device(), desc.pose, desc.friction);
+    const auto id = colliders_.create_mesh(device(), desc);
     if (!id)
         return id.error();
-    entry.slot = *colliders_.find(*id);
+    const uint32_t slot = *colliders_.find(*id);
     Status status = model_->keep_planes(device(), true);
     if (status)
-        status = meshes_.add(device(), std::move(entry));
+        status = desc.form == PLAIT_MESH_FORM_NEAREST ? add_bending(slot, mesh, desc)
+                                                      : add_field(slot, mesh, desc);
     if (status)
         status = check_stages();
     if (status)
@@ -51,13 +82,32 @@ Result<plait_collider_id> Sim::create_mesh_collider(const Mesh& mesh,
     return status.error();
 }
 
+Status Sim::set_collider_positions(plait_collider_id id, std::span<const float> positions) {
+    const auto slot = colliders_.find(id);
+    if (!slot)
+        return slot.error();
+    const Colliders::Slot& collider = colliders_.slots()[*slot];
+    if (!Colliders::is_mesh(collider))
+        return Error{PLAIT_INVALID_STATE,
+                     format("collider id 0x%llx is of kind %u and has no vertices; a mesh of form "
+                            "1 (NEAREST) has",
+                            static_cast<unsigned long long>(id.value), collider.kind)};
+    if (!Colliders::bends(collider))
+        return Error{PLAIT_INVALID_STATE,
+                     format("collider id 0x%llx is a mesh of form 0 (FIELD), whose distances were "
+                            "made once, for the shape it had: create it with form 1 (NEAREST)",
+                            static_cast<unsigned long long>(id.value))};
+    return bending_.set_positions(*slot, positions);
+}
+
 Status Sim::destroy_collider(plait_collider_id id) {
     const auto slot = colliders_.find(id);
     if (!slot)
         return slot.error();
     if (Colliders::is_mesh(colliders_.slots()[*slot])) {
         PLAIT_TRY(meshes_.remove(device(), *slot));
-        if (!meshes_.buffers())
+        PLAIT_TRY(bending_.remove(device(), *slot));
+        if (!meshes_.buffers() && !bending_.buffers())
             PLAIT_TRY(model_->keep_planes(device(), false));
     }
     return colliders_.destroy(id);

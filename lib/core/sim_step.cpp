@@ -45,6 +45,7 @@ Status Sim::step(double dt) {
         PLAIT_TRY(fixed_step(tick.end_of(k), k, tick.steps));
     roots_.arrive();
     colliders_.arrive();
+    bending_.arrive();
     append_phases({Moment::call_ends, present(), tick.steps, tick.steps});
     return submit();
 }
@@ -54,6 +55,7 @@ Status Sim::fixed_step(double end, uint32_t step, uint32_t steps) {
     advance_pins(state_);
     wind_.place(cube_, roots_.step_begin());
     PLAIT_TRY(colliders_.advance(device(), end));
+    PLAIT_TRY(bending_.advance(device(), end));
     append_phases({Moment::step_begins, present(), step, steps, static_cast<float>(end)});
     const auto substeps = [&](const Group& group) -> Status {
         for (uint32_t i = 0; i < group.substeps; ++i) {
@@ -196,8 +198,10 @@ Substep Sim::at(const Group& group, uint32_t substep) const {
             colliders_.buffer(),
             colliders_.count() - colliders_.meshes(),
             (group.first + substep) * colliders_.count(),
-            meshes_.buffers() ? colliders_.meshes() : 0,
+            meshes_.buffers() ? colliders_.meshes() - colliders_.bending() : 0,
             meshes_.buffers(),
+            bending_.buffers() ? colliders_.bending() : 0,
+            bending_.buffers(),
             clock_.step(),
             group.substeps,
             length_of(group.substeps),

@@ -139,6 +139,11 @@ size_t Sim::snapshot_size() {
     size_t bytes = snapshot_bytes(h);
     for (const MeshColliders::Entry& mesh : meshes_.entries())
         bytes += sizeof(SavedMesh) + (mesh.field.count() + mesh.clearance.size()) * sizeof(float);
+    for (const BendingMeshes::Entry& mesh : bending_.entries())
+        bytes += sizeof(SavedBendingMesh) +
+                 mesh.surface.positions.size() * sizeof(MeshPoint) * (mesh.posed ? 5 : 1) +
+                 mesh.surface.triangles.size() * sizeof(Triangle) +
+                 mesh.clearance.size() * sizeof(float);
     for (const Block& block : blocks(h))
         bytes += block.floats * sizeof(float);
     return bytes;
@@ -167,6 +172,19 @@ Status Sim::save(std::span<unsigned char> dst) {
         put(&saved, sizeof saved);
         put(field.value.data(), field.count() * sizeof(float));
         put(clearance.data(), clearance.size() * sizeof(float));
+    }
+    const auto put_list = [&](const auto& list) { put(list.data(), list.size() * sizeof list[0]); };
+    for (const BendingMeshes::Entry& mesh : bending_.entries()) {
+        const SavedBendingMesh saved = {static_cast<uint32_t>(mesh.surface.positions.size()),
+                                        static_cast<uint32_t>(mesh.surface.triangles.size()),
+                                        mesh.two_sided ? 1u : 0u, mesh.posed ? 1u : 0u};
+        put(&saved, sizeof saved);
+        put_list(mesh.surface.positions);
+        for (const auto* places : {&mesh.at, &mesh.target, &mesh.from, &mesh.to})
+            if (mesh.posed)
+                put_list(*places);
+        put_list(mesh.surface.triangles);
+        put_list(mesh.clearance);
     }
     for (const Block& block : blocks(h)) {
         PLAIT_TRY(save_block(block, out));
@@ -326,7 +344,10 @@ Status Sim::restore(std::span<const unsigned char> src) {
     auto meshes = saved_meshes(*slots, layout_.guide_vertices(), left, &context_.memory);
     if (!meshes)
         return meshes.error();
-    if (!meshes->empty() && desc_.model == PLAIT_MODEL_TRESSFX)
+    auto bending = saved_bending(*slots, layout_.guide_vertices(), left, &context_.memory);
+    if (!bending)
+        return bending.error();
+    if ((!meshes->empty() || !bending->empty()) && desc_.model == PLAIT_MODEL_TRESSFX)
         return malformed("colliders are meshes, which strands of model 0 do not meet");
     from = left.data();
     const auto saved = saved_blocks(h, *strands);
@@ -344,7 +365,7 @@ Status Sim::restore(std::span<const unsigned char> src) {
         PLAIT_TRY(set_settings(*strands));
     const auto list = blocks(h);
     schedule_.clear();
-    PLAIT_TRY(take_meshes(std::move(*meshes)));
+    PLAIT_TRY(take_meshes(std::move(*meshes), std::move(*bending)));
     PLAIT_TRY(colliders_.assign(device(), *slots));
     PLAIT_TRY(restore_roots(h));
     if (!h.pins)

@@ -25,6 +25,7 @@ Status check_mesh_slot(const Colliders::Slot& slot) {
     plait_collider_mesh_desc desc{};
     desc.cells = 8;
     desc.friction = slot.friction;
+    std::memcpy(&desc.form, &slot.form, sizeof desc.form); // it may be any number
     PLAIT_TRY(check_mesh_collider(desc));
     Colliders::Slot bare = slot;
     for (float* vector : {bare.a, bare.b, bare.normal, bare.half_extents})
@@ -47,6 +48,8 @@ Status check_slot(const Colliders::Slot& slot, size_t index) {
         return {};
     }
     const bool mesh = Colliders::is_mesh(slot);
+    if (!mesh && slot.form != 0)
+        return malformed(format("collider %zu: form is %u, and it is no mesh", index, slot.form));
     if (const auto status =
             mesh ? check_mesh_slot(slot) : check_collider(Colliders::shape_of(slot));
         !status)
@@ -190,9 +193,98 @@ Result<MeshColliders::Entries> saved_meshes(std::span<const Colliders::Slot> slo
                                             std::pmr::memory_resource* memory) {
     MeshColliders::Entries list(memory);
     for (uint32_t i = 0; i < slots.size(); ++i) {
-        if (!Colliders::is_mesh(slots[i]))
+        if (!Colliders::is_mesh(slots[i]) || Colliders::bends(slots[i]))
             continue;
         auto entry = saved_mesh(i, vertices, from, memory);
+        if (!entry)
+            return entry.error();
+        list.push_back(std::move(*entry));
+    }
+    return list;
+}
+
+namespace {
+
+// `count` rows of three from `from` on, which it moves on.
+template <typename Row>
+void take_rows(std::span<const unsigned char>& from, size_t count, std::pmr::vector<Row>& to) {
+    to.resize(count);
+    std::memcpy(to.data(), from.data(), count * sizeof(Row));
+    from = from.subspan(count * sizeof(Row));
+}
+
+// The same of points, which it holds to their range.
+Status take_points(std::span<const unsigned char>& from, size_t count,
+                   std::pmr::vector<MeshPoint>& to) {
+    for (size_t i = 0; i < 3 * count; ++i)
+        PLAIT_TRY(check_range(from.data(), i, "mesh"));
+    take_rows(from, count, to);
+    return {};
+}
+
+Status check_bending(const SavedBendingMesh& saved, uint32_t slot, size_t clearances, size_t left) {
+    if (saved.two_sided > 1 || saved.posed > 1)
+        return malformed(format("collider %u: two_sided is %u, posed is %u, range is [0, 1]", slot,
+                                saved.two_sided, saved.posed));
+    if (saved.vertices < 3 || saved.triangles < 1)
+        return malformed(format("collider %u: %u vertices and %u triangles, at least 3 and 1", slot,
+                                saved.vertices, saved.triangles));
+    const uint64_t words = uint64_t{3} * saved.vertices * (saved.posed ? 5 : 1) +
+                           uint64_t{3} * saved.triangles + clearances;
+    if (left / sizeof(float) < words)
+        return malformed(format("collider %u: %llu numbers of a mesh, %zu bytes are left", slot,
+                                static_cast<unsigned long long>(words), left));
+    return {};
+}
+
+// One mesh from `from` on, which it moves on.
+Result<BendingMeshes::Entry> saved_bending_mesh(uint32_t slot, size_t vertices,
+                                                std::span<const unsigned char>& from,
+                                                std::pmr::memory_resource* memory) {
+    SavedBendingMesh saved;
+    if (from.size() < sizeof saved)
+        return malformed(format("collider %u: it ends before its mesh", slot));
+    std::memcpy(&saved, from.data(), sizeof saved);
+    from = from.subspan(sizeof saved);
+    PLAIT_TRY(check_bending(saved, slot, vertices, from.size()));
+    BendingMeshes::Entry entry(slot, saved.two_sided != 0, memory);
+    entry.posed = saved.posed != 0;
+    PLAIT_TRY(take_points(from, saved.vertices, entry.surface.positions));
+    std::pmr::vector<MeshPoint> places[4] = {
+        std::pmr::vector<MeshPoint>(memory), std::pmr::vector<MeshPoint>(memory),
+        std::pmr::vector<MeshPoint>(memory), std::pmr::vector<MeshPoint>(memory)};
+    for (auto& place : places)
+        if (entry.posed)
+            PLAIT_TRY(take_points(from, saved.vertices, place));
+    take_rows(from, saved.triangles, entry.surface.triangles);
+    for (const Triangle& triangle : entry.surface.triangles)
+        for (const uint32_t corner : triangle)
+            if (corner >= saved.vertices)
+                return malformed(format("collider %u: a corner is %u, range is [0, %u)", slot,
+                                        corner, saved.vertices));
+    for (size_t i = 0; i < vertices; ++i)
+        PLAIT_TRY(check_range(from.data(), i, "mesh"));
+    entry.begin();
+    if (entry.posed) {
+        entry.at = places[0];
+        entry.target = places[1];
+        entry.from = places[2];
+        entry.to = places[3];
+    }
+    take_rows(from, vertices, entry.clearance);
+    return entry;
+}
+
+} // namespace
+
+Result<BendingMeshes::Entries> saved_bending(std::span<const Colliders::Slot> slots,
+                                             size_t vertices, std::span<const unsigned char>& from,
+                                             std::pmr::memory_resource* memory) {
+    BendingMeshes::Entries list(memory);
+    for (uint32_t i = 0; i < slots.size(); ++i) {
+        if (!Colliders::bends(slots[i]))
+            continue;
+        auto entry = saved_bending_mesh(i, vertices, from, memory);
         if (!entry)
             return entry.error();
         list.push_back(std::move(*entry));

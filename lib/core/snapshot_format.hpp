@@ -20,6 +20,13 @@ struct SavedMesh {
     float band;
 };
 
+// The same of one of form NEAREST; then come its vertices as it was made, where they have been moved
+// also where they were at the begin and are to be at the end of the call and of the last step, its
+// triangles, and the clearance.
+struct SavedBendingMesh {
+    uint32_t vertices, triangles, two_sided, posed;
+};
+
 struct SnapshotHeader {
     uint32_t magic;
     uint32_t version;
@@ -46,13 +53,13 @@ struct SnapshotHeader {
     uint32_t volume; // nodes per edge of the grid whose pressure is carried; 0: none
 };
 static_assert(sizeof(SnapshotHeader) == 72 + 112 + 32 + 48);
-static_assert(sizeof(Colliders::Slot) == sizeof(float) * (2 + 21 + 28),
+static_assert(sizeof(Colliders::Slot) == sizeof(float) * (2 + 22 + 28),
               "no padding: slots are saved as bytes");
 
 namespace snapshots {
 
 constexpr uint32_t magic = 0x74696c70; // "plit"
-constexpr uint32_t version = 7;
+constexpr uint32_t version = 8;
 
 // BAD_DATA.
 Error malformed(const std::string& what);
@@ -66,10 +73,13 @@ Status check_header(const SnapshotHeader& h);
 // Colliders, as a snapshot holds them from `from` on.
 Result<std::pmr::vector<Colliders::Slot>>
 saved_slots(const SnapshotHeader& h, const unsigned char* from, std::pmr::memory_resource* memory);
-// Those of them that are meshes, from `from` on, which it moves on; `vertices`: [guides][V].
+// Those of them that are meshes, by form, from `from` on, which each moves on; `vertices`: [guides][V].
 Result<MeshColliders::Entries> saved_meshes(std::span<const Colliders::Slot> slots, size_t vertices,
                                             std::span<const unsigned char>& from,
                                             std::pmr::memory_resource* memory);
+Result<BendingMeshes::Entries> saved_bending(std::span<const Colliders::Slot> slots,
+                                             size_t vertices, std::span<const unsigned char>& from,
+                                             std::pmr::memory_resource* memory);
 
 // Of a run of floats.
 float float_at(const unsigned char* bytes, size_t index);

@@ -96,6 +96,8 @@ uint64_t Sim::device_bytes() const {
                      colliders_.buffer().bytes();
     if (const MeshBuffers* meshes = meshes_.buffers())
         bytes += meshes->bytes();
+    if (const BendingBuffers* bending = bending_.buffers())
+        bytes += bending->bytes();
     for (const Buffer* buffer : state_.all())
         bytes += buffer->bytes();
     for (const Roots::Poses* each : roots_.all_poses())

@@ -21,8 +21,11 @@ plait_collider_id add(const OneStrand& strand, const ShapeMesh& shape,
     return id;
 }
 
-plait_collider_mesh_desc mesh_at(Vec3 t, float friction, uint32_t cells) {
+constexpr plait_mesh_form forms[] = {PLAIT_MESH_FORM_FIELD, PLAIT_MESH_FORM_NEAREST};
+
+plait_collider_mesh_desc mesh_at(Vec3 t, float friction, uint32_t cells, plait_mesh_form form) {
     auto desc = plait_collider_mesh_desc_defaults();
+    desc.form = form;
     std::copy(t.begin(), t.end(), desc.pose.t);
     desc.friction = friction;
     desc.cells = cells;
@@ -59,10 +62,10 @@ TEST_P(Meshes, a_round_bar_is_a_capsule) {
     damped.params.drag = 10;
     if (GetParam().model == PLAIT_MODEL_COSSERAT)
         damped.params.iterations = 32; // fewer creep to their rest
-    const auto fallen = [&](bool mesh) {
+    const auto fallen = [&](bool mesh, plait_mesh_form form = PLAIT_MESH_FORM_FIELD) {
         OneStrand strand({17, length, {1.0f, 0.0f, 0.0f}}, damped);
         if (mesh) {
-            add(strand, bar_mesh(0.06, 0.1), mesh_at(middle, 0, 96));
+            add(strand, bar_mesh(0.06, 0.1), mesh_at(middle, 0, 96, form));
         } else {
             auto desc = plait_collider_desc_defaults();
             desc.a[2] = -0.1f;
@@ -75,7 +78,10 @@ TEST_P(Meshes, a_round_bar_is_a_capsule) {
         strand.run(4.0);
         return strand.read(PLAIT_FIELD_POSITION);
     };
-    EXPECT_LT(largest_move(fallen(true), fallen(false)) / double(length), 0.002);
+    const auto over_capsule = fallen(false);
+    for (const plait_mesh_form form : forms)
+        EXPECT_LT(largest_move(fallen(true, form), over_capsule) / double(length), 0.002)
+            << "form " << form;
 }
 
 // ---- a face under the strand that leans by more or less than friction's angle ------------------
@@ -83,7 +89,7 @@ TEST_P(Meshes, a_round_bar_is_a_capsule) {
 class Slope {
   public:
     // `degrees` beyond the angle of friction. Down the slope is -z.
-    Slope(plait_model model, float friction, double degrees) {
+    Slope(plait_model model, float friction, double degrees, plait_mesh_form form) {
         const double angle = std::atan(double(friction)) + degrees * pi / 180;
         plait_sim_desc desc = desc_of({model, 1});
         desc.params.drag = 0.0f;
@@ -91,7 +97,7 @@ class Slope {
         down_ = {0.0f, static_cast<float>(-std::sin(angle)), static_cast<float>(-std::cos(angle))};
         strand_ = std::make_unique<OneStrand>(StrandShape{17, length, {1.0f, 0.0f, 0.0f}}, desc);
         const Vec3 normal = {0.0f, -down_[2], down_[1]};
-        auto board = mesh_at({0.15f, -0.05f * normal[1], -0.05f * normal[2]}, friction, 48);
+        auto board = mesh_at({0.15f, -0.05f * normal[1], -0.05f * normal[2]}, friction, 48, form);
         board.pose.q[0] = static_cast<float>(-std::sin(angle / 2)); // about x
         board.pose.q[3] = static_cast<float>(std::cos(angle / 2));
         add(*strand_, box_mesh(0.4, 0.05, 0.4), board);
@@ -114,26 +120,31 @@ class Slope {
 };
 
 TEST(MeshSlope, holds_a_degree_below_the_angle_of_friction) {
-    for (const plait_model model : {PLAIT_MODEL_CHAIN, PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD}) {
-        Slope slope(model, 0.3f, -1);
-        slope.speed(60);
-        EXPECT_LT(slope.speed(60), 1e-3 * double(length)) << "model " << model;
-    }
+    for (const plait_mesh_form form : forms)
+        for (const plait_model model : {PLAIT_MODEL_CHAIN, PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD}) {
+            Slope slope(model, 0.3f, -1, form);
+            slope.speed(60);
+            EXPECT_LT(slope.speed(60), 1e-3 * double(length))
+                << "model " << model << ", form " << form;
+        }
 }
 
 TEST(MeshSlope, lets_go_a_degree_above) {
-    for (const plait_model model : {PLAIT_MODEL_CHAIN, PLAIT_MODEL_ROD}) {
-        Slope slope(model, 0.3f, 1);
-        slope.speed(20);
-        EXPECT_GT(slope.speed(5), 0.02) << "model " << model;
-    }
+    for (const plait_mesh_form form : forms)
+        for (const plait_model model : {PLAIT_MODEL_CHAIN, PLAIT_MODEL_ROD}) {
+            Slope slope(model, 0.3f, 1, form);
+            slope.speed(20);
+            EXPECT_GT(slope.speed(5), 0.02) << "model " << model << ", form " << form;
+        }
 }
 
 // ---- what must not pass ------------------------------------------------------------------------
 
 // What comes through hanging hair, along x.
-plait_collider_id add_comer(const OneStrand& hair, bool two_sided) {
-    auto desc = mesh_at({-0.2f, -0.3f, 0.0f}, 0.3f, 128);
+plait_collider_id add_comer(const OneStrand& hair, bool two_sided, plait_mesh_form form) {
+    auto desc = mesh_at({-0.2f, -0.3f, 0.0f}, 0.3f, 128, form);
+    if (form == PLAIT_MESH_FORM_NEAREST)
+        desc.margin = 1e-3f; // of a sheet all there is
     if (!two_sided)
         return add(hair, box_mesh(0.005, 0.1, 0.2), desc);
     desc.two_sided = 1;
@@ -144,7 +155,7 @@ plait_collider_id add_comer(const OneStrand& hair, bool two_sided) {
 }
 
 // Vertices that pass through its middle plane well inside its rim. `pace`: m a step.
-int passed_through(bool two_sided, plait_model model, float pace) {
+int passed_through(bool two_sided, plait_model model, float pace, plait_mesh_form form) {
     constexpr double thick = 0.012, high = 0.1;
     std::vector<Vec3> points;
     for (int s = 0; s < 60; ++s)
@@ -153,7 +164,7 @@ int passed_through(bool two_sided, plait_model model, float pace) {
                               -length * static_cast<float>(i) / 16.0f,
                               -0.006f + 0.012f * static_cast<float>(s) / 60.0f});
     OneStrand hair(points, 17, desc_of({model, 1}), shared_context());
-    const auto id = add_comer(hair, two_sided);
+    const auto id = add_comer(hair, two_sided, form);
     int met = 0, passed = 0;
     Points before = hair.read(PLAIT_FIELD_POSITION);
     const int steps = static_cast<int>(0.25f / pace);
@@ -188,9 +199,10 @@ TEST(MeshTunnelling, no_vertex_passes_through_what_is_thin) {
             for (const float segments : {0.5f, 1.0f, 2.0f, 5.0f}) {
                 if (model == PLAIT_MODEL_ARTICULATED && segments > 2)
                     continue;
-                EXPECT_EQ(passed_through(two_sided, model, segments * length / 16), 0)
-                    << (two_sided ? "sheet" : "slab") << ", model " << model << ", "
-                    << double(segments) << " segments a step";
+                for (const plait_mesh_form form : forms)
+                    EXPECT_EQ(passed_through(two_sided, model, segments * length / 16, form), 0)
+                        << (two_sided ? "sheet" : "slab") << ", model " << model << ", "
+                        << double(segments) << " segments a step, form " << form;
             }
 }
 

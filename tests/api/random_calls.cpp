@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <ostream>
 #include <random>
@@ -102,6 +103,13 @@ plait::Mesh random_mesh(Dice& dice, plait_collider_mesh_desc& desc) {
     return plait::Mesh(given);
 }
 
+// All vertices of a mesh somewhere within 2 cm of where they were.
+std::vector<float> bent(Dice& dice, std::vector<float> positions) {
+    for (float& c : positions)
+        c += dice.between(-0.02f, 0.02f);
+    return positions;
+}
+
 plait_pin random_pin(Dice& dice) {
     plait_pin pin{};
     pin.strand = dice.below(guides);
@@ -170,13 +178,15 @@ class Scene {
   public:
     Scene(plait::Context& context, const Case& c, uint32_t seed)
         : case_(c), dice_(seed), mesh_dice_(seed + 1000), volume_dice_(seed + 2000),
-          sim_(context, groom(), random_desc(c, dice_)) {}
+          bend_dice_(seed + 3000), sim_(context, groom(), random_desc(c, dice_)) {}
 
     void frame_of_calls() {
         for (uint32_t i = dice_.below(4); i > 0; --i)
             call();
         if (case_.model != PLAIT_MODEL_TRESSFX && mesh_dice_.one_in(5))
             add_mesh();
+        if (bend_dice_.one_in(3))
+            bend_mesh();
         if (case_.model != PLAIT_MODEL_TRESSFX && volume_dice_.one_in(6))
             change_volume();
         at_ = {at_[0] + dice_.between(-0.03f, 0.03f), at_[1], at_[2]};
@@ -223,7 +233,24 @@ class Scene {
             return;
         auto desc = plait_collider_mesh_desc_defaults();
         const plait::Mesh mesh = random_mesh(mesh_dice_, desc);
+        desc.form = bend_dice_.one_in(2) ? PLAIT_MESH_FORM_NEAREST : PLAIT_MESH_FORM_FIELD;
         colliders_.push_back(sim_.create_collider(mesh, desc));
+        if (desc.form == PLAIT_MESH_FORM_NEAREST)
+            bending_[colliders_.back().value] = mesh.read<float>(PLAIT_MESH_FIELD_POSITIONS);
+    }
+    // Of any collider: only those of form NEAREST take them.
+    void bend_mesh() {
+        if (colliders_.empty())
+            return;
+        const auto id = colliders_[bend_dice_.below(static_cast<uint32_t>(colliders_.size()))];
+        const auto found = bending_.find(id.value);
+        if (found == bending_.end()) {
+            const plait_view none{};
+            ASSERT_EQ(plait_collider_set_positions(sim_, id, &none), PLAIT_INVALID_STATE);
+            return;
+        }
+        const auto positions = bent(bend_dice_, found->second);
+        sim_.set_collider_positions(id, plait::view(positions, 3));
     }
     void call();
     void pins_wind_or_models();
@@ -246,7 +273,8 @@ class Scene {
     }
 
     const Case& case_;
-    Dice dice_, mesh_dice_, volume_dice_;
+    Dice dice_, mesh_dice_, volume_dice_, bend_dice_;
+    std::map<uint64_t, std::vector<float>> bending_; // as they were made, by id
     plait::Sim sim_;
     std::vector<plait_collider_id> colliders_;
     Point at_{0, 0, 0};

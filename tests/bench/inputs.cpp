@@ -1,5 +1,7 @@
 #include "inputs.hpp"
 
+#include "ball.hpp"
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -356,6 +358,23 @@ Words mesh_row() {
 constexpr float mesh_edge = 2.4f * head_radius / (mesh_nodes - 1); // m
 constexpr float mesh_origin = -1.2f * head_radius;
 
+// The same ball as 2,048 triangles.
+const Ball& ball() {
+    static const Ball made = make_ball(head_radius, 4);
+    return made;
+}
+
+Words words_of(const std::vector<float>& floats) {
+    Words words(floats.size());
+    std::transform(floats.begin(), floats.end(), words.begin(),
+                   [](float value) { return std::bit_cast<uint32_t>(value); });
+    return words;
+}
+
+bool finds_planes(plait_stage stage) {
+    return stage == PLAIT_STAGE_mesh_contact || stage == PLAIT_STAGE_mesh_nearest;
+}
+
 Words mesh_values() {
     Words words;
     for (uint32_t z = 0; z < mesh_nodes; ++z)
@@ -574,6 +593,18 @@ const std::map<std::string, Maker>& makers() {
          }},
         {"mesh_values", [](const Shape&) { return mesh_values(); }},
         {"mesh_clearance", [](const Shape& s) { return Words(s.total()); }},
+        {"mesh_first",
+         [](const Shape&) {
+             const auto count = ball().triangle.size() / PLAIT_MESH_TRIANGLE_STRIDE;
+             return Words{0, 0, 0, 0, 0, static_cast<uint32_t>(count)};
+         }},
+        {"mesh_box", [](const Shape&) { return words_of(ball().box); }},
+        {"mesh_tree", [](const Shape&) { return ball().tree; }},
+        {"mesh_triangle", [](const Shape&) { return ball().triangle; }},
+        {"mesh_ring", [](const Shape&) { return ball().ring; }},
+        {"mesh_from", [](const Shape&) { return words_of(ball().vertices); }},
+        {"mesh_to", [](const Shape&) { return words_of(ball().vertices); }},
+        {"mesh_bends", [](const Shape&) { return Words(1); }},
         {"follow_guide", [](const Shape& s) { return counting(s.strands); }},
         {"follow_offset", [](const Shape& s) { return vectors(s.strands, 0.002f, 0, 0.001f, 0); }},
         {"follow_guides", three_guides},
@@ -626,7 +657,7 @@ const std::map<std::string, Maker>& makers() {
 } // namespace
 
 std::vector<unsigned char> typical_params(plait_stage stage, const Shape& shape) {
-    if (stage == PLAIT_STAGE_mesh_contact) { // one mesh
+    if (finds_planes(stage)) { // of one mesh
         plait_lane_params params{};
         fill(params, shape);
         params.collider_count = 1;
@@ -704,11 +735,11 @@ std::vector<uint32_t> typical_buffer(const plait_stage_info& stage, const plait_
         return {}; // hair that gravity alone pulls
     if (stage.stage != PLAIT_STAGE_lane_pin && name == "lane_pin")
         return {}; // and that nothing pins
-    if (stage.stage != PLAIT_STAGE_mesh_contact && name == "lane_plane")
+    if (!finds_planes(stage.stage) && name == "lane_plane")
         return {}; // and that is near no mesh
-    if (stage.stage == PLAIT_STAGE_mesh_contact && name == "collider")
+    if (finds_planes(stage.stage) && name == "collider")
         return mesh_row();
-    if (stage.stage == PLAIT_STAGE_mesh_contact && name == "lane_x")
+    if (finds_planes(stage.stage) && name == "lane_x")
         return lying_positions(shape);
     const auto maker = makers().find(arg.name);
     if (maker != makers().end())

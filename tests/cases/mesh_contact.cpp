@@ -1,4 +1,4 @@
-#include "lane_inputs.hpp"
+#include "mesh_inputs.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,50 +14,20 @@ struct Meshes {
     std::vector<uint32_t> nodes;
 };
 
-void append(std::vector<float>& to, std::initializer_list<double> values) {
-    for (const double value : values)
-        to.push_back(static_cast<float>(value));
-}
-
 // About a ball with a bulge, off the middle of its grid.
 void add_field(Meshes& meshes, Random& random) {
     const double radius = random.uniform(0.03, 0.05), bulge = random.uniform(0.002, 0.004);
     meshes.nodes.insert(meshes.nodes.end(), {nodes[0], nodes[1], nodes[2],
                                              static_cast<uint32_t>(meshes.values.size())});
     const Point first = {-6.3 * cell, -5.4 * cell, -5.2 * cell};
-    append(meshes.grid, {first[0], first[1], first[2], cell});
+    append_floats(meshes.grid, {first[0], first[1], first[2], cell});
     for (uint32_t z = 0; z < nodes[2]; ++z)
         for (uint32_t y = 0; y < nodes[1]; ++y)
             for (uint32_t x = 0; x < nodes[0]; ++x) {
                 const Point p = {first[0] + cell * x, first[1] + cell * y, first[2] + cell * z};
-                append(meshes.values, {std::hypot(p[0], p[1], p[2]) - radius +
-                                       bulge * std::sin(30 * p[0]) * std::cos(40 * p[1])});
+                append_floats(meshes.values, {std::hypot(p[0], p[1], p[2]) - radius +
+                                              bulge * std::sin(30 * p[0]) * std::cos(40 * p[1])});
             }
-}
-
-// A mesh whose surface is `gap` (m) off the start of a vertex, down the way that forces drive it,
-// and that moves and turns a little.
-void add_row(Meshes& meshes, Random& random, const LaneHair& lanes, size_t vertex, double gap) {
-    const size_t stride = lanes.hair.size.stride;
-    const float* root = &lanes.x[3 * (vertex / stride) * stride];
-    const float* x = &lanes.x[3 * vertex];
-    const Point aside = random.direction();
-    Point begin{}, end{};
-    const double down[3] = {0.37, -0.74, 0.56}, off = 0.04 + gap;
-    for (size_t k = 0; k < 3; ++k) {
-        begin[k] = double(root[k]) + double(x[k]) + off * (down[k] + 0.2 * aside[k]);
-        end[k] = begin[k] + random.uniform(-0.01, 0.01);
-    }
-    const auto orientation = random.rotation();
-    const auto axis = random.direction();
-    const double half = random.uniform(0.03, 0.08);
-    append(meshes.rows, {begin[0], begin[1], begin[2], 0});
-    append(meshes.rows, {orientation[0], orientation[1], orientation[2], orientation[3]});
-    append(meshes.rows, {end[0], end[1], end[2], 0});
-    append(meshes.rows, {0, 0, 0, 0});
-    append(meshes.rows, {axis[0] * std::sin(half), axis[1] * std::sin(half),
-                         axis[2] * std::sin(half), std::cos(half)});
-    append(meshes.rows, {random.uniform(0.2, 0.9), double{PLAIT_KIND_MESH}, 0, 0});
 }
 
 Meshes make_meshes(const LaneHair& lanes, uint32_t seed) {
@@ -68,13 +38,13 @@ Meshes make_meshes(const LaneHair& lanes, uint32_t seed) {
         add_field(meshes, random);
         const size_t first = s * size.stride;
         if (s % 3 == 1) // around the root
-            add_row(meshes, random, lanes, first + 1, -0.025);
+            add_mesh_row(meshes.rows, random, lanes, first + 1, -0.025);
         else
-            add_row(meshes, random, lanes, first + lanes.hair.vertex_count[s] / 2,
-                    s % 3 == 2 ? -0.006 : 0.006);
+            add_mesh_row(meshes.rows, random, lanes, first + lanes.hair.vertex_count[s] / 2,
+                         s % 3 == 2 ? -0.006 : 0.006);
     }
     for (size_t i = 0; i < size_t{size.strands} * size.stride * size.strands; ++i)
-        append(meshes.clearance, {random.uniform(-0.002, 0.001)});
+        append_floats(meshes.clearance, {random.uniform(-0.002, 0.001)});
     return meshes;
 }
 
@@ -99,33 +69,6 @@ Setup mesh_setup(const Size& size, uint32_t bdf2, uint32_t seed) {
     return setup.with(params);
 }
 
-// Pins of the tips, a centimetre off, about as stiff as inertia.
-void pin_tips(Setup& setup) {
-    auto params = setup.params_as<plait_lane_params>();
-    params.pins = 1;
-    setup.name += ", pinned";
-    std::vector<float>& pins = setup.buffers[10].floats;
-    const std::vector<float>& x = setup.buffers[11].floats;
-    const std::vector<float>& material = setup.buffers[3].floats;
-    for (size_t row = 0; row < pins.size() / 4; ++row) {
-        for (size_t k = 0; k < 3; ++k)
-            pins[4 * row + k] = x[3 * row + k] + 0.01f;
-        pins[4 * row + 3] = 3 * material[PLAIT_LANE_MATERIAL_COMPONENTS * row + PLAIT_LANE_MASS] /
-                            (params.h * params.h);
-    }
-    setup.with(params);
-}
-
-Setup reordered_too(Setup setup) {
-    const std::vector<float> plain = setup.buffers[8].floats;
-    setup = reordered(std::move(setup));
-    const size_t width = plain.size() / setup.items;
-    for (size_t lane = 0; lane < setup.items; ++lane)
-        std::copy_n(&plain[lane * width], width,
-                    &setup.buffers[8].floats[setup.buffers[0].words[lane] * width]);
-    return setup;
-}
-
 } // namespace
 
 // A plane turns by what its foot moves over the radius of the ball.
@@ -147,10 +90,10 @@ Case mesh_contact_case() {
         for (const uint32_t bdf2 : {0u, 1u}) {
             result.setups.push_back(mesh_setup(size, bdf2, 61));
             result.setups.push_back(result.setups.back());
-            pin_tips(result.setups.back());
+            pin_tips(result.setups.back(), 10);
         }
     for (const Size& size : contact_sizes())
-        result.setups.push_back(reordered_too(mesh_setup(size, 0, 62)));
+        result.setups.push_back(reordered_too(mesh_setup(size, 0, 62), 8));
     add_longer_rows(result);
     return result;
 }

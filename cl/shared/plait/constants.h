@@ -62,6 +62,14 @@
 /* Slope of a distance below which it has no normal: between two surfaces that are equally near it
  * falls from 1 to 0. Ours. */
 #define PLAIT_MESH_MIN_SLOPE PLAIT_NUMBER(0.5)
+/* m: a place farther from the nearest triangle, or deeper under it, gives no plane (mesh_nearest).
+ * Ours. */
+#define PLAIT_MESH_ROOM PLAIT_NUMBER(1e-2)
+/* m: roots that are deeper under a mesh that bends count as if they lay on it. Ours. */
+#define PLAIT_MESH_ROOT_DEPTH PLAIT_NUMBER(5e-2)
+/* m: nearer to an edge or a corner the way from there has no direction in float32; the normal is then
+ * the mean of the triangles' around it. Ours. */
+#define PLAIT_MESH_TOUCH PLAIT_NUMBER(5e-5)
 
 /* ---- energy budget of the strand models --------------------------------------------------------
  */

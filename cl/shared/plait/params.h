@@ -51,9 +51,23 @@ typedef uint32_t plait_u32;
 #define PLAIT_KIND_CAPSULE 0.0f
 #define PLAIT_KIND_PLANE 1.0f
 #define PLAIT_KIND_BOX 2.0f
-/* A mesh, which only mesh_contact reads, after all others of a substep: a is the origin of its own
- * frame, BEGIN + 1 its orientation at the end. */
+/* A mesh, which only mesh_contact and mesh_nearest read, after all others of a substep: a is the origin
+ * of its own frame, BEGIN + 1 its orientation at the end. The w of BEGIN and END are the shares of the
+ * fixed step at which the substep begins and ends. */
 #define PLAIT_KIND_MESH 3.0f
+
+/* mesh_nearest: of each mesh where in the other buffers its own begins, counted in nodes, triangles,
+ * vertices and words of mesh_ring; indices in them are of this mesh alone. */
+#define PLAIT_MESH_FIRST_NODE 0
+#define PLAIT_MESH_FIRST_TRIANGLE 1
+#define PLAIT_MESH_FIRST_VERTEX 2
+#define PLAIT_MESH_FIRST_RING 3
+#define PLAIT_MESH_FIRST_TWO_SIDED 4 /* 1: a sheet, met from the side where a vertex is */
+#define PLAIT_MESH_FIRST_COUNT 5     /* not where: its triangles */
+#define PLAIT_MESH_FIRST_STRIDE 6
+#define PLAIT_MESH_TRIANGLE_STRIDE 6 /* corners; the triangles across the edges that begin there */
+#define PLAIT_MESH_NO_TRIANGLE 0xffffffffu
+#define PLAIT_MESH_TREE_DEPTH 32 /* nodes on the way down */
 
 /* grid_sum: per voxel, five 64-bit sums as (low, high) words: density, momentum xyz, tent*|v|^2. */
 #define PLAIT_SUM_COUNT 5
@@ -233,8 +247,8 @@ typedef struct plait_lane_grid_params {
  * in them; `row_stride`, V or more, that of buffers which hold all strands of the sim, one after
  * the other: rest, position, accelerations, pins.
  *
- * chain, cosserat, rod, articulated: one substep of a strand model over lanes. mesh_contact: the
- * planes for one; there `collider_count` and `collider_first` are of the meshes. */
+ * chain, cosserat, rod, articulated: one substep of a strand model over lanes. mesh_contact,
+ * mesh_nearest: the planes for one; there `collider_count` and `collider_first` are of their meshes. */
 typedef struct plait_lane_params {
     plait_u32 vertex_stride;
     plait_u32 tile; /* strands per tile of the lane layout */
@@ -252,7 +266,8 @@ typedef struct plait_lane_params {
     float contact_slip; /* m: the displacement per substep at which friction is all of mu N */
     plait_u32 accelerates; /* 1: vertices have accelerations; 0: lane_acceleration is null */
     plait_u32 pins;        /* 1: vertices may be pinned; 0: lane_pin is null */
-    plait_u32 planes;      /* 1: vertices may have planes of meshes; 0: lane_plane is null */
+    plait_u32 planes;      /* 1: vertices may have planes of meshes; 0: lane_plane is null, and of
+                              mesh_nearest not read */
 } plait_lane_params;
 
 /* pins: where the targets of pins are at the end of a fixed step. */

@@ -22,6 +22,7 @@ template <typename T> class View {
         : data_(data), size_(size), argument_(argument) {}
 
     size_t size() const { return size_; }
+    View<const T> as_const() const { return {data_, size_, argument_}; }
 
     T& operator[](size_t index) const {
         if (index >= size_)

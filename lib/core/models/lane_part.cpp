@@ -306,6 +306,38 @@ void LanePart::find_planes(Schedule& schedule, const Substep& at,
                  lanes_.row);
 }
 
+// After it: what it has found is met, too.
+void LanePart::find_nearest(Schedule& schedule, const Substep& at,
+                            const plait_lane_params& solve) const {
+    plait_lane_params params = solve;
+    params.collider_first = at.collider_first + at.collider_count + at.mesh_count;
+    params.collider_count = at.bending_count;
+    params.planes = at.meshes ? 1 : 0;
+    const BendingBuffers& meshes = *at.bending;
+    schedule.add(PLAIT_STAGE_mesh_nearest, lanes_.strands, params, {&lane_strand_,
+                                                                    &at.state.rest,
+                                                                    &at.state.pose,
+                                                                    &fill_.material,
+                                                                    &at.colliders,
+                                                                    &meshes.first,
+                                                                    &meshes.box,
+                                                                    &meshes.tree,
+                                                                    &meshes.triangle,
+                                                                    &meshes.ring,
+                                                                    &meshes.from,
+                                                                    &meshes.to,
+                                                                    &meshes.bends,
+                                                                    &meshes.clearance,
+                                                                    &push(),
+                                                                    &pin_,
+                                                                    &x_,
+                                                                    &v_,
+                                                                    &history_.x,
+                                                                    &history_.v,
+                                                                    &plane_},
+                 lanes_.row);
+}
+
 void LanePart::substep(Schedule& schedule, const Substep& at, float mean_length) {
     const plait_sim_params& p = at.params;
     plait_lane_params params{};
@@ -326,13 +358,15 @@ void LanePart::substep(Schedule& schedule, const Substep& at, float mean_length)
     params.contact_slip = contact_slip(at.h, mean_length);
     params.accelerates = push() ? 1 : 0;
     params.pins = pin_ ? 1 : 0;
-    params.planes = at.meshes && plane_ ? 1 : 0;
+    params.planes = (at.meshes || at.bending) && plane_ ? 1 : 0;
     if (source_.pins)
         pin(schedule, at);
     if (at.wind)
         blow(schedule, at, *at.wind);
-    if (params.planes)
+    if (params.planes && at.meshes)
         find_planes(schedule, at, params);
+    if (params.planes && at.bending)
+        find_nearest(schedule, at, params);
     if (!traits_.bends)
         schedule.add(traits_.stage, lanes_.strands, params,
                      {&lane_strand_, &at.state.rest, &at.state.pose, &fill_.material, &at.colliders,

@@ -129,6 +129,7 @@ class LanePart {
     void pin(Schedule& schedule, const Substep& at) const;
     void blow(Schedule& schedule, const Substep& at, const WindStep& wind) const;
     void find_planes(Schedule& schedule, const Substep& at, const plait_lane_params& solve) const;
+    void find_nearest(Schedule& schedule, const Substep& at, const plait_lane_params& solve) const;
     bool keeps_fill_of(const LanePart& other) const;
     bool takes_history_of(const LanePart& other) const;
     template <typename Place> Result<Moves> list_moves(Device& device, const Place& place) const;

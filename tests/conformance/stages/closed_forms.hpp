@@ -46,6 +46,7 @@ const std::vector<ClosedForm>& energy_closed_forms();
 const std::vector<ClosedForm>& air_closed_forms();
 const std::vector<ClosedForm>& section_closed_forms();
 const std::vector<ClosedForm>& volume_closed_forms();
+const std::vector<ClosedForm>& mesh_closed_forms();
 
 // Floats equal up to `tolerance`, with the differing element in the message.
 void expect_near(const cases::Array& got, const std::vector<float>& expected,

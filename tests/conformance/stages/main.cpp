@@ -272,7 +272,8 @@ void add_all(Subject& subject) {
             add<KeepsClear>(subject, stage + "_keeps_clear", stage_case);
     }
     for (const auto* forms : {&strand_closed_forms(), &grid_closed_forms(), &energy_closed_forms(),
-                              &section_closed_forms(), &air_closed_forms(), &volume_closed_forms()})
+                              &section_closed_forms(), &air_closed_forms(), &volume_closed_forms(),
+                              &mesh_closed_forms()})
         for (const ClosedForm& form : *forms)
             add<Solves>(subject, form.name, form);
 }

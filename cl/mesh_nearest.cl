@@ -1,0 +1,274 @@
+/* mesh_nearest: of each vertex the plane of a mesh that it may meet in a substep, by the nearest
+ * triangle of the mesh as it bends.
+ *
+ * Items   strands, over lanes.
+ * Reads   lane_strand, rest, pose, lane_material, collider, mesh_first, mesh_box, mesh_tree,
+ *         mesh_triangle, mesh_ring, mesh_from, mesh_to, mesh_bends, mesh_clearance,
+ *         lane_acceleration, lane_pin, lane_x, lane_v, and the steps before.
+ * Writes  lane_plane, which holds planes of other meshes where params.planes is 1.
+ * Source  Ericson 2005, 5.1.5; Baerentzen & Aanaes 2005; ours: the way as in mesh_contact, carried
+ *         by the nearest triangle.
+ */
+#include "common/lane_nearest.clh"
+
+/* A mesh over a substep. */
+typedef struct {
+    near_mesh mesh;
+    mesh_motion motion;
+    float begin, end; /* shares of the fixed step */
+    float bends;      /* m: how far a vertex goes at most in the substep, in the mesh's own frame */
+} near_body;
+
+static inline near_body near_body_at(__global const float4* colliders, uint collider,
+                                     near_mesh mesh) {
+    __global const float4* row = colliders + PLAIT_COLLIDER_STRIDE * (size_t)collider;
+    near_body body;
+    body.mesh = mesh;
+    body.motion = mesh_motion_at(colliders, collider);
+    body.begin = row[PLAIT_COLLIDER_BEGIN].w;
+    body.end = row[PLAIT_COLLIDER_END].w;
+    body.bends = mesh.bends * (body.end - body.begin);
+    return body;
+}
+
+/* m: how far the mesh carries a vertex at most, and within what of the surface it has a plane.
+ * `arm`: m, of the vertex. */
+static inline real near_reach(const near_body* body, real arm) {
+    const float moves = length(body->motion.to - body->motion.from),
+                turns = 2.0f * length(body->motion.turn.xyz);
+    return moves + turns * arm + (body->bends + 1.5f * PLAIT_MESH_ROOM);
+}
+
+/* ---- which vertices are near -------------------------------------------------------------- */
+
+/* As in mesh_contact, by boxes. */
+static inline void near_list(const near_body* body, const mesh_ways* ways, mesh_list* list) {
+    const vec3 root = ways->step->pose.root;
+    const real arm = mesh_arm(&body->motion, root);
+    real least = (real)(-1.0f); /* m: the distance of the vertex before is no less */
+    real along = (real)(0.0f);  /* m, of the chain of vertices */
+    list->count = 0;
+    for (int i = 1; i <= ways->step->segments; ++i) {
+        const real chord = mesh_length(sub3(ways->end[i], ways->end[i - 1]));
+        const real way = mesh_length(sub3(ways->end[i], mesh_begin(ways, i)));
+        least -= chord;
+        along += chord;
+        const real meets = way + near_reach(body, arm + along + way);
+        if (!any_lane(!(least > meets)))
+            continue;
+        least =
+            fmax(least, near_least(&body->mesh, mesh_own(&body->motion, add3(root, ways->end[i]))));
+        const mask near = (!(least > meets)) &
+                          (lane_material_at(ways->step, i - 1, PLAIT_LANE_LENGTH) > (real)(0.0f));
+        if (any_lane(near))
+            mesh_list_add(list, i, near);
+    }
+}
+
+/* ---- their planes --------------------------------------------------------------------------- */
+
+/* Where the mesh carries x, a point of its frame at the begin: what it has under it keeps its place
+ * in the triangle, and it its place over it, turned as the normal there is. What is far above is not
+ * thrown about: no farther than the mesh bends, and PLAIT_MESH_ROOM/2. */
+static inline vec3 near_carried(const near_body* body, const near_found* found, vec3 x) {
+    vec3 carried = x;
+    for (uint k = 0; k < PLAIT_LANES; ++k) {
+        const int triangle = LANE_OF_MASK(found->triangle, k);
+        if (triangle < 0)
+            continue;
+        __global const uint* corner =
+            body->mesh.triangle + PLAIT_MESH_TRIANGLE_STRIDE * (size_t)triangle;
+        const float3 a = near_vertex(&body->mesh, corner[0], body->begin),
+                     ab = near_vertex(&body->mesh, corner[1], body->begin) - a,
+                     ac = near_vertex(&body->mesh, corner[2], body->begin) - a;
+        const float3 a_end = near_vertex(&body->mesh, corner[0], body->end),
+                     ab_end = near_vertex(&body->mesh, corner[1], body->end) - a_end,
+                     ac_end = near_vertex(&body->mesh, corner[2], body->end) - a_end;
+        const float3 point =
+            (float3)(LANE(found->point.x, k), LANE(found->point.y, k), LANE(found->point.z, k));
+        const float3 own = point - a, face = cross(ab, ac);
+        const int place = LANE_OF_MASK(found->place, k);
+        const float3 n = near_outward_of(&body->mesh, (uint)triangle, place, body->begin).normal,
+                     n_end = near_outward_of(&body->mesh, (uint)triangle, place, body->end).normal;
+        const float area = dot(face, face), square = dot(n, n), square_end = dot(n_end, n_end);
+        if (!(area > 0.0f && square > 0.0f && square_end > 0.0f))
+            continue;
+        const float v = dot(cross(own, ac), face) / area, w = dot(cross(ab, own), face) / area;
+        const float3 above = (float3)(LANE(x.x, k), LANE(x.y, k), LANE(x.z, k)) - point;
+        const float scale = rsqrt(square * square_end);
+        const float3 axis = cross(n, n_end) * scale; /* the turn's, as long as its sine */
+        const float cosine = dot(n, n_end) * scale;
+        const float3 first = cross(axis, above);
+        const float3 turned = above + first + cross(axis, first) / (1.0f + fmax(cosine, -0.9f));
+        const float3 moved = a_end + v * ab_end + w * ac_end + turned - point - above;
+        const float most = body->bends + 0.5f * PLAIT_MESH_ROOM;
+        const float3 allowed = moved * fmin(1.0f, most / fmax(length(moved), 1e-9f));
+        LANE(carried.x, k) += allowed.x;
+        LANE(carried.y, k) += allowed.y;
+        LANE(carried.z, k) += allowed.z;
+    }
+    return carried;
+}
+
+/* From the mesh's own frame to the world, less its origin. */
+static inline vec3 near_turned(const mesh_motion* motion, vec3 x) {
+    return add3(x, mesh_turn(motion->orientation, x));
+}
+
+/* Seen from the side on which it came; beyond a rim a sheet has no sides. */
+static inline mesh_plane near_plane(const near_body* body, const near_sample* sample, vec3 point,
+                                    real offset, real* side) {
+    real sign = (real)(1.0f);
+    if (body->mesh.two_sided) {
+        const real own = pick(sample->distance < (real)(0.0f), (real)(-1.0f), (real)(1.0f));
+        *side = pick(sample->rim, own, *side);
+        sign = *side;
+    }
+    const mask some = sample->some & (fabs(sample->distance) <= (real)(PLAIT_MESH_ROOM));
+    const vec3 none = vec3_of((real)(0.0f), (real)(0.0f), (real)(0.0f));
+    const mesh_plane plane = {pick3(some, scale3(sample->normal, sign), none), point,
+                              sign * sample->distance - offset};
+    return plane;
+}
+
+/* As mesh_march() in lane_mesh.clh, by true distances, which need no least step. */
+static inline mesh_plane near_march(const near_body* body, vec3 from, vec3 to, real offset,
+                                    mesh_plane nearest, real* side, mask on) {
+    const vec3 way = sub3(to, from);
+    const real one = (real)(1.0f), size = mesh_length(way), per_m = one / fmax(size, (real)(1e-9f));
+    real distance = nearest.height, t = (real)(0.0f);
+    for (int k = 0; k < PLAIT_MESH_MARCH_STEPS; ++k) {
+        on &= (distance >= (real)(PLAIT_MESH_MARCH_LEAST)) & (t < one);
+        if (!any_lane(on))
+            break;
+        const real before = t;
+        t = pick(on, fmin(t + distance * per_m, one), t);
+        const vec3 at = axpy3(t, way, from);
+        /* no farther than it was and the step */
+        const real bound = fabs(distance + offset) + (t - before) * size + (real)(1e-5f);
+        const near_sample sample = near_sample_at(&body->mesh, body->end, at, bound, on);
+        real turned = *side;
+        const mesh_plane next = near_plane(body, &sample, at, offset, &turned);
+        const mask found = on & sample.some;
+        *side = pick(found, turned, *side);
+        distance = pick(found, next.height, distance);
+        on &= found;
+        const mask nearer = found & mesh_plane_is(next) &
+                            ((!mesh_plane_is(nearest)) | (next.height < nearest.height));
+        nearest = mesh_plane_pick(nearer, next, nearest);
+    }
+    return nearest;
+}
+
+/* That of where the way ends, if it is of one side with `plane` and no farther off it than the way
+ * is long: what slides round a bend is else held on the tangent of where it was. */
+static inline mesh_plane near_plane_at_end(mesh_plane plane, mesh_plane end, real way) {
+    const real off = fabs(end.height - mesh_plane_height(plane, end.point));
+    const mask agree = (off < way + (real)(PLAIT_MESH_MARCH_LEAST)) &
+                       (dot3(end.normal, plane.normal) > (real)(PLAIT_SWEEP_SAME_SIDE));
+    const mask taken = mesh_plane_is(end) & (agree | !mesh_plane_is(plane));
+    return mesh_plane_pick(taken, end, plane);
+}
+
+static inline mesh_touch near_meet(const near_body* body, const mesh_vertex* vertex) {
+    const mask all = (vertex->offset == vertex->offset);
+    mesh_touch touch;
+    const vec3 begin = add3(vertex->root, vertex->begin);
+    const vec3 rigid = mesh_own(&body->motion, add3(begin, mesh_carry(&body->motion, begin)));
+    const vec3 to = mesh_own(&body->motion, add3(vertex->root, vertex->end));
+    vec3 from = rigid;
+    if (body->mesh.bends > 0.0f) {
+        const near_found under = near_search(
+            &body->mesh, body->begin, rigid,
+            mesh_length(sub3(to, rigid)) + (real)(body->bends + 2 * PLAIT_MESH_ROOM), all);
+        from = near_carried(body, &under, rigid);
+    }
+    touch.anchor = add3(add3(vertex->begin, mesh_carry(&body->motion, begin)),
+                        near_turned(&body->motion, sub3(from, rigid)));
+    const real way = mesh_length(sub3(to, from)), room = way + (real)(PLAIT_MESH_ROOM);
+    const near_sample first = near_sample_at(&body->mesh, body->end, from,
+                                             room + fmax(vertex->offset, (real)(0.0f)), all);
+    real side = pick(first.distance < (real)(0.0f), (real)(-1.0f), (real)(1.0f));
+    mesh_plane plane = near_plane(body, &first, from, vertex->offset, &side);
+    touch.start = plane.height;
+    touch.some = first.some & (touch.start <= room);
+    if (!any_lane(touch.some))
+        return touch;
+    const near_sample last = near_sample_at(&body->mesh, body->end, to,
+                                            fabs(first.distance) + way + (real)(1e-5f), touch.some);
+    real side_there = side;
+    const mesh_plane end = near_plane(body, &last, to, vertex->offset, &side_there);
+    /* else all of the way is nearer to one of its ends than the mesh is */
+    const mask crosses = touch.some & (touch.start + end.height < way);
+    if (any_lane(crosses))
+        plane = near_march(body, from, to, vertex->offset, plane, &side, crosses);
+    plane = near_plane_at_end(plane, end, way);
+    touch.some &= mesh_plane_is(plane);
+    touch.some &= !(mesh_plane_height(plane, to) >= vertex->gap);
+    touch.normal = near_turned(&body->motion, plane.normal);
+    touch.height = mesh_plane_height(plane, from);
+    return touch;
+}
+
+static inline void near_find(const near_body* body, const mesh_ways* ways, const mesh_list* list,
+                             mesh_planes* planes) {
+    planes->depth = (real)(0.0f);
+    if (!body->mesh.two_sided) {
+        const vec3 root = mesh_own(&body->motion, ways->step->pose.root);
+        const near_sample at = near_sample_at(&body->mesh, body->end, root,
+                                              (real)(PLAIT_MESH_ROOT_DEPTH), root.x == root.x);
+        planes->depth = pick(at.some, at.distance, planes->depth);
+    }
+    for (uint first = 0; first < list->count; first += PLAIT_LANES) {
+        const uint count = min(list->count - first, (uint)PLAIT_LANES);
+        const mesh_vertex vertex = mesh_gather(ways, planes, &list->at[first], count);
+        const mesh_touch touch = near_meet(body, &vertex);
+        mesh_scatter(ways, planes, &list->at[first], count, body->motion.friction, &touch);
+    }
+}
+
+__kernel void plait_mesh_nearest(const uint item_count, const plait_lane_params params,
+                                 __global const uint* lane_strand, __global const float4* rest,
+                                 __global const float4* pose, __global const real* lane_material,
+                                 __global const float4* collider, __global const uint* mesh_first,
+                                 __global const float4* mesh_box, __global const uint* mesh_tree,
+                                 __global const uint* mesh_triangle, __global const uint* mesh_ring,
+                                 __global const float4* mesh_from, __global const float4* mesh_to,
+                                 __global const float* mesh_bends,
+                                 __global const float* mesh_clearance,
+                                 __global const real* lane_acceleration,
+                                 __global const real* lane_pin, __global const real* lane_x,
+                                 __global const real* lane_v, __global const real* lane_x_before,
+                                 __global const real* lane_v_before, __global real* lane_plane) {
+    lane_step step;
+    if (!lane_begin(&step, item_count, &params, lane_strand, rest, pose, lane_material,
+                    lane_acceleration, lane_pin))
+        return;
+    /* which lane_predict_vertex() does not write */
+    const lane_buffers state = {(__global real*)lane_x, (__global real*)lane_v,
+                                (__global real*)lane_x_before, (__global real*)lane_v_before};
+    mesh_ways ways;
+    mesh_ways_of(&ways, &step, &params, state);
+    const size_t head =
+        lane_index(step.place, PLAIT_LANE_PLANE_COMPONENTS, 0, PLAIT_LANE_PLANE_LAST);
+    mask last = params.planes ? LANE_INT(lane_plane[head]) : (mask)(0);
+    mesh_planes planes;
+    planes.params = &params;
+    planes.clearance = mesh_clearance;
+    planes.strands = lane_strands_of(lane_strand, step.place, item_count);
+    planes.last = &last;
+    planes.lane_plane = lane_plane;
+    mesh_list list;
+    for (uint mesh = 0; mesh < params.collider_count; ++mesh) {
+        const near_body body =
+            near_body_at(collider, params.collider_first + mesh,
+                         near_mesh_at(mesh_first, mesh_box, mesh_tree, mesh_triangle, mesh_ring,
+                                      mesh_from, mesh_to, mesh_bends, mesh));
+        near_list(&body, &ways, &list);
+        planes.mesh = mesh;
+        planes.others = mesh > 0 || params.planes;
+        if (list.count > 0)
+            near_find(&body, &ways, &list, &planes);
+    }
+    lane_plane[head] = LANE_REAL(last);
+}

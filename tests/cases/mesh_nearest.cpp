@@ -1,0 +1,120 @@
+#include "mesh_inputs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace plait::cases {
+namespace {
+
+constexpr uint32_t around = 9, rings = 7; // vertices of a ball, without its poles
+
+// Of a ball: quads between rings, fans around the poles; without the upper fan it is open.
+MeshCorners triangles_of_ball(bool open) {
+    MeshCorners list;
+    for (uint32_t v = 0; v + 1 < rings; ++v)
+        for (uint32_t u = 0; u < around; ++u) {
+            const uint32_t next = (u + 1) % around;
+            const uint32_t a = v * around + u, b = v * around + next, up = around;
+            list.push_back({a, b, b + up});
+            list.push_back({a, b + up, a + up});
+        }
+    const uint32_t last = (rings - 1) * around, bottom = rings * around, top = bottom + 1;
+    for (uint32_t u = 0; u < around; ++u) {
+        list.push_back({bottom, (u + 1) % around, u});
+        if (!open)
+            list.push_back({top, last + u, last + (u + 1) % around});
+    }
+    return list;
+}
+
+Point place_in_ball(uint32_t vertex, double radius) {
+    constexpr double pi = std::numbers::pi;
+    if (vertex >= rings * around)
+        return {0, vertex > rings * around ? radius : -radius, 0};
+    const double a = 2 * pi * (vertex % around) / around,
+                 b = pi * (vertex / around + 1.0) / (rings + 1.0);
+    return {radius * std::sin(b) * std::cos(a), -radius * std::cos(b),
+            -radius * std::sin(b) * std::sin(a)};
+}
+
+// A ball with a bulge, that bends by some millimetres in the step or does not.
+void add_ball(NearestMeshes& meshes, Random& random, bool sheet, bool bends) {
+    const double radius = random.uniform(0.03, 0.05), bulge = random.uniform(0.002, 0.004);
+    std::vector<Point> from, to;
+    for (uint32_t i = 0; i < rings * around + 2; ++i) {
+        Point p = place_in_ball(i, radius);
+        for (double& c : p)
+            c *= 1 + bulge / radius * std::sin(30 * p[0]) * std::cos(40 * p[1]);
+        from.push_back(p);
+        if (bends)
+            p = {p[0] + 0.004 * std::sin(40 * p[1]), p[1] + 0.003 * std::cos(50 * p[2]),
+                 p[2] + 0.005 * std::sin(45 * p[0])};
+        to.push_back(p);
+    }
+    meshes.add(triangles_of_ball(sheet), from, to, sheet);
+}
+
+NearestMeshes make_meshes(const LaneHair& lanes, uint32_t seed) {
+    NearestMeshes meshes;
+    Random random(seed);
+    const Size& size = lanes.hair.size;
+    for (size_t s = 0; s < size.strands; ++s) {
+        add_ball(meshes, random, s % 4 == 3, s % 2 == 0);
+        const size_t first = s * size.stride;
+        const size_t middle = first + lanes.hair.vertex_count[s] / 2;
+        const std::array<double, 2> shares = {random.uniform(0.1, 0.4), random.uniform(0.5, 0.9)};
+        if (s % 3 == 1) // around the root
+            add_mesh_row(meshes.rows, random, lanes, first + 1, -0.025, shares);
+        else
+            add_mesh_row(meshes.rows, random, lanes, middle, s % 3 == 2 ? -0.006 : 0.006, shares);
+    }
+    for (size_t i = 0; i < size_t{size.strands} * size.stride * size.strands; ++i)
+        append_floats(meshes.clearance, {random.uniform(-0.002, 0.001)});
+    return meshes;
+}
+
+Setup nearest_setup(const Size& size, uint32_t bdf2, bool after_others, uint32_t seed) {
+    const LaneHair lanes = make_lane_hair(size, seed);
+    const NearestMeshes meshes = make_meshes(lanes, seed + 1);
+    Setup setup = lane_setup(size, lanes, lane_params(size, 1, bdf2), false);
+    if (after_others)
+        setup = on_planes(std::move(setup), lanes, 100.0f, false);
+    auto& buffers = setup.buffers;
+    Array planes = std::move(buffers[7]); // lane_plane, which comes last here
+    buffers.erase(buffers.begin() + 7);
+    std::vector<float> rows(meshes.rows.size(), 0.5f); // of the substep before
+    rows.insert(rows.end(), meshes.rows.begin(), meshes.rows.end());
+    buffers[4] = float4s(rows);
+    const auto of_meshes = meshes.buffers();
+    buffers.insert(buffers.begin() + 5, of_meshes.begin(), of_meshes.end());
+    buffers.push_back(std::move(planes));
+    auto params = setup.params_as<plait_lane_params>();
+    params.collider_count = params.collider_first = size.strands;
+    return setup.with(params);
+}
+
+} // namespace
+
+// The way from an edge a millimetre off has no direction to more than 1e-4, places being known to 1e-7 m.
+Case mesh_nearest_case() {
+    Case result = {PLAIT_STAGE_mesh_nearest, {}, {{"lane_plane", 1e-4}}};
+    result.unread = {"iterations",         "contact_rate",        "contact_slip",
+                     "collider.end.b",     "collider.kind",       "lane_material.stretch",
+                     "lane_material.bend", "lane_material.twist", "lane_material.cross",
+                     "lane_plane.start",   "lane_plane.friction",
+                     "mesh_box",    // bounds, which the reference does without
+                     "mesh_bends"}; // a bound, too, and whether there is anything to bend
+    for (const Size& size : contact_sizes())
+        for (const uint32_t bdf2 : {0u, 1u}) {
+            result.setups.push_back(nearest_setup(size, bdf2, bdf2 == 1, 71));
+            result.setups.push_back(result.setups.back());
+            pin_tips(result.setups.back(), 15);
+        }
+    for (const Size& size : contact_sizes())
+        result.setups.push_back(reordered_too(nearest_setup(size, 0, false, 72), 13));
+    add_longer_rows(result);
+    return result;
+}
+
+} // namespace plait::cases
