@@ -6,9 +6,9 @@ namespace plait_generator {
 namespace {
 
 constexpr double cap = 1 - ball_hairline / ball_radius; // 1 - cos(angle) at its border
-constexpr double clearance = 0.001;      // m from the ball
-constexpr double rise = 0.03;            // m of the way in which a strand leaves the ball for its layer
-constexpr double lowest = 0.05;          // least share of the layer
+constexpr double clearance = 0.001;                     // m from the ball
+constexpr double rise = 0.03;   // m of the way in which a strand leaves the ball for its layer
+constexpr double lowest = 0.05; // least share of the layer
 constexpr double sweep = 0.6 / (2 * pi); // turns about the pole: strands go to either side by half
 
 enum Stream : uint64_t { root_polar = 50, root_azimuth, share_of_layer, way_about, own_length };

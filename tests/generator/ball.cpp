@@ -64,7 +64,8 @@ TEST(Ball, strands_lie_in_their_layer_and_hang_below_the_equator) {
             sum += k == 10 ? off : 0;
         }
         const double root = std::acos(vertices[0].y / length(vertices[0]));
-        ASSERT_NEAR(vertices[15].y, -(root + 0.25 / 0.115 - pi / 2) * 0.115, 1e-6) << "strand " << i;
+        ASSERT_NEAR(vertices[15].y, -(root + 0.25 / 0.115 - pi / 2) * 0.115, 1e-6)
+            << "strand " << i;
     }
     EXPECT_GT(top, 0.0295);
     EXPECT_NEAR(sum / 1000, 0.03 * 0.525, 0.001); // drawn evenly
