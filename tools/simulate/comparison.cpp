@@ -16,6 +16,12 @@ plait_sim_desc tressfx_alone(plait_sim_desc sim) {
     sim.model = PLAIT_MODEL_TRESSFX;
     sim.sag_free = PLAIT_SAG_FREE_OFF; // its shape constraints know no sag
     sim.params.interhair = PLAIT_INTERHAIR_OFF;
+    sim.params.volume = PLAIT_VOLUME_OFF; // which it refuses
+    return sim;
+}
+
+plait_sim_desc without_volume(plait_sim_desc sim) {
+    sim.params.volume = PLAIT_VOLUME_OFF;
     return sim;
 }
 
@@ -45,11 +51,15 @@ std::string label_of(const plait_sim_desc& sim) {
         return label;
     if (has_thesis_step(sim.params))
         return label + " + inter-hair step of the thesis";
+    if (sim.params.volume != PLAIT_VOLUME_OFF)
+        return label + " + volume";
     return label + " + inter-hair step (" + interhair_names[sim.params.interhair] + ")";
 }
 
 std::string short_label_of(const plait_sim_desc& sim) {
     const std::string model = sim.model == PLAIT_MODEL_TRESSFX ? "TressFX" : model_names[sim.model];
+    if (sim.params.volume != PLAIT_VOLUME_OFF)
+        return model + " + volume";
     return has_thesis_step(sim.params) ? model + " + thesis's step" : model;
 }
 
@@ -74,6 +84,8 @@ std::vector<Variant> variants_beside(const Scene& scene) {
         add(tressfx_alone(scene.sim));
     if (!own || !has_thesis_step(params))
         add(tressfx_and_thesis(scene));
+    if (params.volume != PLAIT_VOLUME_OFF)
+        add(without_volume(scene.sim));
     return variants;
 }
 

@@ -26,7 +26,7 @@ std::string short_label_of(const plait_sim_desc& sim);
 std::string tressfx_settings(const plait_sim_desc& sim);
 
 // TressFX alone, and with the inter-hair step as the thesis has it: those of the two that are not
-// the run itself.
+// the run itself; and the run without volume, where it has volume.
 std::vector<Variant> variants_beside(const Scene& scene);
 
 } // namespace simulate

@@ -12,7 +12,7 @@ using plait_generator::Style;
 
 namespace {
 
-constexpr std::array style_names{"long", "braid", "curly", "short", "ponytail"};
+constexpr std::array style_names{"long", "braid", "curly", "short", "ponytail", "ball"};
 
 // A path in a scene file is relative to that file, one on the command line to the working
 // directory.
@@ -77,7 +77,7 @@ void read_groom(JsonReader& top, const Origin& origin, Scene& scene) {
         if (groom.name.find('.') == std::string::npos)
             top.fail("groom",
                      "is \"" + groom.name +
-                         "\", neither a file nor one of long, braid, curly, short, ponytail");
+                         "\", neither a file nor one of long, braid, curly, short, ponytail, ball");
         if (style)
             top.fail("style", "is for generated grooms; \"" + groom.name + "\" is a file");
         groom.name = resolve(groom.name, "groom", origin);
@@ -246,6 +246,8 @@ Hang hang_of(const std::string& groom) {
         return {1.0f, 1.0f, PLAIT_SAG_FREE_STIFFEN, 0.0f};
     if (groom == "braid") // presses hair on hair, or it would come undone
         return {10.0f, 1.0f, PLAIT_SAG_FREE_STIFFEN, 0.0f, Friction{1.5f, 0.5f, 0.0f}};
+    if (groom == "ball") // limp: nothing holds it up but volume
+        return {1.0f, 1.0f, PLAIT_SAG_FREE_OFF, 0.0f};
     return {10.0f, 1.0f, PLAIT_SAG_FREE_STIFFEN, 0.0f};
 }
 

@@ -44,6 +44,10 @@ struct GroomChoice {
     float scale = 1.0f;           // file units to metres
     bool scale_by_size = false;   // "auto": as large as a head of hair
     bool generated = true;
+
+    bool on_ball() const { // and not on the mannequin
+        return generated && style.hairstyle == plait_generator::Hairstyle::Ball;
+    }
 };
 
 struct HeadChoice {
