@@ -15,6 +15,26 @@ struct Discard {
     ~Discard() { model.discard(); }
 };
 
+// The detail that is shown for another one; taken back, however the call ends, unless it is kept.
+class Exchange {
+  public:
+    Exchange(Display& display, Detail& detail) : display_(display), detail_(detail) {
+        display_.exchange(detail_);
+    }
+    ~Exchange() {
+        if (!kept_)
+            display_.exchange(detail_);
+    }
+    Exchange(const Exchange&) = delete;
+    Exchange& operator=(const Exchange&) = delete;
+    void keep() { kept_ = true; }
+
+  private:
+    Display& display_;
+    Detail& detail_;
+    bool kept_ = false;
+};
+
 // Whether the grid is where it was.
 bool same_place(const plait_sim_params& a, const plait_sim_params& b) {
     return a.grid_edge == b.grid_edge && a.grid_in_world == b.grid_in_world &&
@@ -170,6 +190,25 @@ Status Sim::set_wind(const plait_wind_desc* desc) {
             model_->close_wind();
     }
     return status;
+}
+
+Status Sim::set_detail(const plait_detail_desc* desc, std::span<const uint32_t> centres) {
+    Detail next;
+    if (desc) {
+        auto made =
+            display_.make_detail(device(), layout_, state_, *desc, centres, &context_.memory);
+        if (!made)
+            return made.error();
+        next = std::move(*made);
+    }
+    Exchange exchange(display_, next);
+    schedule_.clear();
+    append_shown();
+    PLAIT_TRY(check_supported(device(), schedule_.list()));
+    PLAIT_TRY(device().prepare(schedule_.list()));
+    schedule_.clear();
+    exchange.keep();
+    return {};
 }
 
 SettingsList Sim::settings() const {

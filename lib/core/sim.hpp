@@ -77,6 +77,8 @@ class Sim {
     Status teleport(const RootsInput& input);
     // Null: none. INVALID_STATE: the model takes none. What fails changes nothing.
     Status set_wind(const plait_wind_desc* desc);
+    // Null: none. INVALID_STATE: there are no follows. What fails changes nothing.
+    Status set_detail(const plait_detail_desc* desc, std::span<const uint32_t> centres);
     Status step(double dt);
     Status wait() { return device().wait(); }
 

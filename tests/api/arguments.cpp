@@ -254,6 +254,7 @@ TEST(Arguments, NullPointers) {
         {"sim is NULL", [](O&) { return plait_sim_set_pins(nullptr, nullptr, 0); }},
         {"pins is NULL", [](O& o) { return plait_sim_set_pins(o.sim, nullptr, 1); }},
         {"sim is NULL", [](O&) { return plait_sim_set_wind(nullptr, nullptr); }},
+        {"sim is NULL", [](O&) { return plait_sim_set_detail(nullptr, nullptr); }},
         {"sim is NULL", [](O&) { return plait_sim_set_models(nullptr, nullptr, 0); }},
         {"models is NULL", [](O& o) { return plait_sim_set_models(o.sim, nullptr, 2); }},
         {"sim is NULL", [](O&) { return plait_sim_set_settings(nullptr, nullptr, 1, {}); }},

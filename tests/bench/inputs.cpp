@@ -91,6 +91,19 @@ void fill(plait_follow_params& p, const Shape& shape) {
 void fill(plait_follow_turns_params& p, const Shape& shape) {
     p = {shape.vertices, shape.strands};
 }
+void fill(plait_follow_clump_params& p, const Shape& shape) {
+    p = {shape.vertices, shape.strands, {0, 0.3f, 0.7f, 0.9f}};
+}
+void fill(plait_follow_curl_params& p, const Shape& shape) {
+    p = {shape.vertices,
+         shape.strands,
+         {0, 0.002f, 0.004f, 0.005f},
+         0.02f,
+         1,
+         {0, 1e-3f, 2e-3f, 2e-3f},
+         0.01f,
+         1};
+}
 void fill(plait_grid_clear_params& p, const Shape&) {
     p.value = PLAIT_SLOT_EMPTY;
 }
@@ -437,6 +450,23 @@ Words segments(const Shape& shape) {
     return words;
 }
 
+// From the root, m.
+Words arcs(const Shape& shape) {
+    Words words;
+    const float length = strand_length / static_cast<float>(shape.vertices - 1);
+    for (size_t vertex = 0; vertex < shape.total(); ++vertex)
+        words.push_back(word(length * static_cast<float>(vertex % shape.vertices)));
+    return words;
+}
+
+// Vertex by vertex.
+Words own_places(const Shape& shape) {
+    Words words;
+    for (size_t vertex = 0; vertex < shape.total(); ++vertex)
+        words.push_back(word(static_cast<float>(vertex % shape.vertices)));
+    return words;
+}
+
 Words with_follows(const Shape& shape) {
     Words words = strands(shape, 0);
     words.resize(2 * words.size());
@@ -580,6 +610,10 @@ const std::map<std::string, Maker>& makers() {
         {"follow_weight", [](const Shape& s) { return vectors(s.strands, 0.5f, 0.3f, 0.2f, 0); }},
         {"follow_place", places},
         {"follow_rest", segments},
+        {"follow_way", [](const Shape& s) { return vectors(s.strands, 0, -1, 0, 0); }},
+        {"follow_arc", arcs},
+        {"clump_centre", [](const Shape& s) { return counting(s.strands); }},
+        {"clump_place", own_places},
         {"guide_turn", [](const Shape& s) { return vectors(s.total(), 0, 0, 0, 1); }},
         {"grid_slot", slots},
         {"lane_material", lane_material},
@@ -676,7 +710,8 @@ uint32_t item_width(plait_stage stage, const Shape& shape) {
 
 namespace {
 bool places_follows(plait_stage stage) {
-    return stage == PLAIT_STAGE_follow || stage == PLAIT_STAGE_follow_turns;
+    return stage == PLAIT_STAGE_follow || stage == PLAIT_STAGE_follow_turns ||
+           stage == PLAIT_STAGE_follow_clump || stage == PLAIT_STAGE_follow_curl;
 }
 } // namespace
 

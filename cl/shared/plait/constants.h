@@ -178,6 +178,17 @@
 /* Overrelaxation of the sweeps: layers of hair are a few voxels deep. Ours. */
 #define PLAIT_VOLUME_RELAXATION PLAIT_NUMBER(1.5)
 
+/* ---- follow_clump and follow_curl --------------------------------------------------------------
+ */
+
+/* Way along which a strand comes to the centre of its clump, of its length and in segments: any
+ * shorter way turns hair by more at once, and in one segment it would pass the centre. Ours. */
+#define PLAIT_CLUMP_REACH PLAIT_NUMBER(0.08)
+#define PLAIT_CLUMP_REACH_SEGMENTS PLAIT_NUMBER(2.0)
+/* rms of gradient noise in one dimension whose gradients are even in [-1, 1]: the root of 2/3 of the
+ * integral of (1 - f)^2 t^2, f the fade. */
+#define PLAIT_FRIZZ_NOISE_RMS PLAIT_NUMBER(0.14069)
+
 /* ---- switching ---------------------------------------------------------------------------------
  */
 

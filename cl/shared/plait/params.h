@@ -188,6 +188,26 @@ typedef struct plait_follow_turns_params {
     plait_u32 guide_count;
 } plait_follow_turns_params;
 
+/* follow_clump: draw follow strands to the centres of their clumps. Ramps have knots at the root, a
+ * third, two thirds of the length and the tip. */
+typedef struct plait_follow_clump_params {
+    plait_u32 vertex_stride;
+    plait_u32 guide_count;
+    float clump[4]; /* share of the way to the centre, [0, 1] */
+} plait_follow_clump_params;
+
+/* follow_curl: offsets from the strand, in a frame that it carries along. */
+typedef struct plait_follow_curl_params {
+    plait_u32 vertex_stride;
+    plait_u32 guide_count;
+    float curl[4];      /* m, radius of the helix, the same knots */
+    float pitch;        /* m of hair per turn */
+    float scatter;      /* share of a turn by which strands of a clump differ, [0, 1] */
+    float frizz[4];     /* m, rms of either component, the same knots */
+    float frizz_length; /* m of hair per cell of the noise */
+    plait_u32 seed;
+} plait_follow_curl_params;
+
 /* grid_clear: fill words of a grid buffer. */
 typedef struct plait_grid_clear_params {
     plait_u32 value;
