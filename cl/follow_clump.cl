@@ -32,8 +32,7 @@ static inline float3 place_on(__global const float4* position, size_t row, uint 
 static inline float3 direction_along(float3 segment, float3 path, float3 gap, float length) {
     const float3 along = normalize_or_zero(dot3(path, path) > 0.0f ? path : segment);
     const float3 aside = gap - dot3(along, gap) * along;
-    const float reach =
-        PLAIT_CLUMP_REACH * length + PLAIT_CLUMP_REACH_SEGMENTS * length3(segment);
+    const float reach = PLAIT_CLUMP_REACH * length + PLAIT_CLUMP_REACH_SEGMENTS * length3(segment);
     return normalize_or_zero(along + aside / fmax(fmax(reach, length3(aside)), FLT_MIN));
 }
 
@@ -59,8 +58,7 @@ __kernel void plait_follow_clump(const uint item_count, const plait_follow_clump
             const float3 aim = place_on(position, centre, stride, clump_place[from + i]) - root;
             const float3 path_now = x_now + ramp_at(params.clump, arc / length) * (aim - x_now);
             const float3 segment = x_now - x;
-            way += length3(segment) *
-                   direction_along(segment, path_now - path, path - way, length);
+            way += length3(segment) * direction_along(segment, path_now - path, path - way, length);
             x = x_now;
             path = path_now;
         }

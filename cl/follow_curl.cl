@@ -41,8 +41,8 @@ static inline float2 offset_at(const plait_follow_curl_params* params, float arc
 __kernel void plait_follow_curl(const uint item_count, const plait_follow_curl_params params,
                                 __global const float4* pose, __global const uint* follow_guide,
                                 __global const uint* clump_centre,
-                                __global const float4* follow_way,
-                                __global const float* follow_arc, __global float4* position) {
+                                __global const float4* follow_way, __global const float* follow_arc,
+                                __global float4* position) {
     const uint item = get_global_id(0), stride = params.vertex_stride;
     if (item >= item_count)
         return;
@@ -54,8 +54,8 @@ __kernel void plait_follow_curl(const uint item_count, const plait_follow_curl_p
     const float4 q = pose_load(pose, follow_guide[item]).q;
     const float3 rest = follow_way[item].xyz;
     float3 along = quat_rotate(q, rest);
-    float3 u = quat_rotate(q, turn_between((float3)(0.0f, 1.0f, 0.0f), rest,
-                                           (float3)(1.0f, 0.0f, 0.0f)));
+    float3 u =
+        quat_rotate(q, turn_between((float3)(0.0f, 1.0f, 0.0f), rest, (float3)(1.0f, 0.0f, 0.0f)));
     float3 x = position[to].xyz, shown = x;
     for (uint i = 1; i < stride; ++i) {
         const float arc = follow_arc[from + i];

@@ -99,9 +99,9 @@ Result<std::pmr::vector<uint32_t>> centres_of(const plait_detail_desc& desc,
                                                     "follows",
                                                     desc.clumps, strands.layout.follows)};
     if (desc.clumps > 0 && !given.empty())
-        return Error{PLAIT_INVALID_ARGUMENT,
-                     format("clumps is %u, range is [0, 0] where clump_centres are given",
-                            desc.clumps)};
+        return Error{
+            PLAIT_INVALID_ARGUMENT,
+            format("clumps is %u, range is [0, 0] where clump_centres are given", desc.clumps)};
     if (desc.clumps > 0)
         return spread_centres(desc, strands, memory);
     if (!given.empty())
@@ -116,7 +116,8 @@ float place_on(std::span<const float> arc, double share) {
     const auto after = std::upper_bound(arc.begin() + 1, arc.end() - 1, at);
     const auto a = static_cast<size_t>(after - arc.begin()) - 1;
     const float length = arc[a + 1] - arc[a];
-    return static_cast<float>(a) + (length > 0 ? std::clamp((at - arc[a]) / length, 0.0f, 1.0f) : 0);
+    return static_cast<float>(a) +
+           (length > 0 ? std::clamp((at - arc[a]) / length, 0.0f, 1.0f) : 0);
 }
 
 // Of every vertex of the follows, on the centre of its clump.

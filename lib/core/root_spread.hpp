@@ -29,7 +29,7 @@ std::pmr::vector<uint32_t> spread_roots(const StrandRoots& roots, size_t count, 
                                         std::pmr::memory_resource* memory);
 
 struct NearRoot {
-    uint32_t index = 0; // into the list that was searched
+    uint32_t index = 0;                                    // into the list that was searched
     float square = std::numeric_limits<float>::infinity(); // distance^2; infinite: there is none
 };
 // The nearest first.

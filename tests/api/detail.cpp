@@ -147,8 +147,7 @@ TEST_P(Detail, ClumpedStrandsKeepTheirLengths) {
             for (int i = 0; i < 20; ++i) {
                 shake(plain, i);
                 shake(sim, i);
-                const auto a = plain.read(PLAIT_FIELD_POSITION),
-                           b = sim.read(PLAIT_FIELD_POSITION);
+                const auto a = plain.read(PLAIT_FIELD_POSITION), b = sim.read(PLAIT_FIELD_POSITION);
                 for (size_t v = guide_count * row; v + 1 < a.size() / 4; ++v)
                     if (v % row + 1 < row)
                         most = std::max(most,
@@ -262,8 +261,7 @@ TEST_P(Detail, CurlsOfAClumpTurnTogether) {
 // Its rms over many strands is what was asked for, and no two strands have the same.
 TEST_P(Detail, FrizzIsNoiseOfItsRms) {
     constexpr float rms = 0.002f;
-    plait::Sim plain = sim_of(context, true),
-               sim = detailed(context, true, frizz_of(rms, 0.013f));
+    plait::Sim plain = sim_of(context, true), sim = detailed(context, true, frizz_of(rms, 0.013f));
     const auto a = plain.read(PLAIT_FIELD_POSITION), b = sim.read(PLAIT_FIELD_POSITION);
     double squares = 0, products = 0;
     size_t count = 0;

@@ -18,12 +18,9 @@ Setup make(const Size& size, const plait_follow_curl_params& params) {
     Setup setup;
     setup.name = name_of(size);
     setup.items = hair.follows;
-    setup.buffers = {float4s(guides.pose),
-                     uints(guide),
-                     uints(clump_centres(size, hair.follows)),
-                     float4s(way),
-                     floats(hair.arc),
-                     float4s(hair.position)};
+    setup.buffers = {
+        float4s(guides.pose), uints(guide),     uints(clump_centres(size, hair.follows)),
+        float4s(way),         floats(hair.arc), float4s(hair.position)};
     return setup.with(params);
 }
 
@@ -33,8 +30,7 @@ Setup make(const Size& size, const plait_follow_curl_params& params) {
 // up to 5 m over segments of 2 cm, at an angle whose turns, below 100, are good to 1e-5. Of poses
 // directions are read, and w is kept.
 Case follow_curl_case() {
-    Case result = {
-        PLAIT_STAGE_follow_curl, {}, {{"position", 2e-5}}, {"pose.t", "position.w"}};
+    Case result = {PLAIT_STAGE_follow_curl, {}, {{"position", 2e-5}}, {"pose.t", "position.w"}};
     for (const Size& size : sizes())
         result.setups.push_back(make(size, {size.stride,
                                             size.strands,

@@ -38,8 +38,13 @@ plait_sim_desc tressfx_and_thesis(const Scene& scene) {
 
 } // namespace
 
+std::string Variant::short_label() const {
+    return label == label_of(sim) ? short_label_of(sim) : label;
+}
+
 Scene Variant::of(Scene scene) const {
     scene.sim = sim;
+    scene.detail = detail;
     scene.profile = false;
     scene.trace.clear();
     return scene;
@@ -76,10 +81,18 @@ std::string tressfx_settings(const plait_sim_desc& sim) {
 }
 
 std::vector<Variant> variants_beside(const Scene& scene) {
+    if (!scene.compare_detail.empty()) {
+        std::vector<Variant> variants;
+        for (const DetailChoice& choice : scene.compare_detail)
+            variants.push_back({choice.name, scene.sim, choice.detail});
+        return variants;
+    }
     const bool own = scene.sim.model == PLAIT_MODEL_TRESSFX;
     const plait_sim_params& params = scene.sim.params;
     std::vector<Variant> variants;
-    const auto add = [&](const plait_sim_desc& sim) { variants.push_back({label_of(sim), sim}); };
+    const auto add = [&](const plait_sim_desc& sim) {
+        variants.push_back({label_of(sim), sim, scene.detail});
+    };
     if (!own || params.interhair != PLAIT_INTERHAIR_OFF)
         add(tressfx_alone(scene.sim));
     if (!own || !has_thesis_step(params))

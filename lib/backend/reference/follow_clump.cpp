@@ -20,8 +20,7 @@ Vec3 place_on(const View<Vec4>& position, size_t row, uint32_t stride, double pl
 Vec3 direction_along(const Vec3& segment, const Vec3& path, const Vec3& gap, double length) {
     const Vec3 along = direction(path.isZero(0) ? segment : path);
     const Vec3 aside = gap - along * along.dot(gap);
-    const double reach =
-        PLAIT_CLUMP_REACH * length + PLAIT_CLUMP_REACH_SEGMENTS * segment.norm();
+    const double reach = PLAIT_CLUMP_REACH * length + PLAIT_CLUMP_REACH_SEGMENTS * segment.norm();
     const double way = std::max(reach, aside.norm());
     return direction(way > 0 ? Vec3(along + aside / way) : along);
 }

@@ -192,6 +192,17 @@ void read_wind(JsonReader& top, Scene& scene) {
     scene.wind = wind;
 }
 
+void take_detail(JsonReader& top, Scene& scene) {
+    const Json* value = top.value("detail");
+    if (value)
+        scene.detail = read_detail(top, *value, scene.seed);
+    scene.compare_detail = read_details(top, scene.seed);
+    if ((value || !scene.compare_detail.empty()) && scene.groom.guides == 0 &&
+        scene.sim.follows_per_guide == 0)
+        top.fail(value ? "detail" : "compare_detail",
+                 "is given, and no strand follows: it is theirs; give guides or follows_per_guide");
+}
+
 void read_camera(const JsonReader& top, const Json& value, CameraChoice& camera) {
     JsonReader in = top.object(value, "camera");
     if (float azimuth = 0; in.number("azimuth", azimuth, -360, 360))
@@ -368,6 +379,7 @@ Scene make_scene(const std::string& file, const Json& command_line) {
     take_meshes(top, origin, scene);
     read_pins(top, scene);
     read_wind(top, scene);
+    take_detail(top, scene);
     if (top.text("motion", scene.motion) && scene.motion.find('.') != std::string::npos)
         scene.motion = resolve(scene.motion, "motion", origin);
     read_output(top, origin, scene);
