@@ -169,7 +169,7 @@ plait_sim_desc random_desc(const Case& c, Dice& dice) {
 class Scene {
   public:
     Scene(plait::Context& context, const Case& c, uint32_t seed)
-        : case_(c), dice_(seed), mesh_dice_(seed + 1000), volume_dice_(seed + 2000),
+        : case_(c), dice_(seed), mesh_dice_(seed + 1000), volume_dice_(seed + 2000), contact_dice_(seed + 3000),
           sim_(context, groom(), random_desc(c, dice_)) {}
 
     void frame_of_calls() {
@@ -179,6 +179,8 @@ class Scene {
             add_mesh();
         if (case_.model != PLAIT_MODEL_TRESSFX && volume_dice_.one_in(6))
             change_volume();
+        if (case_.model != PLAIT_MODEL_TRESSFX && contact_dice_.one_in(6))
+            change_strand_contact();
         at_ = {at_[0] + dice_.between(-0.03f, 0.03f), at_[1], at_[2]};
         sim_.set_roots(head_at(at_));
         sim_.step(dice_.one_in(10) ? 0.04 : frame);
@@ -194,6 +196,7 @@ class Scene {
         auto params = sim_.params();
         params.drag = 15;
         params.volume = PLAIT_VOLUME_OFF;
+        params.strand_contact = PLAIT_STRAND_CONTACT_OFF;
         sim_.set_params(params);
         run(sim_, steps);
     }
@@ -239,6 +242,14 @@ class Scene {
         params.cohesion = volume_dice_.one_in(2) ? 0 : volume_dice_.decade(-2, 2);
         sim_.set_params(params);
     }
+    void change_strand_contact() {
+        auto params = sim_.params();
+        params.strand_contact =
+            contact_dice_.one_in(3) ? PLAIT_STRAND_CONTACT_OFF : PLAIT_STRAND_CONTACT_ON;
+        params.strand_radius = contact_dice_.decade(-4, -1);
+        params.strand_friction = contact_dice_.one_in(3) ? 0 : contact_dice_.between(0, 2);
+        sim_.set_params(params);
+    }
     std::optional<size_t> some_collider() {
         if (colliders_.empty())
             return {};
@@ -246,7 +257,7 @@ class Scene {
     }
 
     const Case& case_;
-    Dice dice_, mesh_dice_, volume_dice_;
+    Dice dice_, mesh_dice_, volume_dice_, contact_dice_;
     plait::Sim sim_;
     std::vector<plait_collider_id> colliders_;
     Point at_{0, 0, 0};
