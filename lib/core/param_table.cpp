@@ -142,9 +142,9 @@ constexpr plait_param_info table[] = {
     of(strand_models, real(AT(volume_viscosity), "1/s", 0, 1e3)),
     of(strand_models, real(AT(cohesion), "m^2/s^2", 0, 1e4)),
 
-    of(strand_models, choice(AT(strand_contact), strand_contacts)),
-    of(strand_models, above(AT(strand_radius), "m", 0, 0.1)),
-    of(strand_models, real(AT(strand_friction), "", 0, 10)),
+    of(rods, choice(AT(strand_contact), strand_contacts)),
+    of(rods, above(AT(strand_radius), "m", 0, 0.1)),
+    of(rods, real(AT(strand_friction), "", 0, 10)),
 
     real(AT(accelerate_values), "", -1e6, 1e6),
 };

@@ -158,13 +158,12 @@ Status check_volume(const plait_sim_params& params, plait_model model) {
 }
 
 Status check_strand_contact(const plait_sim_params& params, plait_model model) {
-    if (params.strand_contact == PLAIT_STRAND_CONTACT_OFF || traits_of(model).switches)
+    if (params.strand_contact == PLAIT_STRAND_CONTACT_OFF || traits_of(model).bends)
         return {};
     return Error{PLAIT_INVALID_ARGUMENT,
                  format("strand_contact is %d (on): strands of model %d do not meet each other; "
                         "those of the models %s do",
-                        params.strand_contact, model,
-                        list_models(&ModelTraits::switches).c_str())};
+                        params.strand_contact, model, list_models(&ModelTraits::bends).c_str())};
 }
 
 Status check_sim_desc(const plait_sim_desc& s) {

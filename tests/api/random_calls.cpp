@@ -179,7 +179,7 @@ class Scene {
             add_mesh();
         if (case_.model != PLAIT_MODEL_TRESSFX && volume_dice_.one_in(6))
             change_volume();
-        if (case_.model != PLAIT_MODEL_TRESSFX && contact_dice_.one_in(6))
+        if (case_.model > PLAIT_MODEL_CHAIN && contact_dice_.one_in(6))
             change_strand_contact();
         at_ = {at_[0] + dice_.between(-0.03f, 0.03f), at_[1], at_[2]};
         sim_.set_roots(head_at(at_));

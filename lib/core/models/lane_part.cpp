@@ -330,20 +330,21 @@ void LanePart::substep(Schedule& schedule, const Substep& at, float mean_length)
         params.gravity[i] = p.gravity[i];
         params.air[i] = at.air[i];
     }
+    const bool meets = at.pairs && traits_.bends; // a chain is met, and meets none
     params.collider_count = at.collider_count;
     params.collider_first = at.collider_first;
     params.contact_rate = contact_rate(p.gravity, at.h, params.bdf2, mean_length);
     params.contact_slip = contact_slip(at.h, mean_length);
     params.accelerates = push() ? 1 : 0;
     params.pins = pin_ ? 1 : 0;
-    params.planes = (at.meshes || at.pairs) && plane_ ? 1 : 0;
+    params.planes = (at.meshes || meets) && plane_ ? 1 : 0;
     if (source_.pins)
         pin(schedule, at);
     if (at.wind)
         blow(schedule, at, *at.wind);
     if (at.meshes && plane_)
         find_planes(schedule, at, params);
-    if (at.pairs && plane_)
+    if (meets && plane_)
         find_strands(schedule, at);
     if (!traits_.bends)
         schedule.add(traits_.stage, lanes_.strands, params,
