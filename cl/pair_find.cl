@@ -41,7 +41,8 @@ typedef struct {
     __global const float4* before;
     uint item;
     segment own;
-    float length; /* m, of it */
+    float length;     /* m, of it */
+    float per_square; /* 1/m^2: 1 over its square */
 } pair_search;
 
 /* Segments of one strand meet where it has an arc between them. */
@@ -54,20 +55,27 @@ static inline bool pair_along(const pair_search* search, uint other, float lengt
            PLAIT_PAIR_ARC * search->params->diameter;
 }
 
+/* Of the middle of a segment from the own one, m, squared. */
+static inline float pair_middle_distance(const pair_search* search, float3 middle) {
+    const float3 out = middle - search->own.from;
+    const float along = clamp(segment_dot(out, search->own.way) * search->per_square, 0.0f, 1.0f);
+    const float3 off = out - along * search->own.way;
+    return segment_dot(off, off);
+}
+
+/* What is far is told by its middle, which most are. */
 static inline void pair_look_at(const pair_search* search, uint other, pair_list* list) {
-    if (other == search->item)
-        return;
     const plait_pair_params* params = search->params;
     const segment its = segment_at(search->position, other);
-    const float near = PLAIT_PAIR_NEAR * params->diameter;
-    /* from middle to middle, less than half of both and what they may come nearer by */
-    const float3 middles = search->own.from + 0.5f * search->own.way - its.from - 0.5f * its.way;
-    const float length = segment_length(its.way);
-    const float reach = 0.5f * (search->length + length) + near + params->room;
-    if (segment_dot(middles, middles) > reach * reach || pair_along(search, other, length))
+    const float near = PLAIT_PAIR_NEAR * params->diameter, most = near + params->room;
+    const float reach = most + params->voxel_edge;
+    if (pair_middle_distance(search, its.from + 0.5f * its.way) > reach * reach)
         return;
     const segment_foot foot = segment_nearest(search->own, its);
     const float squared = segment_dot(foot.apart, foot.apart);
+    if (squared > most * most || other == search->item ||
+        pair_along(search, other, segment_length(its.way)))
+        return;
     if (squared > near * near) {
         const float3 moves =
             segment_moves(search->position, search->before, search->item, foot.s) -
@@ -96,13 +104,15 @@ static inline void pair_look_around(const pair_search* search, __global const ui
     const int2 ys = pair_cells(params, search->own.from.y, search->own.way.y);
     const int2 zs = pair_cells(params, search->own.from.z, search->own.way.z);
     for (int z = zs.x; z <= zs.y; ++z)
-        for (int y = ys.x; y <= ys.y; ++y)
+        for (int y = ys.x; y <= ys.y; ++y) {
+            const uint row = pair_cell(params, 0, y, z);
             for (int x = xs.x; x <= xs.y; ++x) {
-                const uint cell = pair_cell(params, x, y, z);
+                const uint cell = row + pair_wrapped(x, params->edge_count);
                 const uint end = cell_end[cell];
                 for (uint k = cell > 0u ? cell_end[cell - 1u] : 0u; k < end; ++k)
                     pair_look_at(search, cell_segment[k], list);
             }
+        }
 }
 
 __kernel void plait_pair_find(const uint item_count, const plait_pair_params params,
@@ -122,8 +132,10 @@ __kernel void plait_pair_find(const uint item_count, const plait_pair_params par
     }
     if (pair_has_segment(vertex_count, item, params.vertex_stride)) {
         const segment own = segment_at(position, item);
-        const pair_search search = {&params, position, position_prev,
-                                    item,    own,      segment_length(own.way)};
+        const float length = segment_length(own.way);
+        const float per_square = length > 0.0f ? 1.0f / (length * length) : 0.0f;
+        const pair_search search = {&params, position, position_prev, item,
+                                    own,     length,   per_square};
         pair_look_around(&search, cell_end, cell_segment, &list);
     }
     for (uint k = 0; k < PLAIT_PAIR_COUNT; ++k) {

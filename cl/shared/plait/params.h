@@ -262,7 +262,7 @@ typedef struct plait_lane_params {
 /* pair_count, pair_fill, pair_find: no segment is longer than two cells. */
 typedef struct plait_pair_params {
     plait_u32 vertex_stride;
-    plait_u32 edge_count; /* cells each way, 1..64 */
+    plait_u32 edge_count; /* cells each way, a power of two up to 64 */
     float voxel_edge;     /* m, of a cell */
     float diameter;       /* m: how far apart strands stay (this and the rest: pair_find) */
     float room;           /* m: a pair that comes nearer by more may be missed */

@@ -22,6 +22,8 @@ inline Cell cell_of(const plait_pair_params& params, const Vec3& x) {
 
 inline size_t number_of(const plait_pair_params& params, const Cell& cell) {
     const int64_t n = params.edge_count;
+    if ((n & (n - 1)) != 0)
+        throw BadDispatch(format("edge_count is %u, allowed are powers of two", params.edge_count));
     size_t number = 0;
     for (const int64_t at : {cell[2], cell[1], cell[0]})
         number = number * static_cast<size_t>(n) + static_cast<size_t>((at % n + n) % n);
