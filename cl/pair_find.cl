@@ -11,7 +11,7 @@
 #include "common/pair.clh"
 
 typedef struct {
-    uint count; /* of all that are near */
+    uint count;                       /* of all that are near */
     float distance[PLAIT_PAIR_COUNT]; /* m, squared; ascending */
     uint segment[PLAIT_PAIR_COUNT];
 } pair_list;
@@ -51,8 +51,7 @@ static inline bool pair_along(const pair_search* search, uint other, float lengt
     if (item / stride != other / stride)
         return false;
     const float between = (float)(max(item, other) - min(item, other)) - 1.0f;
-    return between * 0.5f * (length + search->length) <
-           PLAIT_PAIR_ARC * search->params->diameter;
+    return between * 0.5f * (length + search->length) < PLAIT_PAIR_ARC * search->params->diameter;
 }
 
 /* Of the middle of a segment from the own one, m, squared. */
@@ -77,9 +76,8 @@ static inline void pair_look_at(const pair_search* search, uint other, pair_list
         pair_along(search, other, segment_length(its.way)))
         return;
     if (squared > near * near) {
-        const float3 moves =
-            segment_moves(search->position, search->before, search->item, foot.s) -
-            segment_moves(search->position, search->before, other, foot.t);
+        const float3 moves = segment_moves(search->position, search->before, search->item, foot.s) -
+                             segment_moves(search->position, search->before, other, foot.t);
         const float far = near + fmin(params->steps * segment_length(moves), params->room);
         if (squared > far * far)
             return;
@@ -89,8 +87,7 @@ static inline void pair_look_at(const pair_search* search, uint other, pair_list
 
 /* Cells along one axis in which the middle of a segment may lie that is near. */
 static inline int2 pair_cells(const plait_pair_params* params, float from, float way) {
-    const float reach =
-        PLAIT_PAIR_NEAR * params->diameter + params->room + params->voxel_edge;
+    const float reach = PLAIT_PAIR_NEAR * params->diameter + params->room + params->voxel_edge;
     const int first = pair_cell_of(fmin(from, from + way) - reach, params->voxel_edge);
     const int last = pair_cell_of(fmax(from, from + way) + reach, params->voxel_edge);
     /* no cell twice */
@@ -117,10 +114,10 @@ static inline void pair_look_around(const pair_search* search, __global const ui
 
 __kernel void plait_pair_find(const uint item_count, const plait_pair_params params,
                               __global const uint* vertex_count, __global const float4* rest,
-                              __global const float4* position,
-                              __global const float4* position_prev, __global const uint* cell_end,
-                              __global const uint* cell_segment, __global uint* pair_segment,
-                              __global float* pair_offset, __global uint* pair_dropped) {
+                              __global const float4* position, __global const float4* position_prev,
+                              __global const uint* cell_end, __global const uint* cell_segment,
+                              __global uint* pair_segment, __global float* pair_offset,
+                              __global uint* pair_dropped) {
     const uint item = get_global_id(0);
     if (item >= item_count)
         return;

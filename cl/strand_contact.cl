@@ -67,13 +67,11 @@ static inline float contact_mesh_height(const contact_strand* strand, uint i, fl
                                         float3 goes) {
     __global const float* plane =
         strand->plane + (size_t)i * PLAIT_LANE_PLANE_COMPONENTS * PLAIT_TILE;
-    const float3 normal =
-        lane_read(plane, PLAIT_LANE_PLANE_NORMAL * PLAIT_TILE, PLAIT_TILE);
+    const float3 normal = lane_read(plane, PLAIT_LANE_PLANE_NORMAL * PLAIT_TILE, PLAIT_TILE);
     if (!(segment_dot(normal, normal) > 0.0f))
         return MAXFLOAT;
     const float3 anchor = lane_read(plane, PLAIT_LANE_PLANE_ANCHOR * PLAIT_TILE, PLAIT_TILE);
-    return plane[PLAIT_LANE_PLANE_HEIGHT * PLAIT_TILE] +
-           segment_dot(normal, begin + goes - anchor);
+    return plane[PLAIT_LANE_PLANE_HEIGHT * PLAIT_TILE] + segment_dot(normal, begin + goes - anchor);
 }
 
 static inline void contact_store(const contact_strand* strand, uint i, float3 begin, float friction,
@@ -99,8 +97,7 @@ static inline void contact_of_strand(const contact_strand* strand, const contact
             contact_of_segment(state, vertex, vertex, &deepest);
         const float3 begin = contact_begin(strand, i);
         const float3 goes = state->position[vertex].xyz - state->before[vertex].xyz;
-        const float mesh =
-            i <= meshes_to ? contact_mesh_height(strand, i, begin, goes) : MAXFLOAT;
+        const float mesh = i <= meshes_to ? contact_mesh_height(strand, i, begin, goes) : MAXFLOAT;
         if (deepest.height < mesh || !(mesh < MAXFLOAT))
             contact_store(strand, i, begin, params->friction, &deepest);
         if (fmin(deepest.height, mesh) < MAXFLOAT)
@@ -109,12 +106,14 @@ static inline void contact_of_strand(const contact_strand* strand, const contact
     *last = (float)planes_to;
 }
 
-__kernel void plait_strand_contact(
-    const uint item_count, const plait_strand_contact_params params,
-    __global const uint* lane_strand, __global const uint* vertex_count,
-    __global const float4* rest, __global const float4* pose, __global const float4* position,
-    __global const float4* position_prev, __global const uint* pair_segment,
-    __global const float* pair_offset, __global const real* lane_x, __global real* lane_plane) {
+__kernel void plait_strand_contact(const uint item_count, const plait_strand_contact_params params,
+                                   __global const uint* lane_strand,
+                                   __global const uint* vertex_count, __global const float4* rest,
+                                   __global const float4* pose, __global const float4* position,
+                                   __global const float4* position_prev,
+                                   __global const uint* pair_segment,
+                                   __global const float* pair_offset, __global const real* lane_x,
+                                   __global real* lane_plane) {
     const lane_place place = lane_place_of(get_global_id(0));
     if (!lane_place_used(place, item_count))
         return;

@@ -574,7 +574,7 @@ typedef struct plait_sim_params {
 
     /* guide strands meet each other; docs/strand_contact.md. Models cosserat, rod, articulated */
     plait_strand_contact_form strand_contact; /* default OFF */
-    float strand_radius;   /* m, (0, 0.1], default 0.002: half of what guides lie apart, of which each
+    float strand_radius; /* m, (0, 0.1], default 0.002: half of what guides lie apart, of which each
                               stands for many hairs */
     float strand_friction; /* Coulomb coefficient, [0, 10], default 0.3 */
 

@@ -27,11 +27,11 @@ Sim::Sim(Context& context, SimParts parts)
     : context_(context), layout_(parts.layout), desc_(parts.desc), mean_length_(parts.mean_length),
       hair_(parts.hair), groom_(parts.fingerprint), cube_(parts.cube), skin_(std::move(parts.skin)),
       model_(std::move(parts.model)), state_(std::move(parts.state)), grid_(std::move(parts.grid)),
-      pairs_(std::move(parts.pairs)),
-      display_(std::move(parts.display)), roots_(layout_, &context.memory),
-      colliders_(desc_.substeps, &context.memory), meshes_(&context.memory),
-      substeps_(1, desc_.substeps, &context.memory), clock_(desc_.step, desc_.max_steps_per_call),
-      schedule_(&context.memory), pin_table_(&context.memory) {}
+      pairs_(std::move(parts.pairs)), display_(std::move(parts.display)),
+      roots_(layout_, &context.memory), colliders_(desc_.substeps, &context.memory),
+      meshes_(&context.memory), substeps_(1, desc_.substeps, &context.memory),
+      clock_(desc_.step, desc_.max_steps_per_call), schedule_(&context.memory),
+      pin_table_(&context.memory) {}
 
 Sim::~Sim() {
     if (context_.measured == this)
@@ -115,8 +115,8 @@ Status Sim::set_params(const plait_sim_params& params) {
     if (!pairs)
         return pairs.error();
     const bool other_pairs = bool(pairs->buffers()) != bool(pairs_.buffers());
-    PLAIT_TRY(model_->keep_planes(device(),
-                                  meshes_.buffers() || pairs->buffers() || pairs_.buffers()));
+    PLAIT_TRY(
+        model_->keep_planes(device(), meshes_.buffers() || pairs->buffers() || pairs_.buffers()));
     plait_sim_params next = params;
     const std::string warned = context_.log.callback ? warning() : "";
     const auto exchange = [&] {

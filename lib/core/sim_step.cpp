@@ -27,10 +27,11 @@ namespace plait {
 
 // In the order in which they act at one moment.
 constexpr Sim::Phase Sim::phases[] = {
-    &Sim::append_roots,         &Sim::append_pins,  &Sim::append_air,
+    &Sim::append_roots,           &Sim::append_pins,    &Sim::append_air,
     &Sim::append_volume, // whose pressure is an acceleration
-    &Sim::append_accelerations, &Sim::append_pairs, &Sim::append_solve,
-    &Sim::append_grid_over_lanes, &Sim::append_publish, &Sim::append_grid, &Sim::append_display,
+    &Sim::append_accelerations,   &Sim::append_pairs,   &Sim::append_solve,
+    &Sim::append_grid_over_lanes, &Sim::append_publish, &Sim::append_grid,
+    &Sim::append_display,
 };
 
 void Sim::append_phases(const At& at) {
@@ -127,8 +128,7 @@ void Sim::append_accelerations(const At& at) {
 // in one of the sim's own substeps.
 void Sim::append_pairs(const At& at) {
     if (at.moment == Moment::step_begins && pairs_.buffers())
-        pairs_.append(schedule_,
-                      {layout_, state_, desc_.params, desc_.substeps, context_.info});
+        pairs_.append(schedule_, {layout_, state_, desc_.params, desc_.substeps, context_.info});
 }
 
 void Sim::append_solve(const At& at) {

@@ -169,8 +169,8 @@ plait_sim_desc random_desc(const Case& c, Dice& dice) {
 class Scene {
   public:
     Scene(plait::Context& context, const Case& c, uint32_t seed)
-        : case_(c), dice_(seed), mesh_dice_(seed + 1000), volume_dice_(seed + 2000), contact_dice_(seed + 3000),
-          sim_(context, groom(), random_desc(c, dice_)) {}
+        : case_(c), dice_(seed), mesh_dice_(seed + 1000), volume_dice_(seed + 2000),
+          contact_dice_(seed + 3000), sim_(context, groom(), random_desc(c, dice_)) {}
 
     void frame_of_calls() {
         for (uint32_t i = dice_.below(4); i > 0; --i)

@@ -10,12 +10,10 @@ namespace {
 void crowd(Hair& hair, Random& random, double side, const Point& at) {
     const uint32_t stride = hair.size.stride;
     for (uint32_t s = 0; s < hair.size.strands; ++s) {
-        Point x{}, way = random.direction(), rest{}, rest_way = random.direction();
-        const Point slow = random.direction();
-        for (size_t k = 0; k < 3; ++k) {
+        Point x{}, way = random.direction();
+        const Point slow = random.direction(), aside = random.direction();
+        for (size_t k = 0; k < 3; ++k)
             x[k] = at[k] + random.uniform(0, side);
-            rest[k] = random.uniform(0, side);
-        }
         for (uint32_t i = 0; i < stride; ++i) {
             const size_t row = 4 * (size_t{s} * stride + i);
             const Point bend = random.direction(), own = random.direction();
@@ -23,28 +21,47 @@ void crowd(Hair& hair, Random& random, double side, const Point& at) {
                 hair.position[row + k] = static_cast<float>(x[k]);
                 hair.position_prev[row + k] =
                     static_cast<float>(x[k] - 1.5e-3 * slow[k] - 5e-4 * own[k]);
-                hair.rest[row + k] = static_cast<float>(rest[k]);
-                if (i + 1 < hair.vertex_count[s]) {
+                hair.rest[row + k] = static_cast<float>(x[k] + 2e-3 * aside[k]);
+                if (i + 1 < hair.vertex_count[s])
                     way[k] += 0.2 * bend[k];
-                    rest_way[k] += 0.2 * own[k];
-                }
             }
             const double size = double(segment_length) / std::hypot(way[0], way[1], way[2]);
-            const double rest_size =
-                double(segment_length) / std::hypot(rest_way[0], rest_way[1], rest_way[2]);
             for (size_t k = 0; k < 3 && i + 1 < hair.vertex_count[s]; ++k) {
                 way[k] *= size;
                 x[k] += way[k];
                 way[k] /= double(segment_length);
-                rest_way[k] *= rest_size;
-                rest[k] += rest_way[k];
-                rest_way[k] /= double(segment_length);
             }
         }
     }
 }
 
 } // namespace
+
+double segment_distance(const std::vector<float>& positions, uint32_t one, uint32_t other) {
+    const auto at = [&](uint32_t vertex, double share, size_t k) {
+        const double from = double(positions[4 * size_t{vertex} + k]);
+        return from + share * (double(positions[4 * size_t{vertex} + 4 + k]) - from);
+    };
+    // to the nearest point of `other`, from a point of `one`: convex, so its least is found by thirds
+    const auto from_point = [&](double s) {
+        double along = 0, square = 0;
+        for (size_t k = 0; k < 3; ++k) {
+            const double way = at(other, 1, k) - at(other, 0, k);
+            along += way * (at(one, s, k) - at(other, 0, k));
+            square += way * way;
+        }
+        const double t = std::clamp(along / square, 0.0, 1.0);
+        return std::hypot(at(one, s, 0) - at(other, t, 0), at(one, s, 1) - at(other, t, 1),
+                          at(one, s, 2) - at(other, t, 2));
+    };
+    double low = 0, high = 1;
+    for (int i = 0; i < 80; ++i) {
+        const double third = (high - low) / 3;
+        (from_point(low + third) > from_point(high - third) ? low : high) +=
+            from_point(low + third) > from_point(high - third) ? third : -third;
+    }
+    return from_point((low + high) / 2);
+}
 
 Setup PairHair::setup() const {
     Setup setup;
@@ -64,7 +81,7 @@ std::vector<PairHair> make_pair_hair() {
         list.push_back(one);
     };
     add({40, 9}, 32, 0.12, {-0.06, -0.06, -0.06});
-    add({30, 16}, 8, 0.15, {0.9, -0.7, 0.4});
+    add({30, 16}, 8, 0.15, {2.9, -2.7, 2.4});
     add({2, 5}, 4, 0.02, {-0.3, 0.2, 0.1});
     add({1, 2}, 1, 0.02, {0, 0, 0});
     return list;

@@ -29,4 +29,7 @@ struct PairCells {
 };
 PairCells make_pair_cells(const PairHair& hair);
 
+// m, of two segments of float4 positions.
+double segment_distance(const std::vector<float>& positions, uint32_t one, uint32_t other);
+
 } // namespace plait::cases

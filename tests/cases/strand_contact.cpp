@@ -19,7 +19,7 @@ void add_pairs(Setup& setup, const Hair& hair, Random& random) {
                 strand * hair.size.stride + random.below(hair.vertex_count[strand] - 1);
             const bool other = k < kept && first / hair.size.stride != vertex / hair.size.stride;
             pairs.push_back(other ? first : PLAIT_PAIR_NONE);
-            offsets.push_back(static_cast<float>(random.uniform(0.02, 0.2)));
+            offsets.push_back(static_cast<float>(random.uniform(0.02, 0.6)));
         }
     }
     setup.buffers.push_back(uints(pairs));
@@ -40,9 +40,9 @@ std::vector<float> mesh_planes(const LaneHair& lanes, Random& random) {
             for (size_t k = 0; k < 3; ++k) {
                 plane[k] = i % 3 == 2 ? 0 : static_cast<float>(normal[k]);
                 plane[3 + k] = lanes.x[3 * (size_t{s} * hair.size.stride + i) + k] +
-                               static_cast<float>(random.uniform(-0.01, 0.01));
+                               static_cast<float>(random.uniform(-0.3, 0.3));
             }
-            plane[PLAIT_LANE_PLANE_HEIGHT] = static_cast<float>(random.uniform(-0.1, 0.1));
+            plane[PLAIT_LANE_PLANE_HEIGHT] = static_cast<float>(random.uniform(-0.4, 0.3));
         }
     }
     return rows;
@@ -55,13 +55,35 @@ Setup contact_setup(const Size& size, uint32_t meshes) {
     setup.name = name_of(size) + (meshes ? ", meshes" : "");
     setup.items = size.strands;
     setup.width = size.stride;
-    setup.buffers = {null_array(), uints(lanes.hair.vertex_count), float4s(lanes.hair.rest),
-                     float4s(lanes.hair.pose), float4s(lanes.hair.position),
+    setup.buffers = {null_array(),
+                     uints(lanes.hair.vertex_count),
+                     float4s(lanes.hair.rest),
+                     float4s(lanes.hair.pose),
+                     float4s(lanes.hair.position),
                      float4s(lanes.hair.position_prev)};
     add_pairs(setup, lanes.hair, random);
     setup.buffers.push_back(lane_floats(lanes.x, 3));
     setup.buffers.push_back(lane_floats(mesh_planes(lanes, random), components));
     return setup.with(plait_strand_contact_params{size.stride, 1, size.stride, meshes, 0.4f});
+}
+
+// The same lanes where strands have rows of `more` vertices more, and segments other numbers.
+Setup longer(const Setup& plain, uint32_t more) {
+    Setup setup = in_longer_rows(plain, PLAIT_STAGE_strand_contact, more);
+    const uint32_t row = plain.width + more;
+    std::vector<uint32_t> pairs(size_t{PLAIT_PAIR_COUNT} * plain.items * row, PLAIT_PAIR_NONE);
+    std::vector<float> offsets(pairs.size(), 0);
+    for (size_t i = 0; i < plain.buffers[6].words.size(); ++i) {
+        const size_t width = size_t{PLAIT_PAIR_COUNT} * plain.width;
+        const size_t to = i / width * PLAIT_PAIR_COUNT * row + i % width;
+        const uint32_t other = plain.buffers[6].words[i];
+        if (other != PLAIT_PAIR_NONE)
+            pairs[to] = other / plain.width * row + other % plain.width;
+        offsets[to] = plain.buffers[7].floats[i];
+    }
+    setup.buffers[6] = uints(pairs);
+    setup.buffers[7] = floats(offsets);
+    return setup;
 }
 
 } // namespace
@@ -76,6 +98,8 @@ Case strand_contact_case() {
         for (const uint32_t meshes : {0u, 1u})
             if (size.strands > 1)
                 result.setups.push_back(contact_setup(size, meshes));
+    result.setups.push_back(contact_setup({200, 16}, 1)); // some meet both just as deep
+    result.setups.push_back(longer(result.setups[3], 2));
     return result;
 }
 

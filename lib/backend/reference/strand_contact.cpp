@@ -64,8 +64,7 @@ void strand_contact(uint32_t item_count, const plait_strand_contact_params& para
         const size_t strand = strand_of(args.lane_strand, slot);
         const uint32_t count = vertices_of(args.vertex_count, strand, params.vertex_stride);
         const Lane lane(slot, params.vertex_stride, params.tile);
-        const Vec3 root =
-            root_of(args.rest, pose_of(args.pose, strand), strand, params.row_stride);
+        const Vec3 root = root_of(args.rest, pose_of(args.pose, strand), strand, params.row_stride);
         const auto value = [&](size_t i, size_t component) -> double& {
             return args.lane_plane[lane.index(i, component, PLAIT_LANE_PLANE_COMPONENTS)];
         };
@@ -76,19 +75,16 @@ void strand_contact(uint32_t item_count, const plait_strand_contact_params& para
         size_t last = 0;
         for (uint32_t i = 1; i < count; ++i) {
             const size_t vertex = strand * params.row_stride + i;
-            const Vec3 begin =
-                lane.vector(args.lane_x, 0) - root + lane.vector(args.lane_x, i);
+            const Vec3 begin = lane.vector(args.lane_x, 0) - root + lane.vector(args.lane_x, i);
             const Vec3 moves = xyz(args.position[vertex]) - xyz(args.position_prev[vertex]);
             const auto plane = deepest(args, vertex, i + 1 == count, moves);
-            const bool has_mesh =
-                i <= meshes_to && !vector(i, PLAIT_LANE_PLANE_NORMAL).isZero(0);
+            const bool has_mesh = i <= meshes_to && !vector(i, PLAIT_LANE_PLANE_NORMAL).isZero(0);
             if (plane || has_mesh)
                 last = i;
             if (has_mesh) {
-                const double height =
-                    value(i, PLAIT_LANE_PLANE_HEIGHT) +
-                    vector(i, PLAIT_LANE_PLANE_NORMAL)
-                        .dot(begin + moves - vector(i, PLAIT_LANE_PLANE_ANCHOR));
+                const double height = value(i, PLAIT_LANE_PLANE_HEIGHT) +
+                                      vector(i, PLAIT_LANE_PLANE_NORMAL)
+                                          .dot(begin + moves - vector(i, PLAIT_LANE_PLANE_ANCHOR));
                 if (!plane || height <= plane->height(moves))
                     continue;
             }
