@@ -186,8 +186,6 @@ plait::Sim piled(const plait::Context& context, plait_model model, size_t layers
 }
 
 TEST_P(StrandContact, APileOfThreeLayersHolds) {
-    if (GetParam() == "reference")
-        GTEST_SKIP() << "300 steps of 18 strands in float64 take minutes";
     for (const plait_model model : meeting_models) {
         plait::Sim sim = piled(context, model, 3);
         const auto before = sim.read(PLAIT_FIELD_POSITION);
@@ -294,7 +292,8 @@ TEST_P(StrandContact, CollidingHairsShareTheirMomentum) {
 
 // ---- who meets whom ----------------------------------------------------------------------------------
 
-// Strands that are nearer than a diameter in the groom, and what nothing pulls at.
+// Strands that are nearer than a diameter in the groom, and that nothing pulls at: they would be
+// pushed apart by millimetres, and are moved by the rounding of their gap.
 TEST_P(StrandContact, RestIsNotPushed) {
     for (const plait_model model : meeting_models) {
         auto desc = meeting(model);
@@ -305,7 +304,7 @@ TEST_P(StrandContact, RestIsNotPushed) {
                        desc);
         const auto before = sim.read(PLAIT_FIELD_POSITION);
         run(sim, 30);
-        EXPECT_LT(largest_difference(before, sim.read(PLAIT_FIELD_POSITION)), 2e-6f) << model;
+        EXPECT_LT(largest_difference(before, sim.read(PLAIT_FIELD_POSITION)), 3e-5f) << model;
     }
 }
 
@@ -372,8 +371,8 @@ TEST_P(StrandContact, StrandsOfSeveralPartsMeet) {
     desc.params.gravity[1] = 0;
     desc.params.gravity[2] = -9.81f;
     const Strands hair{line({0.1f, -0.1f, 0}, {0, 1, 0}, 0.2f / 15),
-                       line({0.04f, 0.005f, 2 * radius}, {1, 0, 0}, 0.0125f, 8)};
-    desc.params.bend_stiffness = 1e-10f; // it would hang from its root
+                       line({0.06f, 0.005f, 2 * radius}, {1, 0, 0}, 0.0125f, 8)};
+    desc.params.bend_stiffness = 1e-10f; // alone it would hang from its root, its tip at -0.0875
     for (const plait_model other : {PLAIT_MODEL_ARTICULATED, PLAIT_MODEL_ROD, PLAIT_MODEL_CHAIN}) {
         plait::Sim sim(context, make_groom(hair), desc);
         std::vector<plait_pin> pins;
@@ -386,7 +385,7 @@ TEST_P(StrandContact, StrandsOfSeveralPartsMeet) {
         sim.set_settings({plait_strand_settings_defaults(), settings}, {1, 0});
         run(sim, 60);
         const float tip = sim.read(PLAIT_FIELD_POSITION)[4 * (vertices + 7) + 2];
-        EXPECT_GT(tip, -0.045f) << other << ": it lies across the other, its tip hangs";
+        EXPECT_GT(tip, -0.065f) << other << ": it lies across the other, its tip hangs";
         EXPECT_EQ(sim.stats().nonfinite, 0u);
     }
 }
