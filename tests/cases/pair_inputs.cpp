@@ -11,6 +11,7 @@ void crowd(Hair& hair, Random& random, double side, const Point& at) {
     const uint32_t stride = hair.size.stride;
     for (uint32_t s = 0; s < hair.size.strands; ++s) {
         Point x{}, way = random.direction();
+        const double speed = random.uniform(1e-4, 2e-3); // m in a substep
         const Point slow = random.direction(), aside = random.direction();
         for (size_t k = 0; k < 3; ++k)
             x[k] = at[k] + random.uniform(0, side);
@@ -20,7 +21,7 @@ void crowd(Hair& hair, Random& random, double side, const Point& at) {
             for (size_t k = 0; k < 3; ++k) {
                 hair.position[row + k] = static_cast<float>(x[k]);
                 hair.position_prev[row + k] =
-                    static_cast<float>(x[k] - 1.5e-3 * slow[k] - 5e-4 * own[k]);
+                    static_cast<float>(x[k] - speed * slow[k] - 1e-4 * own[k]);
                 hair.rest[row + k] = static_cast<float>(x[k] + 2e-3 * aside[k]);
                 if (i + 1 < hair.vertex_count[s])
                     way[k] += 0.2 * bend[k];
@@ -80,7 +81,7 @@ std::vector<PairHair> make_pair_hair() {
         one.params = {size.stride, cells, 0.0125f, 0.004f, 0.011f, 8};
         list.push_back(one);
     };
-    add({40, 9}, 32, 0.12, {-0.06, -0.06, -0.06});
+    add({150, 9}, 32, 0.2, {-0.1, -0.1, -0.1});
     add({30, 16}, 8, 0.15, {2.9, -2.7, 2.4});
     add({2, 5}, 4, 0.02, {-0.3, 0.2, 0.1});
     add({1, 2}, 1, 0.02, {0, 0, 0});

@@ -98,7 +98,7 @@ Case strand_contact_case() {
         for (const uint32_t meshes : {0u, 1u})
             if (size.strands > 1)
                 result.setups.push_back(contact_setup(size, meshes));
-    result.setups.push_back(contact_setup({200, 16}, 1)); // some meet both just as deep
+    result.setups.push_back(contact_setup({4000, 16}, 1)); // some meet both just as deep
     result.setups.push_back(longer(result.setups[3], 2));
     return result;
 }
