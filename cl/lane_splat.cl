@@ -17,44 +17,34 @@ __kernel void plait_lane_splat(const uint item_count, const plait_lane_grid_para
                                __global const uint* lane_strand, __global const uint* vertex_count,
                                __global const real* lane_x, __global const real* lane_v,
                                __global uint* grid_sum, __global uint* grid_outside) {
-    const lane_place place = lane_place_of(get_global_id(0));
-    if (!lane_place_used(place, item_count))
+    splat_strands strands[SPLAT_RUN];
+    const uint taken =
+        splat_take(strands, (uint)get_global_id(0), item_count, lane_strand, vertex_count, lane_x);
+    if (taken == 0u)
         return;
-    const lane_strands strands = lane_strands_of(lane_strand, place, item_count);
-    const mask counts = lane_counts(vertex_count, &strands);
-    const uint lanes = lane_place_strands(place, item_count);
     const lane_grid grid = lane_grid_of(&params);
-    const vec3 root = load3(lane_x, place, 0);
     splat_t splat;
     splat_begin(&splat);
+    splat_cell_t cell;
+    cell.voxel = SPLAT_NONE;
     uint outside = 0u;
-    for (int i = 0; i < (int)params.vertex_stride; ++i) {
-        const vec3 x = i > 0 ? add3(root, load3(lane_x, place, i)) : root;
-        vec3 v = lane_grid_components(&grid, load3(lane_v, place, i));
-        v = vec3_of(summable(v.x), summable(v.y), summable(v.z));
-        const vec3 g = lane_grid_coordinates(&grid, x);
-        const mask there = (mask)(i) < counts, inside = lane_grid_contains(&grid, g);
-        const lane_cell cell = lane_cell_of(&grid, g, inside, params.tent);
-        for (uint k = 0; k < lanes; ++k) {
-            if (!LANE_OF_MASK(there, k))
-                continue;
-            if (!LANE_OF_MASK(inside, k)) {
-                ++outside;
-                continue;
+    for (int i = 0; i < (int)params.vertex_stride; ++i)
+        for (uint j = 0; j < taken; ++j) {
+            const splat_row row = splat_row_of(&grid, strands + j, i, params.tent, lane_x, lane_v);
+            outside += splat_outside(&row);
+            for (uint k = 0; k < PLAIT_LANES; ++k) {
+                if (!LANE_OF_MASK(row.inside, k))
+                    continue;
+                const float3 v = splat_velocity(&row, k);
+                const float energy = v.x * v.x + v.y * v.y + v.z * v.z;
+                const float8 moments = (float8)(v, 1.0f, energy, (float3)(0.0f));
+                if (params.tent == PLAIT_TENT_VOXEL)
+                    splat_voxel(&splat, &grid, &row, k, moments, grid_sum);
+                else
+                    splat_corners(&splat, &cell, &grid, &row, k, moments, grid_sum);
             }
-            const float3 u = (float3)(LANE(v.x, k), LANE(v.y, k), LANE(v.z, k));
-            const float energy = u.x * u.x + u.y * u.y + u.z * u.z;
-            const float8 moments = (float8)(u, 1.0f, energy, (float3)(0.0f));
-            const uint3 at =
-                (uint3)(LANE_OF_MASK(cell.x, k), LANE_OF_MASK(cell.y, k), LANE_OF_MASK(cell.z, k));
-            const float3 high =
-                (float3)(LANE(cell.high.x, k), LANE(cell.high.y, k), LANE(cell.high.z, k));
-            if (params.tent == PLAIT_TENT_VOXEL)
-                splat_add(&splat, &grid, at, moments * high.x, grid_sum);
-            else
-                splat_corners(&splat, &grid, at, high, moments, grid_sum);
         }
-    }
+    splat_leave(&splat, &cell, grid.count > 1 ? 8u : 1u);
     splat_end(&splat, grid_sum);
     if (outside > 0u)
         atomic_add(grid_outside, outside);

@@ -68,6 +68,17 @@ static inline float room_of(const plait_volume_params* params, volume_hair hair)
     return fmin(params->recovery * fmax(excess - params->slack, 0.0f), params->most_recovery);
 }
 
+/* Most nodes have no hair, and neither have the next ones, whose faces they keep. */
+static inline bool nobody_near(const volume_place* place, int node,
+                               __global const float* grid_density) {
+    float density = grid_density[node];
+#pragma unroll
+    for (int axis = 0; axis < 3; ++axis)
+        if (volume_has_next(place, axis))
+            density += grid_density[node + volume_stride(place->count, axis)];
+    return !(density > 0.0f);
+}
+
 __kernel void plait_volume_faces(const uint item_count, const plait_volume_params params,
                                  __global const float* grid_density,
                                  __global const float4* grid_velocity,
@@ -80,6 +91,12 @@ __kernel void plait_volume_faces(const uint item_count, const plait_volume_param
         return;
     const volume_place place = volume_place_of(item, params.edge_count);
     const int node = (int)item;
+    if (nobody_near(&place, node, grid_density)) {
+        volume_link[node] = (float4)(0.0f);
+        volume_node[node] = (float4)(0.0f);
+        volume_pressure[node] = 0.0f;
+        return;
+    }
     const volume_hair own =
         hair_at(&params, node, grid_density, grid_velocity, volume_rest, volume_solid);
     const float own_before = params.carried ? volume_before[node] : 0.0f;

@@ -1,54 +1,44 @@
 /* volume_gather: what pressure and viscosity do at nodes, to vertices.
  *
  * Items   strands, over lanes.
- * Reads   lane_strand, vertex_count, lane_x, grid_velocity, volume_change, volume_push.
+ * Reads   lane_strand, vertex_count, lane_x, volume_pull.
  * Moves   lane_v, with BDF2 lane_v_before by as much; never of a root.
  * Writes  lane_pressure: the acceleration by pressure, in the world, for the step to come; 0 of a
  *         root, past the tip and outside the grid.
  * Source  a vertex keeps its own velocity and takes the nodes' change of it: Brackbill & Ruppel
- *         1986 (FLIP); of the nodes' velocity it takes the share `blend`.
+ *         1986 (FLIP); of the nodes' velocity it takes the share `blend`, which is in volume_pull,
+ *         in place of as much of its own.
  */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/lane_grid.clh"
 
+/* Along the grid's axes. */
 typedef struct {
-    vec3 velocity; /* before the change; along the grid's axes */
-    vec3 change;
-    vec3 push;
-} lane_pressed;
+    vec3 change; /* m/s */
+    vec3 push;   /* m/s^2 */
+} node_pull;
 
-static inline lane_pressed pressed_at(const lane_grid* grid, lane_cell cell,
-                                      __global const float4* grid_velocity,
-                                      __global const float4* volume_change,
-                                      __global const float4* volume_push) {
-    lane_pressed at;
+static inline node_pull pull_at(const lane_grid* grid, lane_cell cell,
+                                __global const float4* volume_pull) {
+    node_pull at;
     const mask low = lane_cell_voxel(grid, cell);
-    const int n = grid->count, corners = n > 1 ? 8 : 1;
+    const lane_weights weights = lane_weights_of(&cell);
+    const uint n = (uint)grid->count, corners = n > 1u ? 8u : 1u;
     for (uint k = 0; k < PLAIT_LANES; ++k) {
-        const int first = LANE_OF_MASK(low, k);
-        const float3 high =
-            (float3)(LANE(cell.high.x, k), LANE(cell.high.y, k), LANE(cell.high.z, k));
-        float4 velocity = (float4)(0.0f), change = velocity, push = velocity;
-        for (int corner = 0; corner < corners; ++corner) {
-            const int node =
-                first + (corner & 1 ? 1 : 0) + (corner & 2 ? n * n : 0) + (corner & 4 ? n : 0);
-            const float x = corner & 1 ? high.x : 1.0f - high.x;
-            const float y = corner & 2 ? high.y : 1.0f - high.y;
-            const float z = corner & 4 ? high.z : 1.0f - high.z;
-            const float weight = x * y * z;
-            velocity += weight * grid_velocity[node];
-            change += weight * volume_change[node];
-            push += weight * volume_push[node];
-        }
-        LANE(at.velocity.x, k) = velocity.x;
-        LANE(at.velocity.y, k) = velocity.y;
-        LANE(at.velocity.z, k) = velocity.z;
-        LANE(at.change.x, k) = change.x;
-        LANE(at.change.y, k) = change.y;
-        LANE(at.change.z, k) = change.z;
-        LANE(at.push.x, k) = push.x;
-        LANE(at.push.y, k) = push.y;
-        LANE(at.push.z, k) = push.z;
+        float8 pull = (float8)(0.0f); /* both at once: they lie together */
+#pragma unroll
+        for (uint corner = 0u; corner < 8u; ++corner)
+            if (corner < corners) {
+                const uint node = (uint)LANE_OF_MASK(low, k) + lane_corner(corner, n);
+                const float weight = LANE(weights.of[corner], k);
+                pull += weight * vload8(node, (__global const float*)volume_pull);
+            }
+        LANE(at.change.x, k) = pull.s0;
+        LANE(at.change.y, k) = pull.s1;
+        LANE(at.change.z, k) = pull.s2;
+        LANE(at.push.x, k) = pull.s4;
+        LANE(at.push.y, k) = pull.s5;
+        LANE(at.push.z, k) = pull.s6;
     }
     return at;
 }
@@ -56,9 +46,7 @@ static inline lane_pressed pressed_at(const lane_grid* grid, lane_cell cell,
 __kernel void plait_volume_gather(const uint item_count, const plait_lane_volume_params params,
                                   __global const uint* lane_strand,
                                   __global const uint* vertex_count, __global const real* lane_x,
-                                  __global const float4* grid_velocity,
-                                  __global const float4* volume_change,
-                                  __global const float4* volume_push, __global real* lane_v,
+                                  __global const float4* volume_pull, __global real* lane_v,
                                   __global real* lane_v_before, __global real* lane_pressure) {
     const lane_place place = lane_place_of(get_global_id(0));
     if (!lane_place_used(place, item_count))
@@ -73,14 +61,13 @@ __kernel void plait_volume_gather(const uint item_count, const plait_lane_volume
         const vec3 g = lane_grid_coordinates(&grid, add3(root, load3(lane_x, place, i)));
         const mask inside = ((mask)(i) < counts) & lane_grid_contains(&grid, g);
         const lane_cell cell = lane_cell_of(&grid, g, inside, PLAIT_TENT_TRILINEAR);
-        const lane_pressed at = pressed_at(&grid, cell, grid_velocity, volume_change, volume_push);
+        const node_pull at = pull_at(&grid, cell, volume_pull);
         store3(lane_pressure, place, i, pick3(inside, lane_grid_world(&grid, at.push), zero));
         if (!params.moves)
             continue;
         const vec3 before = load3(lane_v, place, i);
-        const vec3 drawn = sub3(at.velocity, lane_grid_components(&grid, before));
-        const vec3 change = axpy3((real)(params.blend), drawn, at.change);
-        const vec3 gained = pick3(inside, lane_grid_world(&grid, change), zero);
+        const vec3 change = lane_grid_world(&grid, at.change);
+        const vec3 gained = pick3(inside, axpy3((real)(-params.blend), before, change), zero);
         store3(lane_v, place, i, add3(before, gained));
         if (params.history)
             store3(lane_v_before, place, i, add3(load3(lane_v_before, place, i), gained));

@@ -1064,6 +1064,23 @@ PLAIT_API void plait_collider_desc_init(plait_collider_desc* desc, size_t size);
 PLAIT_API plait_result plait_collider_create(plait_sim* sim, const plait_collider_desc* desc,
                                              plait_collider_id* out);
 
+/* How far the surface of a mesh is from that of the capsules that stand for it, m. */
+typedef struct plait_mesh_fit_info {
+    uint32_t struct_size;
+    double rms;
+    double percentile_99;
+    double greatest;
+} plait_mesh_fit_info;
+
+#define PLAIT_MESH_FIT_MAX 64
+
+PLAIT_API void plait_mesh_fit_info_init(plait_mesh_fit_info* info, size_t size);
+/* `count` [1, PLAIT_MESH_FIT_MAX] capsules whose union comes near `mesh`, for plait_collider_create:
+ * cheaper to meet than a mesh, and for all models. They are in the mesh's frame, of the default
+ * friction; the same mesh gives the same. 16 take a second, 64 six. `out` may be NULL. */
+PLAIT_API plait_result plait_mesh_fit(const plait_mesh* mesh, plait_collider_desc* dst,
+                                      size_t count, plait_mesh_fit_info* out);
+
 /* A rigid mesh. Distances to it are made once, on a grid: what is thinner than two cells, or
  * sharper, it loses. */
 typedef struct plait_collider_mesh_desc {
@@ -1123,6 +1140,7 @@ PLAIT_DEFAULTS(plait_groom_info)
 PLAIT_DEFAULTS(plait_follow_map_desc)
 PLAIT_DEFAULTS(plait_mesh_desc)
 PLAIT_DEFAULTS(plait_mesh_info)
+PLAIT_DEFAULTS(plait_mesh_fit_info)
 PLAIT_DEFAULTS(plait_param_info)
 PLAIT_DEFAULTS(plait_fibre)
 PLAIT_DEFAULTS(plait_material)

@@ -209,6 +209,14 @@ class Mesh : public detail::Owner<plait_mesh, plait_mesh_destroy> {
         return values;
     }
 
+    // Capsules whose union comes near it.
+    std::vector<plait_collider_desc> fit(std::size_t count,
+                                         plait_mesh_fit_info* info = nullptr) const {
+        std::vector<plait_collider_desc> capsules(count, plait_collider_desc_defaults());
+        check(plait_mesh_fit(get(), capsules.data(), count, info));
+        return capsules;
+    }
+
   private:
     explicit Mesh(plait_mesh* handle) : Owner(handle) {}
     static plait_mesh* create(const plait_mesh_desc& desc, const plait_import_options& options) {

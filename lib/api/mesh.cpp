@@ -1,5 +1,6 @@
 // Meshes.
 #include "core/mesh.hpp"
+#include "core/mesh_fit.hpp"
 
 #include "api/objects.hpp"
 #include "api/options.hpp"
@@ -61,6 +62,16 @@ plait_mesh_info describe(const Mesh& mesh) {
     info.repairs_total = mesh.repairs.total();
     mesh.repairs.first.copy(info.first_repair, sizeof info.first_repair - 1);
     return info;
+}
+
+plait_collider_desc capsule_of(const FittedCone& cone) {
+    plait_collider_desc capsule{};
+    plait_collider_desc_init(&capsule, sizeof capsule);
+    std::ranges::copy(cone.a, capsule.a);
+    std::ranges::copy(cone.b, capsule.b);
+    capsule.radius_a = cone.radius_a;
+    capsule.radius_b = cone.radius_b;
+    return capsule;
 }
 
 Result<std::span<const std::byte>> field_bytes(const TriangleSet& surface, plait_mesh_field field) {
@@ -137,6 +148,30 @@ plait_result plait_mesh_read(const plait_mesh* mesh, plait_mesh_field field, voi
             return wanted.error();
         if (*wanted)
             std::memcpy(dst, bytes->data(), bytes->size());
+        return {};
+    });
+}
+
+void plait_mesh_fit_info_init(plait_mesh_fit_info* info, size_t size) {
+    api::init_struct(info, size, plait_mesh_fit_info{});
+}
+
+plait_result plait_mesh_fit(const plait_mesh* mesh, plait_collider_desc* dst, size_t count,
+                            plait_mesh_fit_info* out) {
+    return api::guard(__func__, [&]() -> Status {
+        PLAIT_TRY(api::need(mesh, "mesh"));
+        PLAIT_TRY(api::need(dst, "dst"));
+        if (count < 1 || count > PLAIT_MESH_FIT_MAX)
+            return api::invalid(
+                format("count is %zu, range is [1, %d]", count, PLAIT_MESH_FIT_MAX));
+        if (out)
+            PLAIT_TRY(api::check_output(out, "out"));
+        std::vector<FittedCone> cones(count);
+        const FitError error = fit_cones(mesh->mesh, cones);
+        PLAIT_TRY(api::write_structs(dst, count, "dst",
+                                     [&](size_t i) { return api::capsule_of(cones[i]); }));
+        if (out)
+            api::write_struct(out, {0, error.rms, error.percentile_99, error.greatest});
         return {};
     });
 }

@@ -61,7 +61,7 @@ struct LaneGrid {
 // The same for volume, which has the grid's velocity and, per node, what pressure does.
 struct LaneVolume {
     plait_grid_params params;
-    const Buffer &sums, &outside, &velocity, &change, &push;
+    const Buffer &sums, &outside, &pull;
     float blend; // [0, 1]
     bool moves;  // velocities change, too
 };

@@ -56,6 +56,11 @@ plait_volume_params faces_params(const plait_sim_params& p, const VolumeGrid& gr
     return params;
 }
 
+// Share of the nodes' velocity that hair takes in a step.
+float blend_of(const plait_sim_params& p, float step) {
+    return static_cast<float>(-std::expm1(-double(step) * double(p.volume_viscosity)));
+}
+
 } // namespace
 
 Result<Volume> Volume::create(Device& device, const plait_sim_params& params) {
@@ -71,8 +76,7 @@ Result<Volume> Volume::create(Device& device, const plait_sim_params& params) {
     PLAIT_TRY(device.create(volume.solid_, four, n, "volume_solid"));
     PLAIT_TRY(device.create(volume.link_, four, n, "volume_link"));
     PLAIT_TRY(device.create(volume.node_, four, n, "volume_node"));
-    PLAIT_TRY(device.create(volume.change_, four, n, "volume_change"));
-    PLAIT_TRY(device.create(volume.push_, four, n, "volume_push"));
+    PLAIT_TRY(device.create(volume.pull_, four, 2 * n, "volume_pull"));
     return volume;
 }
 
@@ -101,8 +105,9 @@ void Volume::solve(Schedule& schedule, const VolumeGrid& grid, const Substep& at
             schedule.add(PLAIT_STAGE_volume_pressure, colour_nodes,
                          plait_volume_sweep_params{n, colour}, {&link_, &node_, &pressure});
     schedule.add(PLAIT_STAGE_volume_impulse, voxels(grid.params),
-                 plait_volume_impulse_params{n, grid.params.voxel_edge, grid.step, params.carried},
-                 {&link_, before, &pressure, &change_, &push_});
+                 plait_volume_impulse_params{n, grid.params.voxel_edge, grid.step, params.carried,
+                                             blend_of(at.params, grid.step)},
+                 {&grid.velocity, &link_, before, &pressure, &pull_});
 }
 
 void Volume::append_start(Schedule& schedule, const VolumeGrid& grid, const Model& model,
@@ -117,8 +122,7 @@ void Volume::append_step(Schedule& schedule, const VolumeGrid& grid, const Model
     splat(schedule, grid, model, at);
     solve(schedule, grid, at, &pressure_, next_, at.params.volume_sweeps);
     LaneVolume lanes = lanes_of(grid);
-    lanes.blend =
-        static_cast<float>(-std::expm1(-double(grid.step) * double(at.params.volume_viscosity)));
+    lanes.blend = blend_of(at.params, grid.step);
     lanes.moves = true;
     model.gather_volume(schedule, at, lanes);
 }
@@ -130,8 +134,7 @@ void Volume::carry() noexcept {
 
 uint64_t Volume::device_bytes() const {
     uint64_t bytes = 0;
-    for (const Buffer* buffer :
-         {&pressure_, &next_, &rest_, &solid_, &link_, &node_, &change_, &push_})
+    for (const Buffer* buffer : {&pressure_, &next_, &rest_, &solid_, &link_, &node_, &pull_})
         bytes += buffer->bytes();
     return bytes;
 }

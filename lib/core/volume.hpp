@@ -39,11 +39,11 @@ class Volume {
     void solve(Schedule& schedule, const VolumeGrid& grid, const Substep& at, const Buffer* before,
                const Buffer& pressure, uint32_t sweeps) const;
     LaneVolume lanes_of(const VolumeGrid& grid) const {
-        return {grid.params, grid.sums, grid.outside, grid.velocity, change_, push_, 0, false};
+        return {grid.params, grid.sums, grid.outside, pull_, 0, false};
     }
 
     Buffer pressure_, next_; // float [nv^3]: of the last step, of this one
-    Buffer rest_, solid_, link_, node_, change_, push_;
+    Buffer rest_, solid_, link_, node_, pull_;
 };
 
 } // namespace plait

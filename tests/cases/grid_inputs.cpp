@@ -104,6 +104,10 @@ std::vector<GridHair> make_grid_hair() {
             make({5, 100}, 5, 67), make({67, 5}, 4, 1),  make({2, 256}, 2, 300)};
 }
 
+GridHair make_much_grid_hair() {
+    return make({1100, 4}, 5, 8);
+}
+
 std::optional<uint32_t> voxel_of(const plait_grid_params& params, const float* position) {
     Point x;
     for (size_t c = 0; c < 3; ++c)

@@ -22,6 +22,8 @@ struct GridHair {
 
 // A few shapes of hair and grid; about one vertex in ten lies outside the grid.
 std::vector<GridHair> make_grid_hair();
+// So many strands that work-items of lane_splat take several times their lanes.
+GridHair make_much_grid_hair();
 
 // Voxel of a vertex by figure 4.1 of the thesis, straight from the definition.
 std::optional<uint32_t> voxel_of(const plait_grid_params& params, const float* position);

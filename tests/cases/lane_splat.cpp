@@ -16,7 +16,9 @@ Case lane_splat_case() {
                    {},
                    {"diffuse_rule", "diffuse_ratio", "diffuse_factor", "diffuse_floor", "history"},
                    {{"grid_sum", compare_sums_of_lanes}}};
-    for (GridHair hair : make_grid_hair())
+    std::vector<GridHair> hairs = make_grid_hair();
+    hairs.push_back(make_much_grid_hair());
+    for (GridHair& hair : hairs)
         for (uint32_t tent : {PLAIT_TENT_VOXEL, PLAIT_TENT_TRILINEAR}) {
             hair.params.tent = tent;
             const LaneGridHair lanes = over_lanes(hair);

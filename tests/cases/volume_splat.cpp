@@ -45,7 +45,9 @@ std::string compare(const Setup&, const Outputs& expected, const Outputs& got) {
 Case volume_splat_case() {
     Case result = {
         PLAIT_STAGE_volume_splat, {}, {}, {"blend", "moves", "history"}, {{"grid_sum", compare}}};
-    for (const GridHair& hair : make_grid_hair()) {
+    std::vector<GridHair> hairs = make_grid_hair();
+    hairs.push_back(make_much_grid_hair());
+    for (const GridHair& hair : hairs) {
         const LaneGridHair lanes = over_lanes(hair);
         Setup setup = hair.setup().with(volume_params_of(lanes.params));
         setup.items = hair.size.strands;

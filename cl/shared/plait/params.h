@@ -373,7 +373,7 @@ typedef struct plait_lane_volume_params {
     float voxel_edge;
     float q[4];
     float t[4];
-    float blend;       /* [0, 1]: share of the grid's velocity in a vertex' own (volume_gather) */
+    float blend;       /* as in plait_volume_impulse_params (volume_gather) */
     plait_u32 moves;   /* 1: velocities change; 0: lane_pressure alone is written (volume_gather) */
     plait_u32 history; /* 1: BDF2's step before is kept; 0: lane_v_before is null */
 } plait_lane_volume_params;
@@ -411,6 +411,7 @@ typedef struct plait_volume_impulse_params {
     float voxel_edge;  /* m */
     float h;           /* s, of the fixed step */
     plait_u32 carried; /* as in plait_volume_params */
+    float blend;       /* [0, 1]: share of the nodes' velocity that hair takes */
 } plait_volume_impulse_params;
 
 /* lane_share: per vertex. */

@@ -1,4 +1,5 @@
-// volume_gather: a vertex takes the change at the nodes around it, and of their velocity a share.
+// volume_gather: a vertex takes the change at the nodes around it, and of their velocity, which is in
+// it, a share in place of its own.
 #include "backend/reference/grid.hpp"
 #include "backend/reference/lanes.hpp"
 
@@ -18,19 +19,17 @@ void volume_gather(uint32_t item_count, const plait_lane_volume_params& params,
             const auto nodes = grid.nodes(grid.coordinates(root + lane.vector(args.lane_x, i)));
             if (nodes.count == 0)
                 continue;
-            Vec3 mean = Vec3::Zero(), change = Vec3::Zero(), push = Vec3::Zero();
+            Vec3 change = Vec3::Zero(), push = Vec3::Zero();
             for (size_t k = 0; k < nodes.count; ++k) {
                 const auto [node, weight] = nodes.node[k];
-                mean += weight * xyz(args.grid_velocity[node]);
-                change += weight * xyz(args.volume_change[node]);
-                push += weight * xyz(args.volume_push[node]);
+                change += weight * xyz(args.volume_pull[2 * node]);
+                push += weight * xyz(args.volume_pull[2 * node + 1]);
             }
             lane.store(args.lane_pressure, i, grid.to_world(push));
             if (!params.moves)
                 continue;
             const Vec3 v = lane.vector(args.lane_v, i);
-            const Vec3 drawn = double(params.blend) * (mean - grid.components(v));
-            const Vec3 gained = grid.to_world(change + drawn);
+            const Vec3 gained = grid.to_world(change) - double(params.blend) * v;
             lane.store(args.lane_v, i, Vec3(v + gained));
             if (params.history)
                 lane.store(args.lane_v_before, i,

@@ -45,8 +45,10 @@ void volume_impulse(uint32_t item_count, const plait_volume_impulse_params& para
             change[static_cast<Eigen::Index>(axis)] = double(params.h) * (pull.now - pull.before);
             push[static_cast<Eigen::Index>(axis)] = pull.now;
         }
-        args.volume_change[node] = change;
-        args.volume_push[node] = push;
+        change += double(params.blend) * args.grid_velocity[node];
+        change[3] = 0;
+        args.volume_pull[2 * node] = change;
+        args.volume_pull[2 * node + 1] = push;
     }
 }
 

@@ -426,8 +426,8 @@ void LanePart::splat_volume(Schedule& schedule, const Substep& at, const LaneVol
 void LanePart::gather_volume(Schedule& schedule, const Substep& at,
                              const LaneVolume& volume) const {
     schedule.add(PLAIT_STAGE_volume_gather, lanes_.strands, volume_params(volume),
-                 {&lane_strand_, &at.state.vertex_count, &x_, &volume.velocity, &volume.change,
-                  &volume.push, &v_, &history_.v, &volume_.pressure},
+                 {&lane_strand_, &at.state.vertex_count, &x_, &volume.pull, &v_, &history_.v,
+                  &volume_.pressure},
                  lanes_.row);
 }
 

@@ -73,10 +73,13 @@ Solved solve(Bench& bench, const State& state, uint32_t sweeps, float cohesion =
                 bench.run(PLAIT_STAGE_volume_pressure, items, 1,
                           plait_volume_sweep_params{state.n, colour}, {link, node, pressure})[2];
     const auto out = bench.run(PLAIT_STAGE_volume_impulse, state.count(), 1,
-                               plait_volume_impulse_params{state.n, edge, h, 0},
-                               {link, null_array(), pressure, unwritten_float4s(state.count()),
-                                unwritten_float4s(state.count())});
-    return {pressure.floats, out[3].floats};
+                               plait_volume_impulse_params{state.n, edge, h, 0, 0},
+                               {float4s(state.velocity), link, null_array(), pressure,
+                                unwritten_float4s(2 * state.count())});
+    std::vector<float> change;
+    for (size_t i = 0; i < out[4].floats.size(); i += 8)
+        change.insert(change.end(), &out[4].floats[i], &out[4].floats[i] + 4);
+    return {pressure.floats, change};
 }
 
 State state_of_table(uint32_t seed) {

@@ -10,42 +10,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 #include <limits>
-#include <sstream>
 
 namespace lab {
 
 namespace {
 
 const double nan = std::numeric_limits<double>::quiet_NaN();
-
-constexpr const char* every_model = "models"; // of the library, in each of its settings
-
-// "rod 4x2 BDF2", or "verlet auto": with as many substeps as it needs.
-Method read_method(JsonReader& in, const Json& text) {
-    const std::string method = text.is_string() ? text.get<std::string>() : text.dump();
-    std::istringstream words(method);
-    std::string model, setting, scheme;
-    words >> model >> setting >> scheme;
-    const Model* known = find_model(model);
-    Setting s{0, 1, scheme == "BDF2"};
-    const bool fine = (setting == "auto" && known && known->longest_step) ||
-                      std::sscanf(setting.c_str(), "%ux%u", &s.substeps, &s.iterations) == 2;
-    if (!known || !fine || (!scheme.empty() && !s.bdf2))
-        in.fail("methods", "has \"" + method + "\", which is none like \"rod 4x2 BDF2\"");
-    return {known, s};
-}
-
-std::vector<uint32_t> read_segments(JsonReader& in, const Json& list) {
-    const auto has_places = [](const Json& n) {
-        return n.is_number_unsigned() && n > 0 && n < 256 && n.get<uint32_t>() % places == 0;
-    };
-    if (!list.is_array() || !std::all_of(list.begin(), list.end(), has_places))
-        in.fail("segments", "is " + list.dump() + ", not a list of multiples of " +
-                                std::to_string(places) + " below 256");
-    return list.get<std::vector<uint32_t>>();
-}
 
 // The family's scene once, or with each number of segments.
 std::vector<Scene> scenes_of(const Family& family) {
@@ -59,54 +30,6 @@ std::vector<Scene> scenes_of(const Family& family) {
     }
     return scenes;
 }
-
-// A list of methods, or the name of one of the table's lists.
-std::vector<Method> read_methods(JsonReader& in, const Json& given, const Json& lists) {
-    const Json* list = &given;
-    if (given.is_string()) {
-        const auto named = lists.find(given.get<std::string>());
-        if (named == lists.end())
-            in.fail("methods", "is " + given.dump() + ", none of the lists that are named above");
-        list = &*named;
-    }
-    if (!list->is_array())
-        in.fail("methods", "is " + list->dump() + ", not a list");
-    std::vector<Method> methods;
-    for (const Json& text : *list) {
-        if (text != every_model) {
-            methods.push_back(read_method(in, text));
-            continue;
-        }
-        const auto all = methods_of({}, false, true);
-        methods.insert(methods.end(), all.begin(), all.end());
-    }
-    return methods;
-}
-
-Family read_family(JsonReader in, const std::filesystem::path& folder, const Json& lists) {
-    Family family;
-    if (!in.text("name", family.name))
-        in.fail("name", "is missing: of the files it makes");
-    in.text("title", family.title);
-    if (!in.text("scene", family.scene))
-        in.fail("scene", "is missing: a file beside this one");
-    family.scene = (folder / family.scene).string();
-    if (const Json* set = in.value("set"))
-        family.overrides = *set;
-    if (const Json* needs = in.value("needs"))
-        family.needs = needs->get<std::vector<std::string>>();
-    if (const Json* segments = in.value("segments"))
-        family.segments = read_segments(in, *segments);
-    if (const Json* methods = in.value("methods"))
-        family.methods = read_methods(in, *methods, lists);
-    if (in.text("metric", family.metric) && !is_metric(family.metric))
-        in.fail("metric", "is \"" + family.metric + "\", none of " + metric_list());
-    in.finish();
-    return family;
-}
-
-// Upper edges of figures: an error of a whole length is off the scale, and of five swings.
-constexpr double length_top = 2, swing_top = 10;
 
 double top_of(const Family& family) {
     return counts_over_swing(family.metric) ? swing_top : length_top;
@@ -308,25 +231,6 @@ class Runner {
 
 } // namespace
 
-std::vector<Family> read_families(const std::string& file) {
-    Origin origin{file, Json::object(), {}};
-    const Json document = read_json(origin);
-    JsonReader top(document, origin);
-    std::vector<Family> families;
-    const Json* list = top.value("charts");
-    if (!list || !list->is_array())
-        top.fail("charts", "is missing or no list");
-    const Json* named = top.value("methods");
-    if (named && !named->is_object())
-        top.fail("methods", "is " + named->dump() + ", not lists by their names");
-    const Json lists = named ? *named : Json::object();
-    for (size_t i = 0; i < list->size(); ++i)
-        families.push_back(read_family(top.element(*list, i, "charts"),
-                                       std::filesystem::path(file).parent_path(), lists));
-    top.finish();
-    return families;
-}
-
 ChartRun run_charts(const ChartOptions& options) {
     auto families = read_families(
         options.table.empty() ? std::string(PLAIT_LAB_SCENES) + "/charts.json" : options.table);
@@ -351,160 +255,6 @@ ChartRun run_charts(const ChartOptions& options) {
             run.files.insert(run.files.end(), {path + ".svg", path + ".png"});
     }
     return run;
-}
-
-namespace {
-
-// Okabe and Ito's colours: told apart by everyone, and in grey.
-const char* colour_of(const std::string& model, size_t index) {
-    if (model == "tressfx")
-        return "#D55E00";
-    if (model == "chain")
-        return "#0072B2";
-    if (model == "cosserat")
-        return "#009E73";
-    if (model == "rod")
-        return "#8E3B8F";
-    if (model == "articulated")
-        return "#CC0033";
-    constexpr const char* others[] = {"#7F7F7F", "#E69F00", "#56B4E9",
-                                      "#A0522D", "#4D4D4D", "#B8A000"};
-    return others[index % std::size(others)];
-}
-
-// "4×2", "4×2 b" with BDF2, and "32: 4×2" where the number of segments is free.
-Dot dot_of(const ChartPoint& point, bool free) {
-    const Setting& s = point.method.setting;
-    const std::string segments = std::to_string(point.segments);
-    return {free ? point.ms_per_100k_strands() : point.cost.ms_per_frame(),
-            point.error,
-            point.method.label() + (free ? ", N " + segments : ""),
-            (free ? segments + ": " : "") + std::to_string(s.substeps) + "×" +
-                std::to_string(s.iterations) + (s.bdf2 ? " b" : ""),
-            point.letter,
-            point.method.model->baseline()};
-}
-
-void of_swing(Figure& figure) {
-    figure.error_axis = "error / swing, median of the strands";
-    figure.floor_label = "hair that stands still";
-    figure.bands = false;
-    figure.top = swing_top;
-}
-
-void of_free_segments(Figure& figure) {
-    figure.error_axis = "E_{total}, rms / L";
-    figure.cost_axis = "ms per 1/60 s of simulated time and 100,000 strands";
-    figure.strands = 1e3 / 60 * 1e5;
-    figure.floor_label = "error of the reference";
-    figure.band_label = "indistinguishable";
-    figure.own_fronts = true;
-}
-
-} // namespace
-
-double ChartPoint::ms_per_100k_strands() const {
-    return 0.1 * cost.ms_per_frame() * (segments + 1);
-}
-
-Figure figure_of(const Chart& chart, const plait_device_info& device) {
-    Figure figure;
-    figure.name = chart.family.name;
-    figure.title = chart.family.title;
-    figure.subtitle = std::string(device.name) + ", " + device.backend;
-    if (counts_over_swing(chart.family.metric))
-        of_swing(figure);
-    if (chart.family.free())
-        of_free_segments(figure);
-    else if (!chart.points.empty())
-        figure.strands = 1e3 / 60 * 1e6 / (chart.points[0].segments + 1);
-    figure.floor = chart.floor;
-    figure.left_out = chart.left_out;
-    size_t baselines = 0;
-    for (const ChartPoint& point : chart.points) {
-        const Model& model = *point.method.model;
-        const std::string name = model.label + (model.baseline() ? " (baseline)" : "");
-        if (figure.series.empty() || figure.series.back().name != name) {
-            figure.series.push_back(
-                {name, colour_of(model.label, baselines), model.baseline(), {}});
-            baselines += model.baseline();
-        }
-        figure.series.back().dots.push_back(dot_of(point, chart.family.free()));
-    }
-    return figure;
-}
-
-namespace {
-
-constexpr const char* csv_head =
-    "model,baseline,segments,substeps,iterations,bdf2,error,class,"
-    "ms_per_frame_per_million,ms_per_frame_per_100k_strands,kernel_ns_per_vertex,"
-    "strands_at_60_hz,floor,vertices,steps,metric\n";
-
-std::string csv_line(const Chart& chart, const ChartPoint& p) {
-    char line[384];
-    const Setting& s = p.method.setting;
-    std::snprintf(
-        line, sizeof line, "%s,%d,%u,%u,%u,%d,%.6g,%c,%.6g,%.6g,%.6g,%.6g,%.6g,%llu,%u,%s\n",
-        p.method.model->label.c_str(), p.method.model->baseline(), p.segments, s.substeps,
-        s.iterations, s.bdf2, p.error, p.letter ? p.letter : '.', p.cost.ms_per_frame(),
-        p.ms_per_100k_strands(), 1e9 * p.cost.kernel / static_cast<double>(p.cost.vertices),
-        p.cost.strands_at_60_hz(p.segments + 1), chart.floor,
-        static_cast<unsigned long long>(p.cost.vertices), p.cost.runs, chart.family.metric.c_str());
-    return line;
-}
-
-Json to_json(const ChartPoint& p) {
-    return {{"model", p.method.model->label},
-            {"baseline", p.method.model->baseline()},
-            {"segments", p.segments},
-            {"substeps", p.method.setting.substeps},
-            {"iterations", p.method.setting.iterations},
-            {"bdf2", p.method.setting.bdf2},
-            {"error", p.error}, // null when it is no number
-            {"class", std::string(1, p.letter ? p.letter : '.')},
-            {"ms_per_frame_per_million", p.cost.ms_per_frame()},
-            {"ms_per_frame_per_100k_strands", p.ms_per_100k_strands()},
-            {"vertices", p.cost.vertices},
-            {"steps", p.cost.runs}};
-}
-
-} // namespace
-
-std::string chart_csv(const Chart& chart, const plait_device_info& device) {
-    std::string text =
-        "# " + chart.family.title + "; " + device.name + "; driver " + device.driver + "\n";
-    text += csv_head;
-    for (const ChartPoint& point : chart.points)
-        text += csv_line(chart, point);
-    return text;
-}
-
-std::string charts_csv(const ChartRun& run) {
-    std::string text = std::string("figure,") + csv_head;
-    for (const Chart& chart : run.charts)
-        for (const ChartPoint& point : chart.points)
-            text += chart.family.name + "," + csv_line(chart, point);
-    return text;
-}
-
-Json to_json(const ChartRun& run) {
-    Json figures = Json::array();
-    for (const Chart& chart : run.charts) {
-        Json points = Json::array();
-        for (const ChartPoint& point : chart.points)
-            points.push_back(to_json(point));
-        figures.push_back({{"figure", chart.family.name},
-                           {"title", chart.family.title},
-                           {"metric", chart.family.metric},
-                           {"floor", chart.floor},
-                           {"points", points},
-                           {"left_out", chart.left_out}});
-    }
-    return {{"device", run.device.name},
-            {"backend", run.device.backend},
-            {"driver", run.device.driver},
-            {"figures", figures}};
 }
 
 } // namespace lab

@@ -19,6 +19,9 @@ struct Family {
     bool free() const { return !segments.empty(); }
 };
 
+// Upper edges of figures: an error of a whole length is off the scale, and of five swings.
+constexpr double length_top = 2, swing_top = 10;
+
 struct ChartPoint {
     Method method;
     uint32_t segments = 16;
