@@ -469,6 +469,12 @@ typedef enum plait_diffuse_rule {
     PLAIT_DIFFUSE_RULE_FLOORED = 1,
     PLAIT_DIFFUSE_RULE_FORCE_32 = 0x7fffffff
 } plait_diffuse_rule;
+typedef enum plait_strand_contact_form {
+    PLAIT_STRAND_CONTACT_OFF = 0,
+    PLAIT_STRAND_CONTACT_ON = 1,
+    PLAIT_STRAND_CONTACT_FORCE_32 = 0x7fffffff
+} plait_strand_contact_form;
+
 typedef enum plait_volume_form {
     PLAIT_VOLUME_OFF = 0,
     PLAIT_VOLUME_PRESSURE = 1,
@@ -565,6 +571,12 @@ typedef struct plait_sim_params {
     float volume_viscosity;   /* 1/s: hair takes the velocity of the hair around it, [0, 1e3],
                                  default 5 */
     float cohesion; /* m^2/s^2: tension that hair bears, over its density, [0, 1e4], default 0 */
+
+    /* guide strands meet each other; docs/strand_contact.md. Models cosserat, rod, articulated */
+    plait_strand_contact_form strand_contact; /* default OFF */
+    float strand_radius; /* m, (0, 0.1], default 0.002: half of what guides lie apart, of which each
+                              stands for many hairs */
+    float strand_friction; /* Coulomb coefficient, [0, 10], default 0.3 */
 
     float accelerate_values[16]; /* each [-1e6, 1e6], default 0: passed to the caller's kernel for
                                     accelerate, which defines them; a warning if none runs */
@@ -992,6 +1004,9 @@ typedef struct plait_sim_stats {
     float worst_stiffening;
     uint64_t joints_stiffened;
     uint64_t sag_unstable;
+
+    /* with strand_contact: pairs of segments beyond the four nearest of each, in the last fixed step */
+    uint64_t pairs_dropped;
 } plait_sim_stats;
 
 PLAIT_API void plait_sim_stats_init(plait_sim_stats* stats, size_t size);

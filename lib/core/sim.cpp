@@ -47,10 +47,11 @@ Sim::Sim(Context& context, SimParts parts)
     : context_(context), layout_(parts.layout), desc_(parts.desc), mean_length_(parts.mean_length),
       hair_(parts.hair), groom_(parts.fingerprint), cube_(parts.cube), skin_(std::move(parts.skin)),
       model_(std::move(parts.model)), state_(std::move(parts.state)), grid_(std::move(parts.grid)),
-      display_(std::move(parts.display)), roots_(layout_, &context.memory),
-      colliders_(desc_.substeps, &context.memory), meshes_(&context.memory),
-      substeps_(1, desc_.substeps, &context.memory), clock_(desc_.step, desc_.max_steps_per_call),
-      schedule_(&context.memory), pin_table_(&context.memory) {}
+      pairs_(std::move(parts.pairs)), display_(std::move(parts.display)),
+      roots_(layout_, &context.memory), colliders_(desc_.substeps, &context.memory),
+      meshes_(&context.memory), substeps_(1, desc_.substeps, &context.memory),
+      clock_(desc_.step, desc_.max_steps_per_call), schedule_(&context.memory),
+      pin_table_(&context.memory) {}
 
 Sim::~Sim() {
     if (context_.measured == this)
@@ -120,6 +121,7 @@ Status Sim::show_at_once() {
 Status Sim::set_params(const plait_sim_params& params) {
     const Discard discard{*model_};
     PLAIT_TRY(check_volume(params, desc_.model));
+    PLAIT_TRY(check_strand_contact(params, desc_.model));
     PLAIT_TRY(model_->prepare(device(), params));
     InterHair grid;
     const bool same_grid = grid_.fits(params);
@@ -129,6 +131,12 @@ Status Sim::set_params(const plait_sim_params& params) {
             return made.error();
         grid = std::move(*made);
     }
+    auto pairs = Pairs::create(device(), params, layout_, pairs_.longest_segment());
+    if (!pairs)
+        return pairs.error();
+    const bool other_pairs = bool(pairs->buffers()) != bool(pairs_.buffers());
+    PLAIT_TRY(
+        model_->keep_planes(device(), meshes_.buffers() || pairs->buffers() || pairs_.buffers()));
     plait_sim_params next = params;
     const std::string warned = context_.log.callback ? warning() : "";
     const auto exchange = [&] {
@@ -136,6 +144,8 @@ Status Sim::set_params(const plait_sim_params& params) {
         std::swap(desc_.params, next);
         if (!same_grid)
             std::swap(grid_, grid);
+        if (other_pairs)
+            std::swap(pairs_, *pairs);
     };
     exchange();
     Status status = check_stages();
@@ -145,6 +155,8 @@ Status Sim::set_params(const plait_sim_params& params) {
         log_warnings(next, warned);
     if (status && !same_place(next, desc_.params))
         grid_.volume().carries = false;
+    if (!needs_planes())
+        PLAIT_TRY(model_->keep_planes(device(), false));
     return status;
 }
 

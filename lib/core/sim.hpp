@@ -9,6 +9,7 @@
 #include "core/interhair.hpp"
 #include "core/mesh_colliders.hpp"
 #include "core/model.hpp"
+#include "core/pairs.hpp"
 #include "core/pins.hpp"
 #include "core/roots.hpp"
 #include "core/skin.hpp"
@@ -37,6 +38,7 @@ struct SimParts {
     std::unique_ptr<Model> model;
     State state;
     InterHair grid;
+    Pairs pairs;
     Display display;
 };
 // What of a descriptor belongs to single guides, checked.
@@ -142,8 +144,8 @@ class Sim {
         uint32_t substeps;
         uint32_t first; // those of the groups before
     };
-    // Strands do not meet within a fixed step: those that take one number of substeps may take all
-    // of them before those that take another.
+    // Those that take one number of substeps take all of them before those that take another: what
+    // strands know of each other's motion within a fixed step (strand_contact) is then that old.
     template <typename Visit> Status for_each_group(const Visit& visit) const {
         uint32_t first = 0;
         for (const uint32_t substeps : substeps_) {
@@ -174,6 +176,7 @@ class Sim {
     void append_pins(const At& at);
     void append_air(const At& at);
     void append_accelerations(const At& at);
+    void append_pairs(const At& at);
     void append_solve(const At& at);
     void append_volume(const At& at);
     void append_grid_over_lanes(const At& at);
@@ -200,6 +203,7 @@ class Sim {
     Result<std::pmr::vector<float>> clearance_of(const MeshField& field,
                                                  const plait_collider_mesh_desc& desc);
     Status take_meshes(MeshColliders::Entries&& meshes);
+    bool needs_planes() const { return meshes_.buffers() || pairs_.buffers(); }
     Status take_substeps(const std::pmr::vector<uint32_t>& substeps);
     Result<uint64_t> accelerations_ignored() const;
     uint64_t device_bytes() const;
@@ -254,6 +258,7 @@ class Sim {
     std::unique_ptr<Model> model_;
     State state_;
     InterHair grid_;
+    Pairs pairs_;
     Display display_;
     Roots roots_;
     Colliders colliders_;

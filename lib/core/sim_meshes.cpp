@@ -18,7 +18,7 @@ Result<std::pmr::vector<float>> Sim::clearance_of(const MeshField& field,
 }
 
 Status Sim::take_meshes(MeshColliders::Entries&& meshes) {
-    PLAIT_TRY(model_->keep_planes(device(), !meshes.empty()));
+    PLAIT_TRY(model_->keep_planes(device(), !meshes.empty() || pairs_.buffers()));
     return meshes_.assign(device(), std::move(meshes));
 }
 
@@ -57,7 +57,7 @@ Status Sim::destroy_collider(plait_collider_id id) {
         return slot.error();
     if (Colliders::is_mesh(colliders_.slots()[*slot])) {
         PLAIT_TRY(meshes_.remove(device(), *slot));
-        if (!meshes_.buffers())
+        if (!needs_planes())
             PLAIT_TRY(model_->keep_planes(device(), false));
     }
     return colliders_.destroy(id);

@@ -187,7 +187,8 @@ class Scene {
   public:
     Scene(plait::Context& context, const Case& c, uint32_t seed)
         : case_(c), dice_(seed), mesh_dice_(seed + 1000), volume_dice_(seed + 2000),
-          detail_dice_(seed + 3000), sim_(context, groom(), random_desc(c, dice_)) {}
+          detail_dice_(seed + 3000), contact_dice_(seed + 4000),
+          sim_(context, groom(), random_desc(c, dice_)) {}
 
     void frame_of_calls() {
         for (uint32_t i = dice_.below(4); i > 0; --i)
@@ -199,6 +200,8 @@ class Scene {
         if (detail_dice_.one_in(6))
             detail_dice_.one_in(4) ? sim_.drop_detail()
                                    : sim_.set_detail(random_detail(detail_dice_));
+        if (case_.model > PLAIT_MODEL_CHAIN && contact_dice_.one_in(6))
+            change_strand_contact();
         at_ = {at_[0] + dice_.between(-0.03f, 0.03f), at_[1], at_[2]};
         sim_.set_roots(head_at(at_));
         sim_.step(dice_.one_in(10) ? 0.04 : frame);
@@ -215,6 +218,7 @@ class Scene {
         auto params = sim_.params();
         params.drag = 15;
         params.volume = PLAIT_VOLUME_OFF;
+        params.strand_contact = PLAIT_STRAND_CONTACT_OFF;
         sim_.set_params(params);
         run(sim_, steps);
     }
@@ -260,6 +264,14 @@ class Scene {
         params.cohesion = volume_dice_.one_in(2) ? 0 : volume_dice_.decade(-2, 2);
         sim_.set_params(params);
     }
+    void change_strand_contact() {
+        auto params = sim_.params();
+        params.strand_contact =
+            contact_dice_.one_in(3) ? PLAIT_STRAND_CONTACT_OFF : PLAIT_STRAND_CONTACT_ON;
+        params.strand_radius = contact_dice_.decade(-4, -1);
+        params.strand_friction = contact_dice_.one_in(3) ? 0 : contact_dice_.between(0, 2);
+        sim_.set_params(params);
+    }
     std::optional<size_t> some_collider() {
         if (colliders_.empty())
             return {};
@@ -267,7 +279,7 @@ class Scene {
     }
 
     const Case& case_;
-    Dice dice_, mesh_dice_, volume_dice_, detail_dice_;
+    Dice dice_, mesh_dice_, volume_dice_, detail_dice_, contact_dice_;
     plait::Sim sim_;
     std::vector<plait_collider_id> colliders_;
     Point at_{0, 0, 0};

@@ -18,6 +18,7 @@ constexpr uint32_t grid_edge_count = 8; // as in Ugurca 2015
 constexpr uint32_t slot_capacity = 1024;
 constexpr uint32_t colliders = 4;
 constexpr uint32_t bones = 64;
+constexpr uint32_t pair_cells = 32;  // each way
 constexpr uint32_t most_runs = 1024; // of bounds
 constexpr uint32_t slots_in_parallel = 64;
 constexpr float step = 1.0f / 60.0f; // s
@@ -139,6 +140,16 @@ void fill(plait_lane_params& p, const Shape& shape) {
          0,
          0,
          0};
+}
+void fill(plait_pair_params& p, const Shape& shape) {
+    const float length = strand_length / static_cast<float>(shape.vertices - 1);
+    p = {shape.vertices, pair_cells, 0.55f * length, 0.004f, 0.5f * length, 1};
+}
+void fill(plait_pair_scan_params& p, const Shape&) {
+    p.edge_count = pair_cells;
+}
+void fill(plait_strand_contact_params& p, const Shape& shape) {
+    p = {shape.vertices, shape.tile, shape.vertices, 0, 0.3f};
 }
 void fill(plait_accelerate_params& p, const Shape& shape) {
     p = {shape.vertices, step, 0, {}};
@@ -552,6 +563,49 @@ Words bone_matrices() {
     return words;
 }
 
+// The segments of strands that hang, in the cells of their middles, and which may meet: those beside.
+struct Cells {
+    Words end, segments;
+};
+
+Cells cells_of(const Shape& shape) {
+    plait_pair_params params{};
+    fill(params, shape);
+    const Words words = strands(shape, 0);
+    std::vector<Words> cells(size_t{pair_cells} * pair_cells * pair_cells);
+    for (uint32_t vertex = 0; vertex < shape.total(); ++vertex) {
+        if (vertex % shape.vertices + 1 == shape.vertices)
+            continue;
+        size_t cell = 0;
+        for (size_t k = 3; k-- > 0;) {
+            const auto at = [&](size_t v) { return std::bit_cast<float>(words[4 * v + k]); };
+            const float middle = (at(vertex) + at(size_t{vertex} + 1)) / 2;
+            const auto place = static_cast<int>(std::floor(middle / params.voxel_edge));
+            const auto n = static_cast<int>(pair_cells);
+            cell = cell * pair_cells + static_cast<size_t>((place % n + n) % n);
+        }
+        cells[cell].push_back(vertex);
+    }
+    Cells sorted;
+    for (const Words& cell : cells) {
+        sorted.segments.insert(sorted.segments.end(), cell.begin(), cell.end());
+        sorted.end.push_back(static_cast<uint32_t>(sorted.segments.size()));
+    }
+    sorted.segments.resize(shape.total());
+    return sorted;
+}
+
+Words pairs(const Shape& shape) {
+    Words words;
+    for (size_t vertex = 0; vertex < shape.total(); ++vertex)
+        for (size_t k = 1; k <= PLAIT_PAIR_COUNT; ++k) {
+            const size_t other = (vertex + k * shape.vertices) % shape.total();
+            const bool some = other % shape.vertices + 1 < shape.vertices && shape.strands > k;
+            words.push_back(some ? static_cast<uint32_t>(other) : PLAIT_PAIR_NONE);
+        }
+    return words;
+}
+
 // What is not zero.
 using Maker = Words (*)(const Shape&);
 
@@ -604,6 +658,12 @@ const std::map<std::string, Maker>& makers() {
          }},
         {"mesh_values", [](const Shape&) { return mesh_values(); }},
         {"mesh_clearance", [](const Shape& s) { return Words(s.total()); }},
+        {"cell_count", [](const Shape&) { return Words(pair_cells * pair_cells * pair_cells); }},
+        {"cell_end", [](const Shape& s) { return cells_of(s).end; }},
+        {"cell_segment", [](const Shape& s) { return cells_of(s).segments; }},
+        {"pair_segment", pairs},
+        {"pair_offset",
+         [](const Shape& s) { return Words(PLAIT_PAIR_COUNT * s.total(), word(0.004f)); }},
         {"follow_guide", [](const Shape& s) { return counting(s.strands); }},
         {"follow_offset", [](const Shape& s) { return vectors(s.strands, 0.002f, 0, 0.001f, 0); }},
         {"follow_guides", three_guides},
@@ -678,6 +738,8 @@ std::vector<unsigned char> typical_params(plait_stage stage, const Shape& shape)
 }
 
 uint32_t item_count(plait_stage stage, const Shape& shape) {
+    if (stage == PLAIT_STAGE_pair_scan)
+        return 1;
     if (stage == PLAIT_STAGE_bounds) {
         plait_bounds_params params{};
         fill(params, shape);
@@ -739,7 +801,8 @@ std::vector<uint32_t> typical_buffer(const plait_stage_info& stage, const plait_
         return {}; // hair that gravity alone pulls
     if (stage.stage != PLAIT_STAGE_lane_pin && name == "lane_pin")
         return {}; // and that nothing pins
-    if (stage.stage != PLAIT_STAGE_mesh_contact && name == "lane_plane")
+    if (stage.stage != PLAIT_STAGE_mesh_contact && stage.stage != PLAIT_STAGE_strand_contact &&
+        name == "lane_plane")
         return {}; // and that is near no mesh
     if (stage.stage == PLAIT_STAGE_mesh_contact && name == "collider")
         return mesh_row();

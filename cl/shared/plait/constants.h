@@ -63,6 +63,20 @@
  * falls from 1 to 0. Ours. */
 #define PLAIT_MESH_MIN_SLOPE PLAIT_NUMBER(0.5)
 
+/* ---- strand against strand ---------------------------------------------------------------------
+ */
+
+/* Diameters: so near a pair is kept however slow it is. Ours. */
+#define PLAIT_PAIR_NEAR PLAIT_NUMBER(1.5)
+/* Diameters of arc: segments of one strand that are nearer along it are no pair. A strand that
+ * bends back on itself as closely as it may is half a circle of pi/2. Ours. */
+#define PLAIT_PAIR_ARC PLAIT_NUMBER(2.0)
+/* m: nearer to each other, points of two segments have no direction apart. Ours. */
+#define PLAIT_PAIR_LEAST PLAIT_NUMBER(1e-7)
+/* Of a point of a segment: a vertex with a smaller share of it does not answer for it, so that a
+ * strand can turn about what it lies on. Ours. */
+#define PLAIT_PAIR_SHARE PLAIT_NUMBER(0.25)
+
 /* ---- energy budget of the strand models --------------------------------------------------------
  */
 
