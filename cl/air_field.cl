@@ -20,7 +20,7 @@ typedef PLAIT_JOIN(uint, PLAIT_LANES) hash;
 #define INT_OF(value) PLAIT_JOIN(as_int, PLAIT_LANES)(value)
 #endif
 
-/* pcg of common/grid.clh. */
+/* pcg of common/hash.clh. */
 static inline hash pcg_of(hash x) {
     const hash state = x * 747796405u + 2891336453u;
     const hash word = ((state >> ((state >> 28) + 4u)) ^ state) * 277803737u;

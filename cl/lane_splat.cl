@@ -37,7 +37,7 @@ __kernel void plait_lane_splat(const uint item_count, const plait_lane_grid_para
                     continue;
                 const float3 v = splat_velocity(&row, k);
                 const float energy = v.x * v.x + v.y * v.y + v.z * v.z;
-                const float8 moments = (float8)(v, 1.0f, energy, (float3)(0.0f));
+                const float8 moments = (float8)(v.x, v.y, v.z, 1.0f, energy, 0.0f, 0.0f, 0.0f);
                 if (params.tent == PLAIT_TENT_VOXEL)
                     splat_voxel(&splat, &grid, &row, k, moments, grid_sum);
                 else

@@ -38,8 +38,9 @@ __kernel void plait_volume_splat(const uint item_count, const plait_lane_volume_
             for (uint k = 0; k < PLAIT_LANES; ++k) {
                 if (!LANE_OF_MASK(row.inside, k))
                     continue;
+                const float3 v = splat_velocity(&row, k);
                 const float8 moments =
-                    (float8)(splat_velocity(&row, k), 1.0f, LANE(rest, k), (float3)(0.0f));
+                    (float8)(v.x, v.y, v.z, 1.0f, LANE(rest, k), 0.0f, 0.0f, 0.0f);
                 splat_corners(&splat, &cell, &grid, &row, k, LANE(hair, k) * moments, grid_sum);
             }
         }

@@ -45,15 +45,22 @@ struct Capsule {
 // touches it from inside.
 std::vector<Capsule> head_colliders();
 
+// What hair of the style `ball` lies on in place of the mannequin: a sphere about the origin.
+inline constexpr double ball_radius = 0.1;         // m
+inline constexpr double ball_hairline = 0.0497571; // m above the middle; hair grows higher up
+HeadMesh make_ball();                              // of 20,448 triangles
+std::vector<Capsule> ball_colliders();
+
 // ---- hair
 // ----------------------------------------------------------------------------------------
 
 enum class Hairstyle : uint32_t {
-    Long,    // parted, falling over the shoulders
-    Braid,   // combed back into one plait of three bundles
-    Curly,   // helices
-    Short,   // swept back
-    Ponytail // combed back through a holder, and free behind it
+    Long,     // parted, falling over the shoulders
+    Braid,    // combed back into one plait of three bundles
+    Curly,    // helices
+    Short,    // swept back
+    Ponytail, // combed back through a holder, and free behind it
+    Ball      // in a layer on a ball and past its equator, for measurements: not on the mannequin
 };
 
 // Lengths in metres. What each number means and its range: style_fields().
@@ -85,7 +92,7 @@ struct Style {
     double tail_length = 0.3;
 };
 
-// "long", "braid", "curly", "short", "ponytail".
+// "long", "braid", "curly", "short", "ponytail", "ball".
 std::string_view hairstyle_name(Hairstyle hairstyle);
 
 // The defaults of a hairstyle. They are what `plait-groom <name>` starts from.

@@ -1,5 +1,6 @@
 // Loose hairstyles: every strand falls on its own, then is drawn to its clump's middle, waved or
 // wound into a curl, and cut into vertices.
+#include "ball.hpp"
 #include "braid.hpp"
 #include "fall.hpp"
 #include "generator.hpp"
@@ -153,14 +154,10 @@ Vec3 outside(Vec3 p) {
     return head_distance(p) < least_clearance ? to_distance(p, least_clearance) : p;
 }
 
-void append(Strands& strands, const Path& path, const Style& style, uint32_t i) {
-    const Path vertices = resample(path, style.vertices, 4);
-    for (size_t k = 0; k < vertices.size(); ++k) {
-        const Vec3 p = k > 0 ? outside(vertices[k]) : vertices[k];
+void append(Strands& strands, const Path& vertices, Uv uv, const Style& style, uint32_t i) {
+    for (const Vec3 p : vertices)
         for (const double value : {p.x, p.y, p.z})
             strands.positions.push_back(static_cast<float>(value));
-    }
-    const Uv uv = scalp_uv(path.front());
     strands.uv.push_back(static_cast<float>(uv.u));
     strands.uv.push_back(static_cast<float>(uv.v));
     strands.vertex_counts.push_back(style.vertices);
@@ -172,14 +169,30 @@ void append(Strands& strands, const Path& path, const Style& style, uint32_t i) 
 template <typename Hair> Strands cut(const Hair& hair, const Style& style) {
     Strands strands;
     strands.positions.reserve(size_t{3} * style.strands * style.vertices);
+    for (uint32_t i = 0; i < style.strands; ++i) {
+        const Path path = hair.strand(i);
+        Path vertices = resample(path, style.vertices, 4);
+        for (size_t k = 1; k < vertices.size(); ++k)
+            vertices[k] = outside(vertices[k]);
+        append(strands, vertices, scalp_uv(path.front()), style, i);
+    }
+    return strands;
+}
+
+Strands on_ball(const Style& style) {
+    const BallHair hair(style);
+    Strands strands;
+    strands.positions.reserve(size_t{3} * style.strands * style.vertices);
     for (uint32_t i = 0; i < style.strands; ++i)
-        append(strands, hair.strand(i), style, i);
+        append(strands, hair.strand(i), hair.uv(i), style, i);
     return strands;
 }
 
 } // namespace
 
 Strands make_groom(const Style& style) {
+    if (style.hairstyle == Hairstyle::Ball)
+        return on_ball(style);
     const std::vector<Vec3> roots = scatter_roots(style.strands, style.seed);
     if (style.hairstyle == Hairstyle::Braid)
         return cut(BraidedHair(style, roots), style);

@@ -105,10 +105,21 @@ Style make_ponytail() {
     return style;
 }
 
+// 2 to 31 mm above the ball: of the layer, what a strand is off the ball is drawn evenly.
+Style make_ball_style() {
+    Style style;
+    style.hairstyle = Hairstyle::Ball;
+    style.strands = 2000;
+    style.length = 0.25;
+    style.length_variation = 0;
+    style.volume = 0.03;
+    return style;
+}
+
 } // namespace
 
 std::string_view hairstyle_name(Hairstyle hairstyle) {
-    constexpr std::string_view names[] = {"long", "braid", "curly", "short", "ponytail"};
+    constexpr std::string_view names[] = {"long", "braid", "curly", "short", "ponytail", "ball"};
     return names[static_cast<uint32_t>(hairstyle)];
 }
 
@@ -124,6 +135,8 @@ Style make_style(Hairstyle hairstyle) {
         return make_short();
     case Hairstyle::Ponytail:
         return make_ponytail();
+    case Hairstyle::Ball:
+        return make_ball_style();
     }
     return make_long();
 }

@@ -92,6 +92,7 @@ int run(int argc, char** argv) {
     add_style(app, Hairstyle::Short, "a few centimetres, swept back", out, problem);
     add_style(app, Hairstyle::Ponytail, "combed back through a holder behind the head", out,
               problem);
+    add_style(app, Hairstyle::Ball, "in a layer on a ball of 10 cm, to be measured", out, problem);
     add_head(app, out, problem);
     CLI11_PARSE(app, argc, argv);
     if (!problem.empty())

@@ -472,6 +472,12 @@ typedef enum plait_diffuse_rule {
     PLAIT_DIFFUSE_RULE_FLOORED = 1,
     PLAIT_DIFFUSE_RULE_FORCE_32 = 0x7fffffff
 } plait_diffuse_rule;
+typedef enum plait_strand_contact_form {
+    PLAIT_STRAND_CONTACT_OFF = 0,
+    PLAIT_STRAND_CONTACT_ON = 1,
+    PLAIT_STRAND_CONTACT_FORCE_32 = 0x7fffffff
+} plait_strand_contact_form;
+
 typedef enum plait_volume_form {
     PLAIT_VOLUME_OFF = 0,
     PLAIT_VOLUME_PRESSURE = 1,
@@ -568,6 +574,12 @@ typedef struct plait_sim_params {
     float volume_viscosity;   /* 1/s: hair takes the velocity of the hair around it, [0, 1e3],
                                  default 5 */
     float cohesion; /* m^2/s^2: tension that hair bears, over its density, [0, 1e4], default 0 */
+
+    /* guide strands meet each other; docs/strand_contact.md. Models cosserat, rod, articulated */
+    plait_strand_contact_form strand_contact; /* default OFF */
+    float strand_radius; /* m, (0, 0.1], default 0.002: half of what guides lie apart, of which each
+                              stands for many hairs */
+    float strand_friction; /* Coulomb coefficient, [0, 10], default 0.3 */
 
     float accelerate_values[16]; /* each [-1e6, 1e6], default 0: passed to the caller's kernel for
                                     accelerate, which defines them; a warning if none runs */
@@ -901,6 +913,36 @@ PLAIT_API void plait_wind_desc_init(plait_wind_desc* desc, size_t size);
  *         that fails changes nothing. */
 PLAIT_API plait_result plait_sim_set_wind(plait_sim* sim, const plait_wind_desc* desc);
 
+/* What follow strands get after the simulation, each by a ramp over its length: knots at the root, a
+ * third, two thirds and the tip, linear between. First strands are drawn to the centres of their
+ * clumps, turned and as long as they are; then come curl and frizz, as offsets in a frame that each
+ * strand carries along, which lengthen it. Guides and roots stay as they are. Docs: docs/follows.md. */
+typedef struct plait_detail_desc {
+    uint32_t struct_size;
+    float clump[4];     /* share of the way to the centre, each [0, 1], default 0 */
+    float curl[4];      /* m, radius of the curls, each [0, 1], default 0 */
+    float curl_pitch;   /* m of hair per turn, [1e-4, 100], default 0.02 */
+    float curl_scatter; /* share of a turn by which curls of one clump differ, [0, 1], default 1 */
+    float frizz[4];     /* m, rms in each of two directions, each [0, 1], default 0 */
+    float frizz_length; /* m of hair over which it keeps its direction, [1e-4, 100], default 0.01 */
+    uint32_t seed;      /* of clumps, phases and frizz */
+    uint32_t clumps;    /* so many, their centres follows whose roots are spread evenly, [0, all of
+                           them]; default 0: one for each guide */
+    /* uint32_t [follows] or empty: the strand each is drawn to, in place of `clumps`, which must be
+       0: a guide, or a follow that is its own centre */
+    plait_view clump_centres;
+} plait_detail_desc;
+
+PLAIT_API void plait_detail_desc_init(plait_detail_desc* desc, size_t size);
+
+/* From the next time on that positions are shown, which is the next step's or reset's; NULL: none, as
+ * at first. Copied. In every model; snapshots, which hold no parameters, do not hold it. Where it is
+ * off nothing is scheduled, stored or changed. Waits for the device.
+ * @errors INVALID_ARGUMENT: a value outside its range, a strand that is no centre; INVALID_STATE: the
+ *         sim has no follows; UNSUPPORTED: the backend lacks a stage; COMPILE. A call that fails
+ *         changes nothing. */
+PLAIT_API plait_result plait_sim_set_detail(plait_sim* sim, const plait_detail_desc* desc);
+
 typedef enum plait_field {
     PLAIT_FIELD_POSITION = 0,      /* float[4] [strands][V]: x, y, z, inverse mass; for display */
     PLAIT_FIELD_TANGENT = 1,       /* float[4] [strands][V], unit, towards the tip */
@@ -965,6 +1007,9 @@ typedef struct plait_sim_stats {
     float worst_stiffening;
     uint64_t joints_stiffened;
     uint64_t sag_unstable;
+
+    /* with strand_contact: pairs of segments beyond the four nearest of each, in the last fixed step */
+    uint64_t pairs_dropped;
 } plait_sim_stats;
 
 PLAIT_API void plait_sim_stats_init(plait_sim_stats* stats, size_t size);
@@ -1159,6 +1204,7 @@ PLAIT_DEFAULTS(plait_sim_stats)
 PLAIT_DEFAULTS(plait_launch)
 PLAIT_DEFAULTS(plait_roots)
 PLAIT_DEFAULTS(plait_wind_desc)
+PLAIT_DEFAULTS(plait_detail_desc)
 PLAIT_DEFAULTS(plait_collider_desc)
 PLAIT_DEFAULTS(plait_collider_mesh_desc)
 #undef PLAIT_DEFAULTS

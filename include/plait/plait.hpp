@@ -253,6 +253,9 @@ class Sim : public detail::Owner<plait_sim, plait_sim_destroy> {
     void set_wind(const plait_wind_desc& desc) { check(plait_sim_set_wind(get(), &desc)); }
     void stop_wind() { check(plait_sim_set_wind(get(), nullptr)); }
 
+    void set_detail(const plait_detail_desc& desc) { check(plait_sim_set_detail(get(), &desc)); }
+    void drop_detail() { check(plait_sim_set_detail(get(), nullptr)); }
+
     void set_models(const std::vector<plait_model>& models) {
         check(plait_sim_set_models(get(), models.data(), models.size()));
     }

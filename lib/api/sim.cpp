@@ -4,6 +4,7 @@
 #include "api/objects.hpp"
 #include "api/structs.hpp"
 #include "api/view.hpp"
+#include "core/detail.hpp"
 #include "core/materials.hpp"
 #include "core/param_table.hpp"
 #include "core/params.hpp"
@@ -264,6 +265,23 @@ plait_result plait_sim_set_wind(plait_sim* sim, const plait_wind_desc* desc) {
         PLAIT_TRY(api::read_struct(desc, given, "desc"));
         PLAIT_TRY(check_wind(given));
         return s.set_wind(&given);
+    });
+}
+
+void plait_detail_desc_init(plait_detail_desc* desc, size_t size) {
+    api::init_struct(desc, size, default_detail_desc());
+}
+
+plait_result plait_sim_set_detail(plait_sim* sim, const plait_detail_desc* desc) {
+    return api::with_sim(__func__, sim, [&](Sim& s) -> Status {
+        if (!desc)
+            return s.set_detail(nullptr, {});
+        plait_detail_desc given = default_detail_desc();
+        PLAIT_TRY(api::read_struct(desc, given, "desc"));
+        PLAIT_TRY(check_detail(given));
+        std::pmr::vector<uint32_t> centres(&s.context().memory);
+        PLAIT_TRY(api::copy_view(given.clump_centres, 1, "desc->clump_centres", centres));
+        return s.set_detail(&given, centres);
     });
 }
 

@@ -2,34 +2,21 @@
 #include "core/follow_map.hpp"
 
 #include "base/format.hpp"
-#include "base/hash.hpp"
 #include "core/polyline.hpp"
-
-#include <Eigen/Core>
+#include "core/root_spread.hpp"
 
 #include <algorithm>
 #include <array>
-#include <limits>
 
 namespace plait {
 namespace {
 
-using Vec3 = Eigen::Vector3f;
-
 constexpr size_t nearest = FollowMap::per_strand; // guides of a follow
-constexpr float side = 0.5f;       // cos 60 deg: across a parting hair is further apart
 constexpr double grown = 0.25;     // share of the length over which a strand's direction is taken
 constexpr float same_root = 1e-6f; // m
-constexpr float far_off = std::numeric_limits<float>::infinity();
 
-// Of every strand.
-struct Roots {
-    std::pmr::vector<Vec3> at;
-    std::pmr::vector<Vec3> way; // unit, over the first quarter of the length
-};
-
-Roots roots_of(const StrandSet& strands, std::pmr::memory_resource* memory) {
-    Roots roots{std::pmr::vector<Vec3>(memory), std::pmr::vector<Vec3>(memory)};
+StrandRoots roots_of(const StrandSet& strands, std::pmr::memory_resource* memory) {
+    StrandRoots roots(memory);
     Points points(memory);
     std::pmr::vector<double> arc(memory);
     const float* p = strands.positions.data();
@@ -38,32 +25,9 @@ Roots roots_of(const StrandSet& strands, std::pmr::memory_resource* memory) {
         for (uint32_t i = 0; i < count; ++i, p += 3)
             points.push_back({p[0], p[1], p[2]});
         const Point ahead = point_at(points, arc, grown * measure(points, arc));
-        roots.at.emplace_back(points[0].data());
-        roots.way.push_back((Vec3(ahead.data()) - roots.at.back()).normalized());
+        roots.append(points[0], ahead);
     }
     return roots;
-}
-
-// Each is the strand whose root is farthest from those of all before (Gonzalez 1985), so that no
-// other set covers the scalp more than twice as closely; the first is the seed's. Ascending.
-std::pmr::vector<uint32_t> spread(const Roots& roots, size_t guides, uint64_t seed,
-                                  std::pmr::memory_resource* memory) {
-    const size_t strands = roots.at.size();
-    std::pmr::vector<float> squares(strands, far_off, memory); // to the nearest; -1: chosen
-    std::pmr::vector<uint32_t> chosen(memory);
-    size_t next = mix64(seed) % strands;
-    while (chosen.size() < guides) {
-        chosen.push_back(static_cast<uint32_t>(next));
-        squares[next] = -1;
-        const Vec3 root = roots.at[next];
-        for (size_t i = 0; i < strands; ++i) {
-            squares[i] = std::min(squares[i], (roots.at[i] - root).squaredNorm());
-            if (squares[i] > squares[next])
-                next = i;
-        }
-    }
-    std::ranges::sort(chosen);
-    return chosen;
 }
 
 std::pmr::vector<uint32_t> others(std::span<const uint32_t> chosen, size_t strands,
@@ -77,29 +41,7 @@ std::pmr::vector<uint32_t> others(std::span<const uint32_t> chosen, size_t stran
 }
 
 // The nearest guides on a strand's own side, the nearest first, and one more.
-struct Near {
-    uint32_t guide = 0;
-    float square = far_off; // distance^2 of the roots; infinite: there is none
-};
-using Nearest = std::array<Near, nearest + 1>;
-
-void insert(Nearest& list, Near candidate) {
-    for (Near& place : list)
-        if (candidate.square < place.square)
-            std::swap(candidate, place);
-}
-
-Nearest nearest_guides(const Roots& roots, uint32_t strand, std::span<const uint32_t> chosen) {
-    Nearest beside, any;
-    for (uint32_t g = 0; g < chosen.size(); ++g) {
-        const float square = (roots.at[chosen[g]] - roots.at[strand]).squaredNorm();
-        if (square < beside.back().square && roots.way[chosen[g]].dot(roots.way[strand]) >= side)
-            insert(beside, {g, square});
-        if (square < any[0].square)
-            any[0] = {g, square};
-    }
-    return beside[0].square < far_off ? beside : any;
-}
+using Nearest = NearRoots<nearest + 1>;
 
 // (1/d - 1/R)^2, R the distance of the first guide that is left out (Franke & Nielson 1980): a guide
 // that another takes the place of has no weight left, so neighbours have nearly the same weights
@@ -128,8 +70,8 @@ Status choose_guides(const Groom& groom, size_t guides, uint64_t seed, Groom& ou
             PLAIT_INVALID_ARGUMENT,
             format("guides is %zu, range is [1, %zu], the groom's strands", guides, strands)};
     std::pmr::memory_resource* const memory = map.guides.get_allocator().resource();
-    const Roots roots = roots_of(groom.strands, memory);
-    const auto chosen = spread(roots, guides, seed, memory);
+    const StrandRoots roots = roots_of(groom.strands, memory);
+    const auto chosen = spread_roots(roots, guides, seed, memory);
     const auto left = others(chosen, strands, memory);
     out = take_strands(groom, chosen, memory);
     Groom follows = take_strands(groom, left, memory);
@@ -141,10 +83,10 @@ Status choose_guides(const Groom& groom, size_t guides, uint64_t seed, Groom& ou
     std::pmr::vector<uint32_t> of(memory);
     std::pmr::vector<float> weights(memory);
     for (const uint32_t strand : left) {
-        const Nearest list = nearest_guides(roots, strand, chosen);
+        const Nearest list = nearest_roots<nearest + 1>(roots, strand, chosen);
         const auto shares = weights_of(list);
         for (size_t k = 0; k < FollowMap::per_strand; ++k)
-            of.push_back(list[k].guide);
+            of.push_back(list[k].index);
         weights.insert(weights.end(), shares.begin(), shares.end());
     }
     return set_guides(map, of, weights);

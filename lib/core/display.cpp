@@ -82,6 +82,47 @@ Status Display::make_turns(Device& device, const Groom& groom, const Layout& lay
     return device.write(follow_guide_, guides.data());
 }
 
+// [4*strands*V], where the groom, or the map, or the offset from the guide has them.
+Result<std::pmr::vector<float>> Display::rest_of_all(Device& device, const Layout& layout,
+                                                     const State& state,
+                                                     std::span<const uint32_t> guides,
+                                                     std::pmr::memory_resource* memory) const {
+    std::pmr::vector<float> rest(size_t{4} * layout.vertices(), memory);
+    PLAIT_TRY(device.read(state.rest, rest.data()));
+    float* const follows = rest.data() + size_t{4} * layout.guide_vertices();
+    const size_t row = size_t{4} * layout.row;
+    if (turns_) {
+        PLAIT_TRY(device.read(turns_.rest(), follows));
+        for (size_t follow = 0; follow < layout.follows; ++follow)
+            for (size_t i = 4; i < row; ++i)
+                follows[follow * row + i] += follows[follow * row + i - 4];
+        return rest;
+    }
+    std::pmr::vector<Float4> offsets(layout.follows, memory);
+    PLAIT_TRY(device.read(follow_offset_, offsets.data()));
+    for (size_t follow = 0; follow < layout.follows; ++follow)
+        for (size_t i = 0; i < row; ++i)
+            follows[follow * row + i] = rest[guides[follow] * row + i] + offsets[follow][i % 4];
+    return rest;
+}
+
+Result<Detail> Display::make_detail(Device& device, const Layout& layout, const State& state,
+                                    const plait_detail_desc& desc,
+                                    std::span<const uint32_t> centres,
+                                    std::pmr::memory_resource* memory) const {
+    if (layout.follows == 0)
+        return Error{PLAIT_INVALID_STATE,
+                     "the sim has no follow strands, which detail is of: it was created with "
+                     "neither follow_map nor follows_per_guide"};
+    std::pmr::vector<uint32_t> guides(layout.follows, memory), counts(layout.strands(), memory);
+    PLAIT_TRY(device.read(follow_guide_, guides.data()));
+    PLAIT_TRY(device.read(state.vertex_count, counts.data()));
+    const auto rest = rest_of_all(device, layout, state, guides, memory);
+    if (!rest)
+        return rest.error();
+    return Detail::create(device, desc, centres, {layout, *rest, counts, guides}, memory);
+}
+
 void Display::append_step_before(Schedule& schedule, const Layout& layout,
                                  const State& state) const {
     if (interpolates())
@@ -114,6 +155,8 @@ void Display::append(Schedule& schedule, const Layout& layout, const State& stat
             plait_follow_params{layout.row, layout.guides, params.tip_separation,
                                 of_kernels(params.follow_form)},
             {&state.rest, &pose, &state.vertex_count, &follow_guide_, &follow_offset_, &shown});
+    if (detail_)
+        detail_.append(schedule, layout, pose, follow_guide_, shown);
     schedule.add(PLAIT_STAGE_tangents, layout.vertices(), plait_layout_params{layout.row},
                  {&state.vertex_count, &shown, &tangent_});
 }
@@ -123,7 +166,7 @@ uint64_t Display::device_bytes() const {
     for (const Buffer* buffer : {&tangent_, &follow_guide_, &follow_offset_, &last_frame_,
                                  &position_local_, &position_out_, &pose_now_})
         bytes += buffer->bytes();
-    return bytes + turns_.device_bytes();
+    return bytes + turns_.device_bytes() + detail_.device_bytes();
 }
 
 } // namespace plait

@@ -1,6 +1,7 @@
 // What is shown: positions between two steps (if asked for), follow strands, tangents.
 #pragma once
 
+#include "core/detail.hpp"
 #include "core/follow_turns.hpp"
 #include "core/roots.hpp"
 #include "core/state.hpp"
@@ -39,6 +40,12 @@ class Display {
     void append(Schedule& schedule, const Layout& layout, const State& state, const Roots& roots,
                 const plait_sim_params& params, float remainder) const;
 
+    // Of the follows, from the next time on that they are shown. Waits. INVALID_STATE: there are none.
+    Result<Detail> make_detail(Device& device, const Layout& layout, const State& state,
+                               const plait_detail_desc& desc, std::span<const uint32_t> centres,
+                               std::pmr::memory_resource* memory) const;
+    void exchange(Detail& detail) { std::swap(detail_, detail); }
+
     const Buffer& position(const State& state) const {
         return interpolates() ? position_out_ : state.position;
     }
@@ -54,10 +61,16 @@ class Display {
     Status make_turns(Device& device, const Groom& groom, const Layout& layout,
                       const FollowRules& rules, std::pmr::memory_resource* memory);
 
+    Result<std::pmr::vector<float>> rest_of_all(Device& device, const Layout& layout,
+                                                const State& state,
+                                                std::span<const uint32_t> guides,
+                                                std::pmr::memory_resource* memory) const;
+
     Buffer tangent_;       // float4 [strands*V]
     Buffer follow_guide_;  // uint [follows]
     Buffer follow_offset_; // float4 [follows]; none with a map
     FollowTurns turns_;    // with a map only
+    Detail detail_;        // where it is set only
     Buffer last_frame_;    // float4 [strands*V]
     // With interpolation only.
     Buffer position_local_; // float4 [guides*V]: the step before the last, in its root frames

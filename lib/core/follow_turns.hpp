@@ -18,6 +18,7 @@ class FollowTurns {
     // `pose` and the guides' rows of `position` are of the same moment.
     void append(Schedule& schedule, const Layout& layout, const State& state, const Buffer& pose,
                 const Buffer& position) const;
+    const Buffer& rest() const { return rest_; } // roots, then segments
     uint64_t device_bytes() const;
 
   private:

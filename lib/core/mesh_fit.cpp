@@ -92,9 +92,8 @@ void measure_ball(Sample& own, const Samples& samples, double size) {
     own.radius = size;
     for (int i = 0; i < 30; ++i) {
         own.middle = own.x - own.radius * own.outward;
-        const auto nearest = std::ranges::min_element(samples, {}, [&](const Sample& other) {
-            return (other.x - own.middle).squaredNorm();
-        });
+        const auto nearest = std::ranges::min_element(
+            samples, {}, [&](const Sample& other) { return (other.x - own.middle).squaredNorm(); });
         const Vec3 way = own.x - nearest->x;
         const double depth = 2 * own.outward.dot(way);
         if ((nearest->x - own.middle).norm() >= own.radius * (1 - 1e-3) || depth <= 0)

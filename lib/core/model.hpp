@@ -6,6 +6,7 @@
 #include "core/materials.hpp"
 #include "core/mesh_colliders.hpp"
 #include "core/models/sag_report.hpp"
+#include "core/pairs.hpp"
 #include "core/schedule.hpp"
 #include "core/settings.hpp"
 #include "core/state.hpp"
@@ -30,6 +31,7 @@ struct Substep {
     const MeshBuffers* meshes;
     uint32_t bending_count; // after those; 0: `bending` is null
     const BendingBuffers* bending;
+    const PairBuffers* pairs; // null: strands do not meet each other
     double step;              // s, the fixed one
     uint32_t substeps;        // of it; what steps are strands that take so many
     float h;                  // s, its length
@@ -92,7 +94,7 @@ class Model {
     virtual Status open_wind(Device&) { return Error{PLAIT_INTERNAL, "this model takes no wind"}; }
     virtual void close_wind() {}
 
-    // Makes, or frees, what the planes of meshes need; all or nothing.
+    // Makes, or frees, what the planes of meshes and of other strands need; all or nothing.
     virtual Status keep_planes(Device&, bool) { return {}; }
 
     // Appends what takes state.acceleration, where there is one, to where the model reads it.

@@ -22,6 +22,7 @@ constexpr const char* slot_hashes[] = {"thesis", "pcg"};
 constexpr const char* tents[] = {"voxel", "trilinear"};
 constexpr const char* diffuse_rules[] = {"thesis", "floored"};
 constexpr const char* volumes[] = {"off", "pressure"};
+constexpr const char* strand_contacts[] = {"off", "on"};
 
 // Who reads a parameter: the models of which a trait holds.
 constexpr uint32_t models_that(bool ModelTraits::*has) {
@@ -140,6 +141,10 @@ constexpr plait_param_info table[] = {
     of(strand_models, real(AT(volume_rate), "1/s", 0, 1e3)),
     of(strand_models, real(AT(volume_viscosity), "1/s", 0, 1e3)),
     of(strand_models, real(AT(cohesion), "m^2/s^2", 0, 1e4)),
+
+    of(rods, choice(AT(strand_contact), strand_contacts)),
+    of(rods, above(AT(strand_radius), "m", 0, 0.1)),
+    of(rods, real(AT(strand_friction), "", 0, 10)),
 
     real(AT(accelerate_values), "", -1e6, 1e6),
 };

@@ -120,6 +120,8 @@ plait_sim_params default_params() {
     p.volume_sweeps = 10;
     p.volume_rate = 5;
     p.volume_viscosity = 5;
+    p.strand_radius = 0.002f;
+    p.strand_friction = 0.3f;
     return p;
 }
 
@@ -155,6 +157,15 @@ Status check_volume(const plait_sim_params& params, plait_model model) {
                         params.volume, model, list_models(&ModelTraits::switches).c_str())};
 }
 
+Status check_strand_contact(const plait_sim_params& params, plait_model model) {
+    if (params.strand_contact == PLAIT_STRAND_CONTACT_OFF || traits_of(model).bends)
+        return {};
+    return Error{PLAIT_INVALID_ARGUMENT,
+                 format("strand_contact is %d (on): strands of model %d do not meet each other; "
+                        "those of the models %s do",
+                        params.strand_contact, model, list_models(&ModelTraits::bends).c_str())};
+}
+
 Status check_sim_desc(const plait_sim_desc& s) {
     PLAIT_RANGE_ENUM(model, last_model());
     PLAIT_RANGE(step, 1e-5f, 1);
@@ -183,6 +194,7 @@ Status check_sim_desc(const plait_sim_desc& s) {
                             s.material_count, s.model,
                             list_models(&ModelTraits::switches).c_str())};
     PLAIT_TRY(check_params(s.params));
+    PLAIT_TRY(check_strand_contact(s.params, s.model));
     return check_volume(s.params, s.model);
 }
 

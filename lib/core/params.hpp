@@ -14,6 +14,7 @@ plait_sim_desc default_sim_desc();
 Status check_params(const plait_sim_params& params);
 Status check_sim_desc(const plait_sim_desc& desc);
 Status check_volume(const plait_sim_params& params, plait_model model); // whether it has one
+Status check_strand_contact(const plait_sim_params& params, plait_model model); // the same
 Status check_model(const plait_model& model, size_t index);
 Status check_strand_model(const plait_model& model, size_t strand);
 plait_strand_settings default_strand_settings();

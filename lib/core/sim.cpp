@@ -15,6 +15,26 @@ struct Discard {
     ~Discard() { model.discard(); }
 };
 
+// The detail that is shown for another one; taken back, however the call ends, unless it is kept.
+class Exchange {
+  public:
+    Exchange(Display& display, Detail& detail) : display_(display), detail_(detail) {
+        display_.exchange(detail_);
+    }
+    ~Exchange() {
+        if (!kept_)
+            display_.exchange(detail_);
+    }
+    Exchange(const Exchange&) = delete;
+    Exchange& operator=(const Exchange&) = delete;
+    void keep() { kept_ = true; }
+
+  private:
+    Display& display_;
+    Detail& detail_;
+    bool kept_ = false;
+};
+
 // Whether the grid is where it was.
 bool same_place(const plait_sim_params& a, const plait_sim_params& b) {
     return a.grid_edge == b.grid_edge && a.grid_in_world == b.grid_in_world &&
@@ -27,11 +47,11 @@ Sim::Sim(Context& context, SimParts parts)
     : context_(context), layout_(parts.layout), desc_(parts.desc), mean_length_(parts.mean_length),
       hair_(parts.hair), groom_(parts.fingerprint), cube_(parts.cube), skin_(std::move(parts.skin)),
       model_(std::move(parts.model)), state_(std::move(parts.state)), grid_(std::move(parts.grid)),
-      display_(std::move(parts.display)), roots_(layout_, &context.memory),
-      colliders_(desc_.substeps, &context.memory), meshes_(&context.memory),
-      bending_(&context.memory), substeps_(1, desc_.substeps, &context.memory),
-      clock_(desc_.step, desc_.max_steps_per_call), schedule_(&context.memory),
-      pin_table_(&context.memory) {}
+      pairs_(std::move(parts.pairs)), display_(std::move(parts.display)),
+      roots_(layout_, &context.memory), colliders_(desc_.substeps, &context.memory),
+      meshes_(&context.memory), bending_(&context.memory),
+      substeps_(1, desc_.substeps, &context.memory), clock_(desc_.step, desc_.max_steps_per_call),
+      schedule_(&context.memory), pin_table_(&context.memory) {}
 
 Sim::~Sim() {
     if (context_.measured == this)
@@ -101,6 +121,7 @@ Status Sim::show_at_once() {
 Status Sim::set_params(const plait_sim_params& params) {
     const Discard discard{*model_};
     PLAIT_TRY(check_volume(params, desc_.model));
+    PLAIT_TRY(check_strand_contact(params, desc_.model));
     PLAIT_TRY(model_->prepare(device(), params));
     InterHair grid;
     const bool same_grid = grid_.fits(params);
@@ -110,6 +131,11 @@ Status Sim::set_params(const plait_sim_params& params) {
             return made.error();
         grid = std::move(*made);
     }
+    auto pairs = Pairs::create(device(), params, layout_, pairs_.longest_segment());
+    if (!pairs)
+        return pairs.error();
+    const bool other_pairs = bool(pairs->buffers()) != bool(pairs_.buffers());
+    PLAIT_TRY(model_->keep_planes(device(), needs_planes() || pairs->buffers()));
     plait_sim_params next = params;
     const std::string warned = context_.log.callback ? warning() : "";
     const auto exchange = [&] {
@@ -117,6 +143,8 @@ Status Sim::set_params(const plait_sim_params& params) {
         std::swap(desc_.params, next);
         if (!same_grid)
             std::swap(grid_, grid);
+        if (other_pairs)
+            std::swap(pairs_, *pairs);
     };
     exchange();
     Status status = check_stages();
@@ -126,6 +154,8 @@ Status Sim::set_params(const plait_sim_params& params) {
         log_warnings(next, warned);
     if (status && !same_place(next, desc_.params))
         grid_.volume().carries = false;
+    if (!needs_planes())
+        PLAIT_TRY(model_->keep_planes(device(), false));
     return status;
 }
 
@@ -171,6 +201,25 @@ Status Sim::set_wind(const plait_wind_desc* desc) {
             model_->close_wind();
     }
     return status;
+}
+
+Status Sim::set_detail(const plait_detail_desc* desc, std::span<const uint32_t> centres) {
+    Detail next;
+    if (desc) {
+        auto made =
+            display_.make_detail(device(), layout_, state_, *desc, centres, &context_.memory);
+        if (!made)
+            return made.error();
+        next = std::move(*made);
+    }
+    Exchange exchange(display_, next);
+    schedule_.clear();
+    append_shown();
+    PLAIT_TRY(check_supported(device(), schedule_.list()));
+    PLAIT_TRY(device().prepare(schedule_.list()));
+    schedule_.clear();
+    exchange.keep();
+    return {};
 }
 
 SettingsList Sim::settings() const {

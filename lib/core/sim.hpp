@@ -10,6 +10,7 @@
 #include "core/interhair.hpp"
 #include "core/mesh_colliders.hpp"
 #include "core/model.hpp"
+#include "core/pairs.hpp"
 #include "core/pins.hpp"
 #include "core/roots.hpp"
 #include "core/skin.hpp"
@@ -38,6 +39,7 @@ struct SimParts {
     std::unique_ptr<Model> model;
     State state;
     InterHair grid;
+    Pairs pairs;
     Display display;
 };
 // What of a descriptor belongs to single guides, checked.
@@ -78,6 +80,8 @@ class Sim {
     Status teleport(const RootsInput& input);
     // Null: none. INVALID_STATE: the model takes none. What fails changes nothing.
     Status set_wind(const plait_wind_desc* desc);
+    // Null: none. INVALID_STATE: there are no follows. What fails changes nothing.
+    Status set_detail(const plait_detail_desc* desc, std::span<const uint32_t> centres);
     Status step(double dt);
     Status wait() { return device().wait(); }
 
@@ -142,8 +146,8 @@ class Sim {
         uint32_t substeps;
         uint32_t first; // those of the groups before
     };
-    // Strands do not meet within a fixed step: those that take one number of substeps may take all
-    // of them before those that take another.
+    // Those that take one number of substeps take all of them before those that take another: what
+    // strands know of each other's motion within a fixed step (strand_contact) is then that old.
     template <typename Visit> Status for_each_group(const Visit& visit) const {
         uint32_t first = 0;
         for (const uint32_t substeps : substeps_) {
@@ -174,6 +178,7 @@ class Sim {
     void append_pins(const At& at);
     void append_air(const At& at);
     void append_accelerations(const At& at);
+    void append_pairs(const At& at);
     void append_solve(const At& at);
     void append_volume(const At& at);
     void append_grid_over_lanes(const At& at);
@@ -203,6 +208,9 @@ class Sim {
     Status add_field(uint32_t slot, const Mesh& mesh, const plait_collider_mesh_desc& desc);
     Status add_bending(uint32_t slot, const Mesh& mesh, const plait_collider_mesh_desc& desc);
     Status take_meshes(MeshColliders::Entries&& meshes, BendingMeshes::Entries&& bending);
+    bool needs_planes() const {
+        return meshes_.buffers() || bending_.buffers() || pairs_.buffers();
+    }
     Status take_substeps(const std::pmr::vector<uint32_t>& substeps);
     Result<uint64_t> accelerations_ignored() const;
     uint64_t device_bytes() const;
@@ -257,6 +265,7 @@ class Sim {
     std::unique_ptr<Model> model_;
     State state_;
     InterHair grid_;
+    Pairs pairs_;
     Display display_;
     Roots roots_;
     Colliders colliders_;

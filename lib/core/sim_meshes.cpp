@@ -19,7 +19,8 @@ Result<std::pmr::vector<float>> Sim::clearance_of(const MeshDistanceOf& distance
 }
 
 Status Sim::take_meshes(MeshColliders::Entries&& meshes, BendingMeshes::Entries&& bending) {
-    PLAIT_TRY(model_->keep_planes(device(), !meshes.empty() || !bending.empty()));
+    PLAIT_TRY(
+        model_->keep_planes(device(), !meshes.empty() || !bending.empty() || pairs_.buffers()));
     PLAIT_TRY(meshes_.assign(device(), std::move(meshes)));
     return bending_.assign(device(), std::move(bending));
 }
@@ -107,7 +108,7 @@ Status Sim::destroy_collider(plait_collider_id id) {
     if (Colliders::is_mesh(colliders_.slots()[*slot])) {
         PLAIT_TRY(meshes_.remove(device(), *slot));
         PLAIT_TRY(bending_.remove(device(), *slot));
-        if (!meshes_.buffers() && !bending_.buffers())
+        if (!needs_planes())
             PLAIT_TRY(model_->keep_planes(device(), false));
     }
     return colliders_.destroy(id);

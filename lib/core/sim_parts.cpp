@@ -1,5 +1,6 @@
 // How a sim is made: everything that may fail, before there is a Sim.
 #include "base/format.hpp"
+#include "core/polyline.hpp"
 #include "core/sim.hpp"
 
 #include <algorithm>
@@ -51,6 +52,17 @@ Layout make_layout(const Groom& groom, const plait_sim_desc& desc, const FollowM
     return {guides, count, row_of(groom, follows)};
 }
 
+float longest_segment_of(const Groom& groom) {
+    double longest = 0;
+    const float* p = groom.strands.positions.data();
+    for (const uint32_t count : groom.strands.vertex_counts) {
+        for (uint32_t i = 0; i + 1 < count; ++i, p += 3)
+            longest = std::max(longest, distance({p[0], p[1], p[2]}, {p[3], p[4], p[5]}));
+        p += 3;
+    }
+    return static_cast<float>(longest);
+}
+
 // A hair's diameter where the groom says nothing.
 HairSizes hair_sizes(const Groom& groom, const Layout& layout) {
     double sum = 0, count = 0;
@@ -81,6 +93,10 @@ Result<SimParts> make_sim_parts(Context& context, const Groom& groom, const plai
     PLAIT_TRY((*model)->prepare(device, desc.params));
     (*model)->swap();
     (*model)->discard();
+    auto pairs = Pairs::create(device, desc.params, layout, longest_segment_of(groom));
+    if (!pairs)
+        return pairs.error();
+    PLAIT_TRY((*model)->keep_planes(device, bool(pairs->buffers())));
     const bool interpolate = desc.interpolate_output != 0;
     const StateNeeds needs{interpolate ? layout.guides : layout.strands(),
                            (*model)->pinned_vertices(),
@@ -113,6 +129,7 @@ Result<SimParts> make_sim_parts(Context& context, const Groom& groom, const plai
                     std::move(*model),
                     std::move(*state),
                     std::move(*grid),
+                    std::move(*pairs),
                     std::move(*display)};
 }
 

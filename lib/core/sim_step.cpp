@@ -6,6 +6,7 @@
 //   air                                eddies, shelter
 //   volume                             pressure at rest                  pressure, velocities
 //   accelerations                      of single vertices
+//   pairs of strands                     which may meet
 //   solve                                                    the model
 //   grid over lanes                                                      brakes velocities
 //   publish                                                              positions
@@ -26,10 +27,11 @@ namespace plait {
 
 // In the order in which they act at one moment.
 constexpr Sim::Phase Sim::phases[] = {
-    &Sim::append_roots,         &Sim::append_pins,  &Sim::append_air,
+    &Sim::append_roots,           &Sim::append_pins,    &Sim::append_air,
     &Sim::append_volume, // whose pressure is an acceleration
-    &Sim::append_accelerations, &Sim::append_solve, &Sim::append_grid_over_lanes,
-    &Sim::append_publish,       &Sim::append_grid,  &Sim::append_display,
+    &Sim::append_accelerations,   &Sim::append_pairs,   &Sim::append_solve,
+    &Sim::append_grid_over_lanes, &Sim::append_publish, &Sim::append_grid,
+    &Sim::append_display,
 };
 
 void Sim::append_phases(const At& at) {
@@ -124,6 +126,13 @@ void Sim::append_accelerations(const At& at) {
     model_->accelerate(schedule_, at.substep);
 }
 
+// Positions are those of the last step's end, and lie as far from those before as its strands moved
+// in one of the sim's own substeps.
+void Sim::append_pairs(const At& at) {
+    if (at.moment == Moment::step_begins && pairs_.buffers())
+        pairs_.append(schedule_, {layout_, state_, desc_.params, desc_.substeps, context_.info});
+}
+
 void Sim::append_solve(const At& at) {
     if (at.moment == Moment::substep)
         model_->substep(schedule_, at.substep);
@@ -202,6 +211,7 @@ Substep Sim::at(const Group& group, uint32_t substep) const {
             meshes_.buffers(),
             bending_.buffers() ? colliders_.bending() : 0,
             bending_.buffers(),
+            pairs_.buffers(),
             clock_.step(),
             group.substeps,
             length_of(group.substeps),

@@ -58,6 +58,10 @@ Status Sim::stats(plait_sim_stats& out) {
     if (grid_.outside())
         PLAIT_TRY(device().read(grid_.outside(), &outside));
     out.grid_outside = outside;
+    uint32_t dropped = 0;
+    if (const PairBuffers* pairs = pairs_.buffers())
+        PLAIT_TRY(device().read(pairs->dropped, &dropped));
+    out.pairs_dropped = dropped;
     out.guides = layout_.guides;
     out.strands = layout_.strands();
     out.vertices_per_strand = layout_.row;
@@ -98,6 +102,8 @@ uint64_t Sim::device_bytes() const {
         bytes += meshes->bytes();
     if (const BendingBuffers* bending = bending_.buffers())
         bytes += bending->bytes();
+    if (const PairBuffers* pairs = pairs_.buffers())
+        bytes += pairs->bytes();
     for (const Buffer* buffer : state_.all())
         bytes += buffer->bytes();
     for (const Roots::Poses* each : roots_.all_poses())

@@ -1,15 +1,14 @@
 // Volume: limp hair on a ball, which without it sinks onto the ball, keeps the room of the groom and its
 // height at 60 and 120 Hz in every strand model; and hair that coheres.
 #include "api/support.hpp"
+#include "generator/generator.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 namespace {
 
-constexpr float radius = 0.1f, length = 0.25f, layer = 0.03f;
-constexpr uint32_t vertices = 16;
+constexpr auto radius = static_cast<float>(plait_generator::ball_radius);
 
 struct Use {
     plait_model model;
@@ -19,29 +18,6 @@ struct Use {
 
 void PrintTo(const Use& use, std::ostream* out) {
     *out << "model " << use.model << " at " << use.rate << " Hz";
-}
-
-// Strands from the upper cap of the ball, down along it and then straight, 2 to 31 mm above it.
-std::vector<float> cap_of_hair(uint32_t strands) {
-    std::mt19937 engine(3);
-    const auto draw = [&] { return static_cast<float>(engine() >> 8) * 0x1p-24f; };
-    std::vector<float> positions;
-    for (uint32_t s = 0; s < strands; ++s) {
-        const float polar = std::acos(1 - draw() * (1 - std::cos(1.05f)));
-        const float azimuth = 6.2831853f * draw(), share = 0.05f + 0.95f * draw();
-        const float turn = 0.6f * (draw() - 0.5f);
-        for (uint32_t i = 0; i < vertices; ++i) {
-            const float along = length * float(i) / (vertices - 1);
-            const float r = radius + 0.001f + share * layer * (1 - std::exp(-along / 0.03f));
-            const float angle = polar + along / (radius + layer / 2), quarter = 1.5707963f;
-            const float theta = std::min(angle, quarter), phi = azimuth + turn * along / length;
-            const float below = (angle - theta) * (radius + layer / 2);
-            positions.insert(positions.end(),
-                             {r * std::sin(theta) * std::cos(phi), r * std::cos(theta) - below,
-                              r * std::sin(theta) * std::sin(phi)});
-        }
-    }
-    return positions;
 }
 
 struct Room {
@@ -95,10 +71,12 @@ struct Outcome {
 
 Outcome after(double seconds, uint32_t strands, const Use& use, bool volume) {
     const plait::Context context;
-    const auto rest = cap_of_hair(strands);
+    auto style = plait_generator::make_style(plait_generator::Hairstyle::Ball);
+    style.strands = strands;
+    const auto rest = make_groom(style).positions;
     auto given = plait_groom_desc_defaults();
     given.positions = plait::view(rest, 3);
-    given.vertices_per_strand = vertices;
+    given.vertices_per_strand = style.vertices;
     plait::Sim sim(context, plait::Groom(given), limp(use, volume));
     auto ball = plait_collider_desc_defaults();
     std::fill_n(ball.a, 3, 0.0f);
@@ -121,7 +99,7 @@ Outcome after(double seconds, uint32_t strands, const Use& use, bool volume) {
     EXPECT_EQ(sim.stats().grid_outside, 0u);
     const Room end = room_of(positions);
     return {end.volume / begin.volume, end.height / begin.height,
-            std::sqrt(ways / (double(positions.size()) / 4)) / double(length)};
+            std::sqrt(ways / (double(positions.size()) / 4)) / style.length};
 }
 
 void expect_kept(const Outcome& got, const Use& use) {

@@ -14,6 +14,7 @@
 namespace {
 
 constexpr size_t guides = 5, longest = 17;
+constexpr uint32_t follows_per_guide = 2;
 constexpr uint32_t vertices_of[guides] = {4, 9, longest, longest, longest};
 constexpr float spacing = 0.02f; // m, of the hair's vertices
 
@@ -152,6 +153,21 @@ plait_wind_desc random_wind(Dice& dice) {
     return wind;
 }
 
+plait_detail_desc random_detail(Dice& dice) {
+    auto detail = plait_detail_desc_defaults();
+    for (size_t i = 0; i < 4; ++i) {
+        detail.clump[i] = dice.between(0, 1);
+        detail.curl[i] = dice.one_in(2) ? 0 : dice.decade(-4, -1);
+        detail.frizz[i] = dice.one_in(2) ? 0 : dice.decade(-4, -1);
+    }
+    detail.curl_pitch = dice.decade(-3, 0);
+    detail.curl_scatter = dice.between(0, 1);
+    detail.frizz_length = dice.decade(-3, 0);
+    detail.seed = dice.below(1000);
+    detail.clumps = dice.below(guides * follows_per_guide + 1);
+    return detail;
+}
+
 struct Case {
     std::string backend, name;
     plait_model model;
@@ -166,6 +182,7 @@ plait_sim_desc random_desc(const Case& c, Dice& dice) {
     auto desc = plait_sim_desc_defaults();
     desc.model = c.model;
     desc.substeps = 1 + dice.below(3);
+    desc.follows_per_guide = follows_per_guide;
     desc.pins = c.model != PLAIT_MODEL_TRESSFX;
     desc.params.bdf2 = c.bdf2;
     desc.params.bend_stiffness = dice.one_in(5) ? 0 : dice.decade(-11, -6);
@@ -178,7 +195,8 @@ class Scene {
   public:
     Scene(plait::Context& context, const Case& c, uint32_t seed)
         : case_(c), dice_(seed), mesh_dice_(seed + 1000), volume_dice_(seed + 2000),
-          bend_dice_(seed + 3000), sim_(context, groom(), random_desc(c, dice_)) {}
+          bend_dice_(seed + 5000), detail_dice_(seed + 3000), contact_dice_(seed + 4000),
+          sim_(context, groom(), random_desc(c, dice_)) {}
 
     void frame_of_calls() {
         for (uint32_t i = dice_.below(4); i > 0; --i)
@@ -189,6 +207,11 @@ class Scene {
             bend_mesh();
         if (case_.model != PLAIT_MODEL_TRESSFX && volume_dice_.one_in(6))
             change_volume();
+        if (detail_dice_.one_in(6))
+            detail_dice_.one_in(4) ? sim_.drop_detail()
+                                   : sim_.set_detail(random_detail(detail_dice_));
+        if (case_.model > PLAIT_MODEL_CHAIN && contact_dice_.one_in(6))
+            change_strand_contact();
         at_ = {at_[0] + dice_.between(-0.03f, 0.03f), at_[1], at_[2]};
         sim_.set_roots(head_at(at_));
         sim_.step(dice_.one_in(10) ? 0.04 : frame);
@@ -199,11 +222,13 @@ class Scene {
             sim_.destroy_collider(id);
         colliders_.clear();
         sim_.stop_wind();
+        sim_.drop_detail();
         if (case_.model != PLAIT_MODEL_TRESSFX)
             sim_.set_pins({});
         auto params = sim_.params();
         params.drag = 15;
         params.volume = PLAIT_VOLUME_OFF;
+        params.strand_contact = PLAIT_STRAND_CONTACT_OFF;
         sim_.set_params(params);
         run(sim_, steps);
     }
@@ -266,6 +291,14 @@ class Scene {
         params.cohesion = volume_dice_.one_in(2) ? 0 : volume_dice_.decade(-2, 2);
         sim_.set_params(params);
     }
+    void change_strand_contact() {
+        auto params = sim_.params();
+        params.strand_contact =
+            contact_dice_.one_in(3) ? PLAIT_STRAND_CONTACT_OFF : PLAIT_STRAND_CONTACT_ON;
+        params.strand_radius = contact_dice_.decade(-4, -1);
+        params.strand_friction = contact_dice_.one_in(3) ? 0 : contact_dice_.between(0, 2);
+        sim_.set_params(params);
+    }
     std::optional<size_t> some_collider() {
         if (colliders_.empty())
             return {};
@@ -273,7 +306,7 @@ class Scene {
     }
 
     const Case& case_;
-    Dice dice_, mesh_dice_, volume_dice_, bend_dice_;
+    Dice dice_, mesh_dice_, volume_dice_, bend_dice_, detail_dice_, contact_dice_;
     std::map<uint64_t, std::vector<float>> bending_; // as they were made, by id
     plait::Sim sim_;
     std::vector<plait_collider_id> colliders_;

@@ -20,6 +20,7 @@ constexpr uint32_t grid_edge_count = 8; // as in Ugurca 2015
 constexpr uint32_t slot_capacity = 1024;
 constexpr uint32_t colliders = 4;
 constexpr uint32_t bones = 64;
+constexpr uint32_t pair_cells = 32;  // each way
 constexpr uint32_t most_runs = 1024; // of bounds
 constexpr uint32_t slots_in_parallel = 64;
 constexpr float step = 1.0f / 60.0f; // s
@@ -93,6 +94,19 @@ void fill(plait_follow_params& p, const Shape& shape) {
 void fill(plait_follow_turns_params& p, const Shape& shape) {
     p = {shape.vertices, shape.strands};
 }
+void fill(plait_follow_clump_params& p, const Shape& shape) {
+    p = {shape.vertices, shape.strands, {0, 0.3f, 0.7f, 0.9f}};
+}
+void fill(plait_follow_curl_params& p, const Shape& shape) {
+    p = {shape.vertices,
+         shape.strands,
+         {0, 0.002f, 0.004f, 0.005f},
+         0.02f,
+         1,
+         {0, 1e-3f, 2e-3f, 2e-3f},
+         0.01f,
+         1};
+}
 void fill(plait_grid_clear_params& p, const Shape&) {
     p.value = PLAIT_SLOT_EMPTY;
 }
@@ -128,6 +142,16 @@ void fill(plait_lane_params& p, const Shape& shape) {
          0,
          0,
          0};
+}
+void fill(plait_pair_params& p, const Shape& shape) {
+    const float length = strand_length / static_cast<float>(shape.vertices - 1);
+    p = {shape.vertices, pair_cells, 0.55f * length, 0.004f, 0.5f * length, 1};
+}
+void fill(plait_pair_scan_params& p, const Shape&) {
+    p.edge_count = pair_cells;
+}
+void fill(plait_strand_contact_params& p, const Shape& shape) {
+    p = {shape.vertices, shape.tile, shape.vertices, 0, 0.3f};
 }
 void fill(plait_accelerate_params& p, const Shape& shape) {
     p = {shape.vertices, step, 0, {}};
@@ -456,6 +480,23 @@ Words segments(const Shape& shape) {
     return words;
 }
 
+// From the root, m.
+Words arcs(const Shape& shape) {
+    Words words;
+    const float length = strand_length / static_cast<float>(shape.vertices - 1);
+    for (size_t vertex = 0; vertex < shape.total(); ++vertex)
+        words.push_back(word(length * static_cast<float>(vertex % shape.vertices)));
+    return words;
+}
+
+// Vertex by vertex.
+Words own_places(const Shape& shape) {
+    Words words;
+    for (size_t vertex = 0; vertex < shape.total(); ++vertex)
+        words.push_back(word(static_cast<float>(vertex % shape.vertices)));
+    return words;
+}
+
 Words with_follows(const Shape& shape) {
     Words words = strands(shape, 0);
     words.resize(2 * words.size());
@@ -541,6 +582,49 @@ Words bone_matrices() {
     return words;
 }
 
+// The segments of strands that hang, in the cells of their middles, and which may meet: those beside.
+struct Cells {
+    Words end, segments;
+};
+
+Cells cells_of(const Shape& shape) {
+    plait_pair_params params{};
+    fill(params, shape);
+    const Words words = strands(shape, 0);
+    std::vector<Words> cells(size_t{pair_cells} * pair_cells * pair_cells);
+    for (uint32_t vertex = 0; vertex < shape.total(); ++vertex) {
+        if (vertex % shape.vertices + 1 == shape.vertices)
+            continue;
+        size_t cell = 0;
+        for (size_t k = 3; k-- > 0;) {
+            const auto at = [&](size_t v) { return std::bit_cast<float>(words[4 * v + k]); };
+            const float middle = (at(vertex) + at(size_t{vertex} + 1)) / 2;
+            const auto place = static_cast<int>(std::floor(middle / params.voxel_edge));
+            const auto n = static_cast<int>(pair_cells);
+            cell = cell * pair_cells + static_cast<size_t>((place % n + n) % n);
+        }
+        cells[cell].push_back(vertex);
+    }
+    Cells sorted;
+    for (const Words& cell : cells) {
+        sorted.segments.insert(sorted.segments.end(), cell.begin(), cell.end());
+        sorted.end.push_back(static_cast<uint32_t>(sorted.segments.size()));
+    }
+    sorted.segments.resize(shape.total());
+    return sorted;
+}
+
+Words pairs(const Shape& shape) {
+    Words words;
+    for (size_t vertex = 0; vertex < shape.total(); ++vertex)
+        for (size_t k = 1; k <= PLAIT_PAIR_COUNT; ++k) {
+            const size_t other = (vertex + k * shape.vertices) % shape.total();
+            const bool some = other % shape.vertices + 1 < shape.vertices && shape.strands > k;
+            words.push_back(some ? static_cast<uint32_t>(other) : PLAIT_PAIR_NONE);
+        }
+    return words;
+}
+
 // What is not zero.
 using Maker = Words (*)(const Shape&);
 
@@ -605,12 +689,22 @@ const std::map<std::string, Maker>& makers() {
         {"mesh_from", [](const Shape&) { return words_of(ball().vertices); }},
         {"mesh_to", [](const Shape&) { return words_of(ball().vertices); }},
         {"mesh_bends", [](const Shape&) { return Words(1); }},
+        {"cell_count", [](const Shape&) { return Words(pair_cells * pair_cells * pair_cells); }},
+        {"cell_end", [](const Shape& s) { return cells_of(s).end; }},
+        {"cell_segment", [](const Shape& s) { return cells_of(s).segments; }},
+        {"pair_segment", pairs},
+        {"pair_offset",
+         [](const Shape& s) { return Words(PLAIT_PAIR_COUNT * s.total(), word(0.004f)); }},
         {"follow_guide", [](const Shape& s) { return counting(s.strands); }},
         {"follow_offset", [](const Shape& s) { return vectors(s.strands, 0.002f, 0, 0.001f, 0); }},
         {"follow_guides", three_guides},
         {"follow_weight", [](const Shape& s) { return vectors(s.strands, 0.5f, 0.3f, 0.2f, 0); }},
         {"follow_place", places},
         {"follow_rest", segments},
+        {"follow_way", [](const Shape& s) { return vectors(s.strands, 0, -1, 0, 0); }},
+        {"follow_arc", arcs},
+        {"clump_centre", [](const Shape& s) { return counting(s.strands); }},
+        {"clump_place", own_places},
         {"guide_turn", [](const Shape& s) { return vectors(s.total(), 0, 0, 0, 1); }},
         {"grid_slot", slots},
         {"lane_material", lane_material},
@@ -675,6 +769,8 @@ std::vector<unsigned char> typical_params(plait_stage stage, const Shape& shape)
 }
 
 uint32_t item_count(plait_stage stage, const Shape& shape) {
+    if (stage == PLAIT_STAGE_pair_scan)
+        return 1;
     if (stage == PLAIT_STAGE_bounds) {
         plait_bounds_params params{};
         fill(params, shape);
@@ -707,7 +803,8 @@ uint32_t item_width(plait_stage stage, const Shape& shape) {
 
 namespace {
 bool places_follows(plait_stage stage) {
-    return stage == PLAIT_STAGE_follow || stage == PLAIT_STAGE_follow_turns;
+    return stage == PLAIT_STAGE_follow || stage == PLAIT_STAGE_follow_turns ||
+           stage == PLAIT_STAGE_follow_clump || stage == PLAIT_STAGE_follow_curl;
 }
 } // namespace
 
@@ -735,7 +832,8 @@ std::vector<uint32_t> typical_buffer(const plait_stage_info& stage, const plait_
         return {}; // hair that gravity alone pulls
     if (stage.stage != PLAIT_STAGE_lane_pin && name == "lane_pin")
         return {}; // and that nothing pins
-    if (!finds_planes(stage.stage) && name == "lane_plane")
+    if (!finds_planes(stage.stage) && stage.stage != PLAIT_STAGE_strand_contact &&
+        name == "lane_plane")
         return {}; // and that is near no mesh
     if (finds_planes(stage.stage) && name == "collider")
         return mesh_row();

@@ -10,6 +10,7 @@
 
 namespace plait_generator {
 
+// On the mannequin.
 inline constexpr std::array all_hairstyles{Hairstyle::Long, Hairstyle::Braid, Hairstyle::Curly,
                                            Hairstyle::Short, Hairstyle::Ponytail};
 

@@ -10,6 +10,8 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
+#include <map>
 #include <sstream>
 #include <sys/wait.h>
 #include <thread>
@@ -148,6 +150,63 @@ TEST_F(LabProgram, measures_hair_that_follows) {
     }
     for (const char* bad : {"--guides 60 --strands 60", "--guides 0", "--style bald"})
         EXPECT_EQ(lab(std::string("follows ") + bad, true).code, 1) << bad;
+}
+
+// By name, what each of the methods that keep hair's volume is known by.
+TEST_F(LabProgram, measures_methods_that_keep_volume) {
+    const Outcome outcome =
+        lab("volume --strands 300 --seconds 1 --csv --out " + path("volume"), false);
+    EXPECT_EQ(outcome.code, 0);
+    std::istringstream text(outcome.text);
+    std::string line;
+    std::getline(text, line);
+    EXPECT_EQ(line, "method,volume,volume_least,volume_most,height,height_least,momentum,energy,"
+                    "neighbours,crowd,jitter,ms,where");
+    struct Row {
+        double volume, most, height, momentum, energy, neighbours, crowd;
+        std::string where;
+    };
+    std::map<std::string, Row> rows;
+    while (std::getline(text, line)) {
+        std::vector<std::string> cells;
+        std::istringstream row(line);
+        for (std::string cell; std::getline(row, cell, ',');)
+            cells.push_back(cell);
+        ASSERT_EQ(cells.size(), 13u) << line;
+        const auto number = [&](size_t i) { return std::stod(cells[i]); };
+        rows[cells[0]] = {number(1), number(3), number(4), number(6),
+                          number(7), number(8), number(9), cells[12]};
+    }
+    ASSERT_EQ(rows.size(), 8u);
+    for (const char* fallen : {"off", "diffusion"}) {
+        EXPECT_LT(rows[fallen].volume, 0.65) << fallen;
+        EXPECT_LT(rows[fallen].height, 0.15) << fallen;
+        EXPECT_GT(rows[fallen].crowd, 1.5) << fallen;
+    }
+    for (const auto& [name, row] : rows) { // one of them keeps no momentum
+        EXPECT_EQ(row.momentum > 0.02, name == "diffusion") << name;
+        EXPECT_EQ(row.where == "host",
+                  name.starts_with("fluid") || name == "petrovic" || name == "projection")
+            << name;
+        EXPECT_GT(row.neighbours, 0.1) << name;
+    }
+    EXPECT_EQ(rows["off"].energy, 0);
+    EXPECT_LT(rows["projection"].energy, -0.01);
+    EXPECT_LT(rows["volume"].energy, -0.01);
+    EXPECT_GT(rows["fluid_stiff"].energy, 1) << "gains energy";
+    EXPECT_GT(rows["fluid_stiff"].most, 1.4) << "throws hair off";
+    EXPECT_LT(rows["fluid_soft"].most, 1.3);
+    EXPECT_LT(rows["volume"].most, 1.3);
+    EXPECT_GT(rows["petrovic"].volume, 1.25) << "swells";
+    EXPECT_GT(rows["fluid_beyond"].energy, 2 * rows["fluid_stiff"].energy);
+    EXPECT_LT(rows["projection"].height, 0.3) << "sinks by g h^2 a step";
+    EXPECT_GT(rows["fluid_soft"].height, 2 * rows["projection"].height);
+    EXPECT_GT(rows["volume"].height, 0.6);
+    EXPECT_GT(rows["volume"].volume, 0.8);
+    for (const char* file : {"volume/volume.csv", "volume/volume_curves.csv"})
+        EXPECT_TRUE(std::filesystem::exists(path(file))) << file;
+    for (const char* bad : {"--methods bald", "--model tressfx", "--strands 1", "--seconds 0"})
+        EXPECT_EQ(lab(std::string("volume ") + bad, true).code, 1) << bad;
 }
 
 // The program with its output in `text`, to be waited for.

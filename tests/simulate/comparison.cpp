@@ -59,6 +59,20 @@ TEST_F(Comparison, leaves_out_what_the_run_is) {
     EXPECT_EQ(thesis[0].label, "TressFX");
 }
 
+// TressFX has no volume; the run without it stands beside it.
+TEST_F(Comparison, is_with_the_run_without_volume) {
+    const Scene scene = read(R"({"groom": "ball", "params": {"volume": "pressure"}})");
+    EXPECT_EQ(simulate::label_of(scene.sim), "articulated + volume");
+    EXPECT_EQ(simulate::short_label_of(scene.sim), "articulated + volume");
+    const std::vector<Variant> variants = simulate::variants_beside(scene);
+    ASSERT_EQ(variants.size(), 3u);
+    for (const Variant& variant : variants)
+        EXPECT_EQ(variant.sim.params.volume, PLAIT_VOLUME_OFF) << variant.label;
+    EXPECT_EQ(variants[2].label, "articulated + inter-hair step (exact)");
+    EXPECT_EQ(variants[2].sim.model, PLAIT_MODEL_ARTICULATED);
+    EXPECT_EQ(variants[2].sim.params.interhair, PLAIT_INTERHAIR_EXACT);
+}
+
 // What holds a braid together is the run's, not the thesis's; what the scene gives is both's.
 TEST_F(Comparison, brakes_as_the_thesis_unless_the_scene_says_otherwise) {
     const Scene braid = read(R"({"groom": "braid"})");

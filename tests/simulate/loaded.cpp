@@ -54,6 +54,22 @@ TEST_F(Loaded, says_what_is_there) {
     EXPECT_THAT(loaded_line(scene, figure), testing::Not(HasSubstr("scale")));
 }
 
+TEST_F(Loaded, hair_on_a_ball_has_the_ball_for_its_head) {
+    Scene scene = scene_of({{"groom", "ball"}, {"strands", 50}});
+    const Figure figure = make_figure(scene);
+    EXPECT_THAT(loaded_line(scene, figure), HasSubstr("; a ball of 0.1 m"));
+    ASSERT_EQ(figure.colliders.size(), 1u);
+    EXPECT_EQ(figure.colliders[0].shape.radius_a, 0.1f);
+    EXPECT_TRUE(figure.colliders[0].moves_with_head);
+    EXPECT_FALSE(figure.neck);
+    ASSERT_EQ(figure.head.vertices.size(), figure.head.scalp.size());
+    for (size_t v = 0; v < figure.head.vertices.size(); ++v) {
+        ASSERT_NEAR(figure.head.vertices[v].norm(), 0.1f, 1e-6f);
+        ASSERT_EQ(figure.head.scalp[v] > 0, figure.head.vertices[v].y() > 0.0497571f) << v;
+    }
+    EXPECT_THAT(size_warnings(scene, figure), IsEmpty());
+}
+
 TEST_F(Loaded, some_strands_are_simulated_and_the_others_follow) {
     Scene all = scene_of({{"groom", ball_of_hair(1.0f, "hair.tfx")}, {"guides", 40}});
     const Figure whole = make_figure(all);

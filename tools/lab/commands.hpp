@@ -20,6 +20,7 @@ void add_all(CLI::App& app, Command& chosen);
 void add_follows(CLI::App& app, Command& chosen);
 void add_grid(CLI::App& app, Command& chosen);
 void add_stability(CLI::App& app, Command& chosen);
+void add_volume(CLI::App& app, Command& chosen);
 
 // Options that several commands have.
 struct DeviceOptions {

@@ -35,6 +35,7 @@ int main_of(int argc, char** argv) {
     add_all(app, chosen);
     add_grid(app, chosen);
     add_stability(app, chosen);
+    add_volume(app, chosen);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -16,6 +16,12 @@ plait_sim_desc tressfx_alone(plait_sim_desc sim) {
     sim.model = PLAIT_MODEL_TRESSFX;
     sim.sag_free = PLAIT_SAG_FREE_OFF; // its shape constraints know no sag
     sim.params.interhair = PLAIT_INTERHAIR_OFF;
+    sim.params.volume = PLAIT_VOLUME_OFF; // which it refuses
+    return sim;
+}
+
+plait_sim_desc without_volume(plait_sim_desc sim) {
+    sim.params.volume = PLAIT_VOLUME_OFF;
     return sim;
 }
 
@@ -32,8 +38,13 @@ plait_sim_desc tressfx_and_thesis(const Scene& scene) {
 
 } // namespace
 
+std::string Variant::short_label() const {
+    return label == label_of(sim) ? short_label_of(sim) : label;
+}
+
 Scene Variant::of(Scene scene) const {
     scene.sim = sim;
+    scene.detail = detail;
     scene.profile = false;
     scene.trace.clear();
     return scene;
@@ -45,11 +56,15 @@ std::string label_of(const plait_sim_desc& sim) {
         return label;
     if (has_thesis_step(sim.params))
         return label + " + inter-hair step of the thesis";
+    if (sim.params.volume != PLAIT_VOLUME_OFF)
+        return label + " + volume";
     return label + " + inter-hair step (" + interhair_names[sim.params.interhair] + ")";
 }
 
 std::string short_label_of(const plait_sim_desc& sim) {
     const std::string model = sim.model == PLAIT_MODEL_TRESSFX ? "TressFX" : model_names[sim.model];
+    if (sim.params.volume != PLAIT_VOLUME_OFF)
+        return model + " + volume";
     return has_thesis_step(sim.params) ? model + " + thesis's step" : model;
 }
 
@@ -66,14 +81,24 @@ std::string tressfx_settings(const plait_sim_desc& sim) {
 }
 
 std::vector<Variant> variants_beside(const Scene& scene) {
+    if (!scene.compare_detail.empty()) {
+        std::vector<Variant> variants;
+        for (const DetailChoice& choice : scene.compare_detail)
+            variants.push_back({choice.name, scene.sim, choice.detail});
+        return variants;
+    }
     const bool own = scene.sim.model == PLAIT_MODEL_TRESSFX;
     const plait_sim_params& params = scene.sim.params;
     std::vector<Variant> variants;
-    const auto add = [&](const plait_sim_desc& sim) { variants.push_back({label_of(sim), sim}); };
+    const auto add = [&](const plait_sim_desc& sim) {
+        variants.push_back({label_of(sim), sim, scene.detail});
+    };
     if (!own || params.interhair != PLAIT_INTERHAIR_OFF)
         add(tressfx_alone(scene.sim));
     if (!own || !has_thesis_step(params))
         add(tressfx_and_thesis(scene));
+    if (params.volume != PLAIT_VOLUME_OFF)
+        add(without_volume(scene.sim));
     return variants;
 }
 

@@ -1,5 +1,5 @@
 // What a run is set beside, on the comparison sheet and in the report: the same hair, moved the
-// same way, by less of the system.
+// same way, by less of the system, or with other detail.
 #pragma once
 
 #include "scene/scene.hpp"
@@ -12,8 +12,10 @@ namespace simulate {
 struct Variant {
     std::string label;
     plait_sim_desc sim;
+    Detail detail;
 
-    Scene of(Scene scene) const; // the scene run this way
+    std::string short_label() const; // in few letters, for films
+    Scene of(Scene scene) const;     // the scene run this way
 };
 
 // "TressFX", "TressFX + inter-hair step of the thesis", "cosserat + inter-hair step (slots)"
@@ -25,8 +27,9 @@ std::string short_label_of(const plait_sim_desc& sim);
 // What the model TressFX is set to, in words: its stiffness and stretch are iteration counts.
 std::string tressfx_settings(const plait_sim_desc& sim);
 
-// TressFX alone, and with the inter-hair step as the thesis has it: those of the two that are not
-// the run itself.
+// The scene's other details; without any, TressFX alone, and with the inter-hair step as the thesis
+// has it: those of the two that are not the run itself; and the run without volume, where it has
+// volume.
 std::vector<Variant> variants_beside(const Scene& scene);
 
 } // namespace simulate

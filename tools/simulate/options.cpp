@@ -41,7 +41,7 @@ void add_options(CLI::App& app, CommandLine& line) {
     app.add_option("--scene", line.scene_file, "scene file; options win over it")
         ->type_name("FILE.json");
     text("--groom", "groom", "NAME|FILE",
-         "long, braid, curly, short, ponytail, or .tfx .hair .obj [long]");
+         "long, braid, curly, short, ponytail, ball, or .tfx .hair .obj [long]");
     count("--strands", "strands", "N",
           "strands; of a file, at most so many [10000, all of a file]");
     count("--vertices", "vertices", "V", "vertices per strand, 2..256 [16, as in the file]");

@@ -81,6 +81,8 @@ Simulation::Simulation(const Scene& scene, const Figure& figure)
         add_pins();
     if (scene.wind && scene.sim.model != PLAIT_MODEL_TRESSFX) // which has none
         check(plait_sim_set_wind(sim_.get(), &*scene.wind));
+    if (scene.detail)
+        check(plait_sim_set_detail(sim_.get(), &*scene.detail));
 }
 
 plait_sim_stats Simulation::stats() const {

@@ -71,6 +71,20 @@
  * the mean of the triangles' around it. Ours. */
 #define PLAIT_MESH_TOUCH PLAIT_NUMBER(5e-5)
 
+/* ---- strand against strand ---------------------------------------------------------------------
+ */
+
+/* Diameters: so near a pair is kept however slow it is. Ours. */
+#define PLAIT_PAIR_NEAR PLAIT_NUMBER(1.5)
+/* Diameters of arc: segments of one strand that are nearer along it are no pair. A strand that
+ * bends back on itself as closely as it may is half a circle of pi/2. Ours. */
+#define PLAIT_PAIR_ARC PLAIT_NUMBER(2.0)
+/* m: nearer to each other, points of two segments have no direction apart. Ours. */
+#define PLAIT_PAIR_LEAST PLAIT_NUMBER(1e-7)
+/* Of a point of a segment: a vertex with a smaller share of it does not answer for it, so that a
+ * strand can turn about what it lies on. Ours. */
+#define PLAIT_PAIR_SHARE PLAIT_NUMBER(0.25)
+
 /* ---- energy budget of the strand models --------------------------------------------------------
  */
 
@@ -185,6 +199,17 @@
 #define PLAIT_VOLUME_COHESIVE PLAIT_NUMBER(0.3)
 /* Overrelaxation of the sweeps: layers of hair are a few voxels deep. Ours. */
 #define PLAIT_VOLUME_RELAXATION PLAIT_NUMBER(1.5)
+
+/* ---- follow_clump and follow_curl --------------------------------------------------------------
+ */
+
+/* Way along which a strand comes to the centre of its clump, of its length and in segments: any
+ * shorter way turns hair by more at once, and in one segment it would pass the centre. Ours. */
+#define PLAIT_CLUMP_REACH PLAIT_NUMBER(0.08)
+#define PLAIT_CLUMP_REACH_SEGMENTS PLAIT_NUMBER(2.0)
+/* rms of gradient noise in one dimension whose gradients are even in [-1, 1]: the root of 2/3 of the
+ * integral of (1 - f)^2 t^2, f the fade. */
+#define PLAIT_FRIZZ_NOISE_RMS PLAIT_NUMBER(0.14069)
 
 /* ---- switching ---------------------------------------------------------------------------------
  */

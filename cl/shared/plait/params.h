@@ -24,6 +24,10 @@ typedef uint32_t plait_u32;
 /* m/s^2: where a component of a vertex's acceleration is beyond it, or not finite, it has none. */
 #define PLAIT_MOST_ACCELERATION 1e4f
 
+/* Other segments that are kept of a segment, and one that is none. */
+#define PLAIT_PAIR_COUNT 4u
+#define PLAIT_PAIR_NONE 0xffffffffu
+
 /* A slot of the voxel grid that holds no vertex. */
 #define PLAIT_SLOT_EMPTY 0xffffffffu
 
@@ -202,6 +206,26 @@ typedef struct plait_follow_turns_params {
     plait_u32 guide_count;
 } plait_follow_turns_params;
 
+/* follow_clump: draw follow strands to the centres of their clumps. Ramps have knots at the root, a
+ * third, two thirds of the length and the tip. */
+typedef struct plait_follow_clump_params {
+    plait_u32 vertex_stride;
+    plait_u32 guide_count;
+    float clump[4]; /* share of the way to the centre, [0, 1] */
+} plait_follow_clump_params;
+
+/* follow_curl: offsets from the strand, in a frame that it carries along. */
+typedef struct plait_follow_curl_params {
+    plait_u32 vertex_stride;
+    plait_u32 guide_count;
+    float curl[4];      /* m, radius of the helix, the same knots */
+    float pitch;        /* m of hair per turn */
+    float scatter;      /* share of a turn by which strands of a clump differ, [0, 1] */
+    float frizz[4];     /* m, rms of either component, the same knots */
+    float frizz_length; /* m of hair per cell of the noise */
+    plait_u32 seed;
+} plait_follow_curl_params;
+
 /* grid_clear: fill words of a grid buffer. */
 typedef struct plait_grid_clear_params {
     plait_u32 value;
@@ -269,6 +293,29 @@ typedef struct plait_lane_params {
     plait_u32 planes;      /* 1: vertices may have planes of meshes; 0: lane_plane is null, and of
                               mesh_nearest not read */
 } plait_lane_params;
+
+/* pair_count, pair_fill, pair_find: no segment is longer than two cells. */
+typedef struct plait_pair_params {
+    plait_u32 vertex_stride;
+    plait_u32 edge_count; /* cells each way, a power of two up to 64 */
+    float voxel_edge;     /* m, of a cell */
+    float diameter;       /* m: how far apart strands stay (this and the rest: pair_find) */
+    float room;           /* m: a pair that comes nearer by more may be missed */
+    float steps; /* how often strands move on by position - position_prev until the next search */
+} plait_pair_params;
+
+typedef struct plait_pair_scan_params {
+    plait_u32 edge_count;
+} plait_pair_scan_params;
+
+/* strand_contact: planes for one substep. */
+typedef struct plait_strand_contact_params {
+    plait_u32 vertex_stride;
+    plait_u32 tile;
+    plait_u32 row_stride;
+    plait_u32 meshes; /* 1: lane_plane holds the planes of meshes; 0: it is not read */
+    float friction;   /* Coulomb coefficient */
+} plait_strand_contact_params;
 
 /* pins: where the targets of pins are at the end of a fixed step. */
 typedef struct plait_pins_params {
@@ -475,7 +522,7 @@ typedef struct plait_lane_move_params {
 #define PLAIT_LANE_CROSS 5 /* 4(EI2 - EI)/lbar, N m */
 #define PLAIT_LANE_MATERIAL_COMPONENTS 6
 
-/* lane_plane: of each vertex the plane of a mesh that it may meet in the substep. Row 0, for the
+/* lane_plane: of each vertex the plane of a mesh or a strand that it may meet in the substep. Row 0, for the
  * root has none, holds the last vertex of the strand that has one, and rows after that anything. */
 #define PLAIT_LANE_PLANE_LAST 0     /* of row 0; 0: no vertex has a plane */
 #define PLAIT_LANE_PLANE_NORMAL 0   /* xyz, in the world, out of the mesh; 0: none */

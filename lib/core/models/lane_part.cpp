@@ -313,29 +313,25 @@ void LanePart::find_nearest(Schedule& schedule, const Substep& at,
     params.collider_first = at.collider_first + at.collider_count + at.mesh_count;
     params.collider_count = at.bending_count;
     params.planes = at.meshes ? 1 : 0;
-    const BendingBuffers& meshes = *at.bending;
-    schedule.add(PLAIT_STAGE_mesh_nearest, lanes_.strands, params, {&lane_strand_,
-                                                                    &at.state.rest,
-                                                                    &at.state.pose,
-                                                                    &fill_.material,
-                                                                    &at.colliders,
-                                                                    &meshes.first,
-                                                                    &meshes.box,
-                                                                    &meshes.tree,
-                                                                    &meshes.triangle,
-                                                                    &meshes.ring,
-                                                                    &meshes.from,
-                                                                    &meshes.to,
-                                                                    &meshes.bends,
-                                                                    &meshes.clearance,
-                                                                    &push(),
-                                                                    &pin_,
-                                                                    &x_,
-                                                                    &v_,
-                                                                    &history_.x,
-                                                                    &history_.v,
-                                                                    &plane_},
-                 lanes_.row);
+    const BendingBuffers& m = *at.bending;
+    schedule.add(
+        PLAIT_STAGE_mesh_nearest, lanes_.strands, params,
+        {&lane_strand_, &at.state.rest, &at.state.pose, &fill_.material, &at.colliders, &m.first,
+         &m.box,        &m.tree,        &m.triangle,    &m.ring,         &m.from,       &m.to,
+         &m.bends,      &m.clearance,   &push(),        &pin_,           &x_,           &v_,
+         &history_.x,   &history_.v,    &plane_},
+        lanes_.row);
+}
+
+// After both.
+void LanePart::find_strands(Schedule& schedule, const Substep& at) const {
+    schedule.add(
+        PLAIT_STAGE_strand_contact, lanes_.strands,
+        plait_strand_contact_params{lanes_.row, lanes_.tile, source_.layout.row,
+                                    at.meshes || at.bending ? 1u : 0u, at.params.strand_friction},
+        {&lane_strand_, &at.state.vertex_count, &at.state.rest, &at.state.pose, &at.state.position,
+         &at.state.position_prev, &at.pairs->segment, &at.pairs->offset, &x_, &plane_},
+        lanes_.row);
 }
 
 void LanePart::substep(Schedule& schedule, const Substep& at, float mean_length) {
@@ -352,21 +348,24 @@ void LanePart::substep(Schedule& schedule, const Substep& at, float mean_length)
         params.gravity[i] = p.gravity[i];
         params.air[i] = at.air[i];
     }
+    const bool meets = at.pairs && traits_.bends; // a chain is met, and meets none
     params.collider_count = at.collider_count;
     params.collider_first = at.collider_first;
     params.contact_rate = contact_rate(p.gravity, at.h, params.bdf2, mean_length);
     params.contact_slip = contact_slip(at.h, mean_length);
     params.accelerates = push() ? 1 : 0;
     params.pins = pin_ ? 1 : 0;
-    params.planes = (at.meshes || at.bending) && plane_ ? 1 : 0;
+    params.planes = (at.meshes || at.bending || meets) && plane_ ? 1 : 0;
     if (source_.pins)
         pin(schedule, at);
     if (at.wind)
         blow(schedule, at, *at.wind);
-    if (params.planes && at.meshes)
+    if (at.meshes && plane_)
         find_planes(schedule, at, params);
-    if (params.planes && at.bending)
+    if (at.bending && plane_)
         find_nearest(schedule, at, params);
+    if (meets && plane_)
+        find_strands(schedule, at);
     if (!traits_.bends)
         schedule.add(traits_.stage, lanes_.strands, params,
                      {&lane_strand_, &at.state.rest, &at.state.pose, &fill_.material, &at.colliders,

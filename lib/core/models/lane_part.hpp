@@ -25,7 +25,7 @@ struct LaneSource {
     plait_sag_free sag_free;
     bool accelerates, pins;
     bool wind = false;
-    bool planes = false; // of meshes
+    bool planes = false; // of meshes or strands
     std::pmr::memory_resource* memory;
     RestStrands strands; // for when the material changes
     StrandMaterialsPtr materials;
@@ -130,6 +130,7 @@ class LanePart {
     void blow(Schedule& schedule, const Substep& at, const WindStep& wind) const;
     void find_planes(Schedule& schedule, const Substep& at, const plait_lane_params& solve) const;
     void find_nearest(Schedule& schedule, const Substep& at, const plait_lane_params& solve) const;
+    void find_strands(Schedule& schedule, const Substep& at) const;
     bool keeps_fill_of(const LanePart& other) const;
     bool takes_history_of(const LanePart& other) const;
     template <typename Place> Result<Moves> list_moves(Device& device, const Place& place) const;
@@ -163,7 +164,7 @@ class LanePart {
     Buffer x_, v_, q_, q_before_;
     Buffer acceleration_; // only with accelerations, or wind
     Buffer pin_;          // only with pins, or wind
-    Buffer plane_;        // only with meshes
+    Buffer plane_;        // only with meshes, or where strands meet
     History history_, next_history_;
     Pressed volume_, next_volume_;
     Buffer lane_strand_; // uint [lanes of whole tiles]

@@ -240,7 +240,10 @@ void LaneModel::accelerate(Schedule& schedule, const Substep& at) const {
         part->accelerate(schedule, at);
 }
 
+// Where strands meet, each sees the others where all are at the substep's begin.
 void LaneModel::substep(Schedule& schedule, const Substep& at) {
+    if (at.pairs)
+        publish(schedule, at);
     for (const PartPtr& part : parts_)
         if (part->settings().substeps == at.substeps)
             part->substep(schedule, at, length_);

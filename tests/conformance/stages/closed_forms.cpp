@@ -397,6 +397,33 @@ void follow_turns_by_the_mean(Bench& bench) {
     expect_near(place({1, 0, 0, 0}, 1), {5, 0, 0, 0, 6, 0, 0, 1, 6, 0, 0, 1});
 }
 
+// Beside its centre, 1 m to the right, with segments of 1 m and a reach of 0.08 * 2 + 2 of them: at
+// first the path is 1 m away, then what is left of it.
+void follow_clump_leans_to_the_centre(Bench& bench) {
+    const auto out =
+        bench.run(PLAIT_STAGE_follow_clump, 1, 1, plait_follow_clump_params{4, 1, {1, 1, 1, 1}},
+                  {uints({0}), floats({0, 1, 2, 2}), floats({0, 1, 2, 2}),
+                   float4s({1, 0, 0, 0, 1, 1, 0, 0, 1, 2, 0, 0, 1, 2, 0, 0, //
+                            0, 0, 0, 0, 0, 1, 0, 5, 0, 2, 0, 5, 7, 7, 7, 5})});
+    const std::vector<float> follow(out[3].floats.begin() + 16, out[3].floats.end());
+    expect_near(floats(follow), {0, 0, 0, 0, .420124f, .907467f, 0, 5, .679404f, 1.873269f, 0, 5,
+                                 .679404f, 1.873269f, 0, 5});
+}
+
+// Along +y with a pitch of four segments: each offset is the one before, turned by a quarter.
+void follow_curl_is_a_helix(Bench& bench) {
+    plait_follow_curl_params params{5, 1, {1, 1, 1, 1}, 4, 1, {0, 0, 0, 0}, 1, 3};
+    const auto out = bench.run(
+        PLAIT_STAGE_follow_curl, 1, 1, params,
+        {float4s(unit_pose), uints({0}), uints({0}), float4s({0, 1, 0, 0}), floats({0, 1, 2, 3, 3}),
+         float4s({9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, //
+                  0, 0, 0, 0, 0, 1, 0, 1, 0, 2, 0, 1, 0, 3, 0, 1, 7, 7, 7, 1})});
+    const std::vector<float> x(out[5].floats.begin() + 20, out[5].floats.end());
+    const float a = x[4], b = x[6];
+    expect_near(floats({a * a + b * b}), {1});
+    expect_near(floats(x), {0, 0, 0, 0, a, 1, b, 1, b, 2, -a, 1, -a, 3, -b, 1, -a, 3, -b, 1});
+}
+
 void tangents_point_to_the_tip(Bench& bench) {
     const auto out =
         bench.run(PLAIT_STAGE_tangents, 4, 1, plait_layout_params{4},
@@ -469,6 +496,8 @@ const std::vector<ClosedForm>& strand_closed_forms() {
         PLAIT_CLOSED_FORM(follow_turns_with_the_guide),
         PLAIT_CLOSED_FORM(guide_turns_go_on_beyond_half_a_turn),
         PLAIT_CLOSED_FORM(follow_turns_by_the_mean),
+        PLAIT_CLOSED_FORM(follow_clump_leans_to_the_centre),
+        PLAIT_CLOSED_FORM(follow_curl_is_a_helix),
         PLAIT_CLOSED_FORM(tangents_point_to_the_tip),
         PLAIT_CLOSED_FORM(tangents_are_never_zero),
         PLAIT_CLOSED_FORM(stats_measure_stretch),

@@ -217,7 +217,7 @@ void Album::State::write_film(std::vector<std::string>& files) {
     for (size_t i = 0; i < beside.size(); ++i)
         if (beside_film[i].size() == film.size()) {
             columns_of_film.push_back(&beside_film[i]);
-            labels.push_back(short_label_of(beside[i].sim));
+            labels.push_back(beside[i].short_label());
         }
     columns_of_film.push_back(&film);
     labels.push_back(short_label_of(scene.sim));

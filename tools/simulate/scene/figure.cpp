@@ -143,9 +143,10 @@ std::vector<Collider> skull_under(const plait_groom* groom) {
 // shoulders would sink into them. On the head, where hair grows, there is no room for this.
 constexpr float body_margin = 0.012f; // m
 
-std::vector<Collider> mannequin_colliders() {
+std::vector<Collider> generated_colliders(bool on_ball) {
+    using namespace plait_generator;
     std::vector<Collider> colliders;
-    for (const plait_generator::Capsule& capsule : plait_generator::head_colliders()) {
+    for (const Capsule& capsule : on_ball ? ball_colliders() : head_colliders()) {
         Collider collider{plait_collider_desc_defaults(), capsule.moves_with_head};
         std::copy_n(capsule.a, 3, collider.shape.a);
         std::copy_n(capsule.b, 3, collider.shape.b);
@@ -168,7 +169,9 @@ Vector pivot_under(const std::vector<Vector3f>& roots) {
 HeadMesh make_head(const Scene& scene) {
     if (!scene.head.file.empty())
         return load_head(scene.head.file, scene.groom.scale);
-    return scene.groom.generated && !scene.head_is_mesh() ? mannequin() : HeadMesh{};
+    if (!scene.groom.generated || scene.head_is_mesh())
+        return {};
+    return scene.groom.on_ball() ? ball() : mannequin();
 }
 
 Vector3f mean_of(const std::vector<Vector3f>& points) {
@@ -211,7 +214,7 @@ float best_azimuth(const plait_groom* groom, const std::vector<Vector3f>& roots)
 }
 
 std::vector<Collider> made_for(const Scene& scene, const plait_groom* groom) {
-    return scene.groom.generated ? mannequin_colliders() : skull_under(groom);
+    return scene.groom.generated ? generated_colliders(scene.groom.on_ball()) : skull_under(groom);
 }
 
 // None are made where the head itself is a collider.
@@ -300,7 +303,8 @@ Figure make_figure(Scene& scene) {
     figure.pivot = generated ? Vector{} : pivot_under(roots);
     figure.pivot = scene.head.pivot.value_or(figure.pivot);
     figure.neck = scene.head.neck;
-    if (generated && scene.head.file.empty() && !figure.neck && !scene.head_is_mesh())
+    if (generated && !scene.groom.on_ball() && scene.head.file.empty() && !figure.neck &&
+        !scene.head_is_mesh())
         figure.neck = mannequin_neck;
     figure.hair_bounds = {Vector3f(figure.info.bounds_min), Vector3f(figure.info.bounds_max)};
     figure.azimuth = scene.camera.azimuth.value_or(best_azimuth(figure.groom.get(), roots));

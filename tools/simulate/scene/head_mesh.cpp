@@ -142,14 +142,31 @@ std::vector<float> scalp_of(const std::vector<Eigen::Vector3f>& vertices) {
     return scalp;
 }
 
-HeadMesh mannequin() {
-    const plait_generator::HeadMesh made = plait_generator::make_head(2);
+namespace {
+
+HeadMesh without_scalp(const plait_generator::HeadMesh& made) {
     HeadMesh head;
     for (size_t v = 0; v < made.positions.size(); v += 3)
         head.vertices.emplace_back(made.positions[v], made.positions[v + 1], made.positions[v + 2]);
-    head.scalp = scalp_of(head.vertices);
     for (size_t t = 0; t < made.triangles.size(); t += 3)
         head.triangles.push_back({made.triangles[t], made.triangles[t + 1], made.triangles[t + 2]});
+    return head;
+}
+
+} // namespace
+
+HeadMesh mannequin() {
+    HeadMesh head = without_scalp(plait_generator::make_head(2));
+    head.scalp = scalp_of(head.vertices);
+    return head;
+}
+
+HeadMesh ball() {
+    HeadMesh head = without_scalp(plait_generator::make_ball());
+    for (const Eigen::Vector3f& p : head.vertices) {
+        const float high = p.y() - static_cast<float>(plait_generator::ball_hairline);
+        head.scalp.push_back(0.9f * std::clamp(high / hairline, 0.0f, 1.0f));
+    }
     return head;
 }
 

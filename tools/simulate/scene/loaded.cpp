@@ -31,6 +31,8 @@ std::string colliders_of(const Scene& scene, const Figure& figure) {
         return figure.meshes.empty() ? "no colliders" : "";
     if (!figure.stand_ins.empty())
         return std::to_string(figure.colliders.size()) + " colliders that move";
+    if (scene.groom.on_ball() && !scene.colliders)
+        return "a ball of " + number(figure.colliders[0].shape.radius_a) + " m";
     if (scene.colliders || scene.groom.generated)
         return std::to_string(figure.colliders.size()) + " colliders of the " +
                (scene.colliders ? "scene" : "mannequin");

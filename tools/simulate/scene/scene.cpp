@@ -12,7 +12,7 @@ using plait_generator::Style;
 
 namespace {
 
-constexpr std::array style_names{"long", "braid", "curly", "short", "ponytail"};
+constexpr std::array style_names{"long", "braid", "curly", "short", "ponytail", "ball"};
 
 // A path in a scene file is relative to that file, one on the command line to the working
 // directory.
@@ -77,7 +77,7 @@ void read_groom(JsonReader& top, const Origin& origin, Scene& scene) {
         if (groom.name.find('.') == std::string::npos)
             top.fail("groom",
                      "is \"" + groom.name +
-                         "\", neither a file nor one of long, braid, curly, short, ponytail");
+                         "\", neither a file nor one of long, braid, curly, short, ponytail, ball");
         if (style)
             top.fail("style", "is for generated grooms; \"" + groom.name + "\" is a file");
         groom.name = resolve(groom.name, "groom", origin);
@@ -192,6 +192,17 @@ void read_wind(JsonReader& top, Scene& scene) {
     scene.wind = wind;
 }
 
+void take_detail(JsonReader& top, Scene& scene) {
+    const Json* value = top.value("detail");
+    if (value)
+        scene.detail = read_detail(top, *value, scene.seed);
+    scene.compare_detail = read_details(top, scene.seed);
+    if ((value || !scene.compare_detail.empty()) && scene.groom.guides == 0 &&
+        scene.sim.follows_per_guide == 0)
+        top.fail(value ? "detail" : "compare_detail",
+                 "is given, and no strand follows: it is theirs; give guides or follows_per_guide");
+}
+
 void read_camera(const JsonReader& top, const Json& value, CameraChoice& camera) {
     JsonReader in = top.object(value, "camera");
     if (float azimuth = 0; in.number("azimuth", azimuth, -360, 360))
@@ -246,6 +257,8 @@ Hang hang_of(const std::string& groom) {
         return {1.0f, 1.0f, PLAIT_SAG_FREE_STIFFEN, 0.0f};
     if (groom == "braid") // presses hair on hair, or it would come undone
         return {10.0f, 1.0f, PLAIT_SAG_FREE_STIFFEN, 0.0f, Friction{1.5f, 0.5f, 0.0f}};
+    if (groom == "ball") // limp: nothing holds it up but volume
+        return {1.0f, 1.0f, PLAIT_SAG_FREE_OFF, 0.0f};
     return {10.0f, 1.0f, PLAIT_SAG_FREE_STIFFEN, 0.0f};
 }
 
@@ -366,6 +379,7 @@ Scene make_scene(const std::string& file, const Json& command_line) {
     take_meshes(top, origin, scene);
     read_pins(top, scene);
     read_wind(top, scene);
+    take_detail(top, scene);
     if (top.text("motion", scene.motion) && scene.motion.find('.') != std::string::npos)
         scene.motion = resolve(scene.motion, "motion", origin);
     read_output(top, origin, scene);

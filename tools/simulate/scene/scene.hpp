@@ -3,6 +3,7 @@
 #pragma once
 
 #include "common.hpp"
+#include "detail.hpp"
 #include "materials.hpp"
 #include "meshes.hpp"
 #include "motion.hpp"
@@ -44,6 +45,10 @@ struct GroomChoice {
     float scale = 1.0f;           // file units to metres
     bool scale_by_size = false;   // "auto": as large as a head of hair
     bool generated = true;
+
+    bool on_ball() const { // and not on the mannequin
+        return generated && style.hairstyle == plait_generator::Hairstyle::Ball;
+    }
 };
 
 struct HeadChoice {
@@ -83,7 +88,9 @@ struct Scene {
     std::vector<Tie> pins;
     std::optional<plait_wind_desc> wind;
     std::vector<MaterialChoice> materials;
-    std::string motion = "shake_and_turn"; // a name or a file
+    Detail detail;
+    std::vector<DetailChoice> compare_detail; // rows of the comparison, in place of TressFX's
+    std::string motion = "shake_and_turn";    // a name or a file
     float seconds = 4.0f;
     float settle = 0.0f; // s before the motion, with the head as it begins
     uint32_t rate = 60;  // fixed steps and frames a second

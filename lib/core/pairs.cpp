@@ -1,0 +1,73 @@
+#include "core/pairs.hpp"
+
+#include <algorithm>
+
+namespace plait {
+namespace {
+
+// Cells each way. They repeat: far segments in one of them are looked at and left out.
+constexpr uint32_t edge_count = 32;
+constexpr uint32_t cells = edge_count * edge_count * edge_count;
+
+// Strands stretch under load, and by float32; a segment must fit two cells.
+constexpr float stretched = 1.1f;
+
+// Longest segments by which two may come nearer in a fixed step without one passing unseen.
+constexpr float room = 0.5f;
+
+void clear(Schedule& schedule, const Buffer& buffer) {
+    schedule.add(PLAIT_STAGE_grid_clear, static_cast<uint32_t>(buffer.count()),
+                 plait_grid_clear_params{0}, {&buffer});
+}
+
+// Of pair_scan. Work-items of a group take turns on a CPU: one is enough.
+uint32_t group_width(const plait_device_info& device) {
+    return device.lanes > 1 ? 1 : std::min(device.max_group_size, 256u);
+}
+
+} // namespace
+
+Result<Pairs> Pairs::create(Device& device, const plait_sim_params& params, const Layout& layout,
+                            float longest_segment) {
+    Pairs pairs;
+    pairs.longest_segment_ = longest_segment;
+    if (params.strand_contact == PLAIT_STRAND_CONTACT_OFF)
+        return pairs;
+    const size_t vertices = layout.guide_vertices(), kept = PLAIT_PAIR_COUNT * vertices;
+    constexpr auto u32 = PLAIT_ELEMENT_UINT;
+    PairBuffers& b = pairs.buffers_;
+    PLAIT_TRY(device.create(b.cell_count, u32, cells, "cell_count"));
+    PLAIT_TRY(device.create(b.cell_end, u32, cells, "cell_end"));
+    PLAIT_TRY(device.create(b.cell_segment, u32, vertices, "cell_segment"));
+    PLAIT_TRY(device.create(b.segment, u32, kept, "pair_segment"));
+    PLAIT_TRY(device.create(b.offset, PLAIT_ELEMENT_FLOAT, kept, "pair_offset"));
+    PLAIT_TRY(device.create(b.dropped, u32, 1, "pair_dropped"));
+    const uint32_t none = 0;
+    PLAIT_TRY(device.write(b.dropped, &none));
+    return pairs;
+}
+
+void Pairs::append(Schedule& schedule, const Step& step) const {
+    const PairBuffers& b = buffers_;
+    const State& state = step.state;
+    const uint32_t vertices = step.layout.guide_vertices();
+    const plait_pair_params search{step.layout.row,
+                                   edge_count,
+                                   0.5f * stretched * longest_segment_,
+                                   2 * step.params.strand_radius,
+                                   room * longest_segment_,
+                                   static_cast<float>(step.substeps)};
+    clear(schedule, b.cell_count);
+    clear(schedule, b.dropped);
+    schedule.add(PLAIT_STAGE_pair_count, vertices, search,
+                 {&state.vertex_count, &state.position, &b.cell_count});
+    schedule.add(PLAIT_STAGE_pair_scan, 1, plait_pair_scan_params{edge_count},
+                 {&b.cell_count, &b.cell_end}, group_width(step.device));
+    schedule.add(PLAIT_STAGE_pair_fill, vertices, search,
+                 {&state.vertex_count, &state.position, &b.cell_end, &b.cell_segment});
+    schedule.add(PLAIT_STAGE_pair_find, vertices, search,
+                 {&state.vertex_count, &state.rest, &state.position, &state.position_prev,
+                  &b.cell_end, &b.cell_segment, &b.segment, &b.offset, &b.dropped});
+}
+
+} // namespace plait

@@ -1,0 +1,48 @@
+// Strand against strand: which segments may meet in a fixed step.
+#pragma once
+
+#include "core/schedule.hpp"
+#include "core/state.hpp"
+
+namespace plait {
+
+struct PairBuffers {
+    Buffer cell_count;   // uint [cells]
+    Buffer cell_end;     // uint [cells]
+    Buffer cell_segment; // uint [guides*V]
+    Buffer segment;      // uint [PLAIT_PAIR_COUNT*guides*V]
+    Buffer offset;       // float [PLAIT_PAIR_COUNT*guides*V], m
+    Buffer dropped;      // uint [1]
+
+    uint64_t bytes() const {
+        return cell_count.bytes() + cell_end.bytes() + cell_segment.bytes() + segment.bytes() +
+               offset.bytes() + dropped.bytes();
+    }
+};
+
+class Pairs {
+  public:
+    // Without buffers where `params` have no contact. `longest_segment`: m, at rest.
+    static Result<Pairs> create(Device& device, const plait_sim_params& params,
+                                const Layout& layout, float longest_segment);
+
+    const PairBuffers* buffers() const { return buffers_.segment ? &buffers_ : nullptr; }
+    float longest_segment() const { return longest_segment_; }
+
+    // Appends the search. `substeps`: of the fixed step, in one of which strands move by position -
+    // position_prev.
+    struct Step {
+        const Layout& layout;
+        const State& state;
+        const plait_sim_params& params;
+        uint32_t substeps;
+        const plait_device_info& device;
+    };
+    void append(Schedule& schedule, const Step& step) const;
+
+  private:
+    PairBuffers buffers_;
+    float longest_segment_ = 0;
+};
+
+} // namespace plait
