@@ -258,6 +258,10 @@ std::vector<float> motion(const plait::Context& context, const plait::Groom& gro
     return sim.read(PLAIT_FIELD_POSITION);
 }
 
+bool meets_strands(plait_model model) {
+    return model == PLAIT_MODEL_COSSERAT || model == PLAIT_MODEL_ROD;
+}
+
 // The scenes in which a parameter may show.
 std::vector<plait_sim_desc> scenes(plait_model model) {
     std::vector<plait_sim_desc> list(4, busy(model));
@@ -285,7 +289,7 @@ std::vector<plait_sim_desc> scenes(plait_model model) {
         list[i].params.cohesion = 0.5f;
     }
     list[5].params.volume_share = 0.2f; // so dense that the rate bounds how fast it parts
-    if (model == PLAIT_MODEL_CHAIN)
+    if (!meets_strands(model))
         return list;
     list.push_back(busy(model));
     list.back().params.strand_contact = PLAIT_STRAND_CONTACT_ON;
@@ -317,7 +321,7 @@ TEST_P(WhoReads, IsWhatTheTableSays) {
             continue; // told to a kernel of the caller's: see AccelerationsOnOpenCL
         if (std::string(info.name) == "volume" && GetParam() == PLAIT_MODEL_TRESSFX)
             continue; // refused: see VolumeOf
-        if (std::string(info.name) == "strand_contact" && GetParam() <= PLAIT_MODEL_CHAIN)
+        if (std::string(info.name) == "strand_contact" && !meets_strands(GetParam()))
             continue; // refused: see StrandContact
         bool moved = false;
         for (size_t i = 0; i < list.size() && !moved; ++i) {
