@@ -4,6 +4,7 @@
 #include "render/render.hpp"
 #include "render/sheet.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <map>
