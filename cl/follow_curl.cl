@@ -30,12 +30,16 @@ static inline float2 noise_at(float at, uint strand) {
 /* Along u and v at `arc` m from the root. */
 static inline float2 offset_at(const plait_follow_curl_params* params, float arc, float share,
                                float phase, uint strand) {
-    const float turns = arc / params->pitch + phase;
-    const float angle = 2.0f * (turns - floor(turns));
-    const float2 helix = (float2)(cospi(angle), sinpi(angle));
-    return ramp_at(params->curl, share) * helix +
-           ramp_at(params->frizz, share) *
-               noise_at(arc / params->frizz_length + hash_share(pcg(strand)), strand);
+    const float curl = ramp_at(params->curl, share), frizz = ramp_at(params->frizz, share);
+    float2 offset = (float2)(0.0f);
+    if (curl > 0.0f) {
+        const float turns = arc / params->pitch + phase;
+        const float angle = 2.0f * (turns - floor(turns));
+        offset = curl * (float2)(cospi(angle), sinpi(angle));
+    }
+    if (frizz > 0.0f)
+        offset += frizz * noise_at(arc / params->frizz_length + hash_share(pcg(strand)), strand);
+    return offset;
 }
 
 __kernel void plait_follow_curl(const uint item_count, const plait_follow_curl_params params,

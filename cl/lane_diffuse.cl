@@ -29,25 +29,20 @@ static inline lane_surroundings surroundings_of(const lane_grid* grid, lane_cell
                                                 __global const float4* grid_velocity) {
     lane_surroundings around;
     const mask low = lane_cell_voxel(grid, cell);
-    const int n = grid->count;
-    const int corners = tent == PLAIT_TENT_VOXEL || n == 1 ? 1 : 8;
+    lane_weights weights;
+    if (tent != PLAIT_TENT_VOXEL)
+        weights = lane_weights_of(&cell);
     for (uint k = 0; k < PLAIT_LANES; ++k) {
-        const int first = LANE_OF_MASK(low, k);
+        const uint first = (uint)LANE_OF_MASK(low, k);
         float4 velocity = (float4)(0.0f);
         float density = 0.0f;
-        if (corners == 1) {
+        if (tent == PLAIT_TENT_VOXEL) {
             add_voxel(&velocity, &density, 1.0f, grid_velocity[first], grid_density[first]);
         } else {
-            const float3 high =
-                (float3)(LANE(cell.high.x, k), LANE(cell.high.y, k), LANE(cell.high.z, k));
 #pragma unroll
-            for (int corner = 0; corner < 8; ++corner) {
-                const int voxel =
-                    first + (corner & 1 ? 1 : 0) + (corner & 2 ? n * n : 0) + (corner & 4 ? n : 0);
-                const float x = corner & 1 ? high.x : 1.0f - high.x;
-                const float y = corner & 2 ? high.y : 1.0f - high.y;
-                const float z = corner & 4 ? high.z : 1.0f - high.z;
-                add_voxel(&velocity, &density, x * y * z, grid_velocity[voxel],
+            for (uint corner = 0u; corner < 8u; ++corner) {
+                const uint voxel = first + lane_corner(grid, corner);
+                add_voxel(&velocity, &density, LANE(weights.of[corner], k), grid_velocity[voxel],
                           grid_density[voxel]);
             }
         }

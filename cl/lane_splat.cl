@@ -25,8 +25,8 @@ __kernel void plait_lane_splat(const uint item_count, const plait_lane_grid_para
     const lane_grid grid = lane_grid_of(&params);
     splat_t splat;
     splat_begin(&splat);
-    splat_cell_t cell;
-    cell.voxel = SPLAT_NONE;
+    splat_around around;
+    around.voxel = SPLAT_NONE;
     uint outside = 0u;
     for (int i = 0; i < (int)params.vertex_stride; ++i)
         for (uint j = 0; j < taken; ++j) {
@@ -41,10 +41,10 @@ __kernel void plait_lane_splat(const uint item_count, const plait_lane_grid_para
                 if (params.tent == PLAIT_TENT_VOXEL)
                     splat_voxel(&splat, &grid, &row, k, moments, grid_sum);
                 else
-                    splat_corners(&splat, &cell, &grid, &row, k, moments, grid_sum);
+                    splat_corners(&splat, &around, &grid, &row, k, moments, grid_sum);
             }
         }
-    splat_leave(&splat, &cell, grid.count > 1 ? 8u : 1u);
+    splat_leave(&splat, &around);
     splat_end(&splat, grid_sum);
     if (outside > 0u)
         atomic_add(grid_outside, outside);

@@ -6,6 +6,7 @@
  * Writes  lane_plane: of both kinds the plane that the vertex is deeper under where it goes.
  * Source  Ericson 2005, 5.1.9 (segments); ours: what either strand does half of.
  */
+#pragma OPENCL FP_CONTRACT OFF
 #include "common/lane_step.clh"
 #include "common/segment.clh"
 

@@ -23,16 +23,14 @@ static inline node_pull pull_at(const lane_grid* grid, lane_cell cell,
     node_pull at;
     const mask low = lane_cell_voxel(grid, cell);
     const lane_weights weights = lane_weights_of(&cell);
-    const uint n = (uint)grid->count, corners = n > 1u ? 8u : 1u;
     for (uint k = 0; k < PLAIT_LANES; ++k) {
         float8 pull = (float8)(0.0f); /* both at once: they lie together */
 #pragma unroll
-        for (uint corner = 0u; corner < 8u; ++corner)
-            if (corner < corners) {
-                const uint node = (uint)LANE_OF_MASK(low, k) + lane_corner(corner, n);
-                const float weight = LANE(weights.of[corner], k);
-                pull += weight * vload8(node, (__global const float*)volume_pull);
-            }
+        for (uint corner = 0u; corner < 8u; ++corner) {
+            const uint node = (uint)LANE_OF_MASK(low, k) + lane_corner(grid, corner);
+            const float weight = LANE(weights.of[corner], k);
+            pull += weight * vload8(node, (__global const float*)volume_pull);
+        }
         LANE(at.change.x, k) = pull.s0;
         LANE(at.change.y, k) = pull.s1;
         LANE(at.change.z, k) = pull.s2;

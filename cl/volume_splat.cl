@@ -23,8 +23,8 @@ __kernel void plait_volume_splat(const uint item_count, const plait_lane_volume_
     const lane_grid grid = lane_grid_at(params.q, params.t, params.voxel_edge, params.edge_count);
     splat_t splat;
     splat_begin(&splat);
-    splat_cell_t cell;
-    cell.voxel = SPLAT_NONE;
+    splat_around around;
+    around.voxel = SPLAT_NONE;
     uint outside = 0u;
     for (int i = 0; i < (int)params.vertex_stride; ++i)
         for (uint j = 0; j < taken; ++j) {
@@ -41,10 +41,10 @@ __kernel void plait_volume_splat(const uint item_count, const plait_lane_volume_
                 const float3 v = splat_velocity(&row, k);
                 const float8 moments =
                     (float8)(v.x, v.y, v.z, 1.0f, LANE(rest, k), 0.0f, 0.0f, 0.0f);
-                splat_corners(&splat, &cell, &grid, &row, k, LANE(hair, k) * moments, grid_sum);
+                splat_corners(&splat, &around, &grid, &row, k, LANE(hair, k) * moments, grid_sum);
             }
         }
-    splat_leave(&splat, &cell, grid.count > 1 ? 8u : 1u);
+    splat_leave(&splat, &around);
     splat_end(&splat, grid_sum);
     if (outside > 0u)
         atomic_add(grid_outside, outside);

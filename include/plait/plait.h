@@ -575,7 +575,7 @@ typedef struct plait_sim_params {
                                  default 5 */
     float cohesion; /* m^2/s^2: tension that hair bears, over its density, [0, 1e4], default 0 */
 
-    /* guide strands meet each other; docs/strand_contact.md. Models cosserat, rod, articulated */
+    /* guide strands meet each other; docs/strand_contact.md. Models cosserat, rod */
     plait_strand_contact_form strand_contact; /* default OFF */
     float strand_radius; /* m, (0, 0.1], default 0.002: half of what guides lie apart, of which each
                               stands for many hairs */

@@ -168,8 +168,8 @@ plait_result plait_mesh_fit(const plait_mesh* mesh, plait_collider_desc* dst, si
                 format("count is %zu, range is [1, %d]", count, PLAIT_MESH_FIT_MAX));
         if (out)
             PLAIT_TRY(api::check_output(out, "out"));
-        std::vector<FittedCone> cones(count);
-        const FitError error = fit_cones(mesh->mesh, cones);
+        std::array<FittedCone, PLAIT_MESH_FIT_MAX> cones;
+        const FitError error = fit_cones(mesh->mesh, std::span(cones).first(count));
         PLAIT_TRY(api::write_structs(dst, count, "dst",
                                      [&](size_t i) { return api::capsule_of(cones[i]); }));
         if (out)

@@ -281,7 +281,7 @@ class Fit {
                 damping_[k] = std::max(1e-6, 0.3 * damping_[k]);
                 return;
             }
-            damping_[k] *= 5;
+            damping_[k] = std::min(1e6, 5 * damping_[k]);
         }
     }
 

@@ -26,6 +26,10 @@ class Pairs {
     static Result<Pairs> create(Device& device, const plait_sim_params& params,
                                 const Layout& layout, float longest_segment);
 
+    // Whether these are what `params` want.
+    bool fits(const plait_sim_params& params) const {
+        return (params.strand_contact != PLAIT_STRAND_CONTACT_OFF) == (buffers() != nullptr);
+    }
     const PairBuffers* buffers() const { return buffers_.segment ? &buffers_ : nullptr; }
     float longest_segment() const { return longest_segment_; }
 

@@ -36,6 +36,7 @@ constexpr uint32_t stretching = models_that(&ModelTraits::stretches);
 constexpr uint32_t flat = models_that(&ModelTraits::flat);
 constexpr uint32_t rods = models_that(&ModelTraits::bends);
 constexpr uint32_t strand_models = models_that(&ModelTraits::switches);
+constexpr uint32_t meeting = models_that(&ModelTraits::meets);
 static_assert((rods & tressfx) == 0 && (strand_models & tressfx) == 0);
 constexpr uint32_t every_model = tressfx | strand_models;
 
@@ -142,9 +143,9 @@ constexpr plait_param_info table[] = {
     of(strand_models, real(AT(volume_viscosity), "1/s", 0, 1e3)),
     of(strand_models, real(AT(cohesion), "m^2/s^2", 0, 1e4)),
 
-    of(rods, choice(AT(strand_contact), strand_contacts)),
-    of(rods, above(AT(strand_radius), "m", 0, 0.1)),
-    of(rods, real(AT(strand_friction), "", 0, 10)),
+    of(meeting, choice(AT(strand_contact), strand_contacts)),
+    of(meeting, above(AT(strand_radius), "m", 0, 0.1)),
+    of(meeting, real(AT(strand_friction), "", 0, 10)),
 
     real(AT(accelerate_values), "", -1e6, 1e6),
 };

@@ -158,12 +158,12 @@ Status check_volume(const plait_sim_params& params, plait_model model) {
 }
 
 Status check_strand_contact(const plait_sim_params& params, plait_model model) {
-    if (params.strand_contact == PLAIT_STRAND_CONTACT_OFF || traits_of(model).bends)
+    if (params.strand_contact == PLAIT_STRAND_CONTACT_OFF || traits_of(model).meets)
         return {};
     return Error{PLAIT_INVALID_ARGUMENT,
                  format("strand_contact is %d (on): strands of model %d do not meet each other; "
                         "those of the models %s do",
-                        params.strand_contact, model, list_models(&ModelTraits::bends).c_str())};
+                        params.strand_contact, model, list_models(&ModelTraits::meets).c_str())};
 }
 
 Status check_sim_desc(const plait_sim_desc& s) {
@@ -186,7 +186,7 @@ Status check_sim_desc(const plait_sim_desc& s) {
         return Error{PLAIT_INVALID_ARGUMENT,
                      format("sag_free is %d: model %d has no bending that could hold a groom's "
                             "shape, %s have",
-                            s.sag_free, s.model, list_models(&ModelTraits::bends).c_str())};
+                            s.sag_free, s.model, list_models(&ModelTraits::meets).c_str())};
     if (s.material_count > 0 && !traits_of(s.model).switches)
         return Error{PLAIT_INVALID_ARGUMENT,
                      format("material_count is %zu: the stiffness of model %d is no material's, %s "

@@ -15,23 +15,24 @@ struct Discard {
     ~Discard() { model.discard(); }
 };
 
-// The detail that is shown for another one; taken back, however the call ends, unless it is kept.
-class Exchange {
+// Swaps in what is new, and out again however the call ends, also by an exception, unless it is kept:
+// Trial(swap).keep_if(check()) checks with the new in place.
+template <typename Swap> class Trial {
   public:
-    Exchange(Display& display, Detail& detail) : display_(display), detail_(detail) {
-        display_.exchange(detail_);
-    }
-    ~Exchange() {
+    explicit Trial(Swap swap) : swap_(swap) { swap_(); }
+    ~Trial() {
         if (!kept_)
-            display_.exchange(detail_);
+            swap_();
     }
-    Exchange(const Exchange&) = delete;
-    Exchange& operator=(const Exchange&) = delete;
-    void keep() { kept_ = true; }
+    Trial(const Trial&) = delete;
+    Trial& operator=(const Trial&) = delete;
+    Status keep_if(Status status) {
+        kept_ = static_cast<bool>(status);
+        return status;
+    }
 
   private:
-    Display& display_;
-    Detail& detail_;
+    Swap swap_;
     bool kept_ = false;
 };
 
@@ -72,6 +73,11 @@ Status Sim::start() {
 Status Sim::check_stages() {
     schedule_.clear();
     append_dry_step();
+    return check_schedule();
+}
+
+// That what was appended can run; it is not run.
+Status Sim::check_schedule() {
     Status status = check_supported(device(), schedule_.list());
     if (status)
         status = device().prepare(schedule_.list());
@@ -131,29 +137,31 @@ Status Sim::set_params(const plait_sim_params& params) {
             return made.error();
         grid = std::move(*made);
     }
-    auto pairs = Pairs::create(device(), params, layout_, pairs_.longest_segment());
-    if (!pairs)
-        return pairs.error();
-    const bool other_pairs = bool(pairs->buffers()) != bool(pairs_.buffers());
-    PLAIT_TRY(model_->keep_planes(device(), needs_planes() || pairs->buffers()));
+    Pairs pairs;
+    const bool same_pairs = pairs_.fits(params);
+    if (!same_pairs) {
+        auto made = Pairs::create(device(), params, layout_, pairs_.longest_segment());
+        if (!made)
+            return made.error();
+        pairs = std::move(*made);
+    }
+    PLAIT_TRY(model_->keep_planes(device(), needs_planes() || pairs.buffers()));
     plait_sim_params next = params;
     const std::string warned = context_.log.callback ? warning() : "";
-    const auto exchange = [&] {
+    const auto swap = [&] {
         model_->swap();
         std::swap(desc_.params, next);
         if (!same_grid)
             std::swap(grid_, grid);
-        if (other_pairs)
-            std::swap(pairs_, *pairs);
+        if (!same_pairs)
+            std::swap(pairs_, pairs);
     };
-    exchange();
-    Status status = check_stages();
-    if (!status)
-        exchange();
-    else
+    const Status status = Trial(swap).keep_if(check_stages());
+    if (status) {
         log_warnings(next, warned);
-    if (status && !same_place(next, desc_.params))
-        grid_.volume().carries = false;
+        if (!same_place(next, desc_.params))
+            grid_.volume().carries = false;
+    }
     if (!needs_planes())
         PLAIT_TRY(model_->keep_planes(device(), false));
     return status;
@@ -167,12 +175,8 @@ Status Sim::set_materials(StrandMaterialsPtr materials) {
                             list_models(&ModelTraits::switches).c_str())};
     const Discard discard{*model_};
     const std::string warned = context_.log.callback ? warning() : "";
-    model_->exchange(materials);
-    Status status = model_->prepare(device(), desc_.params);
-    if (!status) {
-        model_->exchange(materials);
-        return status;
-    }
+    Trial trial([&] { model_->exchange(materials); });
+    PLAIT_TRY(trial.keep_if(model_->prepare(device(), desc_.params)));
     model_->swap();
     log_warnings(desc_.params, warned);
     return {};
@@ -193,13 +197,9 @@ Status Sim::set_wind(const plait_wind_desc* desc) {
     PLAIT_TRY(next.begin(device(), wind_, *desc, hair_));
     if (!wind_.blows())
         PLAIT_TRY(model_->open_wind(device()));
-    std::swap(wind_, next);
-    Status status = check_stages();
-    if (!status) {
-        std::swap(wind_, next);
-        if (!wind_.blows())
-            model_->close_wind();
-    }
+    const Status status = Trial([&] { std::swap(wind_, next); }).keep_if(check_stages());
+    if (!wind_.blows())
+        model_->close_wind();
     return status;
 }
 
@@ -212,14 +212,10 @@ Status Sim::set_detail(const plait_detail_desc* desc, std::span<const uint32_t> 
             return made.error();
         next = std::move(*made);
     }
-    Exchange exchange(display_, next);
+    Trial trial([&] { display_.exchange(next); });
     schedule_.clear();
     append_shown();
-    PLAIT_TRY(check_supported(device(), schedule_.list()));
-    PLAIT_TRY(device().prepare(schedule_.list()));
-    schedule_.clear();
-    exchange.keep();
-    return {};
+    return trial.keep_if(check_schedule());
 }
 
 SettingsList Sim::settings() const {

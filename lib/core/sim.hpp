@@ -197,6 +197,7 @@ class Sim {
     Status show_at_once();
     Status prepare_teleport();
     Status check_stages(); // and builds them
+    Status check_schedule();
     Status prepare_calls();
     void add_stats();
     void add_bounds();

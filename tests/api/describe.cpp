@@ -258,6 +258,10 @@ std::vector<float> motion(const plait::Context& context, const plait::Groom& gro
     return sim.read(PLAIT_FIELD_POSITION);
 }
 
+bool meets_strands(plait_model model) {
+    return model == PLAIT_MODEL_COSSERAT || model == PLAIT_MODEL_ROD;
+}
+
 // The scenes in which a parameter may show.
 std::vector<plait_sim_desc> scenes(plait_model model) {
     std::vector<plait_sim_desc> list(4, busy(model));
@@ -285,11 +289,20 @@ std::vector<plait_sim_desc> scenes(plait_model model) {
         list[i].params.cohesion = 0.5f;
     }
     list[5].params.volume_share = 0.2f; // so dense that the rate bounds how fast it parts
+    if (!meets_strands(model))
+        return list;
+    list.push_back(busy(model));
+    list.back().params.strand_contact = PLAIT_STRAND_CONTACT_ON;
+    list.back().params.strand_radius = 0.004f; // 1 cm apart in the groom, and they come nearer
     return list;
 }
 
 class WhoReads : public testing::TestWithParam<plait_model> {};
 INSTANTIATE_TEST_SUITE_P(Models, WhoReads, testing::ValuesIn(every_model));
+
+bool of_contact(const plait_param_info& info) {
+    return std::string(info.name).starts_with("strand_");
+}
 
 // m: of 1/line_density times line_density in `chain`, say.
 constexpr float rounding = 1e-7f;
@@ -308,8 +321,12 @@ TEST_P(WhoReads, IsWhatTheTableSays) {
             continue; // told to a kernel of the caller's: see AccelerationsOnOpenCL
         if (std::string(info.name) == "volume" && GetParam() == PLAIT_MODEL_TRESSFX)
             continue; // refused: see VolumeOf
+        if (std::string(info.name) == "strand_contact" && !meets_strands(GetParam()))
+            continue; // refused: see StrandContact
         bool moved = false;
         for (size_t i = 0; i < list.size() && !moved; ++i) {
+            if (list[i].params.strand_contact && !of_contact(info))
+                continue; // which makes much of the last bits of others
             plait_sim_desc desc = list[i];
             change(desc, info);
             moved = largest_difference(motion(context, groom, desc), plain[i]) > rounding;

@@ -1,10 +1,27 @@
 #include "volume_inputs.hpp"
 
+#include <cmath>
+
 namespace plait::cases {
+
+namespace {
+
+// Of a node the change of velocity, m/s, and the acceleration, m/s^2.
+std::string compare(const Setup&, const Outputs& expected, const Outputs& got) {
+    const std::vector<float>&a = got[4].floats, &b = expected[4].floats;
+    for (size_t i = 0; i < b.size(); ++i)
+        if (!(std::abs(a[i] - b[i]) <= (i / 4 % 2 ? 3e-4f : 1e-5f)))
+            return "volume_pull[" + std::to_string(i / 4) + "] is off by " +
+                   std::to_string(a[i] - b[i]);
+    return "";
+}
+
+} // namespace
 
 // Up to 500 m/s^2 on nodes that share faces of a fifth of a vertex.
 Case volume_impulse_case() {
-    Case result = {PLAIT_STAGE_volume_impulse, {}, {{"volume_pull", 3e-4}}, {"grid_velocity.rms"}};
+    Case result = {
+        PLAIT_STAGE_volume_impulse, {}, {}, {"grid_velocity.rms"}, {{"volume_pull", compare}}};
     for (const uint32_t edge_count : volume_sizes())
         for (const uint32_t carried : {0u, 1u}) {
             const VolumeNodes nodes = make_volume_nodes(edge_count);

@@ -73,6 +73,24 @@ TEST_F(Comparison, is_with_the_run_without_volume) {
     EXPECT_EQ(variants[2].sim.params.interhair, PLAIT_INTERHAIR_EXACT);
 }
 
+// Detail after the simulation: its rows take the place of TressFX's, and the run's own says what it has.
+TEST_F(Comparison, is_with_other_details_where_the_scene_has_them) {
+    const Scene scene =
+        read(R"({"guides": 50, "detail": {"clump": [0, 0.5, 1, 1], "frizz": [0, 0, 0, 0.001]},
+        "compare_detail": [{"name": "plain"}, {"name": "curls", "curl": [0, 0.001, 0.002, 0.003], "curl_pitch": 0.03}]})");
+    EXPECT_EQ(simulate::label_of(scene), simulate::label_of(scene.sim) + " + clumps, frizz");
+    const std::vector<Variant> variants = simulate::variants_beside(scene);
+    ASSERT_EQ(variants.size(), 2u);
+    EXPECT_EQ(variants[0].label, "plain");
+    EXPECT_EQ(variants[1].label, "curls");
+    EXPECT_EQ(variants[1].of(scene).sim.model, scene.sim.model);
+    ASSERT_TRUE(variants[1].of(scene).detail);
+    EXPECT_EQ(variants[1].of(scene).detail->curl[3], 0.003f);
+    EXPECT_EQ(variants[1].of(scene).detail->curl_pitch, 0.03f);
+    EXPECT_EQ(variants[1].of(scene).detail->clump[3], 0);
+    EXPECT_EQ(simulate::label_of(read("{}")), simulate::label_of(read("{}").sim));
+}
+
 // What holds a braid together is the run's, not the thesis's; what the scene gives is both's.
 TEST_F(Comparison, brakes_as_the_thesis_unless_the_scene_says_otherwise) {
     const Scene braid = read(R"({"groom": "braid"})");

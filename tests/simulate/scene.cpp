@@ -193,6 +193,25 @@ TEST_F(SceneFile, values_are_refused_with_place_value_and_range) {
     EXPECT_THAT(refusal(R"([1])"), HasSubstr("not an object"));
 }
 
+TEST_F(SceneFile, detail_is_of_strands_that_follow) {
+    const Scene scene = read(R"({"guides": 50, "seed": 7,
+        "detail": {"clump": [0, 0.5, 1, 1], "clumps": 9, "frizz_length": 0.03}})");
+    ASSERT_TRUE(scene.detail);
+    EXPECT_FLOAT_EQ(scene.detail->clump[1], 0.5f);
+    EXPECT_EQ(scene.detail->clumps, 9u);
+    EXPECT_FLOAT_EQ(scene.detail->frizz_length, 0.03f);
+    EXPECT_EQ(scene.detail->seed, 7u);
+    EXPECT_FALSE(read("{}").detail);
+    EXPECT_THAT(refusal(R"({"detail": {}})"), HasSubstr("no strand follows"));
+    EXPECT_THAT(refusal(R"({"compare_detail": [{"name": "plain"}]})"),
+                HasSubstr("no strand follows"));
+    EXPECT_THAT(refusal(R"({"guides": 50, "detail": {"clump": [0, 0, 0, 2]}})"),
+                AllOf(HasSubstr("clump[3] is 2"), HasSubstr("1")));
+    EXPECT_THAT(refusal(R"({"guides": 50, "detail": {"clumb": 1}})"), HasSubstr("clumb"));
+    EXPECT_THAT(refusal(R"({"guides": 50, "compare_detail": [{"curl": [0, 0, 0, 0]}]})"),
+                HasSubstr("name"));
+}
+
 TEST_F(SceneFile, what_falls_freely_settles_and_what_is_held_up_is_in_balance) {
     for (const char* groom : {"long", "curly"}) {
         const Scene scene = read(R"({"groom": ")" + std::string(groom) + R"("})");

@@ -1,6 +1,8 @@
 #include "comparison.hpp"
 
+#include <algorithm>
 #include <cstdio>
+#include <iterator>
 
 namespace simulate {
 
@@ -59,6 +61,22 @@ std::string label_of(const plait_sim_desc& sim) {
     if (sim.params.volume != PLAIT_VOLUME_OFF)
         return label + " + volume";
     return label + " + inter-hair step (" + interhair_names[sim.params.interhair] + ")";
+}
+
+std::string label_of(const Scene& scene) {
+    std::string label = label_of(scene.sim);
+    if (!scene.detail)
+        return label;
+    const plait_detail_desc& detail = *scene.detail;
+    const std::pair<const float(&)[4], const char*> kinds[] = {
+        {detail.clump, "clumps"}, {detail.curl, "curls"}, {detail.frizz, "frizz"}};
+    const char* between = " + ";
+    for (const auto& [ramp, name] : kinds)
+        if (std::any_of(std::begin(ramp), std::end(ramp), [](float knot) { return knot > 0; })) {
+            label += between + std::string(name);
+            between = ", ";
+        }
+    return label;
 }
 
 std::string short_label_of(const plait_sim_desc& sim) {

@@ -21,6 +21,9 @@ struct Variant {
 // "TressFX", "TressFX + inter-hair step of the thesis", "cosserat + inter-hair step (slots)"
 std::string label_of(const plait_sim_desc& sim);
 
+// That of the run itself, its detail after the simulation in it: "rod + clumps, frizz".
+std::string label_of(const Scene& scene);
+
 // The same in few letters, for films: "TressFX", "TressFX + thesis's step", "cosserat".
 std::string short_label_of(const plait_sim_desc& sim);
 

@@ -348,7 +348,7 @@ void LanePart::substep(Schedule& schedule, const Substep& at, float mean_length)
         params.gravity[i] = p.gravity[i];
         params.air[i] = at.air[i];
     }
-    const bool meets = at.pairs && traits_.bends; // a chain is met, and meets none
+    const bool meets = at.pairs && traits_.meets;
     params.collider_count = at.collider_count;
     params.collider_first = at.collider_first;
     params.contact_rate = contact_rate(p.gravity, at.h, params.bdf2, mean_length);

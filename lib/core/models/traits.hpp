@@ -21,16 +21,19 @@ struct ModelTraits {
     bool flat;           // sections may be elliptic
     bool stretches;      // by EA
     bool halves_tip;     // half a mass at the tip; else equal masses, a limp chain's
+    bool meets;          // other strands, where strand_contact is on; all are met
 };
 
 // In the order of plait_model; fields as above.
 inline constexpr ModelTraits model_table[] = {
-    {PLAIT_MODEL_TRESSFX, "tressfx", PLAIT_STAGE_COUNT, 0, 0, false, false, false, false, false},
-    {PLAIT_MODEL_CHAIN, "chain", PLAIT_STAGE_chain, 1, 0, true, false, false, false, false},
-    {PLAIT_MODEL_COSSERAT, "cosserat", PLAIT_STAGE_cosserat, 3, 0, true, true, false, true, true},
-    {PLAIT_MODEL_ROD, "rod", PLAIT_STAGE_rod, 1, 0, true, true, true, true, true},
-    {PLAIT_MODEL_ARTICULATED, "articulated", PLAIT_STAGE_articulated, 1, 1, true, true, true, false,
+    {PLAIT_MODEL_TRESSFX, "tressfx", PLAIT_STAGE_COUNT, 0, 0, false, false, false, false, false,
+     false},
+    {PLAIT_MODEL_CHAIN, "chain", PLAIT_STAGE_chain, 1, 0, true, false, false, false, false, false},
+    {PLAIT_MODEL_COSSERAT, "cosserat", PLAIT_STAGE_cosserat, 3, 0, true, true, false, true, true,
      true},
+    {PLAIT_MODEL_ROD, "rod", PLAIT_STAGE_rod, 1, 0, true, true, true, true, true, true},
+    {PLAIT_MODEL_ARTICULATED, "articulated", PLAIT_STAGE_articulated, 1, 1, true, true, true, false,
+     true, false},
 };
 static_assert([] {
     for (size_t i = 0; i < std::size(model_table); ++i)

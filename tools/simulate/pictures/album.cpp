@@ -4,6 +4,7 @@
 #include "render/render.hpp"
 #include "render/sheet.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -177,7 +178,7 @@ void Album::State::write_sheets(std::vector<std::string>& files) const {
     if (chosen.empty())
         return;
     render::write_sheet({"plait: " + std::filesystem::path(scene.groom.name).filename().string(),
-                         setting() + ", " + label_of(scene.sim), in_rows(chosen)},
+                         setting() + ", " + label_of(scene), in_rows(chosen)},
                         path("sheet.png"));
     files.push_back(path("sheet.png"));
 }
@@ -201,9 +202,12 @@ void Album::State::write_comparison(std::vector<std::string>& files) const {
             add(beside[i].label, beside_cells[i]);
     if (rows.empty())
         return;
-    add(label_of(scene.sim), cells);
+    add(label_of(scene), cells);
+    const bool has_tressfx = std::ranges::any_of(
+        beside, [](const Variant& v) { return v.sim.model == PLAIT_MODEL_TRESSFX; });
     render::write_sheet({"plait: " + std::filesystem::path(scene.groom.name).filename().string(),
-                         setting() + "; " + tressfx_settings(scene.sim), rows},
+                         has_tressfx ? setting() + "; " + tressfx_settings(scene.sim) : setting(),
+                         rows},
                         path("ab.png"));
     files.push_back(path("ab.png"));
 }
