@@ -38,6 +38,9 @@
 #define PLAIT_CONTACT_RECOVERY_STIFFNESS PLAIT_NUMBER(10.0)
 /* Relative change of friction's bound mu N below which a contact has not changed. Ours. */
 #define PLAIT_CONTACT_FRICTION_CHANGE PLAIT_NUMBER(0.05)
+/* Share of mu N that has to pull at a vertex for it to break loose, where a solver tries that first:
+ * less than all of it, as N lags by a step. Ours. */
+#define PLAIT_CONTACT_BREAKS PLAIT_NUMBER(0.9)
 /* EA: largest friction on a vertex. A strand that a collider caught is released before it stretches
  * without end and snaps back. Ours. */
 #define PLAIT_CONTACT_MAX_FRICTION PLAIT_NUMBER(0.1)
@@ -165,9 +168,9 @@
 /* Most Newton steps of a strand in contact: planes, normal forces and slip directions are renewed
  * between them, and the last is the one that changes neither. Fewer hold a hair that should slip,
  * since the bound of friction lags by a step. Ours. */
-#define PLAIT_ARTICULATED_CONTACT_STEPS 6
+#define PLAIT_ARTICULATED_CONTACT_STEPS 8
 /* Most of one that is still deep then, and how deep that is (segment lengths): a collider that moves
- * by several of its radii turns hair by more than Newton's method sees in six steps, and what is
+ * by several of its radii turns hair by more than Newton's method sees in eight steps, and what is
  * deeper is no balance of forces. Ours. */
 #define PLAIT_ARTICULATED_DEEP_STEPS 10
 #define PLAIT_ARTICULATED_DEEP PLAIT_NUMBER(0.1)

@@ -133,25 +133,38 @@ Vec3 Contacts::slip_of(const Contact& at, const Vec3& x) const {
 }
 
 // A new contact slides where friction cannot stop a free vertex; one that slid, until it turns
-// back; one that stuck, once the spring that held it pulls with more than mu N.
-bool Contacts::slides(const Contact& before, const Contact& now, const Vec3& u,
-                      double mobility) const {
-    const double slip = params_.contact_slip;
-    if (before.stiffness == 0 || before.push == 0)
-        return u.norm() > slip + now.friction * now.push * mobility;
-    if (!before.sticks())
-        return before.slide.dot(u) > 0;
-    return before.friction * before.push * u.norm() / slip > now.friction * now.push;
+// back; one that stuck, once the spring that held it pulls with more than mu N. Of a solver that
+// slides on it gets a weaker spring before it slides, drawn so far by mu N: what draws that one by
+// more, slides.
+void Contacts::rub(const Contact& before, const Vec3& u, double mobility, Contact& now) const {
+    const double slip = params_.contact_slip, size = u.norm(), most = now.friction * now.push;
+    now.grip = slip;
+    bool slides = false;
+    if (before.stiffness == 0 || before.push == 0) {
+        slides = size > slip + most * mobility;
+    } else if (!before.sticks()) {
+        slides = before.slide.dot(u) > 0;
+    } else {
+        const double pull = before.friction * before.push * size / before.grip;
+        if (before.grip > slip)
+            slides = pull + size / mobility > PLAIT_CONTACT_BREAKS * most;
+        else if (pull > most && slides_on_)
+            now.grip = std::max(size, slip);
+        else
+            slides = pull > most;
+    }
+    if (slides)
+        now.slide = u.normalized();
 }
 
-// The direction in which the vertex slid along the surface, if it was pressed to it.
+// The way that the vertex slid along the surface, if it was pressed to it.
 Vec3 Contacts::slid_before(size_t vertex, const Touch& found) const {
     if (solved_ || !slides_on_ || !(found.start < 0))
         return Vec3::Zero();
     const Vec3 surface = found.anchor - motion_.start[vertex];
     const Vec3 way = motion_.whole * motion_.v[vertex] - surface;
     const Vec3 along = way - found.normal * found.normal.dot(way);
-    return along.norm() > params_.contact_slip ? Vec3(along.normalized()) : Vec3::Zero();
+    return along.norm() > params_.contact_slip ? along : Vec3(Vec3::Zero());
 }
 
 Contacts::Contact Contacts::renewed(size_t vertex, const Vec3& x) const {
@@ -192,10 +205,11 @@ Contacts::Contact Contacts::renewed(size_t vertex, const Vec3& x) const {
     now.friction = std::min(found->friction, PLAIT_CONTACT_MAX_FRICTION * stretch_[vertex] *
                                                  length_[vertex] / std::max(now.push, 1e-30));
     const Vec3 u = slip_of(now, x);
-    if (slides(solved_ ? before : Contact{}, now, u, motion_.h * motion_.h / mass_[vertex]))
-        now.slide = u.normalized();
-    if (const Vec3 slid = slid_before(vertex, *found); !slid.isZero(0))
-        now.slide = slid;
+    rub(solved_ ? before : Contact{}, u, motion_.h * motion_.h / mass_[vertex], now);
+    if (const Vec3 slid = slid_before(vertex, *found); !slid.isZero(0)) {
+        now.slide.setZero();
+        now.grip = slid.norm();
+    }
     return now;
 }
 
@@ -204,7 +218,7 @@ bool Contacts::differ(const Contact& before, const Contact& now) {
     if ((before.stiffness > 0) != (now.stiffness > 0))
         return true;
     const double bound = now.friction * now.push, had = before.friction * before.push;
-    return now.stiffness > 0 && (before.sticks() != now.sticks() ||
+    return now.stiffness > 0 && (before.sticks() != now.sticks() || before.grip != now.grip ||
                                  std::abs(bound - had) > PLAIT_CONTACT_FRICTION_CHANGE * bound);
 }
 
@@ -232,15 +246,14 @@ bool Contacts::touching() const {
 Mat3 Contacts::hessian(size_t vertex, const Vec3& x) const {
     const Contact& at = at_[vertex];
     const Mat3 n = at.normal * at.normal.transpose(), d = at.slide * at.slide.transpose();
-    const double length = at.sticks()
-                              ? params_.contact_slip
-                              : std::max(slip_of(at, x).norm(), double(params_.contact_slip));
+    const double length =
+        at.sticks() ? at.grip : std::max(slip_of(at, x).norm(), double(params_.contact_slip));
     return at.stiffness * n + at.friction * at.push / length * (Mat3::Identity() - n - d);
 }
 
 Vec3 Contacts::force(size_t vertex, const Vec3& x) const {
     const Contact& at = at_[vertex];
-    const Vec3 direction = at.sticks() ? Vec3(slip_of(at, x) / params_.contact_slip) : at.slide;
+    const Vec3 direction = at.sticks() ? Vec3(slip_of(at, x) / at.grip) : at.slide;
     return -at.stiffness * (at.normal.dot(x) - at.offset) * at.normal -
            at.friction * at.push * direction;
 }
@@ -258,7 +271,7 @@ double Contacts::model(size_t vertex, const Vec3& x) const {
     const double depth = std::max(at.offset - at.normal.dot(x), 0.0), e = params_.contact_slip;
     const Vec3 u = slip_of(at, x);
     const double along = at.slide.dot(u), across = (u - along * at.slide).squaredNorm();
-    const double reach = at.sticks() ? e : std::max(u.norm(), e);
+    const double reach = at.sticks() ? at.grip : std::max(u.norm(), e);
     return at.stiffness / 2 * depth * depth +
            at.friction * at.push * (along + across / (2 * reach));
 }

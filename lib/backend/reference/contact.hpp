@@ -62,6 +62,7 @@ class Contacts {
         Vec3 normal = Vec3::Zero(), anchor = Vec3::Zero(), slide = Vec3::Zero();
         double offset = 0, stiffness = 0, push = 0, friction = 0;
         double level = 0, begin = 0; // of the surface above the offset; how deep the vertex began
+        double grip = 1;             // the slip at which what sticks is held by mu N, m
         bool stiff = false;          // from outside: it may not be left deep
         bool sticks() const { return slide.isZero(0); }
     };
@@ -75,7 +76,7 @@ class Contacts {
     bool meets(const Collider& collider, size_t vertex, const Vec3& x) const;
     std::optional<Touch> nearest(size_t vertex, const Vec3& x) const;
     Contact renewed(size_t vertex, const Vec3& x) const;
-    bool slides(const Contact& before, const Contact& now, const Vec3& u, double mobility) const;
+    void rub(const Contact& before, const Vec3& u, double mobility, Contact& now) const;
     static bool differ(const Contact& before, const Contact& now);
     Vec3 slid_before(size_t vertex, const Touch& found) const;
     Vec3 slip_of(const Contact& at, const Vec3& x) const;
