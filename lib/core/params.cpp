@@ -186,7 +186,7 @@ Status check_sim_desc(const plait_sim_desc& s) {
         return Error{PLAIT_INVALID_ARGUMENT,
                      format("sag_free is %d: model %d has no bending that could hold a groom's "
                             "shape, %s have",
-                            s.sag_free, s.model, list_models(&ModelTraits::meets).c_str())};
+                            s.sag_free, s.model, list_models(&ModelTraits::bends).c_str())};
     if (s.material_count > 0 && !traits_of(s.model).switches)
         return Error{PLAIT_INVALID_ARGUMENT,
                      format("material_count is %zu: the stiffness of model %d is no material's, %s "

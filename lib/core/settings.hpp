@@ -24,7 +24,10 @@ struct Settings {
     }
     uint32_t bdf2_of(const plait_sim_params& params) const {
         const uint32_t own = bdf2 == PLAIT_SETTING_OF_SIM ? params.bdf2 : bdf2;
-        return own == PLAIT_BDF2_OF_MODEL ? traits_of(model).bdf2 : own;
+        if (own != PLAIT_BDF2_OF_MODEL)
+            return own;
+        // what it remembers of the step before throws off strands that others have pushed
+        return params.strand_contact == PLAIT_STRAND_CONTACT_OFF ? traits_of(model).bdf2 : 0;
     }
 };
 using SettingsList = std::pmr::vector<Settings>; // [guides]

@@ -259,7 +259,7 @@ std::vector<float> motion(const plait::Context& context, const plait::Groom& gro
 }
 
 bool meets_strands(plait_model model) {
-    return model == PLAIT_MODEL_COSSERAT || model == PLAIT_MODEL_ROD;
+    return model > PLAIT_MODEL_CHAIN;
 }
 
 // The scenes in which a parameter may show.

@@ -210,8 +210,7 @@ class Scene {
         if (detail_dice_.one_in(6))
             detail_dice_.one_in(4) ? sim_.drop_detail()
                                    : sim_.set_detail(random_detail(detail_dice_));
-        if ((case_.model == PLAIT_MODEL_COSSERAT || case_.model == PLAIT_MODEL_ROD) &&
-            contact_dice_.one_in(6))
+        if (case_.model > PLAIT_MODEL_CHAIN && contact_dice_.one_in(6))
             change_strand_contact();
         at_ = {at_[0] + dice_.between(-0.03f, 0.03f), at_[1], at_[2]};
         sim_.set_roots(head_at(at_));

@@ -8,7 +8,8 @@
 
 namespace {
 
-constexpr plait_model meeting_models[] = {PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD};
+constexpr plait_model meeting_models[] = {PLAIT_MODEL_ARTICULATED, PLAIT_MODEL_COSSERAT,
+                                          PLAIT_MODEL_ROD};
 constexpr float radius = 0.002f;
 constexpr size_t vertices = 16;
 
@@ -360,6 +361,7 @@ TEST_P(StrandContact, OffItCostsNothingAndChangesNoBit) {
     for (const plait_model model : meeting_models) {
         auto off = meeting(model);
         off.params.strand_contact = PLAIT_STRAND_CONTACT_OFF;
+        off.params.bdf2 = 0; // as where strands meet: its history would be made anew
         plait::Sim never(timed, make_groom(crowd()), off), stopped(timed, make_groom(crowd()), off);
         const auto bytes = never.describe().device_bytes;
         stopped.set_params(meeting(model).params);
@@ -402,7 +404,7 @@ TEST_P(StrandContact, RepeatsBitForBitAlsoFromASnapshot) {
 
 // Short strands and long ones, of several models and substeps, are in parts of their own.
 TEST_P(StrandContact, StrandsOfSeveralPartsMeet) {
-    auto desc = meeting(PLAIT_MODEL_COSSERAT);
+    auto desc = meeting(PLAIT_MODEL_ARTICULATED);
     desc.params.gravity[1] = 0;
     desc.params.gravity[2] = -9.81f;
     const Strands hair{line({0.1f, -0.1f, 0}, {0, 1, 0}, 0.2f / 15),
@@ -418,9 +420,7 @@ TEST_P(StrandContact, StrandsOfSeveralPartsMeet) {
         auto settings = plait_strand_settings_defaults();
         settings.model = other;
         settings.substeps = other == PLAIT_MODEL_ROD ? 3 : 1;
-        auto own = plait_strand_settings_defaults();
-        own.model = PLAIT_MODEL_COSSERAT;
-        sim.set_settings({own, settings}, {1, 0});
+        sim.set_settings({plait_strand_settings_defaults(), settings}, {1, 0});
         run(sim, 60);
         const float tip = sim.read(PLAIT_FIELD_POSITION)[4 * (vertices + 7) + 2];
         EXPECT_GT(tip, -0.065f) << other << ": it lies across the other, its tip hangs";
@@ -432,17 +432,16 @@ TEST_P(StrandContact, CountsPairsThatAreDropped) {
     Strands hair;
     for (size_t i = 0; i < 9; ++i)
         hair.push_back(line({0, 1e-4f * static_cast<float>(i), 0}, {1, 0, 0}, 0.01f));
-    plait::Sim sim(context, make_groom(hair), meeting(PLAIT_MODEL_COSSERAT));
+    plait::Sim sim(context, make_groom(hair), meeting(PLAIT_MODEL_ARTICULATED));
     run(sim, 1);
     EXPECT_GE(sim.stats().pairs_dropped, 9u * 15 * 4); // beside each segment lie eight
-    plait::Sim few(context, make_groom({hair[0], hair[8]}), meeting(PLAIT_MODEL_COSSERAT));
+    plait::Sim few(context, make_groom({hair[0], hair[8]}), meeting(PLAIT_MODEL_ARTICULATED));
     run(few, 1);
     EXPECT_EQ(few.stats().pairs_dropped, 0u);
 }
 
 TEST_P(StrandContact, OtherModelsRefuse) {
-    for (const plait_model model :
-         {PLAIT_MODEL_TRESSFX, PLAIT_MODEL_CHAIN, PLAIT_MODEL_ARTICULATED}) {
+    for (const plait_model model : {PLAIT_MODEL_TRESSFX, PLAIT_MODEL_CHAIN}) {
         auto desc = plait_sim_desc_defaults();
         desc.model = model;
         plait::Sim sim(context, make_groom(tuft(2, 4)), desc);

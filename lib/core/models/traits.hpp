@@ -33,7 +33,7 @@ inline constexpr ModelTraits model_table[] = {
      true},
     {PLAIT_MODEL_ROD, "rod", PLAIT_STAGE_rod, 1, 0, true, true, true, true, true, true},
     {PLAIT_MODEL_ARTICULATED, "articulated", PLAIT_STAGE_articulated, 1, 1, true, true, true, false,
-     true, false},
+     true, true},
 };
 static_assert([] {
     for (size_t i = 0; i < std::size(model_table); ++i)
