@@ -171,7 +171,8 @@ std::array<double, 3> moved_skin(const std::array<double, 3>& p, double share) {
 }
 
 // m, the largest distance of a vertex from its place on the skin after it moved for 2 s.
-double strayed(plait::Context& context, plait_model model, float friction, int steps) {
+double strayed(plait::Context& context, plait_model model, float friction) {
+    constexpr int steps = 120;
     constexpr auto height = static_cast<float>(hair_height);
     Strand strand;
     for (int i = 0; i < 17; ++i)
@@ -179,6 +180,9 @@ double strayed(plait::Context& context, plait_model model, float friction, int s
     auto desc = desc_of(model);
     desc.params.bend_stiffness = 1e-11f;
     desc.params.drag = 2;
+    if (model ==
+        PLAIT_MODEL_ROD) // whose two Newton steps do not find out what slides: 2 mm with one
+        desc.substeps = 4;
     plait::Sim sim(context, make_groom({strand}), desc);
     const auto mesh = make_mesh(skin_mesh());
     const auto rest = mesh.read<float>(PLAIT_MESH_FIELD_POSITIONS);
@@ -207,10 +211,9 @@ double strayed(plait::Context& context, plait_model model, float friction, int s
 }
 
 TEST_P(BendingMeshes, HairSticksToSkinThatStretchesAndTurns) {
-    const int steps = is_reference() ? 60 : 120;
     for (const plait_model model : models) {
-        EXPECT_LT(strayed(context, model, 1.5f, steps), 1e-3 * hair_length) << "model " << model;
-        EXPECT_GT(strayed(context, model, 0.0f, steps), 3e-3) << "model " << model;
+        EXPECT_LT(strayed(context, model, 1.5f), 1e-3 * hair_length) << "model " << model;
+        EXPECT_GT(strayed(context, model, 0.0f), 3e-3) << "model " << model;
     }
 }
 
@@ -283,6 +286,8 @@ TEST_P(BendingMeshes, NothingIsScheduledWithoutThem) {
         return std::pair(std::ranges::count(stages, "mesh_contact"),
                          std::ranges::count(stages, "mesh_nearest"));
     };
+    for (const auto id : {sim.create_collider(mesh), sim.create_collider(mesh)})
+        sim.destroy_collider(id); // what lists colliders keeps the room of two
     const auto bytes = sim.stats().device_bytes;
     EXPECT_EQ(launched(), std::pair(0l, 0l));
     const auto id = sim.create_collider(mesh, nearest_desc());
@@ -404,8 +409,11 @@ TEST(BentMesh, SourcesSayWhichVertexWasWhich) {
     for (auto& t : shape.triangles)
         for (uint32_t& corner : t)
             ++corner;
-    shape.positions.push_back(shape.positions[1]); // as vertex 1
-    shape.triangles[1][0] = 5;
+    const uint32_t shared = shape.triangles[0][0];
+    const auto at = shape.positions[shared];
+    shape.positions.push_back(at);
+    for (uint32_t& corner : shape.triangles[1])
+        corner = corner == shared ? 5 : corner;
     const auto mesh = make_mesh(shape);
     EXPECT_EQ(mesh.describe().repairs[PLAIT_MESH_REPAIR_WELDED_VERTEX], 1u);
     const auto sources = mesh.read<uint32_t>(PLAIT_MESH_FIELD_SOURCES);

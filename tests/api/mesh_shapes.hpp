@@ -106,7 +106,8 @@ inline ShapeMesh bent_tube_mesh(double radius, double tube, uint32_t around, uin
 // Two triangles in the plane y = 0, facing up.
 inline ShapeMesh sheet_mesh(double half) {
     ShapeMesh mesh;
-    mesh.add_quad(mesh.add(-half, 0, -half), mesh.add(-half, 0, half), mesh.add(half, 0, half),
-                  mesh.add(half, 0, -half));
+    const uint32_t a = mesh.add(-half, 0, -half), b = mesh.add(-half, 0, half),
+                   c = mesh.add(half, 0, half), d = mesh.add(half, 0, -half);
+    mesh.add_quad(a, b, c, d);
     return mesh;
 }

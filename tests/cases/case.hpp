@@ -74,6 +74,9 @@ struct Case {
     // Floats of buffers, as in `unread`, of which only counts what part of one another they are, or
     // whether they are 0.
     std::vector<std::string> ratios = {}, flags = {"position.w"};
+    // What is read, as in `unread`, but only decides which of two is taken: a hundredth of it is not
+    // noticed in every set of inputs, and is not looked for.
+    std::vector<std::string> decides = {};
 };
 
 // Defined in <stage>.cpp; the table is generated from stages.def, so a stage without a case does

@@ -179,6 +179,8 @@ class Notices : public StageTest {
     }
 
     template <typename... What> void check(const std::string& name, const What&... what) {
+        if (has(stage_case_.decides, name))
+            return;
         if (has(stage_case_.unread, name))
             EXPECT_FALSE(noticed(what...)) << name << " is called unread and is not";
         else
@@ -268,7 +270,9 @@ void add_all(Subject& subject) {
         add<Agrees>(subject, stage, stage_case);
         add<Notices>(subject, stage + "_notices", stage_case);
         const std::string params = plait_stage_describe(stage_case.stage)->params_type;
-        if (subject.name() == "reference" && params == "plait_lane_params")
+        // a direction from an edge of a mesh half a millimetre off turns by more than a device may
+        if (subject.name() == "reference" && params == "plait_lane_params" &&
+            stage_case.stage != PLAIT_STAGE_mesh_nearest)
             add<KeepsClear>(subject, stage + "_keeps_clear", stage_case);
     }
     for (const auto* forms : {&strand_closed_forms(), &grid_closed_forms(), &energy_closed_forms(),
