@@ -520,7 +520,8 @@ typedef struct plait_sim_params {
     uint32_t iterations; /* chain: length solves; cosserat: sweeps; rod, articulated: Newton steps;
                             [0, 64], or PLAIT_ITERATIONS_OF_MODEL (default): 1, 3, 1, 1 */
     uint32_t bdf2;      /* 0: backward Euler; 1: BDF2, a quarter of the error and little damping; or
-                           PLAIT_BDF2_OF_MODEL (default): 0, articulated 1 */
+                           PLAIT_BDF2_OF_MODEL (default): 0, articulated 1 unless
+                           strand_contact is on */
     float line_density; /* rho A, kg/m, [1e-9, 1e3], default 5e-6 */
     float bend_stiffness;    /* EI, N m^2, [0, 1e3], default 4.7e-9 (a hair of 70 um at 4 GPa) */
     float stretch_stiffness; /* EA, N, [0, 1e9]; default 0: chosen so that the strand stretches 1 %
@@ -575,7 +576,7 @@ typedef struct plait_sim_params {
                                  default 5 */
     float cohesion; /* m^2/s^2: tension that hair bears, over its density, [0, 1e4], default 0 */
 
-    /* guide strands meet each other; docs/strand_contact.md. Models cosserat, rod */
+    /* guide strands meet each other; docs/strand_contact.md. Models cosserat, rod, articulated */
     plait_strand_contact_form strand_contact; /* default OFF */
     float strand_radius; /* m, (0, 0.1], default 0.002: half of what guides lie apart, of which each
                               stands for many hairs */
@@ -811,10 +812,13 @@ PLAIT_API plait_result plait_sim_get_settings(const plait_sim* sim, plait_strand
 typedef struct plait_roots {
     uint32_t struct_size;
     plait_pose head;
-    plait_view root_poses; /* plait_pose [guides], applied before head; or empty */
-    plait_view bones;      /* float[12], 3x4 row-major skinning matrices [bones], through the
+    plait_view root_poses;     /* plait_pose [guides], applied before head; or empty */
+    plait_view bones;          /* float[12], 3x4 row-major skinning matrices [bones], through the
                               groom's skin (closest rotation of the blend) before head; or empty.
                               Blended on the device */
+    plait_view mesh_positions; /* float[3], m, each [-1e6, 1e6], where the vertices are of the mesh
+                                  that plait_sim_bind_roots bound the roots to, before head; or
+                                  empty. At most one of these three is given */
 } plait_roots;
 
 PLAIT_API void plait_roots_init(plait_roots* roots, size_t size);
@@ -822,6 +826,26 @@ PLAIT_API void plait_roots_init(plait_roots* roots, size_t size);
  * within 1e-3, translations within 1e6 m, that bones are finite and map to more than a line. A call
  * that fails changes nothing. */
 PLAIT_API plait_result plait_sim_set_roots(plait_sim* sim, const plait_roots* roots);
+
+/* Where on a mesh a root is bound. */
+typedef struct plait_root_place {
+    uint32_t triangle; /* of PLAIT_MESH_FIELD_TRIANGLES */
+    float weights[3];  /* of its corners, where it is nearest to the root; their sum is 1 */
+    float height;      /* m, of the root above the triangle's plane */
+    float distance;    /* m, from the root to that place */
+} plait_root_place;
+
+/* Binds the root of every guide to the triangle of `mesh` that is nearest to it, the groom and the
+ * mesh lying as they were made, in one frame; NULL: roots are free again. The mesh may be destroyed
+ * then. From the next plait_sim_set_roots on plait_roots.mesh_positions says where its vertices are:
+ * a root keeps its place over the triangle and its height above it, and is turned as the triangle is
+ * (the closest rotation), on the device. Bound ones that are farther than 1 cm from the mesh are
+ * warned of in the log. `dst`: NULL, or `count` places, one per guide. No part of a snapshot, as a
+ * skin is none. Docs: docs/meshes.md.
+ * @errors INVALID_ARGUMENT (count), UNSUPPORTED (the backend lacks the stage skin_mesh). A call that
+ *         fails changes nothing but *dst. */
+PLAIT_API plait_result plait_sim_bind_roots(plait_sim* sim, const plait_mesh* mesh,
+                                            plait_root_place* dst, size_t count);
 
 /* Carry the hair rigidly to new roots, at once, without dynamics. Checked as in set_roots. Colliders are
  * at once where their poses were last set: set those that go along before. */

@@ -236,6 +236,13 @@ class Sim : public detail::Owner<plait_sim, plait_sim_destroy> {
     void step(double dt) { check(plait_sim_step(get(), dt)); }
     void wait() { check(plait_sim_wait(get())); }
     void reset() { check(plait_sim_reset(get())); }
+    // Of every guide, where its root is bound now.
+    std::vector<plait_root_place> bind_roots(const Mesh& mesh) {
+        std::vector<plait_root_place> places(describe().guides);
+        check(plait_sim_bind_roots(get(), mesh.get(), places.data(), places.size()));
+        return places;
+    }
+    void free_roots() { check(plait_sim_bind_roots(get(), nullptr, nullptr, 0)); }
     void set_roots(const plait_roots& roots) { check(plait_sim_set_roots(get(), &roots)); }
     void teleport(const plait_roots& roots) { check(plait_sim_teleport(get(), &roots)); }
 

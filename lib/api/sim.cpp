@@ -80,12 +80,14 @@ Result<SettingsList> read_settings(const plait_strand_settings* list, size_t cou
 
 // Owns what a plait_roots names.
 struct RootsCopy {
-    explicit RootsCopy(std::pmr::memory_resource* memory) : own(memory), bones(memory) {}
+    explicit RootsCopy(std::pmr::memory_resource* memory)
+        : own(memory), bones(memory), mesh(memory) {}
     plait_pose head{};
     std::pmr::vector<plait_pose> own;
     std::pmr::vector<BoneMatrix> bones;
+    std::pmr::vector<MeshPoint> mesh;
 
-    RootsInput input() const { return {head, own, bones}; }
+    RootsInput input() const { return {head, own, bones, mesh}; }
 };
 
 Status read_own(const plait_view& view, RootsCopy& copy) {
@@ -109,6 +111,17 @@ Status read_bones(const plait_view& view, RootsCopy& copy) {
     return {};
 }
 
+Status read_mesh_positions(const plait_view& view, RootsCopy& copy) {
+    PLAIT_TRY(copy_view(view, 1, "roots->mesh_positions", copy.mesh));
+    for (size_t vertex = 0; vertex < copy.mesh.size(); ++vertex)
+        for (const float value : copy.mesh[vertex])
+            if (!(std::abs(value) <= 1e6f))
+                return invalid(format("roots->mesh_positions[%zu]: coordinate is %g, range is "
+                                      "[-1e6, 1e6] m",
+                                      vertex, double(value)));
+    return {};
+}
+
 Status read_roots(const plait_roots* given, RootsCopy& copy) {
     plait_roots roots{};
     roots.head = identity_pose;
@@ -117,10 +130,20 @@ Status read_roots(const plait_roots* given, RootsCopy& copy) {
     if (!head)
         return head.error();
     copy.head = *head;
-    if (roots.root_poses.count > 0 && roots.bones.count > 0)
-        return invalid("roots->root_poses and roots->bones are both given, give one");
+    const std::pair<const char*, const plait_view*> ways[] = {
+        {"root_poses", &roots.root_poses},
+        {"bones", &roots.bones},
+        {"mesh_positions", &roots.mesh_positions}};
+    const char* given_before = nullptr;
+    for (const auto& [name, view] : ways) {
+        if (view->count > 0 && given_before)
+            return invalid(
+                format("roots->%s and roots->%s are both given, give one", given_before, name));
+        given_before = view->count > 0 ? name : given_before;
+    }
     PLAIT_TRY(read_own(roots.root_poses, copy));
-    return read_bones(roots.bones, copy);
+    PLAIT_TRY(read_bones(roots.bones, copy));
+    return read_mesh_positions(roots.mesh_positions, copy);
 }
 
 // The common shape of the calls that take a sim and can fail.
@@ -371,6 +394,16 @@ plait_result plait_sim_get_settings(const plait_sim* sim, plait_strand_settings*
             }));
         *count = settings.size();
         return {};
+    });
+}
+
+plait_result plait_sim_bind_roots(plait_sim* sim, const plait_mesh* mesh, plait_root_place* dst,
+                                  size_t count) {
+    return api::with_sim(__func__, sim, [&](Sim& s) -> Status {
+        const size_t guides = s.guides();
+        if (mesh && dst && count < guides)
+            return api::invalid(format("count is %zu, the sim has %zu guides", count, guides));
+        return s.bind_roots(mesh ? &mesh->mesh : nullptr, {dst, mesh && dst ? guides : 0});
     });
 }
 

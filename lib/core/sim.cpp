@@ -93,6 +93,7 @@ Status Sim::prepare_calls() {
     append_shown();
     model_->teleport(schedule_, present(), state_.pose);
     skin_.append(schedule_, layout_, state_, state_.pose);
+    binding_.append(schedule_, layout_, state_, state_.pose);
     add_stats();
     add_bounds();
     std::pmr::vector<plait_dispatch> list(&context_.memory);
@@ -260,19 +261,41 @@ Status Sim::set_settings(std::span<const Settings> settings) {
     return status;
 }
 
+Status Sim::bind_roots(const Mesh* mesh, std::span<plait_root_place> places) {
+    RootBinding next;
+    if (mesh) {
+        std::pmr::vector<float> rest(4 * size_t{layout_.guide_vertices()}, &context_.memory);
+        PLAIT_TRY(device().read(state_.rest, 0, layout_.guide_vertices(), rest.data()));
+        auto made = RootBinding::create(device(), *mesh, layout_, rest, places, &context_.memory);
+        if (!made)
+            return made.error();
+        next = std::move(*made);
+    }
+    PLAIT_TRY(Trial([&] { std::swap(binding_, next); }).keep_if(check_stages()));
+    if (binding_.far() > 0 && context_.log.callback)
+        context_.log(PLAIT_LOG_LEVEL_WARNING,
+                     format("sim: %u of %u roots are more than 1 cm from the mesh that they are "
+                            "bound to, that of guide %u %.3g m",
+                            binding_.far(), layout_.guides, binding_.farthest_root(),
+                            double(binding_.farthest())));
+    return {};
+}
+
 Status Sim::set_roots(const RootsInput& input) {
     if (!input.own.empty() && input.own.size() != layout_.guides)
         return Error{PLAIT_INVALID_ARGUMENT,
                      format("root_poses.count is %zu, the sim has %u guides", input.own.size(),
                             layout_.guides)};
-    if (input.bones.empty())
+    if (input.bones.empty() && input.mesh.empty())
         return roots_.aim(device(), input.head, input.own);
-    PLAIT_TRY(skin_.check(input.bones));
+    PLAIT_TRY(input.mesh.empty() ? skin_.check(input.bones) : binding_.check(input.mesh));
     const auto poses = roots_.target_poses(device());
     if (!poses)
         return poses.error();
     schedule_.clear();
-    PLAIT_TRY(skin_.append(device(), schedule_, layout_, state_, input.bones, **poses));
+    PLAIT_TRY(input.mesh.empty()
+                  ? skin_.append(device(), schedule_, layout_, state_, input.bones, **poses)
+                  : binding_.append(device(), schedule_, layout_, state_, input.mesh, **poses));
     PLAIT_TRY(submit());
     roots_.aim_at_target_poses(input.head);
     return {};

@@ -12,6 +12,7 @@
 #include "core/model.hpp"
 #include "core/pairs.hpp"
 #include "core/pins.hpp"
+#include "core/root_binding.hpp"
 #include "core/roots.hpp"
 #include "core/skin.hpp"
 #include "core/wind.hpp"
@@ -20,11 +21,13 @@
 
 namespace plait {
 
-// Where the roots shall be: a head, and either nothing, a pose per guide, or bones for the skin.
+// Where the roots shall be: a head, and either nothing, a pose per guide, bones for the skin, or
+// where the vertices of the mesh are that they are bound to.
 struct RootsInput {
     plait_pose head = identity_pose;
     std::span<const plait_pose> own;
     std::span<const BoneMatrix> bones;
+    std::span<const MeshPoint> mesh;
 };
 
 // Everything on the host that a sim is made of; moved into the Sim once all of it is there.
@@ -76,6 +79,8 @@ class Sim {
     SettingsList settings() const;
     // The sim's own, with this model.
     Settings own_settings(plait_model model) const { return {model, desc_.substeps}; }
+    // Null: roots are free again. `places`: [guides], or empty.
+    Status bind_roots(const Mesh* mesh, std::span<plait_root_place> places);
     Status set_roots(const RootsInput& input);
     Status teleport(const RootsInput& input);
     // Null: none. INVALID_STATE: the model takes none. What fails changes nothing.
@@ -263,6 +268,7 @@ class Sim {
     uint64_t groom_; // its fingerprint: snapshots are of one groom
     GridCube cube_;
     Skin skin_;
+    RootBinding binding_;
     std::unique_ptr<Model> model_;
     State state_;
     InterHair grid_;

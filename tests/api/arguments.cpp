@@ -255,6 +255,7 @@ TEST(Arguments, NullPointers) {
         {"sim is NULL", [](O&) { return plait_sim_set_materials(nullptr, nullptr, 0, {}); }},
         {"materials is NULL", [](O& o) { return plait_sim_set_materials(o.sim, nullptr, 1, {}); }},
         {"sim is NULL", [](O&) { return plait_sim_set_pins(nullptr, nullptr, 0); }},
+        {"sim is NULL", [](O&) { return plait_sim_bind_roots(nullptr, nullptr, nullptr, 0); }},
         {"pins is NULL", [](O& o) { return plait_sim_set_pins(o.sim, nullptr, 1); }},
         {"sim is NULL", [](O&) { return plait_sim_set_wind(nullptr, nullptr); }},
         {"sim is NULL", [](O&) { return plait_sim_set_detail(nullptr, nullptr); }},
@@ -452,6 +453,15 @@ TEST(Arguments, RootsThatCannotBe) {
               [](plait_roots& r, Objects&) {
                   r.root_poses = {poses, 2, 0};
                   r.bones = {matrices, 1, 0};
+              }),
+        roots("root_poses and roots->mesh_positions are both given",
+              [](plait_roots& r, Objects&) {
+                  r.root_poses = {poses, 2, 0};
+                  r.mesh_positions = {matrices, 2, 0};
+              }),
+        roots("bound to no mesh",
+              [](plait_roots& r, Objects&) {
+                  r.mesh_positions = {matrices, 2, 0};
               }),
         roots("no skin",
               [](plait_roots& r, Objects&) {

@@ -19,7 +19,7 @@ namespace {
 constexpr uint32_t grid_edge_count = 8; // as in Ugurca 2015
 constexpr uint32_t slot_capacity = 1024;
 constexpr uint32_t colliders = 4;
-constexpr uint32_t bones = 64;
+constexpr uint32_t bones = 64, skin_vertices = 3000;
 constexpr uint32_t pair_cells = 32;  // each way
 constexpr uint32_t most_runs = 1024; // of bounds
 constexpr uint32_t slots_in_parallel = 64;
@@ -582,6 +582,17 @@ Words bone_matrices() {
     return words;
 }
 
+// On a helix, so that no three vertices in a row lie on a line; turned by so much.
+Words skin_mesh(float turn) {
+    Words words;
+    for (uint32_t i = 0; i < skin_vertices; ++i) {
+        const float angle = static_cast<float>(i) + turn;
+        append(words, 0.1f * std::cos(angle), 1e-4f * static_cast<float>(i), 0.1f * std::sin(angle),
+               0);
+    }
+    return words;
+}
+
 // The segments of strands that hang, in the cells of their middles, and which may meet: those beside.
 struct Cells {
     Words end, segments;
@@ -652,6 +663,15 @@ const std::map<std::string, Maker>& makers() {
                  words.push_back(i % bones);
              return words;
          }},
+        {"skin_corner",
+         [](const Shape& s) {
+             Words words;
+             for (uint32_t i = 0; i < 3 * s.strands; ++i)
+                 words.push_back((i / 3 + i % 3) % skin_vertices);
+             return words;
+         }},
+        {"skin_rest", [](const Shape&) { return skin_mesh(0); }},
+        {"skin_at", [](const Shape&) { return skin_mesh(0.1f); }},
         {"bone_weight", [](const Shape& s) { return vectors(s.strands, 0.4f, 0.3f, 0.2f, 0.1f); }},
         {"pin", pins},
         {"pin_at", pins},

@@ -1,4 +1,4 @@
-#include "inputs.hpp"
+#include "skin_inputs.hpp"
 
 namespace plait::cases {
 namespace {
@@ -49,7 +49,8 @@ Setup make(const Size& size) {
     return setup.with(plait_layout_params{size.stride});
 }
 
-// q and -q are one rotation.
+} // namespace
+
 std::string compare_poses(const Setup& setup, const Outputs& expected, const Outputs& got) {
     const std::vector<float>& want = expected[4].floats;
     const std::vector<float>& have = got[4].floats;
@@ -67,8 +68,6 @@ std::string compare_poses(const Setup& setup, const Outputs& expected, const Out
     }
     return {};
 }
-
-} // namespace
 
 // Eigenvalues of blends this near to rotations lie apart: a rotation is as exact as the matrix.
 Case skin_case() {

@@ -110,7 +110,7 @@ typedef struct plait_roots_params {
     plait_u32 per_root; /* 0: root_from/root_to are null and not read */
 } plait_roots_params;
 
-/* skin, reset, teleport, guide_turns, tangents, snapshot, last_frame, stats: stages that need only
+/* skin, skin_mesh, reset, teleport, guide_turns, tangents, snapshot, last_frame, stats: stages that need only
  * the layout. */
 typedef struct plait_layout_params {
     plait_u32 vertex_stride; /* V: vertices per strand row, 2..256 */

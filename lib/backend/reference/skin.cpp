@@ -1,5 +1,6 @@
-// skin: the root follows the blend M of its bones exactly; its frame turns by the rotation nearest
-// to M in the Frobenius norm, U diag(1, 1, det) V^T of its SVD (Kabsch 1976).
+// skin: the root follows the blend M of its bones exactly.
+#include "backend/reference/skin.hpp"
+
 #include "backend/reference/stages.hpp"
 
 #include <Eigen/SVD>
@@ -18,6 +19,11 @@ Quat closest_rotation(const Mat3& m) {
 
 } // namespace
 
+Pose skinned_pose(const Mat3& m, const Vec3& shift, const Vec3& root) {
+    const Quat q = closest_rotation(m);
+    return {q, m * root + shift - q * root};
+}
+
 void skin(uint32_t item_count, const plait_layout_params& params, const skin_args& args) {
     for (size_t strand = 0; strand < item_count; ++strand) {
         Mat3 m = Mat3::Zero();
@@ -31,8 +37,7 @@ void skin(uint32_t item_count, const plait_layout_params& params, const skin_arg
             }
         }
         const Vec3 root = xyz(args.rest[strand * params.vertex_stride]);
-        const Quat q = closest_rotation(m);
-        store_pose(args.pose, strand, {q, m * root + shift - q * root});
+        store_pose(args.pose, strand, skinned_pose(m, shift, root));
     }
 }
 

@@ -45,10 +45,11 @@ std::vector<plait_stage_arg> buffers_of(plait_stage stage) {
 // Floats of one strand, if the component is a coordinate of positions in world or rest space, of
 // which the stage reads more than the root.
 size_t row_of(const Setup& setup, const Case& stage_case, const Component& component) {
-    const bool strands = component.name.compare(0, 8, "position") == 0 ||
-                         (component.name.compare(0, 5, "rest.") == 0 &&
-                          plait_stage_describe(stage_case.stage)->space != PLAIT_SPACE_LANES &&
-                          stage_case.stage != PLAIT_STAGE_skin);
+    const bool strands =
+        component.name.compare(0, 8, "position") == 0 ||
+        (component.name.compare(0, 5, "rest.") == 0 &&
+         plait_stage_describe(stage_case.stage)->space != PLAIT_SPACE_LANES &&
+         stage_case.stage != PLAIT_STAGE_skin && stage_case.stage != PLAIT_STAGE_skin_mesh);
     uint32_t stride; // the first field of every parameter struct but two, or one of its own
     size_t at = 0;
     for (const Field& field : cases::fields_of(plait_stage_describe(stage_case.stage)->params_type))

@@ -1,0 +1,45 @@
+// Roots that are bound to the triangles of a mesh, on the device: where its vertices go, they go.
+#pragma once
+
+#include "core/layout.hpp"
+#include "core/mesh.hpp"
+#include "core/schedule.hpp"
+#include "core/state.hpp"
+
+#include <span>
+
+namespace plait {
+
+class RootBinding {
+  public:
+    // To the triangles of `mesh` that are nearest to `rest`, float4 [guides][row], of each the root.
+    // `places`: [guides], or empty.
+    static Result<RootBinding> create(Device& device, const Mesh& mesh, const Layout& layout,
+                                      std::span<const float> rest,
+                                      std::span<plait_root_place> places,
+                                      std::pmr::memory_resource* memory);
+
+    uint32_t vertices() const { return vertices_; } // of the mesh; 0: roots are free
+    uint32_t far() const { return far_; }           // roots more than a centimetre from it
+    float farthest() const { return farthest_; }    // m
+    uint32_t farthest_root() const { return farthest_root_; }
+    // INVALID_ARGUMENT: not as many as the mesh has.
+    Status check(std::span<const MeshPoint> positions) const;
+    // Uploads where the vertices are, and appends what makes the strands' poses of them.
+    Status append(Device& device, Schedule& schedule, const Layout& layout, const State& state,
+                  std::span<const MeshPoint> positions, const Buffer& poses) const;
+    // Appends the same for what is uploaded, to be built.
+    void append(Schedule& schedule, const Layout& layout, const State& state,
+                const Buffer& poses) const;
+    uint64_t device_bytes() const { return corner_.bytes() + rest_.bytes() + at_.bytes(); }
+
+  private:
+    uint32_t vertices_ = 0, far_ = 0, farthest_root_ = 0;
+    float farthest_ = 0;
+    std::pmr::memory_resource* memory_ = nullptr;
+    Buffer corner_; // uint [3*guides]
+    Buffer rest_;   // float4 [vertices]
+    Buffer at_;     // float4 [vertices]
+};
+
+} // namespace plait
