@@ -35,7 +35,7 @@ __kernel void plait_skin_mesh(const uint item_count, const plait_layout_params p
     const float3 r0 = ab_now.x * along_ab + ac_now.x * along_ac + n_now.x * n;
     const float3 r1 = ab_now.y * along_ab + ac_now.y * along_ac + n_now.y * n;
     const float3 r2 = ab_now.z * along_ab + ac_now.z * along_ac + n_now.z * n;
-    skin_store(pose, strand, (float4)(r0, a_now.x - dot3(r0, a)), (float4)(r1, a_now.y - dot3(r1, a)),
-               (float4)(r2, a_now.z - dot3(r2, a)),
+    skin_store(pose, strand, (float4)(r0, a_now.x - dot3(r0, a)),
+               (float4)(r1, a_now.y - dot3(r1, a)), (float4)(r2, a_now.z - dot3(r2, a)),
                rest[(size_t)strand * params.vertex_stride].xyz);
 }

@@ -98,6 +98,7 @@ PLAIT_API uint32_t plait_version(void);
 typedef struct plait_context plait_context;
 typedef struct plait_groom plait_groom;
 typedef struct plait_follow_map plait_follow_map;
+typedef struct plait_follow_learner plait_follow_learner;
 typedef struct plait_mesh plait_mesh;
 typedef struct plait_sim plait_sim;
 
@@ -1086,6 +1087,51 @@ PLAIT_API plait_result plait_sim_restore(plait_sim* sim, const void* src, size_t
 /* 64-bit hash of a snapshot: equal states, equal hashes. Waits. */
 PLAIT_API plait_result plait_sim_hash(plait_sim* sim, uint64_t* out);
 
+/* ---- weights of follows, learnt -------------------------------------------------------------- */
+
+/* Learns a map's weights from hair in motion, all of whose strands are simulated: of each follow those
+ * shares of the guides it has that put it nearest to where it was, in the sum of squares over vertices
+ * and frames; none negative, sum 1 (Chai, Zheng & Zhou 2014; what is minimised exactly, and when it
+ * pays, docs/follows.md). Which guides a follow has stays: those that the map gives some weight.
+ *
+ * `groom` has the map's strands, in the order that PLAIT_FOLLOW_MAP_FIELD_STRANDS says, or, of a map
+ * without, its guides and then its follows. Both are copied. Takes 40 bytes a vertex, 160 a follow and
+ * 32 for each of the guides' vertices, however many the frames. A learner is used by one thread at a
+ * time, and different ones are independent. It is on the host: needs no context.
+ * @errors INVALID_ARGUMENT: the groom is not of the map's strands (their number, a follow's number of
+ *         vertices) */
+PLAIT_API plait_result plait_follow_learner_create(const plait_groom* groom,
+                                                   const plait_follow_map* map,
+                                                   plait_follow_learner** out);
+
+/* One frame more: where all strands are, m, in the groom's order, and where the roots are then.
+ * `positions`: float[3] [strands][V], V any that holds the longest, each within 1e6: what
+ * PLAIT_FIELD_POSITION of a sim of `groom` is, with a stride of 16 bytes. `roots`: as
+ * plait_sim_set_roots takes them, root_poses for all strands; bones it does not take. Nothing is kept
+ * of either. Takes 5 to 10 us a follow of 32 vertices. A call that fails adds nothing.
+ * @errors UNSUPPORTED (bones) */
+PLAIT_API plait_result plait_follow_learner_add_frame(plait_follow_learner* learner,
+                                                      const plait_roots* roots,
+                                                      plait_view positions);
+
+/* rms distance of the follows' vertices from where they were, m, over all frames. */
+typedef struct plait_follow_fit_info {
+    uint32_t struct_size;
+    uint64_t frames;
+    double rms_before; /* with the map's own weights */
+    double rms_after;  /* with those learnt, to first order in what they change */
+} plait_follow_fit_info;
+
+PLAIT_API void plait_follow_fit_info_init(plait_follow_fit_info* info, size_t size);
+
+/* A map with the weights that all frames so far teach; guides whose weight is 0 are gone from it. More
+ * frames may be added, and a map learnt again. `info` may be NULL. The map is to be destroyed.
+ * @errors INVALID_STATE (no frame was added) */
+PLAIT_API plait_result plait_follow_learner_learn(const plait_follow_learner* learner,
+                                                  plait_follow_map** out,
+                                                  plait_follow_fit_info* info);
+PLAIT_API void plait_follow_learner_destroy(plait_follow_learner* learner);
+
 /* ---- colliders ------------------------------------------------------------------------------ */
 
 typedef enum plait_collider_kind {
@@ -1214,6 +1260,7 @@ PLAIT_DEFAULTS(plait_import_options)
 PLAIT_DEFAULTS(plait_groom_desc)
 PLAIT_DEFAULTS(plait_groom_info)
 PLAIT_DEFAULTS(plait_follow_map_desc)
+PLAIT_DEFAULTS(plait_follow_fit_info)
 PLAIT_DEFAULTS(plait_mesh_desc)
 PLAIT_DEFAULTS(plait_mesh_info)
 PLAIT_DEFAULTS(plait_mesh_fit_info)

@@ -161,6 +161,7 @@ class FollowMap : public detail::Owner<plait_follow_map, plait_follow_map_destro
 
   private:
     friend class Groom;
+    friend class FollowLearner;
     explicit FollowMap(plait_follow_map* handle) : Owner(handle) {}
     static plait_follow_map* create(const plait_follow_map_desc& desc) {
         plait_follow_map* handle = nullptr;
@@ -180,6 +181,27 @@ inline Guides Groom::guides(std::size_t count, std::uint64_t seed) const {
     check(plait_groom_guides(get(), count, seed, &groom, &map));
     return {Groom(groom), FollowMap(map)};
 }
+
+class FollowLearner : public detail::Owner<plait_follow_learner, plait_follow_learner_destroy> {
+  public:
+    FollowLearner(const Groom& groom, const FollowMap& map) : Owner(create(groom, map)) {}
+
+    void add_frame(const plait_roots& roots, const plait_view& positions) {
+        check(plait_follow_learner_add_frame(get(), &roots, positions));
+    }
+    FollowMap learn(plait_follow_fit_info* info = nullptr) const {
+        plait_follow_map* map = nullptr;
+        check(plait_follow_learner_learn(get(), &map, info));
+        return FollowMap(map);
+    }
+
+  private:
+    static plait_follow_learner* create(const Groom& groom, const FollowMap& map) {
+        plait_follow_learner* handle = nullptr;
+        check(plait_follow_learner_create(groom.get(), map.get(), &handle));
+        return handle;
+    }
+};
 
 class Mesh : public detail::Owner<plait_mesh, plait_mesh_destroy> {
   public:

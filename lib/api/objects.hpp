@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/memory.hpp"
+#include "core/follow_learner.hpp"
 #include "core/follow_map.hpp"
 #include "core/mesh.hpp"
 #include "core/sim.hpp"
@@ -31,6 +32,15 @@ struct plait_follow_map {
     plait::FollowMap map;
 
     explicit plait_follow_map(const plait_allocator& allocator) : own(allocator), map(&own) {}
+    plait::Memory& memory() { return own; }
+};
+
+struct plait_follow_learner {
+    plait::Memory own;
+    plait::FollowLearner learner;
+
+    explicit plait_follow_learner(const plait_allocator& allocator)
+        : own(allocator), learner(&own) {}
     plait::Memory& memory() { return own; }
 };
 

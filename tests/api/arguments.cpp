@@ -22,6 +22,9 @@ struct Objects {
     plait_groom* no_groom = nullptr;
     plait_sim* no_sim = nullptr;
     plait_follow_map* no_map = nullptr;
+    plait::FollowMap map = groom.guides(1).map;
+    plait::FollowLearner learner{groom, map};
+    plait_follow_learner* no_learner = nullptr;
     plait_mesh* no_mesh = nullptr;
     std::vector<float> floats = std::vector<float>(64, 0.0f);
     size_t size = 0;
@@ -43,7 +46,8 @@ std::set<std::string> expect_refused(const std::vector<Bad>& table) {
         EXPECT_NE(std::string(plait_last_error()).find(bad.sentence), std::string::npos)
             << "\"" << bad.sentence << "\" is not in: " << plait_last_error();
         EXPECT_EQ(o.sim.hash(), hash) << bad.sentence;
-        EXPECT_TRUE(!o.no_context && !o.no_groom && !o.no_sim && !o.no_map && !o.no_mesh)
+        EXPECT_TRUE(!o.no_context && !o.no_groom && !o.no_sim && !o.no_map && !o.no_mesh &&
+                    !o.no_learner)
             << "written on failure";
         const std::string text = plait_last_error();
         functions.insert(text.substr(0, text.find(':')));
@@ -176,6 +180,23 @@ TEST(Arguments, NullPointers) {
         {"out is NULL", [](O& o) { return plait_groom_guides(o.groom, 1, 0, nullptr, &o.no_map); }},
         {"map is NULL",
          [](O& o) { return plait_groom_guides(o.groom, 1, 0, &o.no_groom, nullptr); }},
+        {"groom is NULL",
+         [](O& o) { return plait_follow_learner_create(nullptr, o.map, &o.no_learner); }},
+        {"map is NULL",
+         [](O& o) { return plait_follow_learner_create(o.groom, nullptr, &o.no_learner); }},
+        {"out is NULL", [](O& o) { return plait_follow_learner_create(o.groom, o.map, nullptr); }},
+        {"learner is NULL",
+         [&](O&) { return plait_follow_learner_add_frame(nullptr, &roots, {}); }},
+        {"roots is NULL",
+         [](O& o) { return plait_follow_learner_add_frame(o.learner, nullptr, {}); }},
+        {"positions.data is NULL",
+         [&](O& o) {
+             return plait_follow_learner_add_frame(o.learner, &roots, {nullptr, 8, 0});
+         }},
+        {"learner is NULL",
+         [](O& o) { return plait_follow_learner_learn(nullptr, &o.no_map, nullptr); }},
+        {"out is NULL",
+         [](O& o) { return plait_follow_learner_learn(o.learner, nullptr, nullptr); }},
         {"desc is NULL", [](O& o) { return plait_mesh_create(nullptr, nullptr, &o.no_mesh); }},
         {"out is NULL", [&](O&) { return plait_mesh_create(&mesh, nullptr, nullptr); }},
         {"path is NULL", [](O& o) { return plait_mesh_load(nullptr, nullptr, &o.no_mesh); }},
@@ -311,6 +332,7 @@ TEST(Arguments, DestroyingNothingDoesNothing) {
     plait_context_destroy(nullptr);
     plait_groom_destroy(nullptr);
     plait_follow_map_destroy(nullptr);
+    plait_follow_learner_destroy(nullptr);
     plait_mesh_destroy(nullptr);
     plait_sim_destroy(nullptr);
 }

@@ -101,6 +101,35 @@ TEST(Faults, EveryHostAllocationOfGuidesMayFail) {
     EXPECT_EQ(pool.live, 0);
 }
 
+TEST(Faults, EveryHostAllocationOfALearnerMayFail) {
+    Pool pool;
+    const GroomArrays arrays(tuft(5, 4));
+    auto options = plait_import_options_defaults();
+    options.allocator = pool.allocator();
+    {
+        const plait::Groom groom(arrays.desc(), options);
+        const auto [guides, map] = groom.guides(2);
+        const auto roots = plait_roots_defaults();
+        const int allocations = fail_each_allocation(pool, [&] {
+            plait_follow_learner* learner = nullptr;
+            plait_follow_map* learnt = nullptr;
+            plait_result result = plait_follow_learner_create(groom, map, &learner);
+            EXPECT_EQ(!learner, result != PLAIT_OK);
+            if (result == PLAIT_OK)
+                result = plait_follow_learner_add_frame(learner, &roots,
+                                                        plait::view(arrays.positions, 3));
+            if (result == PLAIT_OK)
+                result = plait_follow_learner_learn(learner, &learnt, nullptr);
+            EXPECT_EQ(!learnt, result != PLAIT_OK);
+            plait_follow_learner_destroy(learner);
+            plait_follow_map_destroy(learnt);
+            return result;
+        });
+        EXPECT_GT(allocations, 10);
+    }
+    EXPECT_EQ(pool.live, 0);
+}
+
 TEST(Faults, EveryHostAllocationOfASimMayFail) {
     Pool pool;
     auto desc = plait_context_desc_defaults();

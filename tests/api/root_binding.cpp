@@ -61,18 +61,17 @@ TEST_P(RootBinding, ARigidMeshCarriesHairAsTheHeadDoes) {
     const auto positions = bent(mesh, [](const Point& p) {
         return Point{0.3 - p[1], -0.1 + p[0], 0.2 + p[2]};
     });
-    for (const plait_model model :
-         {PLAIT_MODEL_TRESSFX, PLAIT_MODEL_CHAIN, PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD,
-          PLAIT_MODEL_ARTICULATED}) {
+    for (const plait_model model : {PLAIT_MODEL_TRESSFX, PLAIT_MODEL_CHAIN, PLAIT_MODEL_COSSERAT,
+                                    PLAIT_MODEL_ROD, PLAIT_MODEL_ARTICULATED}) {
         auto desc = plait_sim_desc_defaults();
         desc.model = model;
         plait::Sim bound(context, groom, desc), held(context, groom, desc);
         bound.bind_roots(mesh);
         bound.teleport(roots_on(positions));
         held.teleport(head);
-        EXPECT_LT(largest_difference(bound.read(PLAIT_FIELD_POSITION),
-                                     held.read(PLAIT_FIELD_POSITION)),
-                  2e-6f)
+        EXPECT_LT(
+            largest_difference(bound.read(PLAIT_FIELD_POSITION), held.read(PLAIT_FIELD_POSITION)),
+            2e-6f)
             << "model " << model;
     }
 }
@@ -86,7 +85,8 @@ TEST_P(RootBinding, ARootKeepsItsPlaceAndItsHeightOnWhatStretchesAndTurns) {
     };
     Strands strands;
     for (int k = 0; k < 6; ++k) {
-        const float x = -0.08f + 0.03f * static_cast<float>(k), z = 0.02f * static_cast<float>(k) - 0.05f;
+        const float x = -0.08f + 0.03f * static_cast<float>(k),
+                    z = 0.02f * static_cast<float>(k) - 0.05f;
         strands.push_back({{x, 0.003f, z}, {x, 0.023f, z}, {x, 0.043f, z}});
     }
     auto desc = plait_sim_desc_defaults();
@@ -172,9 +172,10 @@ TEST_P(RootBinding, HairGrowsOnWhatBendsAndStaysOutside) {
         const double a = 2.4 * s, y = -0.1 + 0.2 * ((s * 7) % 48) / 48.0;
         Strand strand;
         for (int i = 0; i < 12; ++i) // out, and down along it
-            strand.push_back({static_cast<float>((radius + 0.012 * std::min(i, 3)) * std::cos(a)),
-                              static_cast<float>(y - 0.012 * std::max(i - 3, 0)),
-                              static_cast<float>(-(radius + 0.012 * std::min(i, 3)) * std::sin(a))});
+            strand.push_back(
+                {static_cast<float>((radius + 0.012 * std::min(i, 3)) * std::cos(a)),
+                 static_cast<float>(y - 0.012 * std::max(i - 3, 0)),
+                 static_cast<float>(-(radius + 0.012 * std::min(i, 3)) * std::sin(a))});
         strands.push_back(strand);
     }
     for (const plait_model model :

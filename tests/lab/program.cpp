@@ -37,6 +37,11 @@ Outcome lab(const std::string& arguments, bool errors) {
     return {WEXITSTATUS(pclose(pipe)), text};
 }
 
+std::string contents(const std::string& file) {
+    std::ifstream stream(file);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
 class LabProgram : public TemporaryFolder {
   protected:
     // A level hair of 4 segments that sags for a quarter of a second.
@@ -128,27 +133,45 @@ TEST_F(LabProgram, draws_slots_as_told) {
     }
 }
 
-// Follows keep their lengths, and all strands simulated are where they are.
+// Follows keep their lengths, all strands simulated are where they are, and learnt weights are nearer
+// to that in motion that they were not learnt from.
 TEST_F(LabProgram, measures_hair_that_follows) {
-    const Outcome outcome = lab("follows --strands 60 --guides 8,20 --seconds 0.2 --csv", false);
+    const Outcome outcome = lab("follows --strands 300 --guides 8,40 --lesson 1 --seconds 1 --csv "
+                                "--out " +
+                                    path("follows"),
+                                false);
     EXPECT_EQ(outcome.code, 0);
     std::istringstream text(outcome.text);
     std::string line;
     std::getline(text, line);
-    EXPECT_EQ(line, "guides,ms,length,kink_deg,tip_step,beside,away_m");
-    for (const double guides : {8, 20, 60}) {
-        std::vector<double> cells;
-        std::getline(text, line);
+    EXPECT_EQ(line, "guides,weights,ms,of_whole,away_m,away_most_m,length,kink_deg,tip_step,"
+                    "beside");
+    std::map<std::string, double> away;
+    while (std::getline(text, line)) {
+        std::vector<std::string> cells;
         std::istringstream row(line);
         for (std::string cell; std::getline(row, cell, ',');)
-            cells.push_back(std::stod(cell));
-        ASSERT_EQ(cells.size(), 7u) << line;
-        EXPECT_EQ(cells[0], guides);
-        EXPECT_GT(cells[1], 0);
-        EXPECT_LT(cells[2], 1e-4) << "lengths";
-        EXPECT_EQ(cells[6] == 0, guides == 60) << "away from all simulated";
+            cells.push_back(cell);
+        ASSERT_EQ(cells.size(), 10u) << line;
+        const auto number = [&](size_t i) { return std::stod(cells[i]); };
+        const std::string name = cells[0] + " " + cells[1];
+        away[name] = number(4);
+        EXPECT_GT(number(2), 0) << name;
+        EXPECT_LT(number(6), 1e-4) << name << ": lengths";
+        EXPECT_EQ(number(4) == 0, name == "300 all") << name;
+        EXPECT_GE(number(5), number(4)) << name;
     }
-    for (const char* bad : {"--guides 60 --strands 60", "--guides 0", "--style bald"})
+    ASSERT_EQ(away.size(), 5u);
+    EXPECT_LT(away["8 learnt"], 0.95 * away["8 near"]);
+    EXPECT_LT(away["40 learnt"], 0.95 * away["40 near"]);
+    EXPECT_LT(away["40 near"], away["8 near"]);
+    const std::string curves = contents(path("follows/follows_curves.csv"));
+    EXPECT_EQ(curves.substr(0, curves.find('\n')),
+              "seconds,8_near,8_learnt,40_near,40_learnt,300_all");
+    EXPECT_EQ(std::count(curves.begin(), curves.end(), '\n'), 61);
+    EXPECT_TRUE(std::filesystem::exists(path("follows/follows.csv")));
+    for (const char* bad :
+         {"--guides 60 --strands 60", "--guides 0", "--style bald", "--lesson -1"})
         EXPECT_EQ(lab(std::string("follows ") + bad, true).code, 1) << bad;
 }
 
@@ -221,11 +244,6 @@ pid_t start(const std::vector<std::string>& words, const std::string& text) {
     if (std::freopen(text.c_str(), "w", stdout) && dup2(STDOUT_FILENO, STDERR_FILENO) >= 0)
         execv(PLAIT_LAB, arguments.data());
     _exit(1);
-}
-
-std::string contents(const std::string& file) {
-    std::ifstream stream(file);
-    return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 // Sends it once `ready`; the exit code, -1 where it was over before or did not exit.

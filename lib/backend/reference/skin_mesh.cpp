@@ -23,8 +23,7 @@ Mat3 frame_of(const std::array<Vec3, 3>& corners) {
 
 } // namespace
 
-void skin_mesh(uint32_t item_count, const plait_layout_params& params,
-               const skin_mesh_args& args) {
+void skin_mesh(uint32_t item_count, const plait_layout_params& params, const skin_mesh_args& args) {
     for (size_t strand = 0; strand < item_count; ++strand) {
         std::array<Vec3, 3> then, now;
         for (size_t k = 0; k < 3; ++k) {

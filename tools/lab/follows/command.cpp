@@ -2,6 +2,8 @@
 #include "commands.hpp"
 #include "follows.hpp"
 
+#include "common/file.hpp"
+
 #include <cstdio>
 
 namespace lab {
@@ -20,6 +22,11 @@ Exit run(const Options& options) {
     Contexts contexts(options.device.backend, options.device.device);
     const auto rows = measure_follows(contexts, options.run);
     std::fputs((options.csv ? follows_csv(rows) : follows_text(rows)).c_str(), stdout);
+    const std::string path = options.run.out + "/follows";
+    make_folder(options.run.out);
+    write_text(follows_csv(rows), path + ".csv");
+    write_text(follows_curves(rows), path + "_curves.csv");
+    draw_follows(rows, options.run);
     return Exit::ok;
 }
 
@@ -37,9 +44,16 @@ void add_follows(CLI::App& app, Command& chosen) {
     command->add_option("--guides", options->run.guides, "of these so many are simulated")
         ->delimiter(',')
         ->capture_default_str();
-    command->add_option("--seconds", options->run.seconds, "of a head that shakes")
+    command
+        ->add_option("--lesson", options->run.lesson,
+                     "seconds of a head that shakes, which weights are learnt from; 0: none are")
+        ->capture_default_str()
+        ->check(CLI::Range(0.0, 600.0));
+    command->add_option("--seconds", options->run.seconds, "of a head that turns and nods")
         ->capture_default_str()
         ->check(CLI::Range(0.05, 600.0));
+    command->add_option("--out", options->run.out, "folder for follows.csv and the figure")
+        ->capture_default_str();
     command->add_flag("--csv", options->csv, "print CSV");
     add_device_options(*command, options->device);
     command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });

@@ -1,149 +1,23 @@
 #include "follows.hpp"
 
-#include "measures.hpp"
-#include "text.hpp"
+#include "head.hpp"
 
 #include "common/progress.hpp"
-#include "generator/generator.hpp"
 
 #include <algorithm>
-#include <chrono>
-#include <cmath>
 #include <memory>
 
 namespace lab::follows {
 
 namespace {
 
-using MapHandle = std::unique_ptr<plait_follow_map, Destroyer<plait_follow_map_destroy>>;
+using LearnerHandle =
+    std::unique_ptr<plait_follow_learner, Destroyer<plait_follow_learner_destroy>>;
 
-constexpr double rate = 60;     // frames a second
-constexpr double shakes = 1;    // a second
-constexpr double swing = 0.5;   // rad to either side
-constexpr uint64_t seed = 1;    // of the guides
-constexpr uint32_t skipped = 2; // frames that are not timed
+constexpr uint64_t every = 2; // frame is learnt from: those between show little else
 
-GroomHandle make_hair(const FollowOptions& options) {
-    using namespace plait_generator;
-    for (const Hairstyle style : {Hairstyle::Long, Hairstyle::Curly, Hairstyle::Short}) {
-        if (hairstyle_name(style) != options.style)
-            continue;
-        Style chosen = make_style(style);
-        chosen.strands = options.strands;
-        const Strands made = make_groom(chosen);
-        plait_groom_desc desc = plait_groom_desc_defaults();
-        desc.positions = {made.positions.data(), made.positions.size() / 3, 3 * sizeof(float)};
-        desc.vertex_counts = {made.vertex_counts.data(), made.vertex_counts.size(), 0};
-        plait_groom* groom = nullptr;
-        check(plait_groom_create(&desc, nullptr, &groom));
-        return GroomHandle(groom);
-    }
-    throw Failure("--style is " + options.style + ", there are long, curly and short");
-}
-
-// One sim of the hair, on a head of its own.
-class Run {
-  public:
-    Run(plait_context* context, const plait_groom* groom, uint32_t guides, uint32_t strands);
-
-    void step(uint64_t number);
-    Hair read() const;
-    std::vector<bool> simulated() const;
-    uint32_t guides() const { return guides_; }
-    double wall() const; // s
-
-  private:
-    void add_colliders();
-
-    uint32_t guides_;
-    std::vector<uint32_t> origin_; // of each of the sim's strands, in the groom
-    SimHandle sim_;
-    std::vector<plait_collider_id> on_head_;
-    std::vector<double> times_;
-};
-
-Run::Run(plait_context* context, const plait_groom* groom, uint32_t guides, uint32_t strands)
-    : guides_(guides), origin_(strands) {
-    plait_groom* chosen = nullptr;
-    plait_follow_map* map = nullptr;
-    check(plait_groom_guides(groom, guides, seed, &chosen, &map));
-    const GroomHandle owned(chosen);
-    const MapHandle owned_map(map);
-    size_t size = origin_.size() * sizeof origin_[0];
-    check(plait_follow_map_read(map, PLAIT_FOLLOW_MAP_FIELD_STRANDS, origin_.data(), &size));
-    plait_sim_desc desc = plait_sim_desc_defaults();
-    desc.follow_map = map;
-    desc.sag_free = PLAIT_SAG_FREE_STIFFEN;
-    plait_sim* sim = nullptr;
-    check(plait_sim_create(context, chosen, &desc, &sim));
-    sim_.reset(sim);
-    add_colliders();
-}
-
-void Run::add_colliders() {
-    for (const plait_generator::Capsule& capsule : plait_generator::head_colliders()) {
-        plait_collider_desc desc = plait_collider_desc_defaults();
-        std::copy_n(capsule.a, 3, desc.a);
-        std::copy_n(capsule.b, 3, desc.b);
-        desc.radius_a = capsule.radius_a;
-        desc.radius_b = capsule.radius_b;
-        plait_collider_id id{};
-        check(plait_collider_create(sim_.get(), &desc, &id));
-        if (capsule.moves_with_head)
-            on_head_.push_back(id);
-    }
-}
-
-void Run::step(uint64_t number) {
-    const double phase = 2 * pi * shakes * static_cast<double>(number) / rate;
-    const double half = swing / 2 * std::sin(phase);
-    plait_roots roots = plait_roots_defaults();
-    roots.head.q[1] = static_cast<float>(std::sin(half));
-    roots.head.q[3] = static_cast<float>(std::cos(half));
-    const auto start = std::chrono::steady_clock::now();
-    check(plait_sim_set_roots(sim_.get(), &roots));
-    for (const plait_collider_id id : on_head_)
-        check(plait_collider_set_pose(sim_.get(), id, &roots.head));
-    check(plait_sim_step(sim_.get(), 1 / rate + 1e-9));
-    check(plait_sim_wait(sim_.get()));
-    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
-    if (number > skipped)
-        times_.push_back(spent.count());
-}
-
-Hair Run::read() const {
-    plait_sim_info info = plait_sim_info_defaults();
-    check(plait_sim_describe(sim_.get(), &info));
-    Hair hair{info.vertices_per_strand, std::vector<uint32_t>(origin_.size()), {}};
-    std::vector<uint32_t> counts(origin_.size());
-    std::vector<float> floats(4 * origin_.size() * hair.row);
-    size_t size = counts.size() * sizeof counts[0];
-    check(plait_sim_read(sim_.get(), PLAIT_FIELD_VERTEX_COUNT, counts.data(), &size));
-    size = floats.size() * sizeof floats[0];
-    check(plait_sim_read(sim_.get(), PLAIT_FIELD_POSITION, floats.data(), &size));
-    hair.x.resize(origin_.size() * hair.row);
-    for (size_t s = 0; s < origin_.size(); ++s) {
-        hair.counts[origin_[s]] = counts[s];
-        for (uint32_t i = 0; i < hair.row; ++i)
-            hair.x[size_t{origin_[s]} * hair.row + i] = Point(&floats[4 * (s * hair.row + i)]);
-    }
-    return hair;
-}
-
-std::vector<bool> Run::simulated() const {
-    std::vector<bool> simulated(origin_.size());
-    for (uint32_t s = 0; s < guides_; ++s)
-        simulated[origin_[s]] = true;
-    return simulated;
-}
-
-double Run::wall() const {
-    if (times_.empty()) // interrupted
-        return 0;
-    std::vector<double> times = times_;
-    const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
-    std::nth_element(times.begin(), middle, times.end());
-    return *middle;
+uint64_t frames_of(double seconds) {
+    return static_cast<uint64_t>(std::max(4.0, seconds * rate));
 }
 
 void check_guides(const FollowOptions& options) {
@@ -153,54 +27,95 @@ void check_guides(const FollowOptions& options) {
                           std::to_string(options.strands - 1) + "], the strands less one");
 }
 
+// One run of all strands teaches all choices; none where it was interrupted.
+std::vector<MapHandle> learn(plait_context* context, const Choice& whole,
+                             const std::vector<Choice>& choices, const FollowOptions& options) {
+    std::vector<LearnerHandle> learners;
+    for (const Choice& choice : choices) {
+        plait_follow_learner* learner = nullptr;
+        check(plait_follow_learner_create(whole.groom.get(), choice.map.get(), &learner));
+        learners.emplace_back(learner);
+    }
+    Run run(context, whole, whole.map.get());
+    const uint64_t frames = frames_of(options.lesson);
+    Progress progress("learn", static_cast<uint32_t>(frames));
+    for (uint64_t frame = 1; frame <= frames && !interrupted(); ++frame) {
+        run.step(frame, shaking);
+        const plait_roots roots = shaking(static_cast<double>(frame) / rate);
+        if (frame % every == 0) {
+            const Hair hair = run.read();
+            for (const LearnerHandle& learner : learners)
+                check(plait_follow_learner_add_frame(
+                    learner.get(), &roots, {hair.x.data(), hair.x.size(), sizeof hair.x[0]}));
+        }
+        progress.update(static_cast<uint32_t>(frame));
+    }
+    std::vector<MapHandle> maps;
+    if (interrupted())
+        return maps;
+    for (const LearnerHandle& learner : learners) {
+        plait_follow_map* map = nullptr;
+        check(plait_follow_learner_learn(learner.get(), &map, nullptr));
+        maps.emplace_back(map);
+    }
+    return maps;
+}
+
+struct Entry {
+    std::unique_ptr<Run> run;
+    Measures measures;
+    FollowRow row;
+};
+
+Entry entry(plait_context* context, const Choice& choice, const plait_follow_map* map,
+            Weights weights) {
+    auto run = std::make_unique<Run>(context, choice, map);
+    Measures measures(run->read(), run->simulated());
+    FollowRow row;
+    row.guides = choice.guides;
+    row.weights = weights;
+    return {std::move(run), std::move(measures), std::move(row)};
+}
+
 } // namespace
 
 // Frame by frame, so that a busy machine is busy for all of them.
 std::vector<FollowRow> measure_follows(Contexts& contexts, const FollowOptions& options) {
     check_guides(options);
-    const GroomHandle groom = make_hair(options);
     plait_context* const context = contexts.of(*find_model("articulated"));
-    std::vector<uint32_t> numbers = options.guides;
-    numbers.push_back(options.strands);
-    std::vector<std::unique_ptr<Run>> runs;
-    std::vector<Measures> measures;
-    for (const uint32_t guides : numbers) {
-        runs.push_back(std::make_unique<Run>(context, groom.get(), guides, options.strands));
-        measures.emplace_back(runs.back()->read(), runs.back()->simulated());
+    const Choice whole = choose_all(make_hair(options), options.strands);
+    std::vector<Choice> choices;
+    for (const uint32_t guides : options.guides)
+        choices.push_back(choose(whole.groom.get(), guides, options.strands));
+    std::vector<MapHandle> learnt;
+    if (options.lesson > 0)
+        learnt = learn(context, whole, choices, options);
+    std::vector<Entry> entries;
+    for (size_t i = 0; i < choices.size(); ++i) {
+        entries.push_back(entry(context, choices[i], choices[i].map.get(), Weights::near));
+        if (!learnt.empty())
+            entries.push_back(entry(context, choices[i], learnt[i].get(), Weights::learnt));
     }
-    const auto frames = static_cast<uint64_t>(std::max(4.0, options.seconds * rate));
+    entries.push_back(entry(context, whole, whole.map.get(), Weights::none));
+    const uint64_t frames = frames_of(options.seconds);
+    Progress progress("follows", static_cast<uint32_t>(frames));
     for (uint64_t frame = 1; frame <= frames && !interrupted(); ++frame) {
-        for (const auto& run : runs)
-            run->step(frame);
-        const Hair truth = runs.back()->read();
-        for (size_t i = 0; i < runs.size(); ++i)
-            measures[i].add(runs[i]->read(), truth);
+        for (Entry& each : entries)
+            each.run->step(frame, nodding);
+        const Hair truth = entries.back().run->read();
+        for (Entry& each : entries)
+            each.measures.add(each.run->read(), truth);
+        progress.update(static_cast<uint32_t>(frame));
     }
+    const double whole_wall = entries.back().run->wall();
     std::vector<FollowRow> rows;
-    for (size_t i = 0; i < runs.size(); ++i) {
-        rows.push_back({runs[i]->guides(), 1e3 * runs[i]->wall()});
-        measures[i].finish(rows.back());
+    for (Entry& each : entries) {
+        each.row.wall = 1e3 * each.run->wall();
+        each.row.of_whole = whole_wall > 0 ? each.run->wall() / whole_wall : 0;
+        each.measures.finish(each.row);
+        rows.push_back(std::move(each.row));
     }
     return rows;
-}
-
-std::string follows_csv(const std::vector<FollowRow>& rows) {
-    std::string csv = "guides,ms,length,kink_deg,tip_step,beside,away_m\n";
-    for (const FollowRow& row : rows)
-        csv += text("%u,%.4g,%.3g,%.4g,%.3g,%.3g,%.4g\n", row.guides, row.wall, row.length,
-                    row.kink, row.step, row.beside, row.away);
-    return csv;
-}
-
-std::string follows_text(const std::vector<FollowRow>& rows) {
-    std::string all =
-        "guides   ms/frame  length error  kink, deg  tip step  neighbours  from all, mm\n";
-    for (const FollowRow& row : rows)
-        all += text("%6u %10.2f %13.1e %10.1f %9.2f %11.2f %13.1f\n", row.guides, row.wall,
-                    row.length, row.kink, row.step, row.beside, 1e3 * row.away);
-    return all +
-           "tip step: of follows over the guides'; neighbours: least of 99 % of their distances, "
-           "over that at rest\n";
 }
 
 } // namespace lab::follows

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
 
 namespace lab::follows {
 
@@ -78,9 +80,15 @@ void Measures::add(const Hair& now, const Hair& truth) {
     add_segments(now);
     add_steps(now);
     add_neighbours(now);
-    for (size_t i = 0; i < now.x.size(); ++i)
-        squares_ += double((now.x[i] - truth.x[i]).squaredNorm());
-    points_ += now.x.size();
+    double squares = 0;
+    for (size_t s = 0; s < now.strands(); ++s)
+        for (uint32_t i = 0; i < now.counts[s]; ++i) {
+            const double square = double((now.strand(s)[i] - truth.strand(s)[i]).squaredNorm());
+            squares += square;
+            farthest_ = std::max(farthest_, square);
+        }
+    const uint64_t points = std::accumulate(now.counts.begin(), now.counts.end(), uint64_t{0});
+    curve_.push_back(std::sqrt(squares / static_cast<double>(points)));
     before_ = now;
 }
 
@@ -88,7 +96,12 @@ void Measures::finish(FollowRow& row) {
     row.length = length_;
     row.kink = kink_ * 180 / pi;
     row.step = step_;
-    row.away = std::sqrt(squares_ / static_cast<double>(std::max<uint64_t>(points_, 1)));
+    double squares = 0; // every frame has as many vertices
+    for (const double away : curve_)
+        squares += away * away;
+    row.away = std::sqrt(squares / static_cast<double>(std::max<size_t>(curve_.size(), 1)));
+    row.away_most = std::sqrt(farthest_);
+    row.curve = curve_;
     if (beside_.empty())
         return;
     const auto low =

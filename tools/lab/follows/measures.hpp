@@ -41,8 +41,9 @@ class Measures {
     std::vector<bool> simulated_;
     std::vector<Pair> pairs_;
     std::vector<double> beside_;
-    double length_ = 0, kink_ = 0, step_ = 0, squares_ = 0;
-    uint64_t points_ = 0;
+    std::vector<double> curve_; // m
+    double length_ = 0, kink_ = 0, step_ = 0;
+    double farthest_ = 0; // m^2
 };
 
 } // namespace lab::follows

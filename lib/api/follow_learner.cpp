@@ -1,0 +1,92 @@
+// Weights of follow maps from hair in motion.
+#include "core/follow_learner.hpp"
+
+#include "api/objects.hpp"
+#include "api/roots.hpp"
+#include "api/structs.hpp"
+#include "api/view.hpp"
+
+namespace plait::api {
+namespace {
+
+// Rows as long as PLAIT_FIELD_POSITION has them, or any that hold the longest strand.
+Status read_frame(const plait_view& view, const FollowLearner& learner,
+                  FollowLearner::Frame& frame) {
+    constexpr size_t element = 3 * sizeof(float);
+    PLAIT_TRY(check_view(view, element, "positions"));
+    const size_t strands = learner.strands();
+    if (view.count % strands != 0 || view.count / strands < learner.longest())
+        return invalid(format("positions.count is %zu, range is %zu strands times one number of "
+                              "vertices, at least the longest's %u",
+                              view.count, strands, learner.longest()));
+    frame = {static_cast<const unsigned char*>(view.data), view.stride ? view.stride : element,
+             view.count / strands};
+    return {};
+}
+
+} // namespace
+} // namespace plait::api
+
+using namespace plait;
+
+extern "C" {
+
+void plait_follow_fit_info_init(plait_follow_fit_info* info, size_t size) {
+    api::init_struct(info, size, plait_follow_fit_info{});
+}
+
+plait_result plait_follow_learner_create(const plait_groom* groom, const plait_follow_map* map,
+                                         plait_follow_learner** out) {
+    return api::guard(__func__, [&]() -> Status {
+        PLAIT_TRY(api::need(groom, "groom"));
+        PLAIT_TRY(api::need(map, "map"));
+        PLAIT_TRY(api::need(out, "out"));
+        const plait_allocator allocator = groom->own.allocator();
+        Memory memory(allocator);
+        auto handle = make_in<plait_follow_learner>(&memory, allocator);
+        PLAIT_TRY(handle->learner.create(groom->groom, map->map));
+        *out = handle.release();
+        return {};
+    });
+}
+
+plait_result plait_follow_learner_add_frame(plait_follow_learner* learner, const plait_roots* roots,
+                                            plait_view positions) {
+    return api::guard(__func__, [&]() -> Status {
+        PLAIT_TRY(api::need(learner, "learner"));
+        api::RootsCopy copy(&learner->own);
+        PLAIT_TRY(api::read_roots(roots, copy));
+        FollowLearner::Frame frame;
+        PLAIT_TRY(api::read_frame(positions, learner->learner, frame));
+        return learner->learner.add(copy.input(), frame);
+    });
+}
+
+plait_result plait_follow_learner_learn(const plait_follow_learner* learner, plait_follow_map** out,
+                                        plait_follow_fit_info* info) {
+    return api::guard(__func__, [&]() -> Status {
+        PLAIT_TRY(api::need(learner, "learner"));
+        PLAIT_TRY(api::need(out, "out"));
+        if (info)
+            PLAIT_TRY(api::check_output(info, "info"));
+        const plait_allocator allocator = learner->own.allocator();
+        Memory memory(allocator);
+        auto handle = make_in<plait_follow_map>(&memory, allocator);
+        FollowLearner::Fit fit;
+        PLAIT_TRY(learner->learner.learn(handle->map, fit));
+        if (info) {
+            plait_follow_fit_info value{};
+            value.frames = learner->learner.frames();
+            value.rms_before = fit.before;
+            value.rms_after = fit.after;
+            api::write_struct(info, value);
+        }
+        *out = handle.release();
+        return {};
+    });
+}
+
+void plait_follow_learner_destroy(plait_follow_learner* learner) {
+    api::destroy(learner);
+}
+}

@@ -1,0 +1,23 @@
+// A plait_roots of the caller's, checked and copied.
+#pragma once
+
+#include "core/sim.hpp"
+
+namespace plait::api {
+
+// Owns what a plait_roots names.
+struct RootsCopy {
+    explicit RootsCopy(std::pmr::memory_resource* memory)
+        : own(memory), bones(memory), mesh(memory) {}
+    plait_pose head{};
+    std::pmr::vector<plait_pose> own;
+    std::pmr::vector<BoneMatrix> bones;
+    std::pmr::vector<MeshPoint> mesh;
+
+    RootsInput input() const { return {head, own, bones, mesh}; }
+};
+
+// INVALID_ARGUMENT names the field, the place, the value and the range; counts are not checked.
+Status read_roots(const plait_roots* given, RootsCopy& copy);
+
+} // namespace plait::api

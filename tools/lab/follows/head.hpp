@@ -1,0 +1,47 @@
+// A sim of hair on a head that moves, and how it moves.
+#pragma once
+
+#include "measures.hpp"
+
+#include <optional>
+
+namespace lab::follows {
+
+using MapHandle = std::unique_ptr<plait_follow_map, Destroyer<plait_follow_map_destroy>>;
+
+GroomHandle make_hair(const FollowOptions& options);
+
+// What is simulated of it and what follows.
+struct Choice {
+    uint32_t guides;
+    GroomHandle groom;
+    MapHandle map;                // null: nothing follows
+    std::vector<uint32_t> origin; // of each of a sim's strands, in the groom
+};
+Choice choose(const plait_groom* groom, uint32_t guides, uint32_t strands);
+Choice choose_all(GroomHandle groom, uint32_t strands);
+
+using Motion = plait_roots (*)(double seconds);
+plait_roots shaking(double seconds); // with a little of all other ways to turn, all at once
+plait_roots nodding(double seconds); // and turning, slower and farther
+
+class Run {
+  public:
+    // `map`: of `choice`, or learnt from it.
+    Run(plait_context* context, const Choice& choice, const plait_follow_map* map);
+
+    void step(uint64_t number, Motion motion);
+    Hair read() const; // strands in the groom's order
+    std::vector<bool> simulated() const;
+    double wall() const; // s of a step, the least, which a busy machine disturbs least
+
+  private:
+    void add_colliders();
+
+    const Choice& choice_;
+    SimHandle sim_;
+    std::vector<plait_collider_id> on_head_;
+    std::vector<double> times_;
+};
+
+} // namespace lab::follows
