@@ -1107,9 +1107,9 @@ PLAIT_API plait_result plait_follow_learner_create(const plait_groom* groom,
 /* One frame more: where all strands are, m, in the groom's order, and where the roots are then.
  * `positions`: float[3] [strands][V], V any that holds the longest, each within 1e6: what
  * PLAIT_FIELD_POSITION of a sim of `groom` is, with a stride of 16 bytes. `roots`: as
- * plait_sim_set_roots takes them, root_poses for all strands; bones it does not take. Nothing is kept
+ * plait_sim_set_roots takes them, root_poses for all strands; bones and mesh_positions it does not take. Nothing is kept
  * of either. Takes 5 to 10 us a follow of 32 vertices. A call that fails adds nothing.
- * @errors UNSUPPORTED (bones) */
+ * @errors UNSUPPORTED (bones, mesh_positions) */
 PLAIT_API plait_result plait_follow_learner_add_frame(plait_follow_learner* learner,
                                                       const plait_roots* roots,
                                                       plait_view positions);

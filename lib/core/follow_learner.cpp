@@ -172,8 +172,10 @@ Status FollowLearner::create(const Groom& groom, const FollowMap& map) {
 }
 
 Status FollowLearner::check_frame(const RootsInput& roots, const Frame& frame) const {
-    if (!roots.bones.empty())
-        return Error{PLAIT_UNSUPPORTED, "roots->bones are given: give root_poses in their place"};
+    if (!roots.bones.empty() || !roots.mesh.empty())
+        return Error{PLAIT_UNSUPPORTED,
+                     format("roots->%s are given: give root_poses in their place",
+                            roots.mesh.empty() ? "bones" : "mesh_positions")};
     if (!roots.own.empty() && roots.own.size() != strands())
         return Error{PLAIT_INVALID_ARGUMENT,
                      format("roots->root_poses.count is %zu, the groom has %zu strands",

@@ -245,12 +245,13 @@ struct Input {
     std::vector<float> x = std::vector<float>(4 * 9 * row, 0.25f);
     plait_roots roots = plait_roots_defaults();
     std::vector<plait_pose> poses;
-    std::vector<float> bones;
+    std::vector<float> bones, mesh;
     size_t points = 9 * row, stride = 16;
 
     plait_result add() {
         roots.root_poses = plait::view(poses);
         roots.bones = plait::view(bones, 12);
+        roots.mesh_positions = plait::view(mesh, 3);
         return plait_follow_learner_add_frame(learner.get(), &roots, {x.data(), points, stride});
     }
 };
@@ -291,6 +292,9 @@ TEST(FollowLearners, SayWhatIsWrongWithAFrame) {
     refused(
         "roots->bones are given: give root_poses", [](Input& i) { i.bones.assign(12, 1.0f); },
         PLAIT_UNSUPPORTED);
+    refused(
+        "roots->mesh_positions are given: give root_poses",
+        [](Input& i) { i.mesh.assign(9, 1.0f); }, PLAIT_UNSUPPORTED);
     Input padded;
     padded.x[4 * (padded.row - 1)] = NAN; // past the tip of a strand of 9
     EXPECT_EQ(padded.add(), PLAIT_OK) << plait_last_error();
