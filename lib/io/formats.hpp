@@ -23,10 +23,9 @@ Result<StrandSet> read_polylines(const std::string& path, const ReadOptions& opt
 Result<StrandSet> read_polylines(ByteVector text, const std::string& file,
                                  const ReadOptions& options);
 
-// Faces of OBJ, once check_obj() has passed the text, or of glTF; likewise.
-Result<TriangleSet> read_obj_mesh(const std::string& path, const ReadOptions& options);
-Result<TriangleSet> read_obj_mesh(ByteVector text, const std::string& file,
-                                  const ReadOptions& options);
-Result<TriangleSet> read_gltf_mesh(const std::string& path, const ReadOptions& options);
+// Faces of OBJ, once check_obj() has passed the text, or of glTF, with the skin; as polylines.
+Result<RawMesh> read_obj_mesh(const std::string& path, const ReadOptions& options);
+Result<RawMesh> read_obj_mesh(ByteVector text, const std::string& file, const ReadOptions& options);
+Result<RawMesh> read_gltf_mesh(const std::string& path, const ReadOptions& options);
 
 } // namespace plait

@@ -61,7 +61,7 @@ Result<StrandSet> read_by_extension(const std::string& path, const ReadOptions& 
                         path.c_str(), extension.c_str())};
 }
 
-Result<TriangleSet> read_mesh_by_extension(const std::string& path, const ReadOptions& options) {
+Result<RawMesh> read_mesh_by_extension(const std::string& path, const ReadOptions& options) {
     const std::string extension = extension_of(path);
     if (extension == ".obj")
         return read_obj_mesh(path, options);
@@ -130,7 +130,7 @@ Status write_strands(const std::string& path, const StrandSet& strands) {
     }
 }
 
-Result<TriangleSet> read_mesh(const std::string& path, const ReadOptions& options) {
+Result<RawMesh> read_mesh(const std::string& path, const ReadOptions& options) {
     try {
         return read_mesh_by_extension(path, options);
     } catch (const std::bad_alloc&) {
