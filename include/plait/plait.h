@@ -381,8 +381,8 @@ PLAIT_API plait_result plait_mesh_create(const plait_mesh_desc* desc,
                                          const plait_import_options* options, plait_mesh** out);
 
 /* By extension: .obj, .gltf (with the .bin it names), .glb: all faces of all objects, where their
- * nodes put them, polygons as triangles, and of glTF the skin; read by assimp.
- * @errors NOT_FOUND, IO, BAD_DATA (file, triangle, value, range),
+ * nodes put them, polygons as triangles, and of glTF the skin; read by assimp. .tfxmesh (TressFX 4.1)
+ * with its skin. @errors NOT_FOUND, IO, BAD_DATA (file, triangle or line, value, range),
  * UNSUPPORTED (unknown extension, or built without assimp). */
 PLAIT_API plait_result plait_mesh_load(const char* path, const plait_import_options* options,
                                        plait_mesh** out);
@@ -428,7 +428,7 @@ typedef struct plait_mesh_bone_info {
     uint32_t struct_size;
     char name[64];          /* UTF-8, cut if longer; of meshes from arrays "" */
     float inverse_bind[12]; /* 3x4 row-major, m: from the mesh at rest to the bone. The identity
-                               where the mesh is from arrays, which have none */
+                               where the mesh is from arrays or .tfxmesh, which have none */
 } plait_mesh_bone_info;
 
 PLAIT_API void plait_mesh_bone_info_init(plait_mesh_bone_info* info, size_t size);

@@ -409,4 +409,53 @@ TEST_F(MeshBonesFiles, GltfOfVerticesWithoutBones) {
     EXPECT_THROW((void)plait::Mesh::load(file, strict), plait::Error);
 }
 
+TEST_F(MeshBonesFiles, Tfxmesh) {
+    auto options = plait_import_options_defaults();
+    options.scale = 0.01f;
+    const auto mesh = plait::Mesh::load(PLAIT_SOURCE_DIR "/tests/data/bar.tfxmesh", options);
+    const auto info = mesh.describe();
+    EXPECT_EQ(info.vertices, 8u);
+    EXPECT_EQ(info.triangles, 12u);
+    EXPECT_EQ(info.bones, 2u);
+    EXPECT_EQ(info.open_edges, 0u);
+    EXPECT_EQ(info.repairs_total, 1u) << "a seam's vertex";
+    EXPECT_NEAR(info.volume, 0.01, 1e-8);
+    EXPECT_STREQ(mesh.bone(0).name, "left end");
+    EXPECT_STREQ(mesh.bone(1).name, "right_end");
+    EXPECT_TRUE(std::ranges::equal(mesh.bone(1).inverse_bind, identity));
+    const auto weights = mesh.read<float>(PLAIT_MESH_FIELD_BONE_WEIGHTS);
+    EXPECT_EQ(weights[4 * 3], 1) << "0.8 in the file";
+    EXPECT_EQ(weights[4 * 7 + 1], 0.25f);
+}
+
+TEST_F(MeshBonesFiles, BadTfxmeshIsRefused) {
+    std::ifstream stream(PLAIT_SOURCE_DIR "/tests/data/bar.tfxmesh");
+    const std::string good{std::istreambuf_iterator<char>(stream), {}};
+    const auto refused = [&](const std::string& from, const std::string& to, const char* text) {
+        std::string bytes = good;
+        const size_t at = bytes.find(from);
+        ASSERT_NE(at, std::string::npos) << from;
+        bytes.replace(at, from.size(), to);
+        plait_mesh* mesh = nullptr;
+        EXPECT_EQ(plait_mesh_load(write("bad.tfxmesh", bytes).c_str(), nullptr, &mesh),
+                  PLAIT_BAD_DATA);
+        EXPECT_EQ(mesh, nullptr);
+        EXPECT_NE(std::string(plait_last_error()).find(text), std::string::npos)
+            << plait_last_error();
+    };
+    refused("numOfBones 2", "numBones 2",
+            "bad.tfxmesh: line 2: is \"numBones\"; allowed is numOfBones");
+    refused("numOfBones 2", "numOfBones -2", "line 2: numOfBones is \"-2\"; allowed 0 to 65536");
+    refused("1 right_end", "2 right_end", "line 5: begins with \"2\"; allowed is its number, 1");
+    refused("0 -5 -5", "0 nan -5", "line 8: number 2 of the vertex is \"nan\"");
+    refused("1 0 0 0 1 0 0 0\n5", "1 0 0 0 1 0 0\n5", "line 12: number 14 of the vertex is \"\"");
+    refused("0 1 0 0 0.8 0", "0 1 0 0 1.5 0", "line 11: bone weight is 1.5; allowed 0 to 1");
+    refused("0 1 0 0 0.8 0", "2 1 0 0 0.8 0", "line 11: bone is 2; allowed 0 to 1");
+    refused("0 1 0 0 0.8 0", "0 1 0 0 0 0", "line 11: the bone weights sum to 0");
+    refused("3 4 6 8", "3 4 6 9", "line 24: corner is \"9\"; allowed 0 to 8");
+    refused("11 3 4 7\n", "", "the file ends before all is said that it counts");
+    refused("numOfVertices 9", "numOfVertices 4000000000",
+            "line 19: begins with \"numOfTriangles\"");
+}
+
 } // namespace
