@@ -45,6 +45,24 @@ struct Capsule {
 // touches it from inside.
 std::vector<Capsule> head_colliders();
 
+// The mannequin, coarser, with bones, and a motion that begins and ends alike.
+struct Joint {
+    const char* name;
+    int parent;  // -1: none
+    float at[3]; // m, at rest, where no joint is turned
+};
+struct Character {
+    HeadMesh mesh;
+    std::vector<Joint> joints;   // chest, neck, head
+    std::vector<uint8_t> bones;  // 4 [vertices]
+    std::vector<float> weights;  // 4 [vertices], sum 1
+    std::vector<float> time;     // s, of the keys
+    std::vector<float> turns;    // xyzw [joints][keys]
+    std::vector<float> chest_at; // xyz [keys], m
+};
+// 2,864 triangles; in 4 s the head turns to both sides and nods, two steps a second lift the chest.
+Character make_character();
+
 // What hair of the style `ball` lies on in place of the mannequin: a sphere about the origin.
 inline constexpr double ball_radius = 0.1;         // m
 inline constexpr double ball_hairline = 0.0497571; // m above the middle; hair grows higher up

@@ -1,5 +1,6 @@
 // The mannequin as triangles, denser where the face has detail.
-#include "generator.hpp"
+#include "head_mesh.hpp"
+
 #include "head_shape.hpp"
 #include "surface_nets.hpp"
 
@@ -60,8 +61,12 @@ void append(std::vector<float>& values, Vec3 v) {
 } // namespace
 
 HeadMesh make_head(unsigned detail) {
-    const Surface surface = surface_nets([](Vec3 p) { return head_distance(p); },
-                                         bust_grid(2.6 / std::clamp(detail, 1u, 4u)));
+    return make_head_of(2.6 / std::clamp(detail, 1u, 4u));
+}
+
+HeadMesh make_head_of(double spacing) {
+    const Surface surface =
+        surface_nets([](Vec3 p) { return head_distance(p); }, bust_grid(spacing));
     HeadMesh mesh;
     mesh.triangles = surface.triangles;
     for (const Vec3 point : surface.points) {

@@ -1,5 +1,6 @@
 // plait-groom: plait-groom long --strands 10000 --vertices 16 --seed 1 --out long.tfx
 #include "generator/generator.hpp"
+#include "gltf.hpp"
 #include "obj.hpp"
 
 #include <plait/plait.h>
@@ -81,6 +82,14 @@ void add_head(CLI::App& app, std::string& out, std::string& problem) {
     });
 }
 
+void add_character(CLI::App& app, std::string& out, std::string& problem) {
+    CLI::App* command =
+        app.add_subcommand("character", "the same, coarser, with bones and a motion of 4 s");
+    command->add_option("--out", out, "file to write, .gltf")->required();
+    command->callback(
+        [&out, &problem] { problem = plait_groom_tool::write_gltf(make_character(), out); });
+}
+
 int run(int argc, char** argv) {
     CLI::App app(
         "Hairstyles and a head by formula, the same bytes on every machine. Metres, y up.");
@@ -94,6 +103,7 @@ int run(int argc, char** argv) {
               problem);
     add_style(app, Hairstyle::Ball, "in a layer on a ball of 10 cm, to be measured", out, problem);
     add_head(app, out, problem);
+    add_character(app, out, problem);
     CLI11_PARSE(app, argc, argv);
     if (!problem.empty())
         std::fprintf(stderr, "plait-groom: %s\n", problem.c_str());

@@ -1,8 +1,7 @@
 #include "obj.hpp"
+#include "whole_file.hpp"
 
-#include <cerrno>
 #include <cstdio>
-#include <cstring>
 
 namespace plait_groom_tool {
 namespace {
@@ -30,16 +29,7 @@ std::string obj_text(const plait_generator::HeadMesh& mesh) {
 } // namespace
 
 std::string write_obj(const plait_generator::HeadMesh& mesh, const std::string& path) {
-    const std::string text = obj_text(mesh), part = path + ".part";
-    std::FILE* file = std::fopen(part.c_str(), "wb");
-    bool good = file && std::fwrite(text.data(), 1, text.size(), file) == text.size();
-    if (file)
-        good = std::fclose(file) == 0 && good;
-    if (good && std::rename(part.c_str(), path.c_str()) == 0)
-        return {};
-    const std::string reason = std::strerror(errno);
-    std::remove(part.c_str());
-    return path + ": " + reason;
+    return write_whole(obj_text(mesh), path);
 }
 
 } // namespace plait_groom_tool

@@ -351,11 +351,15 @@ PLAIT_API void plait_follow_map_destroy(plait_follow_map* map); /* sims keep wha
 
 /* What is mended of a mesh; by the plait_repair_policy, as of grooms. */
 typedef enum plait_mesh_repair {
-    PLAIT_MESH_REPAIR_WELDED_VERTEX = 0, /* within 1e-6 of the mesh's size of one before: a seam */
+    /* within 1e-6 of the mesh's size of one before that the same bones move: a seam */
+    PLAIT_MESH_REPAIR_WELDED_VERTEX = 0,
     PLAIT_MESH_REPAIR_DEGENERATE_TRIANGLE = 1, /* without area: dropped */
     PLAIT_MESH_REPAIR_DUPLICATE_TRIANGLE = 2,  /* the corners of one before: dropped */
     PLAIT_MESH_REPAIR_FLIPPED_TRIANGLE = 3,    /* faces another way than its surface: turned */
-    PLAIT_MESH_REPAIR_COUNT = 4,
+    /* of more than four bones the four of most weight are kept, scaled to sum 1; of none: the first
+       bone. Files only */
+    PLAIT_MESH_REPAIR_REDUCED_SKIN = 4,
+    PLAIT_MESH_REPAIR_COUNT = 5,
     PLAIT_MESH_REPAIR_FORCE_32 = 0x7fffffff
 } plait_mesh_repair;
 
@@ -366,18 +370,21 @@ typedef struct plait_mesh_desc {
     plait_view positions; /* float[3], m, each [-1e6, 1e6] [vertices]; of no triangle: not read */
     plait_view triangles; /* uint32_t[3], each below positions.count, counter-clockwise from
                              outside [triangles] */
+    plait_view bone_indices; /* uint32_t[4], each below 65536 [vertices]; or empty */
+    plait_view bone_weights; /* float[4], each [0, 1], sum 1 within 1e-3 [vertices]; or empty */
 } plait_mesh_desc;
 
 PLAIT_API void plait_mesh_desc_init(plait_mesh_desc* desc, size_t size);
 
 /* `options` NULL: defaults; of them policy, scale and allocator are read.
- * @errors BAD_DATA (triangle, value and range; nothing left; policy REFUSE) */
+ * @errors BAD_DATA (triangle or vertex, value and range; nothing left; policy REFUSE) */
 PLAIT_API plait_result plait_mesh_create(const plait_mesh_desc* desc,
                                          const plait_import_options* options, plait_mesh** out);
 
-/* By extension: .obj, .gltf (with the .bin it names), .glb; all faces of all objects, where their
- * nodes put them; polygons as triangles. Read by assimp. @errors NOT_FOUND, IO, BAD_DATA (file,
- * triangle, value, range), UNSUPPORTED (unknown extension, or built without assimp). */
+/* By extension: .obj, .gltf (with the .bin it names), .glb: all faces of all objects, where their
+ * nodes put them, polygons as triangles, and of glTF the skin; read by assimp. .tfxmesh (TressFX 4.1)
+ * with its skin. @errors NOT_FOUND, IO, BAD_DATA (file, triangle or line, value, range),
+ * UNSUPPORTED (unknown extension, or built without assimp). */
 PLAIT_API plait_result plait_mesh_load(const char* path, const plait_import_options* options,
                                        plait_mesh** out);
 
@@ -395,6 +402,7 @@ typedef struct plait_mesh_info {
     uint64_t repairs[PLAIT_MESH_REPAIR_COUNT]; /* vertices or triangles, by kind */
     uint64_t repairs_total;
     char first_repair[192]; /* "triangle 17: has no area, dropped" or "" */
+    uint32_t bones;         /* of its skin; 0: none */
 } plait_mesh_info;
 
 PLAIT_API void plait_mesh_info_init(plait_mesh_info* info, size_t size);
@@ -406,12 +414,36 @@ typedef enum plait_mesh_field {
     /* uint32_t [vertices]: of each the one it was when it came in, the first of those that were welded
        to one. What moves the mesh as it came moves this one: positions[i] = came[sources[i]] */
     PLAIT_MESH_FIELD_SOURCES = 2,
+    PLAIT_MESH_FIELD_BONE_INDICES = 3, /* uint32_t[4] [vertices] */
+    PLAIT_MESH_FIELD_BONE_WEIGHTS = 4, /* float[4] [vertices], sum 1 */
     PLAIT_MESH_FIELD_FORCE_32 = 0x7fffffff
 } plait_mesh_field;
 
-/* After repairs. dst == NULL: writes the needed size in bytes to *size. */
+/* After repairs. dst == NULL: writes the needed size in bytes to *size (0: the mesh lacks it). */
 PLAIT_API plait_result plait_mesh_read(const plait_mesh* mesh, plait_mesh_field field, void* dst,
                                        size_t* size);
+
+/* A bone as the mesh's file has it. Where its pose in the space of the mesh, 3x4, is P by now, its
+ * skinning matrix is P times inverse_bind. */
+typedef struct plait_mesh_bone_info {
+    uint32_t struct_size;
+    char name[64];          /* UTF-8, cut if longer; of meshes from arrays "" */
+    float inverse_bind[12]; /* 3x4 row-major, m: from the mesh at rest to the bone. The identity
+                               where the mesh is from arrays or .tfxmesh, which have none */
+} plait_mesh_bone_info;
+
+PLAIT_API void plait_mesh_bone_info_init(plait_mesh_bone_info* info, size_t size);
+/* @errors NOT_FOUND (`index` is not below plait_mesh_info.bones) */
+PLAIT_API plait_result plait_mesh_read_bone(const plait_mesh* mesh, uint32_t index,
+                                            plait_mesh_bone_info* out);
+
+/* Where bones put the vertices, for plait_collider_set_positions: a linear blend on the host, on any
+ * thread. bones: float[12], 3x4 row-major skinning matrices, as plait_roots.bones, at least as many as
+ * the mesh has. positions: float[3], m [vertices], the caller's. The identity gives
+ * PLAIT_MESH_FIELD_POSITIONS. @errors INVALID_STATE (no skin), INVALID_ARGUMENT (too few bones; bone,
+ * not finite, singular or reflecting). A call that fails writes nothing. */
+PLAIT_API plait_result plait_mesh_pose(const plait_mesh* mesh, const plait_view* bones,
+                                       float* positions);
 PLAIT_API void plait_mesh_destroy(plait_mesh* mesh); /* sims keep what they need */
 
 /* ---- simulation ----------------------------------------------------------------------------- */
@@ -1263,6 +1295,7 @@ PLAIT_DEFAULTS(plait_follow_map_desc)
 PLAIT_DEFAULTS(plait_follow_fit_info)
 PLAIT_DEFAULTS(plait_mesh_desc)
 PLAIT_DEFAULTS(plait_mesh_info)
+PLAIT_DEFAULTS(plait_mesh_bone_info)
 PLAIT_DEFAULTS(plait_mesh_fit_info)
 PLAIT_DEFAULTS(plait_param_info)
 PLAIT_DEFAULTS(plait_fibre)

@@ -222,13 +222,27 @@ class Mesh : public detail::Owner<plait_mesh, plait_mesh_destroy> {
         return info;
     }
 
-    // T: float for POSITIONS, std::uint32_t for TRIANGLES.
+    // T: float for POSITIONS and BONE_WEIGHTS, std::uint32_t for the others.
     template <typename T> std::vector<T> read(plait_mesh_field field) const {
         std::size_t size = 0;
         check(plait_mesh_read(get(), field, nullptr, &size));
         std::vector<T> values(size / sizeof(T));
         check(plait_mesh_read(get(), field, values.data(), &size));
         return values;
+    }
+
+    plait_mesh_bone_info bone(std::uint32_t index) const {
+        auto info = plait_mesh_bone_info_defaults();
+        check(plait_mesh_read_bone(get(), index, &info));
+        return info;
+    }
+    // Where bones (float[12] each) put its vertices, xyz.
+    std::vector<float> pose(const plait_view& bones) const {
+        std::size_t size = 0;
+        check(plait_mesh_read(get(), PLAIT_MESH_FIELD_POSITIONS, nullptr, &size));
+        std::vector<float> positions(size / sizeof(float));
+        check(plait_mesh_pose(get(), &bones, positions.data()));
+        return positions;
     }
 
     // Capsules whose union comes near it.

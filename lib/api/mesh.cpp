@@ -11,29 +11,45 @@
 namespace plait::api {
 namespace {
 
-template <typename T> std::span<T> flat(std::pmr::vector<std::array<T, 3>>& rows) {
-    return {rows.empty() ? nullptr : rows.front().data(), 3 * rows.size()};
+template <typename T, size_t N> std::span<T> flat(std::pmr::vector<std::array<T, N>>& rows) {
+    return {rows.empty() ? nullptr : rows.front().data(), N * rows.size()};
 }
 
-template <typename T>
-Status copy_rows(const plait_view& view, const char* name, std::pmr::vector<std::array<T, 3>>& to) {
+template <typename T, size_t N>
+Status copy_rows(const plait_view& view, const char* name, std::pmr::vector<std::array<T, N>>& to) {
     std::pmr::vector<T> values(to.get_allocator().resource());
-    PLAIT_TRY(copy_view(view, 3, name, values));
+    PLAIT_TRY(copy_view(view, N, name, values));
     to.resize(view.count);
     std::ranges::copy(values, flat(to).begin());
     return {};
 }
 
-Result<TriangleSet> copy_surface(const plait_mesh_desc& desc, float scale, Memory* memory) {
-    TriangleSet surface(memory);
-    PLAIT_TRY(copy_rows(desc.positions, "desc->positions", surface.positions));
-    PLAIT_TRY(copy_rows(desc.triangles, "desc->triangles", surface.triangles));
-    for (float& coordinate : flat(surface.positions))
-        coordinate *= scale;
-    return surface;
+// All vertices have a skin, or none has.
+Status copy_skin(const plait_mesh_desc& desc, MeshSkin& skin) {
+    for (const auto& [count, name] : {std::pair{desc.bone_indices.count, "desc->bone_indices"},
+                                      {desc.bone_weights.count, "desc->bone_weights"}})
+        if (count != 0 && count != desc.positions.count)
+            return invalid(format("%s.count is %zu, allowed is 0 or the %zu vertices", name, count,
+                                  desc.positions.count));
+    if (desc.bone_indices.count != desc.bone_weights.count)
+        return invalid(format("desc->bone_indices.count is %zu, bone_weights.count is %zu: give "
+                              "both or neither",
+                              desc.bone_indices.count, desc.bone_weights.count));
+    PLAIT_TRY(copy_rows(desc.bone_indices, "desc->bone_indices", skin.indices));
+    return copy_rows(desc.bone_weights, "desc->bone_weights", skin.weights);
 }
 
-// Mends what `read` (a callable: memory -> Result<TriangleSet>) gives and makes the handle.
+Result<RawMesh> copy_mesh(const plait_mesh_desc& desc, float scale, Memory* memory) {
+    RawMesh mesh(memory);
+    PLAIT_TRY(copy_rows(desc.positions, "desc->positions", mesh.surface.positions));
+    PLAIT_TRY(copy_rows(desc.triangles, "desc->triangles", mesh.surface.triangles));
+    PLAIT_TRY(copy_skin(desc, mesh.skin));
+    for (float& coordinate : flat(mesh.surface.positions))
+        coordinate *= scale;
+    return mesh;
+}
+
+// Mends what `read` (a callable: memory -> Result<RawMesh>) gives and makes the handle.
 template <typename Read>
 Status make_mesh(const plait_import_options& options, const std::string& where, plait_mesh** out,
                  const Read& read) {
@@ -61,6 +77,14 @@ plait_mesh_info describe(const Mesh& mesh) {
     std::ranges::copy(mesh.repairs.count, info.repairs);
     info.repairs_total = mesh.repairs.total();
     mesh.repairs.first.copy(info.first_repair, sizeof info.first_repair - 1);
+    info.bones = static_cast<uint32_t>(mesh.skin.bones.size());
+    return info;
+}
+
+plait_mesh_bone_info bone_info(const MeshBone& bone) {
+    plait_mesh_bone_info info{};
+    std::ranges::copy(bone.name, info.name);
+    std::ranges::copy(bone.inverse_bind, info.inverse_bind);
     return info;
 }
 
@@ -82,8 +106,13 @@ Result<std::span<const std::byte>> field_bytes(const Mesh& mesh, plait_mesh_fiel
         return std::as_bytes(std::span(mesh.surface.triangles));
     case PLAIT_MESH_FIELD_SOURCES:
         return std::as_bytes(std::span(mesh.sources));
+    case PLAIT_MESH_FIELD_BONE_INDICES:
+        return std::as_bytes(std::span(mesh.skin.indices));
+    case PLAIT_MESH_FIELD_BONE_WEIGHTS:
+        return std::as_bytes(std::span(mesh.skin.weights));
     default:
-        return invalid(format("field is %d, range is [0, %d]", field, PLAIT_MESH_FIELD_SOURCES));
+        return invalid(
+            format("field is %d, range is [0, %d]", field, PLAIT_MESH_FIELD_BONE_WEIGHTS));
     }
 }
 
@@ -111,7 +140,7 @@ plait_result plait_mesh_create(const plait_mesh_desc* desc, const plait_import_o
         plait_import_options rules;
         PLAIT_TRY(api::read_options(options, rules));
         return api::make_mesh(rules, "", out, [&](Memory* memory) {
-            return api::copy_surface(given, rules.scale, memory);
+            return api::copy_mesh(given, rules.scale, memory);
         });
     });
 }
@@ -148,9 +177,42 @@ plait_result plait_mesh_read(const plait_mesh* mesh, plait_mesh_field field, voi
         const auto wanted = api::wants_bytes(dst, size, bytes->size());
         if (!wanted)
             return wanted.error();
-        if (*wanted)
+        if (*wanted && !bytes->empty())
             std::memcpy(dst, bytes->data(), bytes->size());
         return {};
+    });
+}
+
+void plait_mesh_bone_info_init(plait_mesh_bone_info* info, size_t size) {
+    api::init_struct(info, size, api::bone_info({}));
+}
+
+plait_result plait_mesh_read_bone(const plait_mesh* mesh, uint32_t index,
+                                  plait_mesh_bone_info* out) {
+    return api::guard(__func__, [&]() -> Status {
+        PLAIT_TRY(api::need(mesh, "mesh"));
+        PLAIT_TRY(api::check_output(out, "out"));
+        const auto& bones = mesh->mesh.skin.bones;
+        if (index >= bones.size())
+            return Error{PLAIT_NOT_FOUND,
+                         format("index is %u, the mesh has %zu bones", index, bones.size())};
+        api::write_struct(out, api::bone_info(bones[index]));
+        return {};
+    });
+}
+
+plait_result plait_mesh_pose(const plait_mesh* mesh, const plait_view* bones, float* positions) {
+    return api::guard(__func__, [&]() -> Status {
+        PLAIT_TRY(api::need(mesh, "mesh"));
+        PLAIT_TRY(api::need(bones, "bones"));
+        PLAIT_TRY(api::need(positions, "positions"));
+        const Mesh& at_rest = mesh->mesh;
+        if (at_rest.skin.empty())
+            return Error{PLAIT_INVALID_STATE, "the mesh has no skin"};
+        Memory memory(mesh->own.allocator());
+        std::pmr::vector<BoneMatrix> matrices(&memory);
+        PLAIT_TRY(api::copy_rows(*bones, "bones", matrices));
+        return pose_mesh(at_rest.surface.positions, at_rest.skin, matrices, positions);
     });
 }
 

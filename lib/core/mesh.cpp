@@ -23,6 +23,8 @@ using Vec3 = Eigen::Vector3d;
 constexpr double weld_distance = 1e-6;
 // A triangle of less area than this, in squares of its longest edge, has no normal.
 constexpr double least_area = 1e-12;
+// Vertices whose weights differ by more than this, summed over bones, move apart: they are two.
+constexpr double weld_skin = 1e-2;
 
 Vec3 point(const MeshPoint& p) {
     return {double(p[0]), double(p[1]), double(p[2])};
@@ -42,18 +44,19 @@ struct CellHash {
     }
 };
 
-// Finds, of points added before, the first within the distance.
+// Finds, of points added before, the first within the distance that `alike`(its number) takes.
 class Welder {
   public:
     Welder(double distance, std::pmr::memory_resource* memory)
         : distance_(distance), edge_(4 * distance), cells_(memory), next_(memory) {}
 
-    uint32_t add(const MeshPoint& p, std::pmr::vector<MeshPoint>& kept) {
+    template <typename Alike>
+    uint32_t add(const MeshPoint& p, std::pmr::vector<MeshPoint>& kept, const Alike& alike) {
         uint32_t found = none;
         for_each_cell(point(p), [&](const Cell& cell) {
             const auto first = cells_.find(cell);
             for (uint32_t i = first == cells_.end() ? none : first->second; i != none; i = next_[i])
-                if (i < found && (point(kept[i]) - point(p)).norm() <= distance_)
+                if (i < found && (point(kept[i]) - point(p)).norm() <= distance_ && alike(i))
                     found = i;
         });
         if (found != none)
@@ -92,18 +95,21 @@ class Welder {
 
 class Mender {
   public:
-    Mender(const TriangleSet& raw, plait_repair_policy policy, const std::string& where, Mesh& mesh)
-        : raw_(raw), policy_(policy), where_(where), mesh_(mesh),
+    Mender(const RawMesh& raw, plait_repair_policy policy, const std::string& where, Mesh& mesh)
+        : raw_(raw.surface), skin_(raw.skin), policy_(policy), where_(where), mesh_(mesh),
           memory_(mesh.surface.positions.get_allocator().resource()) {}
 
-    Status mend() {
+    Status mend(const RawMesh& raw) {
         PLAIT_TRY(check());
+        if (raw.skins_reduced > 0)
+            PLAIT_TRY(note(PLAIT_MESH_REPAIR_REDUCED_SKIN, raw.first_reduced, raw.skins_reduced));
         PLAIT_TRY(weld());
         PLAIT_TRY(take_triangles());
         drop_unused_vertices();
         if (mesh_.surface.triangles.empty())
             return bad(format("none of %zu triangles is left; allowed is 1 or more with an area",
                               raw_.triangles.size()));
+        PLAIT_TRY(take_skin());
         MeshEdges edges(mesh_.surface.triangles, memory_);
         PLAIT_TRY(turn_outward(edges));
         measure_mesh(edges, mesh_);
@@ -162,7 +168,10 @@ class Mender {
             if (kept_[i] == unused)
                 continue;
             const size_t before = mesh_.surface.positions.size();
-            kept_[i] = welder.add(raw_.positions[i], mesh_.surface.positions);
+            kept_[i] = welder.add(raw_.positions[i], mesh_.surface.positions, [&](uint32_t kept) {
+                return skin_.empty() ||
+                       skin_difference(skin_, i, skin_, mesh_.sources[kept]) <= weld_skin;
+            });
             if (mesh_.surface.positions.size() > before)
                 mesh_.sources.push_back(static_cast<uint32_t>(i));
             else
@@ -227,6 +236,43 @@ class Mender {
                 corner = number[corner];
     }
 
+    // Of the vertices that are left. Weights are used as shares: rounding is taken out, anything more
+    // is refused.
+    Status take_skin() {
+        if (skin_.empty())
+            return {};
+        for (const uint32_t i : mesh_.sources) {
+            PLAIT_TRY(check_skin(i));
+            mesh_.skin.indices.push_back(skin_.indices[i]);
+            mesh_.skin.weights.push_back(normalized(skin_.weights[i]));
+        }
+        mesh_.skin.bones.assign(skin_.bones.begin(), skin_.bones.end());
+        uint32_t highest = 0;
+        for (const BoneIndices& indices : mesh_.skin.indices)
+            highest = std::max(highest, std::ranges::max(indices));
+        if (mesh_.skin.bones.size() <= highest)
+            mesh_.skin.bones.resize(size_t{highest} + 1);
+        return {};
+    }
+
+    Status check_skin(uint32_t i) const {
+        const auto wrong = [&](const char* what, double value, const char* range) {
+            return bad(format("vertex %u: %s is %g, range is %s", i, what, value, range));
+        };
+        double sum = 0;
+        for (size_t k = 0; k < 4; ++k) {
+            const float weight = skin_.weights[i][k];
+            if (!(weight >= 0 && weight <= 1.001f))
+                return wrong("bone weight", double(weight), "[0, 1]");
+            if (skin_.indices[i][k] >= max_mesh_bones)
+                return wrong("bone index", skin_.indices[i][k], "[0, 65535]");
+            sum += double(weight);
+        }
+        if (!(std::abs(sum - 1) <= 1e-3))
+            return wrong("sum of bone weights", sum, "1 +- 0.001");
+        return {};
+    }
+
     Status turn_outward(MeshEdges& edges) {
         const auto turned = plait::turn_outward(edges, mesh_.surface, memory_);
         if (turned.empty())
@@ -240,6 +286,7 @@ class Mender {
     static constexpr uint32_t unused = std::numeric_limits<uint32_t>::max();
 
     const TriangleSet& raw_;
+    const MeshSkin& skin_;
     plait_repair_policy policy_;
     const std::string& where_;
     Mesh& mesh_;
@@ -253,9 +300,9 @@ uint64_t MeshRepairs::total() const {
     return std::accumulate(count.begin(), count.end(), uint64_t{0});
 }
 
-Status build_mesh(const TriangleSet& raw, plait_repair_policy policy, const std::string& where,
+Status build_mesh(const RawMesh& raw, plait_repair_policy policy, const std::string& where,
                   Mesh& mesh) {
-    return Mender(raw, policy, where, mesh).mend();
+    return Mender(raw, policy, where, mesh).mend(raw);
 }
 
 } // namespace plait

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/result.hpp"
+#include "core/mesh_skin.hpp"
 
 #include <array>
 #include <cstdint>
@@ -21,6 +22,16 @@ struct TriangleSet {
 
     std::pmr::vector<MeshPoint> positions; // m
     std::pmr::vector<Triangle> triangles;  // counter-clockwise, seen from outside
+};
+
+// As a file or caller gives it: nothing checked yet beyond array sizes.
+struct RawMesh {
+    explicit RawMesh(std::pmr::memory_resource* memory) : surface(memory), skin(memory) {}
+
+    TriangleSet surface;
+    MeshSkin skin;
+    uint64_t skins_reduced = 0; // vertices whose bones had to be chosen
+    std::string first_reduced;  // the first of them
 };
 
 struct MeshRepairs {
@@ -42,17 +53,19 @@ struct MeshShape {
 
 // Immutable once made, so threads and contexts may share it.
 struct Mesh {
-    explicit Mesh(std::pmr::memory_resource* memory) : surface(memory), sources(memory) {}
+    explicit Mesh(std::pmr::memory_resource* memory)
+        : surface(memory), skin(memory), sources(memory) {}
 
     TriangleSet surface;
+    MeshSkin skin;
     std::pmr::vector<uint32_t> sources; // of each vertex, which it was
     MeshShape shape;
     MeshRepairs repairs;
 };
 
-// Mends `raw` by the rules. BAD_DATA: an index or a coordinate out of range, nothing left, or
-// policy REFUSE. `where`: in front of messages, "" or "head.obj: ". `mesh` keeps its memory.
-Status build_mesh(const TriangleSet& raw, plait_repair_policy policy, const std::string& where,
+// Mends `raw` by the rules. BAD_DATA: an index, a coordinate or a weight out of range, nothing left,
+// or policy REFUSE. `where`: in front of messages, "" or "head.obj: ". `mesh` keeps its memory.
+Status build_mesh(const RawMesh& raw, plait_repair_policy policy, const std::string& where,
                   Mesh& mesh);
 
 } // namespace plait

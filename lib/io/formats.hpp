@@ -5,6 +5,8 @@
 #include "io/bytes.hpp"
 #include "io/io.hpp"
 
+#include <string_view>
+
 namespace plait {
 
 Result<StrandSet> read_tfx(const ByteReader& file, const ReadOptions& options);
@@ -23,10 +25,13 @@ Result<StrandSet> read_polylines(const std::string& path, const ReadOptions& opt
 Result<StrandSet> read_polylines(ByteVector text, const std::string& file,
                                  const ReadOptions& options);
 
-// Faces of OBJ, once check_obj() has passed the text, or of glTF; likewise.
-Result<TriangleSet> read_obj_mesh(const std::string& path, const ReadOptions& options);
-Result<TriangleSet> read_obj_mesh(ByteVector text, const std::string& file,
-                                  const ReadOptions& options);
-Result<TriangleSet> read_gltf_mesh(const std::string& path, const ReadOptions& options);
+// Triangles and skin of TressFX.
+Result<RawMesh> read_tfxmesh(std::string_view text, const std::string& file,
+                             const ReadOptions& options);
+
+// Faces of OBJ, once check_obj() has passed the text, or of glTF, with the skin; as polylines.
+Result<RawMesh> read_obj_mesh(const std::string& path, const ReadOptions& options);
+Result<RawMesh> read_obj_mesh(ByteVector text, const std::string& file, const ReadOptions& options);
+Result<RawMesh> read_gltf_mesh(const std::string& path, const ReadOptions& options);
 
 } // namespace plait

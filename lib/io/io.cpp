@@ -61,14 +61,24 @@ Result<StrandSet> read_by_extension(const std::string& path, const ReadOptions& 
                         path.c_str(), extension.c_str())};
 }
 
-Result<TriangleSet> read_mesh_by_extension(const std::string& path, const ReadOptions& options) {
+Result<RawMesh> read_tfxmesh_file(const std::string& path, const ReadOptions& options) {
+    auto bytes = read_file(path, options.memory);
+    PLAIT_TRY(bytes);
+    return read_tfxmesh({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, path,
+                        options);
+}
+
+Result<RawMesh> read_mesh_by_extension(const std::string& path, const ReadOptions& options) {
     const std::string extension = extension_of(path);
     if (extension == ".obj")
         return read_obj_mesh(path, options);
     if (extension == ".gltf" || extension == ".glb")
         return read_gltf_mesh(path, options);
+    if (extension == ".tfxmesh")
+        return read_tfxmesh_file(path, options);
     return Error{PLAIT_UNSUPPORTED,
-                 format("%s: cannot read a mesh from \"%s\"; known are .obj, .gltf, .glb",
+                 format("%s: cannot read a mesh from \"%s\"; known are .obj, .gltf, .glb, "
+                        ".tfxmesh",
                         path.c_str(), extension.c_str())};
 }
 
@@ -130,7 +140,7 @@ Status write_strands(const std::string& path, const StrandSet& strands) {
     }
 }
 
-Result<TriangleSet> read_mesh(const std::string& path, const ReadOptions& options) {
+Result<RawMesh> read_mesh(const std::string& path, const ReadOptions& options) {
     try {
         return read_mesh_by_extension(path, options);
     } catch (const std::bad_alloc&) {

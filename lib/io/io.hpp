@@ -24,8 +24,8 @@ Result<StrandSet> read_strands(const std::string& path, const ReadOptions& optio
 // .hair (without UV and skin). A file appears whole or not at all. IO, UNSUPPORTED.
 Status write_strands(const std::string& path, const StrandSet& strands);
 
-// Triangles of .obj, .gltf and .glb, where their nodes put them; corners at one place share a
-// vertex. NOT_FOUND, IO, BAD_DATA, UNSUPPORTED.
-Result<TriangleSet> read_mesh(const std::string& path, const ReadOptions& options = {});
+// Triangles of .obj, .gltf and .glb, where their nodes put them, and of .tfxmesh, with their skin;
+// corners at one place that the same bones move share a vertex. NOT_FOUND, IO, BAD_DATA, UNSUPPORTED.
+Result<RawMesh> read_mesh(const std::string& path, const ReadOptions& options = {});
 
 } // namespace plait

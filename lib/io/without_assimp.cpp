@@ -20,15 +20,15 @@ Result<StrandSet> read_polylines(ByteVector, const std::string& file, const Read
     return read_polylines(file, options);
 }
 
-Result<TriangleSet> read_obj_mesh(const std::string& path, const ReadOptions&) {
+Result<RawMesh> read_obj_mesh(const std::string& path, const ReadOptions&) {
     return needs_assimp(path, "meshes");
 }
 
-Result<TriangleSet> read_obj_mesh(ByteVector, const std::string& file, const ReadOptions&) {
+Result<RawMesh> read_obj_mesh(ByteVector, const std::string& file, const ReadOptions&) {
     return needs_assimp(file, "meshes");
 }
 
-Result<TriangleSet> read_gltf_mesh(const std::string& path, const ReadOptions&) {
+Result<RawMesh> read_gltf_mesh(const std::string& path, const ReadOptions&) {
     return needs_assimp(path, "meshes");
 }
 

@@ -206,6 +206,8 @@ TEST(Arguments, NullPointers) {
          [](O& o) {
              return plait_mesh_read(nullptr, PLAIT_MESH_FIELD_POSITIONS, nullptr, &o.size);
          }},
+        {"mesh is NULL", [](O&) { return plait_mesh_read_bone(nullptr, 0, nullptr); }},
+        {"mesh is NULL", [](O&) { return plait_mesh_pose(nullptr, nullptr, nullptr); }},
         {"mesh is NULL", [](O&) { return plait_mesh_fit(nullptr, nullptr, 1, nullptr); }},
         {"context is NULL",
          [](O& o) { return plait_sim_create(nullptr, o.groom, nullptr, &o.no_sim); }},

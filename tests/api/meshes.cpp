@@ -392,7 +392,7 @@ TEST_F(MeshFiles, BadFilesAreRefused) {
             << plait_last_error();
         return code;
     };
-    EXPECT_EQ(load("head.stl", "known are .obj, .gltf, .glb"), PLAIT_UNSUPPORTED);
+    EXPECT_EQ(load("head.stl", "known are .obj, .gltf, .glb, .tfxmesh"), PLAIT_UNSUPPORTED);
     if (!reads_meshes()) {
         EXPECT_EQ(load("head.obj", "-DPLAIT_ASSIMP=ON"), PLAIT_UNSUPPORTED);
         return;

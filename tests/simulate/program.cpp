@@ -114,6 +114,20 @@ TEST_F(Program, simulates_guides_and_draws_what_follows) {
     EXPECT_THAT(text(), HasSubstr("of which 20 are simulated"));
 }
 
+TEST_F(Program, moves_a_body_by_its_animation) {
+    const std::string scene = PLAIT_SCENES "/walk.json";
+    const int code = run({"--scene", scene, "--strands", "200", "--seconds", "0.5", "--settle",
+                          "0.1", "--no-pictures", "--out", path("out")});
+    if (text().find("assimp") != std::string::npos)
+        GTEST_SKIP() << "built without assimp";
+    ASSERT_EQ(code, 0) << text();
+    const Json stats = json("out/stats.json");
+    EXPECT_EQ(stats.at("motion"), "walk of character.gltf");
+    EXPECT_GT(stats.at("stage_ms").at("mesh_nearest").get<double>(), 0.0);
+    EXPECT_LT(stats.at("max_stretch").get<double>(), 0.05);
+    EXPECT_THAT(text(), HasSubstr("1 mesh of 2864 triangles"));
+}
+
 std::set<std::string> stage_names() {
     std::set<std::string> names;
     for (int stage = 0; stage < PLAIT_STAGE_COUNT; ++stage)

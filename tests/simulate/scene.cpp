@@ -71,6 +71,43 @@ TEST_F(SceneFile, has_meshes) {
                 HasSubstr("tressfx"));
 }
 
+TEST_F(SceneFile, meshes_have_a_form) {
+    EXPECT_EQ(read(R"({"meshes": [{"file": "a.obj"}]})").meshes[0].desc.form,
+              PLAIT_MESH_FORM_FIELD);
+    EXPECT_EQ(read(R"({"meshes": [{"file": "a.obj", "form": "nearest"}]})").meshes[0].desc.form,
+              PLAIT_MESH_FORM_NEAREST);
+    EXPECT_THAT(refusal(R"({"meshes": [{"file": "a.obj", "form": "nearst"}]})"),
+                AllOf(HasSubstr("meshes[0].form"), HasSubstr("nearst"), HasSubstr("nearest")));
+}
+
+TEST_F(SceneFile, has_a_body) {
+    EXPECT_FALSE(read("{}").body.has_value());
+    const Scene scene = read(R"({"body": {"file": "a.gltf", "form": "nearest", "animation": 2,
+        "bone": "Head", "scale": 0.01, "margin": 0.001, "friction": 0.1}})");
+    ASSERT_TRUE(scene.body.has_value());
+    EXPECT_EQ(scene.body->mesh.file, path("a.gltf"));
+    EXPECT_EQ(scene.body->mesh.desc.form, PLAIT_MESH_FORM_NEAREST);
+    EXPECT_FLOAT_EQ(scene.body->mesh.scale, 0.01f);
+    EXPECT_FLOAT_EQ(scene.body->mesh.desc.friction, 0.1f);
+    EXPECT_EQ(scene.body->animation, Json(2u));
+    EXPECT_EQ(scene.body->bone, "Head");
+    EXPECT_TRUE(scene.head_is_mesh());
+    EXPECT_EQ(read(R"({"body": {"file": "a.gltf", "animation": "run"}})").body->animation,
+              Json("run"));
+    EXPECT_EQ(read(R"({"body": {"file": "a.gltf"}})").body->bone, "head");
+    EXPECT_THAT(refusal(R"({"body": {}})"), HasSubstr("body.file"));
+    EXPECT_THAT(refusal(R"({"body": {"file": "a.gltf", "form": "field"}})"),
+                AllOf(HasSubstr("scene.json:1: body.form"), HasSubstr("does not bend")));
+    EXPECT_THAT(refusal(R"({"body": {"file": "a.gltf", "animation": -1}})"),
+                AllOf(HasSubstr("body.animation"), HasSubstr("-1")));
+    EXPECT_THAT(refusal(R"({"body": {"file": "a.gltf", "bones": 1}})"),
+                AllOf(HasSubstr("body.bones"), HasSubstr("\"bone\"")));
+    EXPECT_THAT(refusal(R"({"body": {"file": "a.gltf"}, "motion": "walk"})"),
+                AllOf(HasSubstr("motion"), HasSubstr("animation moves the head")));
+    EXPECT_THAT(refusal(R"({"model": "tressfx", "body": {"file": "a.gltf"}})"),
+                HasSubstr("tressfx"));
+}
+
 TEST_F(SceneFile, sets_what_it_says) {
     const Scene scene = read(R"({
         "groom": "curly", "strands": 300, "vertices": 24, "seed": 7, "style": {"curl_radius": 0.02},

@@ -45,6 +45,20 @@ TEST(IoGrooms, SintelOf16Vertices) {
     expect_survives(*strands, "sintel.hair");
 }
 
+TEST(IoGrooms, RatboysBody) {
+    const std::string path = real_groom("ratboy_body.tfxmesh");
+    PLAIT_SKIP_WITHOUT(path);
+    const auto body = read_mesh(path);
+    ASSERT_OK(body);
+    EXPECT_EQ(body->surface.positions.size(), 12909u);
+    EXPECT_EQ(body->surface.triangles.size(), 25814u);
+    ASSERT_EQ(body->skin.bones.size(), 86u);
+    EXPECT_STREQ(body->skin.bones[5].name.data(), "frenchHornMonster_head_JNT");
+    ASSERT_EQ(body->skin.indices.size(), 12909u);
+    for (const BoneWeights& weights : body->skin.weights)
+        EXPECT_NEAR(weights[0] + weights[1] + weights[2] + weights[3], 1, 1e-6);
+}
+
 TEST(IoGrooms, RatboyWithStrandUvAndSkin) {
     const std::string path = real_groom("ratboy_mohawk.tfx");
     PLAIT_SKIP_WITHOUT(path);

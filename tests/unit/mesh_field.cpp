@@ -19,16 +19,16 @@ namespace {
 
 using Vec3 = Eigen::Vector3d;
 
-TriangleSet surface_of(const ShapeMesh& shape) {
-    TriangleSet surface(std::pmr::get_default_resource());
-    surface.positions.assign(shape.positions.begin(), shape.positions.end());
-    surface.triangles.assign(shape.triangles.begin(), shape.triangles.end());
-    return surface;
+RawMesh raw_of(const ShapeMesh& shape) {
+    RawMesh raw(std::pmr::get_default_resource());
+    raw.surface.positions.assign(shape.positions.begin(), shape.positions.end());
+    raw.surface.triangles.assign(shape.triangles.begin(), shape.triangles.end());
+    return raw;
 }
 
 Mesh mesh_of(const ShapeMesh& shape) {
     Mesh mesh(std::pmr::get_default_resource());
-    const Status status = build_mesh(surface_of(shape), PLAIT_REPAIR_POLICY_REFUSE, "", mesh);
+    const Status status = build_mesh(raw_of(shape), PLAIT_REPAIR_POLICY_REFUSE, "", mesh);
     EXPECT_TRUE(status.ok()) << status.error().message;
     return mesh;
 }
@@ -257,7 +257,7 @@ TEST(MeshField, WhatHasNoInsideIsRefused) {
         p = {p[0] + 2, p[1] + 2, p[2]};
     two.add_mesh(other); // along one edge
     Mesh touching(std::pmr::get_default_resource());
-    ASSERT_TRUE(build_mesh(surface_of(two), PLAIT_REPAIR_POLICY_MEND, "", touching).ok());
+    ASSERT_TRUE(build_mesh(raw_of(two), PLAIT_REPAIR_POLICY_MEND, "", touching).ok());
     const Status unsided = bake_field(touching, {16, false}, field);
     EXPECT_NE(unsided.error().message.find("1 edges of more than two"), std::string::npos)
         << unsided.error().message;

@@ -27,6 +27,11 @@ std::unique_ptr<Album> make_album(const Scene& scene, const Figure& figure,
     return std::make_unique<Album>(scene, figure, beside);
 }
 
+// A body has its own.
+std::unique_ptr<Motion> motion_of(const Scene& scene) {
+    return make_motion(scene.body ? "still" : scene.motion);
+}
+
 void warn(const std::vector<std::string>& sentences, std::vector<std::string>& all) {
     for (const std::string& sentence : sentences)
         std::fprintf(stderr, "plait-simulate: warning: %s\n", sentence.c_str());
@@ -49,7 +54,7 @@ Measurements run_scene(const Scene& scene, const Figure& figure, Album* album,
     if (album)
         watchers.push_back({[album](uint32_t frame) { return album->wants(frame); },
                             [album](const Shot& shot) { album->take(shot); }});
-    return simulation.run(*make_motion(scene.motion), watchers, "simulating");
+    return simulation.run(*motion_of(scene), watchers, "simulating");
 }
 
 // The same hair and motion by other means, for the comparison sheet.
@@ -59,8 +64,7 @@ Compared run_beside(const Scene& scene, const Figure& figure, const Variant& var
         {[&](uint32_t frame) { return album.wants_beside(frame); },
          [&](const Shot& shot) { album.take_beside(index, shot); }}};
     const Scene other = variant.of(scene);
-    return {variant,
-            Simulation(other, figure).run(*make_motion(scene.motion), watchers, "comparing ")};
+    return {variant, Simulation(other, figure).run(*motion_of(scene), watchers, "comparing ")};
 }
 
 void finish_report(Report& report, Album* album) {

@@ -144,14 +144,20 @@ void Simulation::add_colliders() {
 
 // In the pose in which the groom lies on them.
 void Simulation::add_meshes() {
-    for (const LoadedMesh& mesh : figure_.meshes) {
+    const auto create = [&](const LoadedMesh& mesh) {
         plait_collider_id id{};
         if (plait_collider_create_mesh(sim_.get(), mesh.mesh.get(), &mesh.choice.desc, &id) !=
             PLAIT_OK)
             throw Failure(mesh.choice.place + ": " + plait_last_error());
+        return id;
+    };
+    for (const LoadedMesh& mesh : figure_.meshes) {
+        const plait_collider_id id = create(mesh);
         if (mesh.choice.moves_with_head)
             moving_.push_back(id);
     }
+    if (figure_.body)
+        body_ = create(figure_.body->mesh());
 }
 
 template <typename Work>
@@ -164,6 +170,10 @@ void Simulation::timed(Timeline& timeline, HostCall call, const Work& work) cons
     }
 }
 
+plait_pose Simulation::head_at(const Motion& motion, float time) const {
+    return figure_.body ? figure_.body->head(time) : to_pose(motion.at(time), figure_.pivot);
+}
+
 void Simulation::pose_roots(const plait_pose& head) {
     plait_roots roots = plait_roots_defaults();
     roots.head = head;
@@ -173,6 +183,11 @@ void Simulation::pose_roots(const plait_pose& head) {
 void Simulation::pose_colliders(const plait_pose& head, float time) {
     for (const plait_collider_id collider : moving_)
         check(plait_collider_set_pose(sim_.get(), collider, &head));
+    if (body_) {
+        const auto posed = figure_.body->positions(time);
+        const plait_view view{posed.data(), posed.size(), 0};
+        check(plait_collider_set_positions(sim_.get(), *body_, &view));
+    }
     for (size_t i = 0; i < hands_.size(); ++i) {
         const plait_pose pose = figure_.hands[i].pose(time);
         check(plait_collider_set_pose(sim_.get(), hands_[i], &pose));
@@ -294,12 +309,12 @@ Measurements Simulation::run(const Motion& motion, const std::vector<Watcher>& w
                              const std::string& label) {
     Measurements measurements;
     measurements.last = stats(); // for a run that is interrupted before its first frame
-    settle(to_pose(motion.at(0.0f), figure_.pivot));
+    settle(head_at(motion, 0.0f));
     const uint32_t frames = scene_.frames();
     Progress progress(label, frames);
     for (uint32_t frame = 0; frame < frames && !interrupted(); ++frame) {
         const float time = static_cast<float>(frame + 1) / static_cast<float>(scene_.rate);
-        const plait_pose head = to_pose(motion.at(time), figure_.pivot);
+        const plait_pose head = head_at(motion, time);
         if (keeps_timeline())
             forget_launches();
         measurements.frame_ms.push_back(step_ms(measurements.timeline, frame, head));

@@ -8,6 +8,7 @@
 #include "shot.hpp"
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,7 +46,8 @@ class Simulation {
   public:
     Simulation(const Scene& scene, const Figure& figure);
 
-    // Ends early, with what there is, when interrupted. Throws Failure.
+    // Ends early, with what there is, when interrupted. A body that moves the head does so in place of
+    // `motion`. Throws Failure.
     Measurements run(const Motion& motion, const std::vector<Watcher>& watchers,
                      const std::string& label);
 
@@ -60,6 +62,7 @@ class Simulation {
     bool keeps_timeline() const { return scene_.profile || !scene_.trace.empty(); }
     // Does `work`, and enters it under `call`, which has yet no times.
     template <typename Work> void timed(Timeline& timeline, HostCall call, const Work& work) const;
+    plait_pose head_at(const Motion& motion, float time) const;
     void pose_roots(const plait_pose& head);
     void pose_colliders(const plait_pose& head, float time);
     void settle(const plait_pose& start);
@@ -79,6 +82,7 @@ class Simulation {
     SimHandle sim_;
     std::vector<plait_collider_id> moving_; // with the head
     std::vector<plait_collider_id> hands_;  // as figure.hands
+    std::optional<plait_collider_id> body_;
     std::vector<float> positions_;
     std::vector<float> rest_; // as positions_, before the first step
     std::unique_ptr<Neighbours> neighbours_;

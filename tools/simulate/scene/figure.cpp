@@ -220,6 +220,8 @@ std::vector<Collider> made_for(const Scene& scene, const plait_groom* groom) {
 // None are made where the head itself is a collider.
 void add_colliders(const Scene& scene, Figure& figure) {
     figure.meshes = load_meshes(scene.meshes, scene.groom.generated);
+    if (scene.body)
+        figure.body = std::make_unique<Body>(*scene.body, scene.groom.generated);
     if (scene.colliders)
         figure.colliders = *scene.colliders;
     else
@@ -283,6 +285,8 @@ HeadMesh solids_of(const Figure& figure) {
     };
     for (const LoadedMesh& mesh : figure.meshes)
         add(mesh.drawn);
+    if (figure.body)
+        add(figure.body->mesh().drawn);
     for (const Hand& hand : figure.hands)
         add(hand.mesh());
     return all;
@@ -310,6 +314,8 @@ Figure make_figure(Scene& scene) {
     figure.azimuth = scene.camera.azimuth.value_or(best_azimuth(figure.groom.get(), roots));
     figure.size = relative_size(roots, figure.info.mean_length);
     figure.solids = solids_of(figure);
+    if (figure.body)
+        scene.motion = figure.body->motion();
     return figure;
 }
 
@@ -352,6 +358,9 @@ std::vector<Vector3f> Figure::posed_solids(const plait_pose& pose, float time) c
     };
     for (const LoadedMesh& mesh : meshes)
         add(mesh.drawn, mesh.choice.moves_with_head ? pose : mesh.choice.desc.pose);
+    if (body)
+        for (const auto& p : body->positions(time))
+            posed.emplace_back(p[0], p[1], p[2]);
     for (const Hand& hand : hands)
         add(hand.mesh(), hand.pose(time));
     return posed;

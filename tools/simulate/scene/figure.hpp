@@ -1,6 +1,7 @@
 // Everything at rest: the groom, the head under it, and what the hair collides with.
 #pragma once
 
+#include "body.hpp"
 #include "hand.hpp"
 #include "head_mesh.hpp"
 #include "meshes.hpp"
@@ -20,6 +21,7 @@ struct Figure {
     HeadMesh head; // may be empty
     std::vector<Collider> colliders;
     std::vector<LoadedMesh> meshes;  // colliders, too
+    std::unique_ptr<Body> body;      // a collider, too, which moves the head; or null
     std::vector<Collider> stand_ins; // for them, where strands of the model tressfx meet no mesh
     std::vector<Hand> hands;         // colliders with a motion of their own
     std::array<float, 3> pivot;
@@ -41,7 +43,7 @@ struct Figure {
     HeadMesh solids;
 };
 
-// Sets the scene's scale where it is to be found out ("auto").
+// Sets the scene's scale where it is to be found out ("auto"), and its motion where a body has it.
 Figure make_figure(Scene& scene);
 
 } // namespace simulate

@@ -3,8 +3,7 @@
 
 #include "generator/generator.hpp"
 
-#include <fstream>
-#include <sstream>
+#include <algorithm>
 
 #ifdef PLAIT_WITH_ASSIMP
 #include <assimp/Importer.hpp>
@@ -16,83 +15,19 @@ namespace simulate {
 
 namespace {
 
-// ---- .tfxmesh: sections "numOfX N", then N lines that begin with their index; # starts a comment
+template <typename T> std::vector<T> read_field(const plait_mesh* mesh, plait_mesh_field field) {
+    size_t size = 0;
+    check(plait_mesh_read(mesh, field, nullptr, &size));
+    std::vector<T> data(size / sizeof(T));
+    check(plait_mesh_read(mesh, field, data.data(), &size));
+    return data;
+}
 
-class TfxmeshReader {
-  public:
-    explicit TfxmeshReader(const std::string& file) : file_(file), stream_(file) {
-        if (!stream_)
-            throw Failure(file + ": cannot be opened");
-    }
-
-    HeadMesh read() {
-        HeadMesh mesh;
-        skip_lines(section("numOfBones"));
-        const uint32_t vertices = section("numOfVertices");
-        for (uint32_t i = 0; i < vertices; ++i)
-            mesh.vertices.push_back(vertex());
-        const uint32_t triangles = section("numOfTriangles");
-        for (uint32_t i = 0; i < triangles; ++i)
-            mesh.triangles.push_back(triangle(vertices));
-        return mesh;
-    }
-
-  private:
-    [[noreturn]] void fail(const std::string& problem) const {
-        throw Failure(file_ + ":" + std::to_string(line_number_) + ": " + problem);
-    }
-
-    std::istringstream next_line() {
-        std::string line;
-        while (std::getline(stream_, line)) {
-            ++line_number_;
-            if (line.find_first_not_of(" \t\r") != std::string::npos && line[0] != '#')
-                return std::istringstream(line);
-        }
-        fail("the file ends early");
-    }
-
-    uint32_t section(const std::string& name) {
-        std::istringstream line = next_line();
-        std::string word;
-        uint32_t count = 0;
-        if (!(line >> word >> count) || word != name)
-            fail("expected \"" + name + " N\"");
-        return count;
-    }
-
-    void skip_lines(uint32_t count) {
-        for (uint32_t i = 0; i < count; ++i)
-            next_line();
-    }
-
-    Eigen::Vector3f vertex() {
-        std::istringstream line = next_line();
-        uint32_t index = 0;
-        Eigen::Vector3f p;
-        if (!(line >> index >> p.x() >> p.y() >> p.z()))
-            fail("expected an index and a position");
-        return p;
-    }
-
-    std::array<uint32_t, 3> triangle(uint32_t vertices) {
-        std::istringstream line = next_line();
-        uint32_t index = 0;
-        std::array<uint32_t, 3> corners{};
-        if (!(line >> index >> corners[0] >> corners[1] >> corners[2]))
-            fail("expected an index and three vertices");
-        for (const uint32_t corner : corners)
-            if (corner >= vertices)
-                fail("vertex " + std::to_string(corner) + " of " + std::to_string(vertices));
-        return corners;
-    }
-
-    std::string file_;
-    std::ifstream stream_;
-    int line_number_ = 0;
-};
-
-// ---- assimp
+HeadMesh read_tfxmesh(const std::string& file) {
+    plait_mesh* mesh = nullptr;
+    check(plait_mesh_load(file.c_str(), nullptr, &mesh));
+    return shape_of(MeshHandle(mesh).get());
+}
 
 #ifdef PLAIT_WITH_ASSIMP
 void append(HeadMesh& head, const aiMesh& mesh) {
@@ -170,8 +105,16 @@ HeadMesh ball() {
     return head;
 }
 
+HeadMesh shape_of(const plait_mesh* mesh) {
+    HeadMesh head;
+    for (const auto& p : read_field<std::array<float, 3>>(mesh, PLAIT_MESH_FIELD_POSITIONS))
+        head.vertices.emplace_back(p[0], p[1], p[2]);
+    head.triangles = read_field<std::array<uint32_t, 3>>(mesh, PLAIT_MESH_FIELD_TRIANGLES);
+    return head;
+}
+
 HeadMesh load_head(const std::string& file, float scale) {
-    HeadMesh head = file.ends_with(".tfxmesh") ? TfxmeshReader(file).read() : read_by_assimp(file);
+    HeadMesh head = file.ends_with(".tfxmesh") ? read_tfxmesh(file) : read_by_assimp(file);
     if (head.triangles.empty())
         throw Failure(file + ": no triangles");
     for (Eigen::Vector3f& vertex : head.vertices)

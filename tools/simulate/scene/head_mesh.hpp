@@ -1,6 +1,8 @@
 // The mesh under the hair: the generated mannequin, or a file.
 #pragma once
 
+#include <plait/plait.h>
+
 #include <Eigen/Core>
 
 #include <array>
@@ -24,7 +26,10 @@ HeadMesh ball();
 // `scalp` of vertices in the mannequin's space.
 std::vector<float> scalp_of(const std::vector<Eigen::Vector3f>& vertices);
 
-// .tfxmesh (ASCII, as TressFX 4 exports), or whatever assimp reads. Throws Failure.
+// As it is at rest, without a scalp.
+HeadMesh shape_of(const plait_mesh* mesh);
+
+// .tfxmesh, or whatever assimp reads. Throws Failure.
 HeadMesh load_head(const std::string& file, float scale);
 
 } // namespace simulate

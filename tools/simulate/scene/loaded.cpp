@@ -21,14 +21,18 @@ std::string meshes_of(const Figure& figure) {
     size_t triangles = 0;
     for (const LoadedMesh& mesh : figure.meshes)
         triangles += mesh.drawn.triangles.size();
-    const size_t count = figure.meshes.size();
+    size_t count = figure.meshes.size();
+    if (figure.body) {
+        triangles += figure.body->mesh().drawn.triangles.size();
+        ++count;
+    }
     return std::to_string(count) + (count == 1 ? " mesh of " : " meshes of ") +
            std::to_string(triangles) + " triangles";
 }
 
 std::string colliders_of(const Scene& scene, const Figure& figure) {
     if (figure.colliders.empty())
-        return figure.meshes.empty() ? "no colliders" : "";
+        return figure.meshes.empty() && !figure.body ? "no colliders" : "";
     if (!figure.stand_ins.empty())
         return std::to_string(figure.colliders.size()) + " colliders that move";
     if (scene.groom.on_ball() && !scene.colliders)
@@ -87,7 +91,7 @@ std::string loaded_line(const Scene& scene, const Figure& figure) {
     const std::string colliders = colliders_of(scene, figure);
     if (!colliders.empty())
         text += "; " + colliders;
-    return figure.meshes.empty() ? text : text + "; " + meshes_of(figure);
+    return figure.meshes.empty() && !figure.body ? text : text + "; " + meshes_of(figure);
 }
 
 std::vector<std::string> size_warnings(const Scene& scene, const Figure& figure) {

@@ -19,7 +19,8 @@ struct MeshChoice {
     bool moves_with_head = true;
 };
 
-// Files are relative to `folder`.
+// What a mesh and a body have in common. Files are relative to `folder`.
+void read_mesh(JsonReader& in, const std::string& folder, MeshChoice& mesh);
 std::vector<MeshChoice> read_meshes(JsonReader& top, const std::string& folder);
 
 struct LoadedMesh {
@@ -30,6 +31,7 @@ struct LoadedMesh {
 
 // Throws Failure that says where the scene names the file. `generated`: the hair is the
 // mannequin's, and skin where that has a scalp is drawn as such.
+LoadedMesh load_mesh(const MeshChoice& choice, bool generated);
 std::vector<LoadedMesh> load_meshes(const std::vector<MeshChoice>& choices, bool generated);
 
 } // namespace simulate

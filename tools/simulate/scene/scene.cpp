@@ -136,9 +136,14 @@ void read_moving_colliders(JsonReader& top, std::vector<Collider>& colliders) {
 }
 
 void take_meshes(JsonReader& top, const Origin& origin, Scene& scene) {
-    scene.meshes = read_meshes(top, std::filesystem::path(origin.file).parent_path().string());
-    if (!scene.meshes.empty() && scene.sim.model == PLAIT_MODEL_TRESSFX)
-        top.fail("meshes", "are given, and strands of the model tressfx meet none");
+    const std::string folder = std::filesystem::path(origin.file).parent_path().string();
+    scene.meshes = read_meshes(top, folder);
+    const Json* const body = top.value("body");
+    if (body)
+        scene.body = read_body(top, *body, folder);
+    if ((body || !scene.meshes.empty()) && scene.sim.model == PLAIT_MODEL_TRESSFX)
+        top.fail(body ? "body" : "meshes",
+                 "are given, and strands of the model tressfx meet no meshes");
 }
 
 // Absent: what holds the hairstyle together.
@@ -361,7 +366,7 @@ uint32_t Scene::frames() const {
 }
 
 bool Scene::head_is_mesh() const {
-    return std::ranges::any_of(meshes, &MeshChoice::moves_with_head);
+    return body || std::ranges::any_of(meshes, &MeshChoice::moves_with_head);
 }
 
 Scene make_scene(const std::string& file, const Json& command_line) {
@@ -380,7 +385,10 @@ Scene make_scene(const std::string& file, const Json& command_line) {
     read_pins(top, scene);
     read_wind(top, scene);
     take_detail(top, scene);
-    if (top.text("motion", scene.motion) && scene.motion.find('.') != std::string::npos)
+    const bool moves = top.text("motion", scene.motion);
+    if (moves && scene.body)
+        top.fail("motion", "is given, and body, too, whose animation moves the head");
+    if (moves && scene.motion.find('.') != std::string::npos)
         scene.motion = resolve(scene.motion, "motion", origin);
     read_output(top, origin, scene);
     top.finish();

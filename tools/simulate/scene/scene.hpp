@@ -2,6 +2,7 @@
 // docs/simulate.md lists every key with its unit, range and default.
 #pragma once
 
+#include "body.hpp"
 #include "common.hpp"
 #include "detail.hpp"
 #include "materials.hpp"
@@ -85,6 +86,7 @@ struct Scene {
     std::optional<std::vector<Collider>> colliders; // absent: made for the groom
     std::vector<Collider> moving_colliders;         // beside those
     std::vector<MeshChoice> meshes;                 // beside those
+    std::optional<BodyChoice> body;                 // beside those; it moves the head
     std::vector<Tie> pins;
     std::optional<plait_wind_desc> wind;
     std::vector<MaterialChoice> materials;

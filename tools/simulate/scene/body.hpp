@@ -1,0 +1,48 @@
+// A body that bends: a collider whose bones move by the animation of its glTF file, and carry the hair.
+#pragma once
+
+#include "animation.hpp"
+#include "meshes.hpp"
+
+#include <string>
+#include <vector>
+
+namespace simulate {
+
+struct BodyChoice {
+    MeshChoice mesh;
+    Json animation = 0u;                     // a number or a name
+    std::string bone = "head";               // which the hair goes with
+    std::string animation_place, bone_place; // "scene.json:3: body.bone"
+};
+
+// The object `value` of the key `body`. Files are relative to `folder`.
+BodyChoice read_body(const JsonReader& top, const Json& value, const std::string& folder);
+
+class Body {
+  public:
+    // Throws Failure that says where the scene has what is wrong. `generated`: as in load_meshes().
+    Body(const BodyChoice& choice, bool generated);
+
+    const LoadedMesh& mesh() const { return mesh_; }
+    // "walk of character.gltf"
+    const std::string& motion() const { return motion_; }
+    // Where the vertices are, m, and where the hair's bone has been taken from rest.
+    std::vector<std::array<float, 3>> positions(float time) const;
+    plait_pose head(float time) const;
+
+  private:
+    Eigen::Affine3f skinning(size_t bone, float time) const;
+
+    struct Bone {
+        size_t node;
+        Eigen::Affine3f inverse_bind; // m
+    };
+    LoadedMesh mesh_;
+    Animation animation_;
+    std::vector<Bone> bones_;
+    size_t head_ = 0;
+    std::string motion_;
+};
+
+} // namespace simulate
