@@ -95,6 +95,10 @@ TEST_F(SceneFile, has_a_body) {
     EXPECT_EQ(read(R"({"body": {"file": "a.gltf", "animation": "run"}})").body->animation,
               Json("run"));
     EXPECT_EQ(read(R"({"body": {"file": "a.gltf"}})").body->bone, "head");
+    EXPECT_EQ(read(R"({"body": {"file": "a.gltf"}})").body->roots, Carrier::Bone);
+    EXPECT_EQ(read(R"({"body": {"file": "a.gltf", "roots": "skin"}})").body->roots, Carrier::Skin);
+    EXPECT_THAT(refusal(R"({"body": {"file": "a.gltf", "roots": "bones"}})"),
+                AllOf(HasSubstr("body.roots"), HasSubstr("bone")));
     EXPECT_THAT(refusal(R"({"body": {}})"), HasSubstr("body.file"));
     EXPECT_THAT(refusal(R"({"body": {"file": "a.gltf", "form": "field"}})"),
                 AllOf(HasSubstr("scene.json:1: body.form"), HasSubstr("does not bend")));

@@ -77,6 +77,7 @@ Simulation::Simulation(const Scene& scene, const Figure& figure)
     read_field(sim_.get(), PLAIT_FIELD_POSITION, rest_);
     neighbours_ = std::make_unique<Neighbours>(rest_, vertex_count_, row_);
     add_colliders();
+    bind_roots();
     if (pins_hair(scene))
         add_pins();
     if (scene.wind && scene.sim.model != PLAIT_MODEL_TRESSFX) // which has none
@@ -174,9 +175,21 @@ plait_pose Simulation::head_at(const Motion& motion, float time) const {
     return figure_.body ? figure_.body->head(time) : to_pose(motion.at(time), figure_.pivot);
 }
 
-void Simulation::pose_roots(const plait_pose& head) {
+void Simulation::bind_roots() {
+    const bool by_skin = figure_.body && figure_.body->roots() == Carrier::Skin;
+    if (by_skin)
+        check(plait_sim_bind_roots(sim_.get(), figure_.body->mesh().mesh.get(), nullptr, 0));
+}
+
+void Simulation::pose_roots(const plait_pose& head, float time) {
     plait_roots roots = plait_roots_defaults();
-    roots.head = head;
+    std::vector<std::array<float, 3>> posed;
+    if (figure_.body && figure_.body->roots() == Carrier::Skin) {
+        posed = figure_.body->positions(time);
+        roots.mesh_positions = {posed.data(), posed.size(), 0};
+    } else {
+        roots.head = head;
+    }
     check(plait_sim_set_roots(sim_.get(), &roots));
 }
 
@@ -200,7 +213,7 @@ double Simulation::step_ms(Timeline& timeline, uint32_t frame, const plait_pose&
         timed(timeline, {name, frame, enqueues, true, 0, 0}, work);
     };
     const auto start = std::chrono::steady_clock::now();
-    call("set_roots", true, [&] { pose_roots(head); });
+    call("set_roots", true, [&] { pose_roots(head, time); });
     call("set_colliders", false, [&] { pose_colliders(head, time); });
     call("step", true, [&] { check(plait_sim_step(sim_.get(), scene_.sim.step)); });
     call("wait", false, [&] { check(plait_sim_wait(sim_.get())); });
@@ -228,7 +241,7 @@ void Simulation::settle(const plait_pose& start) {
     const long frames = std::lround(scene_.settle * static_cast<float>(scene_.rate));
     if (frames == 0)
         return;
-    pose_roots(start);
+    pose_roots(start, 0.0f);
     pose_colliders(start, 0.0f);
     check(plait_sim_reset(sim_.get()));
     Progress progress("settling  ", static_cast<uint32_t>(frames));

@@ -63,7 +63,8 @@ class Simulation {
     // Does `work`, and enters it under `call`, which has yet no times.
     template <typename Work> void timed(Timeline& timeline, HostCall call, const Work& work) const;
     plait_pose head_at(const Motion& motion, float time) const;
-    void pose_roots(const plait_pose& head);
+    void bind_roots();
+    void pose_roots(const plait_pose& head, float time);
     void pose_colliders(const plait_pose& head, float time);
     void settle(const plait_pose& start);
     double step_ms(Timeline& timeline, uint32_t frame, const plait_pose& head);

@@ -12,6 +12,8 @@ namespace {
 
 using Matrix = Eigen::Matrix<float, 3, 4, Eigen::RowMajor>;
 
+constexpr const char* carrier_names[] = {"bone", "skin"};
+
 bool alike(const std::string& a, const std::string& b) {
     return std::ranges::equal(
         a, b, [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
@@ -61,6 +63,7 @@ BodyChoice read_body(const JsonReader& top, const Json& value, const std::string
         body.animation = *animation;
     }
     in.text("bone", body.bone);
+    in.choice("roots", body.roots, carrier_names);
     in.finish();
     body.animation_place = in.place("animation");
     body.bone_place = in.place("bone");
@@ -68,7 +71,7 @@ BodyChoice read_body(const JsonReader& top, const Json& value, const std::string
 }
 
 Body::Body(const BodyChoice& choice, bool generated)
-    : mesh_(load_mesh(choice.mesh, generated)),
+    : mesh_(load_mesh(choice.mesh, generated)), roots_(choice.roots),
       animation_(choice.mesh.file, choice.animation, choice.animation_place) {
     const auto bones = bones_of(mesh_);
     for (const plait_mesh_bone_info& bone : bones) {

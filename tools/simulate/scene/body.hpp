@@ -9,10 +9,14 @@
 
 namespace simulate {
 
+// What carries roots: one bone all of them, or each the triangle of the body that it is nearest to.
+enum class Carrier { Bone, Skin };
+
 struct BodyChoice {
     MeshChoice mesh;
-    Json animation = 0u;                     // a number or a name
-    std::string bone = "head";               // which the hair goes with
+    Json animation = 0u;       // a number or a name
+    std::string bone = "head"; // which the hair goes with, and what else moves with the head
+    Carrier roots = Carrier::Bone;
     std::string animation_place, bone_place; // "scene.json:3: body.bone"
 };
 
@@ -25,6 +29,7 @@ class Body {
     Body(const BodyChoice& choice, bool generated);
 
     const LoadedMesh& mesh() const { return mesh_; }
+    Carrier roots() const { return roots_; }
     // "walk of character.gltf"
     const std::string& motion() const { return motion_; }
     // Where the vertices are, m, and where the hair's bone has been taken from rest.
@@ -39,6 +44,7 @@ class Body {
         Eigen::Affine3f inverse_bind; // m
     };
     LoadedMesh mesh_;
+    Carrier roots_;
     Animation animation_;
     std::vector<Bone> bones_;
     size_t head_ = 0;
