@@ -19,7 +19,8 @@ class Maker {
 
     uint32_t vertex(float x, float y, float z) {
         const float scale = radius_ / std::sqrt(x * x + y * y + z * z);
-        ball_.vertices.insert(ball_.vertices.end(), {scale * x, scale * y, scale * z, 0.0f});
+        for (const float c : {scale * x, scale * y, scale * z, 0.0f})
+            ball_.vertices.push_back(c);
         return static_cast<uint32_t>(ball_.vertices.size() / 4 - 1);
     }
     // What was cut lies together, so that halves of the list are near together, too.
