@@ -95,8 +95,9 @@ TEST_F(SceneFile, has_a_body) {
     EXPECT_EQ(read(R"({"body": {"file": "a.gltf", "animation": "run"}})").body->animation,
               Json("run"));
     EXPECT_EQ(read(R"({"body": {"file": "a.gltf"}})").body->bone, "head");
-    EXPECT_EQ(read(R"({"body": {"file": "a.gltf"}})").body->roots, Carrier::Bone);
-    EXPECT_EQ(read(R"({"body": {"file": "a.gltf", "roots": "skin"}})").body->roots, Carrier::Skin);
+    EXPECT_EQ(read(R"({"body": {"file": "a.gltf"}})").body->roots, simulate::Carrier::Bone);
+    EXPECT_EQ(read(R"({"body": {"file": "a.gltf", "roots": "skin"}})").body->roots,
+              simulate::Carrier::Skin);
     EXPECT_THAT(refusal(R"({"body": {"file": "a.gltf", "roots": "bones"}})"),
                 AllOf(HasSubstr("body.roots"), HasSubstr("bone")));
     EXPECT_THAT(refusal(R"({"body": {}})"), HasSubstr("body.file"));
