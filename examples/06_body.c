@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { SETTLE = 60, FRAMES = SETTLE + 180 };
+enum { SETTLE = 60, FRAMES = SETTLE + 120 };
 
 /* c = a b, 3x4 row-major; c may be b. */
 static void multiply(const float* a, const float* b, float* c) {
