@@ -133,10 +133,10 @@ Vec3 Contacts::slip_of(const Contact& at, const Vec3& x) const {
 }
 
 // A new contact slides where friction cannot stop a free vertex; one that slid, until it turns
-// back; one that stuck, once the spring that held it pulls with more than mu N. Of a solver that
-// slides on it gets a weaker spring before it slides, drawn so far by mu N: what draws that one by
-// more, slides.
-void Contacts::rub(const Contact& before, const Vec3& u, double mobility, Contact& now) const {
+// back; one that stuck, once the spring that held it pulls with more than mu N. One that is tried
+// gets a weaker spring before it slides, drawn so far by mu N: what draws that one by more, slides.
+void Contacts::rub(const Contact& before, const Vec3& u, double mobility, bool tries,
+                   Contact& now) const {
     const double slip = params_.contact_slip, size = u.norm(), most = now.friction * now.push;
     now.grip = slip;
     bool slides = false;
@@ -148,7 +148,7 @@ void Contacts::rub(const Contact& before, const Vec3& u, double mobility, Contac
         const double pull = before.friction * before.push * size / before.grip;
         if (before.grip > slip)
             slides = pull + size / mobility > PLAIT_CONTACT_BREAKS * most;
-        else if (pull > most && slides_on_)
+        else if (pull > most && tries)
             now.grip = std::max(size, slip);
         else
             slides = pull > most;
@@ -205,10 +205,13 @@ Contacts::Contact Contacts::renewed(size_t vertex, const Vec3& x) const {
     now.friction = std::min(found->friction, PLAIT_CONTACT_MAX_FRICTION * stretch_[vertex] *
                                                  length_[vertex] / std::max(now.push, 1e-30));
     const Vec3 u = slip_of(now, x);
-    rub(solved_ ? before : Contact{}, u, motion_.h * motion_.h / mass_[vertex], now);
+    // A surface that comes from farther strikes: what it throws is not tried.
+    const bool tries =
+        slides_on_ && (found->anchor - motion_.start[vertex]).norm() < length_[vertex];
+    rub(solved_ ? before : Contact{}, u, motion_.h * motion_.h / mass_[vertex], tries, now);
     if (const Vec3 slid = slid_before(vertex, *found); !slid.isZero(0)) {
-        now.slide.setZero();
-        now.grip = slid.norm();
+        now.slide = tries ? Vec3(Vec3::Zero()) : Vec3(slid.normalized());
+        now.grip = tries ? slid.norm() : now.grip;
     }
     return now;
 }

@@ -76,7 +76,7 @@ class Contacts {
     bool meets(const Collider& collider, size_t vertex, const Vec3& x) const;
     std::optional<Touch> nearest(size_t vertex, const Vec3& x) const;
     Contact renewed(size_t vertex, const Vec3& x) const;
-    void rub(const Contact& before, const Vec3& u, double mobility, Contact& now) const;
+    void rub(const Contact& before, const Vec3& u, double mobility, bool tries, Contact& now) const;
     static bool differ(const Contact& before, const Contact& now);
     Vec3 slid_before(size_t vertex, const Touch& found) const;
     Vec3 slip_of(const Contact& at, const Vec3& x) const;
