@@ -52,7 +52,7 @@ static_assert(sizeof(Colliders::Slot) == sizeof(float) * (2 + 21 + 28),
 namespace snapshots {
 
 constexpr uint32_t magic = 0x74696c70; // "plit"
-constexpr uint32_t version = 7;
+constexpr uint32_t version = 8;
 
 // BAD_DATA.
 Error malformed(const std::string& what);
