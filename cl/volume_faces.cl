@@ -6,8 +6,9 @@
  *
  * Hair of density r and rest density R times the share to keep. A face between a and b has the
  * density (r_a + r_b)/2 and the mean velocity of the hair of both; one to a collider is closed and
- * has the collider's. With p the pressure, d = p - p_before its change and h the step, a node of
- * hair wants
+ * has the collider's. p is the pressure. What pushed at the hair in the step that ends was the
+ * gradient of p over density. p_before is what of p has stayed with that hair: none where it has
+ * gone, no more where other hair has come. With d = p - p_before and h the step, a node of hair wants
  *     0 <= p - least,   h div v' - s >= 0,   and one of both 0,
  *     v' = v - h (d_b - d_a)/(density e)  at open faces,
  *     s = 1 - R/r where there is room, else the lesser of most_recovery and
@@ -68,6 +69,15 @@ static inline float room_of(const plait_volume_params* params, volume_hair hair)
     return fmin(params->recovery * fmax(excess - params->slack, 0.0f), params->most_recovery);
 }
 
+/* Pressure of the step before, of the hair that is still there. */
+static inline float carried_at(const plait_volume_params* params, int node, float density,
+                               __global const float* volume_before) {
+    if (!params->carried)
+        return 0.0f;
+    const float2 before = vload2((size_t)node, volume_before);
+    return before.x * fmin(density, before.y);
+}
+
 /* Most nodes have no hair, and neither have the next ones, whose faces they keep. */
 static inline bool nobody_near(const volume_place* place, int node,
                                __global const float* grid_density) {
@@ -99,7 +109,7 @@ __kernel void plait_volume_faces(const uint item_count, const plait_volume_param
     }
     const volume_hair own =
         hair_at(&params, node, grid_density, grid_velocity, volume_rest, volume_solid);
-    const float own_before = params.carried ? volume_before[node] : 0.0f;
+    const float own_before = carried_at(&params, node, own.density, volume_before);
     float link[3], divergence = 0.0f, links = 0.0f, carried = 0.0f;
     bool inner = true;
 #pragma unroll
@@ -118,14 +128,14 @@ __kernel void plait_volume_faces(const uint item_count, const plait_volume_param
                 link[axis] = between;
             divergence += (float)side * speed_between(own, hair, axis);
             links += between;
-            if (params.carried)
-                carried += between * (own_before - volume_before[other]);
+            carried +=
+                between * (own_before - carried_at(&params, other, hair.density, volume_before));
         }
     }
     const bool is_hair = inner && !own.solid && links > 0.0f &&
                          own.density > PLAIT_VOLUME_LEAST_DENSITY &&
                          own.density > PLAIT_VOLUME_AIR * own.rest;
-    volume_link[node] = (float4)(link[0], link[1], link[2], 0.0f);
+    volume_link[node] = (float4)(link[0], link[1], link[2], own_before);
     volume_pressure[node] = is_hair ? own_before : 0.0f;
     if (!is_hair) {
         volume_node[node] = (float4)(0.0f);

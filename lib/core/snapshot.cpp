@@ -21,7 +21,7 @@ using namespace snapshots;
 
 namespace {
 
-constexpr float most_pressure = 1e30f;
+constexpr float most_potential = 1e30f;
 
 std::array<bool, 4> owned(const SnapshotHeader& h) {
     return {h.own[0] != 0, h.own[1] != 0, h.own[2] != 0, h.own[3] != 0};
@@ -60,8 +60,8 @@ std::pmr::vector<Sim::Block> Sim::blocks(const SnapshotHeader& h) {
         for (const LaneBuffer& lanes : pushes)
             list.push_back({lanes.buffer, size_t{lanes.layout.strands} * lanes.layout.row * 3,
                             Block::Of::pushes, lanes});
-        list.push_back({&grid_.volume().pressure(),
-                        size_t{h.volume} * h.volume * h.volume,
+        list.push_back({&grid_.volume().potential(),
+                        size_t{h.volume} * h.volume * h.volume * 2,
                         Block::Of::pressures,
                         {}});
     }
@@ -248,8 +248,8 @@ Status Sim::check_block(const Block& block, const unsigned char* from) const {
     const bool poses = block.of == Block::Of::poses, turns = block.of == Block::Of::turns;
     if (block.of == Block::Of::pressures) {
         for (size_t i = 0; i < block.floats; ++i)
-            if (const float value = float_at(from, i); !(std::abs(value) <= most_pressure))
-                return outside("volume_pressure", i, double(value), "[-1e30, 1e30]");
+            if (const float value = float_at(from, i); !(std::abs(value) <= most_potential))
+                return outside("volume_potential", i, double(value), "[-1e30, 1e30]");
         return {};
     }
     for (size_t i = 0; i < block.floats; i += 4) {

@@ -70,8 +70,9 @@ Result<Volume> Volume::create(Device& device, const plait_sim_params& params) {
     const size_t n =
         size_t{params.grid_edge_count} * params.grid_edge_count * params.grid_edge_count;
     constexpr auto one = PLAIT_ELEMENT_FLOAT, four = PLAIT_ELEMENT_FLOAT4;
+    PLAIT_TRY(device.create(volume.potential_, one, 2 * n, "volume_potential"));
+    PLAIT_TRY(device.create(volume.next_, one, 2 * n, "volume_potential"));
     PLAIT_TRY(device.create(volume.pressure_, one, n, "volume_pressure"));
-    PLAIT_TRY(device.create(volume.next_, one, n, "volume_pressure"));
     PLAIT_TRY(device.create(volume.rest_, one, n, "volume_rest"));
     PLAIT_TRY(device.create(volume.solid_, four, n, "volume_solid"));
     PLAIT_TRY(device.create(volume.link_, four, n, "volume_link"));
@@ -91,7 +92,7 @@ void Volume::splat(Schedule& schedule, const VolumeGrid& grid, const Model& mode
 }
 
 void Volume::solve(Schedule& schedule, const VolumeGrid& grid, const Substep& at,
-                   const Buffer* before, const Buffer& pressure, uint32_t sweeps) const {
+                   const Buffer* before, const Buffer& potential, uint32_t sweeps) const {
     const uint32_t n = grid.params.edge_count, colour_nodes = n * n * ((n + 1) / 2);
     plait_volume_params params = faces_params(at.params, grid);
     params.carried = before ? 1 : 0;
@@ -99,28 +100,28 @@ void Volume::solve(Schedule& schedule, const VolumeGrid& grid, const Substep& at
         std::ranges::copy(fall_of(at.params, grid.params, grid.step), params.fall);
     schedule.add(
         PLAIT_STAGE_volume_faces, voxels(grid.params), params,
-        {&grid.density, &grid.velocity, &rest_, &solid_, before, &link_, &node_, &pressure});
+        {&grid.density, &grid.velocity, &rest_, &solid_, before, &link_, &node_, &pressure_});
     for (uint32_t sweep = 0; sweep < sweeps; ++sweep)
         for (const uint32_t colour : {0u, 1u})
             schedule.add(PLAIT_STAGE_volume_pressure, colour_nodes,
-                         plait_volume_sweep_params{n, colour}, {&link_, &node_, &pressure});
+                         plait_volume_sweep_params{n, colour}, {&link_, &node_, &pressure_});
     schedule.add(PLAIT_STAGE_volume_impulse, voxels(grid.params),
-                 plait_volume_impulse_params{n, grid.params.voxel_edge, grid.step, params.carried,
+                 plait_volume_impulse_params{n, grid.params.voxel_edge, grid.step,
                                              blend_of(at.params, grid.step)},
-                 {&grid.velocity, &link_, before, &pressure, &pull_});
+                 {&grid.density, &grid.velocity, &link_, &pressure_, &potential, &pull_});
 }
 
 void Volume::append_start(Schedule& schedule, const VolumeGrid& grid, const Model& model,
                           const Substep& at) const {
     splat(schedule, grid, model, at);
-    solve(schedule, grid, at, nullptr, pressure_, first_sweeps);
+    solve(schedule, grid, at, nullptr, potential_, first_sweeps);
     model.gather_volume(schedule, at, lanes_of(grid));
 }
 
 void Volume::append_step(Schedule& schedule, const VolumeGrid& grid, const Model& model,
                          const Substep& at) const {
     splat(schedule, grid, model, at);
-    solve(schedule, grid, at, &pressure_, next_, at.params.volume_sweeps);
+    solve(schedule, grid, at, &potential_, next_, at.params.volume_sweeps);
     LaneVolume lanes = lanes_of(grid);
     lanes.blend = blend_of(at.params, grid.step);
     lanes.moves = true;
@@ -128,13 +129,14 @@ void Volume::append_step(Schedule& schedule, const VolumeGrid& grid, const Model
 }
 
 void Volume::carry() noexcept {
-    pressure_.swap(next_);
+    potential_.swap(next_);
     carries = true;
 }
 
 uint64_t Volume::device_bytes() const {
     uint64_t bytes = 0;
-    for (const Buffer* buffer : {&pressure_, &next_, &rest_, &solid_, &link_, &node_, &pull_})
+    for (const Buffer* buffer :
+         {&potential_, &next_, &pressure_, &rest_, &solid_, &link_, &node_, &pull_})
         bytes += buffer->bytes();
     return bytes;
 }

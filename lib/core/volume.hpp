@@ -17,7 +17,7 @@ class Volume {
   public:
     // None where `params` want none.
     static Result<Volume> create(Device& device, const plait_sim_params& params);
-    explicit operator bool() const { return bool(pressure_); }
+    explicit operator bool() const { return bool(potential_); }
 
     // Appends the pressure that would hold hair as it lies: a step that fell, and enough sweeps.
     void append_start(Schedule& schedule, const VolumeGrid& grid, const Model& model,
@@ -27,9 +27,9 @@ class Volume {
                      const Substep& at) const;
     void carry() noexcept;
 
-    // Whether pressure() goes on from the step before; else the next step begins with a start.
+    // Whether potential() goes on from the step before; else the next step begins with a start.
     bool carries = false;
-    const Buffer& pressure() const { return pressure_; } // float [nv^3]
+    const Buffer& potential() const { return potential_; } // float [nv^3*2]
     uint64_t device_bytes() const;
 
   private:
@@ -37,13 +37,13 @@ class Volume {
                const Substep& at) const;
     // `before`: null where nothing is carried.
     void solve(Schedule& schedule, const VolumeGrid& grid, const Substep& at, const Buffer* before,
-               const Buffer& pressure, uint32_t sweeps) const;
+               const Buffer& potential, uint32_t sweeps) const;
     LaneVolume lanes_of(const VolumeGrid& grid) const {
         return {grid.params, grid.sums, grid.outside, pull_, 0, false};
     }
 
-    Buffer pressure_, next_; // float [nv^3]: of the last step, of this one
-    Buffer rest_, solid_, link_, node_, pull_;
+    Buffer potential_, next_; // float [nv^3*2]: p over density, density; last step, this one
+    Buffer pressure_, rest_, solid_, link_, node_, pull_;
 };
 
 } // namespace plait

@@ -237,7 +237,7 @@ void fill(plait_volume_sweep_params& p, const Shape&) {
     p.edge_count = grid_edge_count;
 }
 void fill(plait_volume_impulse_params& p, const Shape&) {
-    p = {grid_edge_count, grid_size / grid_edge_count, step, 1, 0.08f};
+    p = {grid_edge_count, grid_size / grid_edge_count, step, 0.08f};
 }
 void fill(plait_lane_grid_params& p, const Shape& shape) {
     plait_grid_params grid{};

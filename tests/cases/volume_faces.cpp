@@ -6,7 +6,7 @@ namespace plait::cases {
 Case volume_faces_case() {
     Case result = {PLAIT_STAGE_volume_faces,
                    {},
-                   {{"volume_link", 2e-5}, {"volume_node", 1e-4}},
+                   {{"volume_link", 2e-5}, {"volume_node", 1e-4}, {"volume_pressure", 1e-6}},
                    {"grid_velocity.rms"}};
     result.flags.push_back("volume_solid.inside");
     for (const uint32_t edge_count : volume_sizes())
@@ -32,7 +32,7 @@ Case volume_faces_case() {
                              float4s(nodes.velocity),
                              floats(nodes.rest),
                              float4s(nodes.solid),
-                             floats(nodes.before),
+                             floats(nodes.potential),
                              unwritten_float4s(nodes.count()),
                              unwritten_float4s(nodes.count()),
                              unwritten_floats(nodes.count())};

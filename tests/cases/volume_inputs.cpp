@@ -39,10 +39,12 @@ VolumeNodes make_volume_nodes(uint32_t n) {
         add_vector(nodes.velocity, random, .6, 1);
         add_vector(nodes.solid, random, inside ? 1 : 0, inside ? 1 : 0);
         nodes.before.push_back(empty ? 0 : draw(random, 0, 2));
+        const float then = i % 3 ? 0.7f : 2.1f; // density of the step before
+        nodes.potential.insert(nodes.potential.end(), {nodes.before.back(), then});
         nodes.pressure.push_back(empty ? 0 : draw(random, -.2, 2));
         for (int axis = 0; axis < 3; ++axis)
             nodes.link.push_back(i % 4 == 2 ? 0 : draw(random, .2, 3));
-        nodes.link.push_back(0);
+        nodes.link.push_back(nodes.before.back());
         const bool none = inside || outermost(i, n);
         nodes.node.insert(nodes.node.end(), {draw(random, -3, 3), draw(random, -.3, 0),
                                              none ? 0 : draw(random, .05, .2), 0});

@@ -3,7 +3,8 @@
 namespace plait::cases {
 
 Case volume_pressure_case() {
-    Case result = {PLAIT_STAGE_volume_pressure, {}, {{"volume_pressure", 1e-5}}};
+    Case result = {
+        PLAIT_STAGE_volume_pressure, {}, {{"volume_pressure", 1e-5}}, {"volume_link.before"}};
     for (const uint32_t edge_count : volume_sizes())
         for (const uint32_t colour : {0u, 1u}) {
             const VolumeNodes nodes = make_volume_nodes(edge_count);

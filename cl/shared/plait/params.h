@@ -443,10 +443,9 @@ typedef struct plait_volume_sweep_params {
 
 typedef struct plait_volume_impulse_params {
     plait_u32 edge_count;
-    float voxel_edge;  /* m */
-    float h;           /* s, of the fixed step */
-    plait_u32 carried; /* as in plait_volume_params */
-    float blend;       /* [0, 1]: share of the nodes' velocity that hair takes */
+    float voxel_edge; /* m */
+    float h;          /* s, of the fixed step */
+    float blend;      /* [0, 1]: share of the nodes' velocity that hair takes */
 } plait_volume_impulse_params;
 
 /* lane_share: per vertex. */

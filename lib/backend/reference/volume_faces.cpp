@@ -1,5 +1,6 @@
 // volume_faces: rows of the complementarity problem of a one-sided pressure, written down from
 //     0 <= p + c   and   h D(v') - s >= 0,   not both > 0,
+// p0 the pressure over the density of the step before, times the lesser of both steps' densities,
 // D the sum over a node's faces of the outward velocity over the edge, v' = v - h grad(p - p0)/rho at
 // open faces and the collider's velocity at closed ones, s the share by which hair is to part.
 #include "backend/reference/volume.hpp"
@@ -21,6 +22,7 @@ class Equations {
         for (size_t axis = 0; axis < 3; ++axis)
             if (const auto next = grid_.neighbour(node, axis, 1))
                 links[static_cast<Eigen::Index>(axis)] = link(node, *next);
+        links[3] = before(node);
         args_.volume_link[node] = links;
         args_.volume_pressure[node] = is_hair(node) ? before(node) : 0;
         args_.volume_node[node] = is_hair(node) ? row(node) : Vec4(Vec4::Zero());
@@ -30,7 +32,12 @@ class Equations {
     bool solid(size_t node) const { return args_.volume_solid[node].w() > 0; }
     double density(size_t node) const { return args_.grid_density[node]; }
     double kept(size_t node) const { return params_.share * args_.volume_rest[node]; }
-    double before(size_t node) const { return params_.carried ? args_.volume_before[node] : 0; }
+    double before(size_t node) const {
+        if (!params_.carried)
+            return 0;
+        return args_.volume_before[2 * node] *
+               std::min(density(node), args_.volume_before[2 * node + 1]);
+    }
 
     // 1/rho of a face, 0 where it is closed.
     double link(size_t a, size_t b) const {

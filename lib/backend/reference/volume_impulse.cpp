@@ -25,8 +25,7 @@ Pull pull_of(const plait_volume_impulse_params& params, const volume_impulse_arg
         faces += 1;
         const double scale = -side * link / double(params.voxel_edge);
         sum.now += scale * (args.volume_pressure[*other] - args.volume_pressure[node]);
-        if (params.carried)
-            sum.before += scale * (args.volume_before[*other] - args.volume_before[node]);
+        sum.before += scale * (args.volume_link[*other][3] - args.volume_link[node][3]);
     }
     if (faces > 0)
         return {sum.before / faces, sum.now / faces};
@@ -47,6 +46,9 @@ void volume_impulse(uint32_t item_count, const plait_volume_impulse_params& para
         }
         change += double(params.blend) * args.grid_velocity[node];
         change[3] = 0;
+        const double density = args.grid_density[node];
+        args.volume_potential[2 * node] = density > 0 ? args.volume_pressure[node] / density : 0;
+        args.volume_potential[2 * node + 1] = density;
         args.volume_pull[2 * node] = change;
         args.volume_pull[2 * node + 1] = push;
     }
