@@ -1123,8 +1123,8 @@ PLAIT_API plait_result plait_sim_hash(plait_sim* sim, uint64_t* out);
 
 /* Learns a map's weights from hair in motion, all of whose strands are simulated: of each follow those
  * shares of the guides it has that put it nearest to where it was, in the sum of squares over vertices
- * and frames; none negative, sum 1 (Chai, Zheng & Zhou 2014; what is minimised exactly, and when it
- * pays, docs/follows.md). Which guides a follow has stays: those that the map gives some weight.
+ * and frames; none negative, sum 1 (Chai, Zheng & Zhou 2014; docs/follows.md says what is minimised).
+ * Which guides a follow has stays: those that the map gives some weight.
  *
  * `groom` has the map's strands, in the order that PLAIT_FOLLOW_MAP_FIELD_STRANDS says, or, of a map
  * without, its guides and then its follows. Both are copied. Takes 40 bytes a vertex, 160 a follow and
