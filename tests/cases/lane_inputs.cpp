@@ -401,11 +401,11 @@ const std::vector<Size>& contact_sizes() {
     return list;
 }
 
-void add_rods_on_surfaces(Case& result) {
+void add_rods_on_surfaces(Case& result, uint32_t seed) {
     for (const Size& size : contact_sizes())
         for (const uint32_t far : {0u, 70u})
             result.setups.push_back(lane_setup(size,
-                                               make_lane_hair_on_surfaces(size, 48, 100.0f, far),
+                                               make_lane_hair_on_surfaces(size, seed, 100.0f, far),
                                                lane_params(size, 1, far == 0), true));
     result.flags.push_back("collider.kind");
 }

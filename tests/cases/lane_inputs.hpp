@@ -43,7 +43,7 @@ plait_lane_params lane_params_afloat(const Size& size, uint32_t iterations);
 Setup lane_setup(const Size& size, const LaneHair& hair, const plait_lane_params& params,
                  bool bends);
 // Of a rod model, on surfaces of every kind, alone and behind 70 others.
-void add_rods_on_surfaces(Case& result);
+void add_rods_on_surfaces(Case& result, uint32_t seed = 48);
 
 // Every third vertex has a plane near it, below which some start.
 Setup on_planes(Setup setup, const LaneHair& hair, float friction, bool bends);
