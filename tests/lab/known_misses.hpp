@@ -113,7 +113,7 @@ constexpr KnownMiss known_misses[] = {
     {"22", "2 r", "chain 1x1", 0.375, 0.375},
     {"22", "5 r", "chain 1x1", 1, 1},
     {"22", "5 r", "chain 4x1", 0.125, 0.125},
-    {"22", "5 r", "articulated 1x1 BDF2", 0.313, 0.313},
+    {"22", "5 r", "articulated 1x1 BDF2", 0.375, 0.375},
     // Far away rounding is what is measured: a swing of 15 mm where float32 knows 0.06 and 1 mm.
     {"27a", "1000 m", "cosserat 1x3", 0.508, met, 1.5},           // 0.04 to 1.08
     {"27a", "10 km", "chain 1x1", 0.013, met, 1.5},               // 0.005 to 0.014
