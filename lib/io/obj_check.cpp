@@ -12,6 +12,7 @@
 #include "io/obj_check.hpp"
 
 #include "base/format.hpp"
+#include "io/words.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -45,18 +46,6 @@ struct Data {
     int64_t largest = 0; // index to it so far, and where
     uint64_t largest_line = 0;
 };
-
-std::string_view next_word(std::string_view& rest) {
-    rest.remove_prefix(std::min(rest.find_first_not_of(BLANKS), rest.size()));
-    const std::string_view word = rest.substr(0, rest.find_first_of(BLANKS));
-    rest.remove_prefix(word.size());
-    return word;
-}
-
-// A word of the file as a message shows it: no longer than a glance takes in.
-std::string shown(std::string_view word) {
-    return std::string(word.substr(0, 32));
-}
 
 bool is_digit(char c) {
     return c >= '0' && c <= '9';
@@ -99,7 +88,7 @@ class Check {
         if (line.ends_with('\\'))
             return bad(line_, "goes on after \\; allowed are whole lines");
         std::string_view rest = line;
-        const std::string_view keyword = next_word(rest);
+        const std::string_view keyword = next_word(rest, BLANKS);
         if (keyword.empty() || keyword.starts_with('#'))
             return {};
         if (line.data() != keyword.data())
@@ -134,7 +123,8 @@ class Check {
 
     Status numbers(Data& data, std::string_view rest) {
         unsigned count = 0;
-        for (auto word = next_word(rest); !word.empty(); word = next_word(rest), ++count)
+        for (auto word = next_word(rest, BLANKS); !word.empty();
+             word = next_word(rest, BLANKS), ++count)
             if (!is_number(word))
                 return bad(line_, format("%s has \"%s\"; allowed are finite numbers that begin "
                                          "with a digit or a sign",
@@ -148,7 +138,8 @@ class Check {
 
     Status vertices(const Element& element, std::string_view rest) {
         uint64_t count = 0;
-        for (auto word = next_word(rest); !word.empty(); word = next_word(rest), ++count)
+        for (auto word = next_word(rest, BLANKS); !word.empty();
+             word = next_word(rest, BLANKS), ++count)
             PLAIT_TRY(reference(word));
         if (count < element.least)
             return bad(line_, format("%s of %" PRIu64 " vertices; allowed %u or more",

@@ -1,6 +1,7 @@
 // TressFX 4.1 meshes: text of three sections, "numOfX N" and then N lines that begin with their number;
 // # begins a comment. A mesh with bones has four of them, and their weights, in each vertex' line.
 #include "io/formats.hpp"
+#include "io/words.hpp"
 
 #include <charconv>
 #include <cmath>
@@ -12,18 +13,6 @@ namespace {
 constexpr std::string_view BLANKS = " \t\r";
 constexpr size_t VERTEX_NUMBERS = 14; // position, normal, four bones, their weights
 constexpr size_t INFLUENCES = 4;
-
-std::string_view next_word(std::string_view& rest) {
-    rest.remove_prefix(std::min(rest.find_first_not_of(BLANKS), rest.size()));
-    const std::string_view word = rest.substr(0, rest.find_first_of(BLANKS));
-    rest.remove_prefix(word.size());
-    return word;
-}
-
-// A word of the file as a message shows it.
-std::string shown(std::string_view word) {
-    return std::string(word.substr(0, 32));
-}
 
 // False unless it is all of `word`.
 template <typename T> bool number_of(std::string_view word, T& to) {
@@ -69,7 +58,7 @@ class TfxmeshReader {
     template <typename Line>
     Status section(const char* name, uint32_t most, const Line& read_line) {
         PLAIT_TRY(advance());
-        const std::string_view keyword = next_word(rest_), word = next_word(rest_);
+        const std::string_view keyword = next_word(rest_, BLANKS), word = next_word(rest_, BLANKS);
         uint32_t count = 0;
         if (keyword != name)
             return bad(format("is \"%s\"; allowed is %s", shown(keyword).c_str(), name));
@@ -78,7 +67,7 @@ class TfxmeshReader {
                 format("%s is \"%s\"; allowed 0 to %" PRIu32, name, shown(word).c_str(), most));
         for (uint32_t i = 0; i < count; ++i) {
             PLAIT_TRY(advance());
-            const std::string_view index = next_word(rest_);
+            const std::string_view index = next_word(rest_, BLANKS);
             uint32_t number = 0;
             if (!number_of(index, number) || number != i)
                 return bad(format("begins with \"%s\"; allowed is its number, %" PRIu32,
@@ -99,7 +88,7 @@ class TfxmeshReader {
         std::array<float, VERTEX_NUMBERS> numbers{};
         std::array<int64_t, INFLUENCES> bones{};
         for (size_t i = 0; i < VERTEX_NUMBERS; ++i) {
-            const std::string_view word = next_word(rest_);
+            const std::string_view word = next_word(rest_, BLANKS);
             const bool is_bone = i >= 6 && i < 10;
             const bool good = is_bone ? number_of(word, bones[i - 6])
                                       : number_of(word, numbers[i]) && std::isfinite(numbers[i]);
@@ -142,7 +131,7 @@ class TfxmeshReader {
     Status triangle() {
         Triangle corners{};
         for (uint32_t& corner : corners) {
-            const std::string_view word = next_word(rest_);
+            const std::string_view word = next_word(rest_, BLANKS);
             const size_t vertices = mesh_.surface.positions.size();
             if (!number_of(word, corner) || corner >= vertices)
                 return bad(format("corner is \"%s\"; %s", shown(word).c_str(),
