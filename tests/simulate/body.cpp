@@ -66,7 +66,7 @@ TEST_F(BodyOfCharacter, moves_as_its_animation_says) {
     SKIP_WITHOUT_ASSIMP();
     const Body body(choice(), true);
     EXPECT_EQ(body.motion(), "walk of character.gltf");
-    const auto& rest = body.mesh().drawn.vertices;
+    const auto& rest = body.mesh().shape.vertices;
     const auto at = [&](float time) { return body.positions(time); };
     ASSERT_EQ(at(0).size(), rest.size());
     for (size_t i = 0; i < rest.size(); ++i) // it begins at rest
@@ -98,7 +98,7 @@ TEST_F(BodyOfCharacter, begins_again_after_its_end) {
 TEST_F(BodyOfCharacter, carries_the_scalp_with_the_head) {
     SKIP_WITHOUT_ASSIMP();
     const Body body(choice(), true);
-    const auto& rest = body.mesh().drawn;
+    const auto& rest = body.mesh().shape;
     const float time = 1.1f;
     const plait_pose head = body.head(time);
     const Quaternionf turn(head.q[3], head.q[0], head.q[1], head.q[2]);

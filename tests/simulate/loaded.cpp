@@ -54,6 +54,37 @@ TEST_F(Loaded, says_what_is_there) {
     EXPECT_THAT(loaded_line(scene, figure), testing::Not(HasSubstr("scale")));
 }
 
+TEST_F(Loaded, draws_the_meshes_that_it_is_to_draw) {
+    for (const bool drawn : {true, false}) {
+        Scene scene =
+            scene_of({{"groom", ball_of_hair(1.0f, "metres.tfx")},
+                      {"meshes", {{{"file", PLAIT_SCENES "/../head.obj"}, {"drawn", drawn}}}}});
+        const Figure figure = make_figure(scene);
+        EXPECT_EQ(figure.meshes.size(), 1u);
+        EXPECT_EQ(figure.solids.triangles.size(), drawn ? 18564u : 0u);
+        EXPECT_EQ(figure.posed_solids({{0, 0, 0, 1}, {0, 0, 0}}, 0).empty(), !drawn);
+    }
+}
+
+// A head in metres under hair in metres, read as if it were in centimetres.
+TEST_F(Loaded, warns_of_a_mesh_that_no_hair_reaches) {
+    const auto warnings_at = [&](float scale) {
+        Scene scene =
+            scene_of({{"groom", ball_of_hair(1.0f, "metres.tfx")},
+                      {"meshes",
+                       {{{"file", write("cube.obj", "v 1 0 0\nv 1.2 0 0\nv 1 0.2 0\nv 1 0 0.2\n"
+                                                    "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n")},
+                         {"scale", scale}}}}});
+        return size_warnings(scene, make_figure(scene));
+    };
+    EXPECT_THAT(warnings_at(0.3f), IsEmpty());
+    ASSERT_EQ(warnings_at(100).size(), 1u);
+    EXPECT_THAT(warnings_at(100)[0],
+                testing::AllOf(HasSubstr("meshes[0].file: "),
+                               HasSubstr("cube.obj is 20 x 20 x 20 m large and 99.69 m away"),
+                               HasSubstr("is its scale, 100, right?")));
+}
+
 TEST_F(Loaded, hair_on_a_ball_has_the_ball_for_its_head) {
     Scene scene = scene_of({{"groom", "ball"}, {"strands", 50}});
     const Figure figure = make_figure(scene);

@@ -246,6 +246,12 @@ TEST_F(Program, meets_meshes) {
     EXPECT_THAT(text(), HasSubstr("1 mesh of 18564 triangles"));
     EXPECT_EQ(json("out/stats.json")["nonfinite"], 0);
     EXPECT_LT(json("out/stats.json")["max_stretch"], 0.05);
+    if (const Json inside = json("out/stats.json")["inside"]; !inside.is_null()) {
+        EXPECT_EQ(inside["frames"], 5);
+        EXPECT_LT(inside["worst_share"], 0.005);
+        EXPECT_LE(inside["share"], inside["worst_share"]);
+        EXPECT_THAT(text(), HasSubstr("inside what is drawn, deeper than 1 mm: "));
+    }
     const std::string scene = write("scene.json", R"({"meshes": [{"file": "none.obj"}]})");
     EXPECT_EQ(run({"--scene", scene, "--out", path("out")}), 1);
     EXPECT_THAT(text(), AllOf(HasSubstr("meshes[0].file"), HasSubstr("none.obj")));

@@ -5,6 +5,7 @@
 #include "common/progress.hpp"
 #include "options.hpp"
 #include "pictures/album.hpp"
+#include "pictures/inside.hpp"
 #include "profile/ceiling.hpp"
 #include "profile/trace.hpp"
 #include "report.hpp"
@@ -38,6 +39,11 @@ void warn(const std::vector<std::string>& sentences, std::vector<std::string>& a
     all.insert(all.end(), sentences.begin(), sentences.end());
 }
 
+Watcher watcher_of(Inside& inside) {
+    return {[&inside](uint32_t frame) { return inside.wants(frame); },
+            [&inside](const Shot& shot) { inside.take(shot); }};
+}
+
 Measurements run_scene(const Scene& scene, const Figure& figure, Album* album,
                        std::vector<std::string>& warnings) {
     Simulation simulation(scene, figure);
@@ -54,17 +60,25 @@ Measurements run_scene(const Scene& scene, const Figure& figure, Album* album,
     if (album)
         watchers.push_back({[album](uint32_t frame) { return album->wants(frame); },
                             [album](const Shot& shot) { album->take(shot); }});
-    return simulation.run(*motion_of(scene), watchers, "simulating");
+    Inside inside(scene, figure);
+    watchers.push_back(watcher_of(inside));
+    Measurements run = simulation.run(*motion_of(scene), watchers, "simulating");
+    run.inside = inside.report();
+    return run;
 }
 
 // The same hair and motion by other means, for the comparison sheet.
 Compared run_beside(const Scene& scene, const Figure& figure, const Variant& variant, size_t index,
                     Album& album) {
-    const std::vector<Watcher> watchers{
-        {[&](uint32_t frame) { return album.wants_beside(frame); },
-         [&](const Shot& shot) { album.take_beside(index, shot); }}};
+    Inside inside(scene, figure);
+    const std::vector<Watcher> watchers{{[&](uint32_t frame) { return album.wants_beside(frame); },
+                                         [&](const Shot& shot) { album.take_beside(index, shot); }},
+                                        watcher_of(inside)};
     const Scene other = variant.of(scene);
-    return {variant, Simulation(other, figure).run(*motion_of(scene), watchers, "comparing ")};
+    Compared beside{variant,
+                    Simulation(other, figure).run(*motion_of(scene), watchers, "comparing ")};
+    beside.run.inside = inside.report();
+    return beside;
 }
 
 void finish_report(Report& report, Album* album) {

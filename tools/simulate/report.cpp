@@ -25,6 +25,25 @@ std::string hex(uint64_t value) {
     return text;
 }
 
+Json to_json(const InsideCount& count) {
+    return {{"share", count.share()},   {"worst_share", count.worst_share},
+            {"deepest", count.deepest}, {"frame", count.frame},
+            {"strand", count.strand},   {"vertex", count.vertex}};
+}
+
+// null where nothing was looked at.
+Json to_json(const InsideReport& inside) {
+    if (inside.frames == 0)
+        return nullptr;
+    Json json = to_json(inside.simulated);
+    json["frames"] = inside.frames;
+    json["limit"] = InsideReport::limit;
+    json["groomed"] = inside.groomed;
+    if (inside.following.vertices)
+        json["following"] = to_json(inside.following);
+    return json;
+}
+
 Json measured(const Measurements& run) {
     return {{"frames", run.frames},
             {"ms_per_frame", run.median_ms()},
@@ -38,6 +57,7 @@ Json measured(const Measurements& run) {
             {"stretched_frames", run.stretched_frames},
             {"neighbour_speed", run.neighbour_speed},
             {"nonfinite", run.nonfinite},
+            {"inside", to_json(run.inside)},
             {"grid_outside", run.last.grid_outside},
             {"hash", hex(run.hash)}};
 }
@@ -66,6 +86,28 @@ void print_sag(const plait_sim_stats& stats) {
         static_cast<unsigned long long>(stats.joints_stiffened),
         static_cast<double>(stats.worst_stiffening),
         static_cast<unsigned long long>(stats.sag_unstable));
+}
+
+void print_inside(const char* what, const InsideCount& count) {
+    std::printf("inside what is drawn, deeper than %.0f mm: %.3f %% of the vertices %s, %.3f %% in "
+                "the worst frame",
+                1e3 * static_cast<double>(InsideReport::limit), 100.0 * count.share(), what,
+                100.0 * count.worst_share);
+    if (count.deepest > 0.0f)
+        std::printf("; deepest %.1f mm: vertex %u of strand %u, in frame %u",
+                    1e3 * static_cast<double>(count.deepest), count.vertex, count.strand,
+                    count.frame);
+    std::printf("\n");
+}
+
+void print_inside(const InsideReport& inside) {
+    if (inside.frames == 0)
+        return;
+    print_inside("that are simulated", inside.simulated);
+    if (inside.following.vertices)
+        print_inside("that follow", inside.following);
+    if (inside.groomed > 0.0)
+        std::printf("as groomed, before the first step: %.3f %%\n", 100.0 * inside.groomed);
 }
 
 void print_compared(const std::string& label, const Measurements& run) {
@@ -167,6 +209,7 @@ void print_report(const Report& report) {
             "worst segment: %u of strand %u, in frame %u; frames with a segment off by more "
             "than 10 %%: %u\n",
             run.worst.segment, run.worst.strand, run.worst.frame, run.stretched_frames);
+    print_inside(run.inside);
     if (report.scene.sim.sag_free != PLAIT_SAG_FREE_OFF)
         print_sag(run.last);
     print_comparison(report);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "neighbours.hpp"
+#include "pictures/inside.hpp"
 #include "profile/timeline.hpp"
 #include "scene/figure.hpp"
 #include "scene/motion.hpp"
@@ -31,6 +32,7 @@ struct Measurements {
     struct {
         uint32_t frame, strand, segment; // of max_stretch; segment 0 begins at the root
     } worst{};
+    InsideReport inside;
     uint64_t hash = 0;
     Timeline timeline; // empty unless scene.profile or scene.trace ask for it
     double median_ms() const;

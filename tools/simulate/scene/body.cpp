@@ -99,7 +99,7 @@ std::vector<std::array<float, 3>> Body::positions(float time) const {
     for (size_t bone = 0; bone < bones_.size(); ++bone)
         matrices.emplace_back(skinning(bone, time).affine());
     const plait_view view{matrices.data(), matrices.size(), sizeof(Matrix)};
-    std::vector<std::array<float, 3>> positions(mesh_.drawn.vertices.size());
+    std::vector<std::array<float, 3>> positions(mesh_.shape.vertices.size());
     check(plait_mesh_pose(mesh_.mesh.get(), &view, positions.data()->data()));
     return positions;
 }

@@ -1,4 +1,5 @@
 #include "figure.hpp"
+#include "groom_field.hpp"
 #include "loaded.hpp"
 
 #include <Eigen/Dense>
@@ -16,14 +17,6 @@ constexpr std::array<float, 2> mannequin_neck{-0.19f, -0.09f};
 
 template <typename T> plait_view view_of(const std::vector<T>& data, size_t components) {
     return {data.data(), data.size() / components, 0};
-}
-
-template <typename T> std::vector<T> read_field(const plait_groom* groom, plait_groom_field field) {
-    size_t size = 0;
-    check(plait_groom_read(groom, field, nullptr, &size));
-    std::vector<T> data(size / sizeof(T));
-    check(plait_groom_read(groom, field, data.data(), &size));
-    return data;
 }
 
 plait_groom_info describe(const plait_groom* groom) {
@@ -284,9 +277,10 @@ HeadMesh solids_of(const Figure& figure) {
         all.scalp.resize(first, 0.0f);
     };
     for (const LoadedMesh& mesh : figure.meshes)
-        add(mesh.drawn);
-    if (figure.body)
-        add(figure.body->mesh().drawn);
+        if (mesh.choice.drawn)
+            add(mesh.shape);
+    if (figure.draws_body())
+        add(figure.body->mesh().shape);
     for (const Hand& hand : figure.hands)
         add(hand.mesh());
     return all;
@@ -357,8 +351,9 @@ std::vector<Vector3f> Figure::posed_solids(const plait_pose& pose, float time) c
             posed.push_back(turn * vertex + Vector3f(place.t));
     };
     for (const LoadedMesh& mesh : meshes)
-        add(mesh.drawn, mesh.choice.moves_with_head ? pose : mesh.choice.desc.pose);
-    if (body)
+        if (mesh.choice.drawn)
+            add(mesh.shape, mesh.choice.moves_with_head ? pose : mesh.choice.desc.pose);
+    if (draws_body())
         for (const auto& p : body->positions(time))
             posed.emplace_back(p[0], p[1], p[2]);
     for (const Hand& hand : hands)

@@ -32,13 +32,14 @@ struct Figure {
 
     const plait_groom* simulated() const { return guides ? guides.get() : groom.get(); }
     uint32_t simulated_strands() const;
+    bool draws_body() const { return body && body->mesh().choice.drawn; }
     // What belongs to strands of the groom, of those that are simulated.
     std::vector<uint32_t> of_simulated(const std::vector<uint32_t>& of_strands) const;
 
     // The head's mesh when the head is at `pose`; below the neck it stays, in between it twists.
     std::vector<Eigen::Vector3f> posed_head(const plait_pose& pose) const;
 
-    // What is drawn beside the hair, the meshes and the hands included: vertices now, the rest for ever.
+    // What is drawn beside the hair, hands and such meshes included: vertices now, the rest for ever.
     std::vector<Eigen::Vector3f> posed_solids(const plait_pose& pose, float time) const;
     HeadMesh solids;
 };

@@ -20,10 +20,10 @@ std::string number(float value) {
 std::string meshes_of(const Figure& figure) {
     size_t triangles = 0;
     for (const LoadedMesh& mesh : figure.meshes)
-        triangles += mesh.drawn.triangles.size();
+        triangles += mesh.shape.triangles.size();
     size_t count = figure.meshes.size();
     if (figure.body) {
-        triangles += figure.body->mesh().drawn.triangles.size();
+        triangles += figure.body->mesh().shape.triangles.size();
         ++count;
     }
     return std::to_string(count) + (count == 1 ? " mesh of " : " meshes of ") +
@@ -62,6 +62,24 @@ std::string advice(const Scene& scene, const Figure& figure) {
            number(figure.info.mean_length / scene.groom.scale * unit) + " m";
 }
 
+std::string size_of(const Eigen::AlignedBox3f& box) {
+    const Eigen::Vector3f size = box.sizes();
+    return number(size.x()) + " x " + number(size.y()) + " x " + number(size.z()) + " m";
+}
+
+// Hair cannot reach it: most often a mesh in another unit than the groom.
+void warn_of_far(const LoadedMesh& mesh, const Figure& figure, std::vector<std::string>& warnings) {
+    Eigen::AlignedBox3f box;
+    for (const Eigen::Vector3f& vertex : mesh.shape.vertices)
+        box.extend(vertex);
+    const float away = box.exteriorDistance(figure.hair_bounds);
+    if (away > figure.info.mean_length)
+        warnings.push_back(mesh.choice.place + ": " + mesh.choice.file + " is " + size_of(box) +
+                           " large and " + number(away) + " m away from the hair, which is " +
+                           number(figure.info.mean_length) + " m long on average: is its scale, " +
+                           number(mesh.choice.scale) + ", right?");
+}
+
 } // namespace
 
 float likely_scale(float extent) {
@@ -75,14 +93,13 @@ float likely_scale(float extent) {
 
 std::string loaded_line(const Scene& scene, const Figure& figure) {
     const plait_groom_info& info = figure.info;
-    const Eigen::Vector3f size = figure.hair_bounds.sizes();
     std::string vertices = std::to_string(info.max_vertices);
     if (info.min_vertices != info.max_vertices)
         vertices = std::to_string(info.min_vertices) + " to " + vertices;
     std::string text = scene.groom.name + ": " + std::to_string(info.strands) + " strands of " +
                        vertices + " vertices, " + std::to_string(info.vertices) + " in all; " +
-                       number(size.x()) + " x " + number(size.y()) + " x " + number(size.z()) +
-                       " m, " + number(info.mean_length) + " m long on average";
+                       size_of(figure.hair_bounds) + ", " + number(info.mean_length) +
+                       " m long on average";
     if (figure.guides)
         text += ", of which " + std::to_string(figure.simulated_strands()) +
                 " are simulated and the others follow";
@@ -95,12 +112,17 @@ std::string loaded_line(const Scene& scene, const Figure& figure) {
 }
 
 std::vector<std::string> size_warnings(const Scene& scene, const Figure& figure) {
+    std::vector<std::string> warnings;
     const float length = figure.info.mean_length;
-    if (length >= least_length && length <= most_length)
-        return {};
-    return {scene.groom.name + ": strands are " + number(length) +
-            " m long on average, which is outside [" + number(least_length) + ", " +
-            number(most_length) + "]" + advice(scene, figure)};
+    if (!(length >= least_length && length <= most_length))
+        warnings.push_back(scene.groom.name + ": strands are " + number(length) +
+                           " m long on average, which is outside [" + number(least_length) + ", " +
+                           number(most_length) + "]" + advice(scene, figure));
+    for (const LoadedMesh& mesh : figure.meshes)
+        warn_of_far(mesh, figure, warnings);
+    if (figure.body)
+        warn_of_far(figure.body->mesh(), figure, warnings);
+    return warnings;
 }
 
 std::vector<std::string> stiffening_warnings(const Scene& scene, const Figure& figure,

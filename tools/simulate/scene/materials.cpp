@@ -1,4 +1,5 @@
 #include "materials.hpp"
+#include "groom_field.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -105,14 +106,6 @@ bool names(const MaterialChoice& choice, uint32_t strand, const float* root) {
         return true;
     const auto& [at, radius] = *choice.roots;
     return std::hypot(root[0] - at[0], root[1] - at[1], root[2] - at[2]) <= radius;
-}
-
-template <typename T> std::vector<T> read_field(const plait_groom* groom, plait_groom_field field) {
-    size_t size = 0;
-    check(plait_groom_read(groom, field, nullptr, &size));
-    std::vector<T> data(size / sizeof(T));
-    check(plait_groom_read(groom, field, data.data(), &size));
-    return data;
 }
 
 void check_strands(const MaterialChoice& choice, size_t count) {

@@ -32,6 +32,7 @@ void read_mesh(JsonReader& in, const std::string& folder, MeshChoice& mesh) {
     bool two_sided = false;
     in.flag("two_sided", two_sided);
     mesh.desc.two_sided = two_sided ? 1 : 0;
+    in.flag("drawn", mesh.drawn);
 }
 
 std::vector<MeshChoice> read_meshes(JsonReader& top, const std::string& folder) {
@@ -48,10 +49,10 @@ std::vector<MeshChoice> read_meshes(JsonReader& top, const std::string& folder) 
 
 LoadedMesh load_mesh(const MeshChoice& choice, bool generated) {
     MeshHandle mesh = load(choice);
-    HeadMesh drawn = shape_of(mesh.get());
+    HeadMesh shape = shape_of(mesh.get());
     if (generated && choice.moves_with_head)
-        drawn.scalp = scalp_of(drawn.vertices);
-    return {std::move(mesh), choice, std::move(drawn)};
+        shape.scalp = scalp_of(shape.vertices);
+    return {std::move(mesh), choice, std::move(shape)};
 }
 
 std::vector<LoadedMesh> load_meshes(const std::vector<MeshChoice>& choices, bool generated) {

@@ -16,6 +16,7 @@ struct MeshChoice {
     std::string file;
     float scale = 1.0f; // file units to metres
     plait_collider_mesh_desc desc = plait_collider_mesh_desc_defaults();
+    bool drawn = true;
     bool moves_with_head = true;
 };
 
@@ -26,7 +27,7 @@ std::vector<MeshChoice> read_meshes(JsonReader& top, const std::string& folder);
 struct LoadedMesh {
     MeshHandle mesh;
     MeshChoice choice;
-    HeadMesh drawn;
+    HeadMesh shape;
 };
 
 // Throws Failure that says where the scene names the file. `generated`: the hair is the
