@@ -20,9 +20,10 @@ void clear(Schedule& schedule, const Buffer& buffer) {
                  plait_grid_clear_params{0}, {&buffer});
 }
 
-// Of pair_scan. Work-items of a group take turns on a CPU: one is enough.
+// Of pair_scan. Work-items of a group take turns on a CPU; but of one alone, which would take all
+// cells, llvmpipe ends the loops before they are done.
 uint32_t group_width(const plait_device_info& device) {
-    return device.lanes > 1 ? 1 : std::min(device.max_group_size, 256u);
+    return std::min(device.max_group_size, device.lanes > 1 ? 16u : 256u);
 }
 
 } // namespace
