@@ -212,7 +212,7 @@ class Walk {
 
     // f - o; of a sheet it says on which side the place is, too, if that is beyond its rim.
     std::optional<double> look(const Vec3& x, double bound) {
-        plane_.reset();
+        seen_ = false;
         const auto sample = body_.at(x, bound);
         if (!sample)
             return {};
@@ -223,17 +223,22 @@ class Walk {
             sign = side_;
         }
         const double height = sign * sample->distance - offset_;
-        if (std::abs(sample->distance) <= PLAIT_MESH_ROOM && sample->normal.norm() > 0.5)
-            plane_ = MeshPlaneAt{sign * sample->normal, x, height};
+        if (std::abs(sample->distance) <= PLAIT_MESH_ROOM && sample->normal.norm() > 0.5) {
+            seen_ = true;
+            plane_ = {sign * sample->normal, x, height};
+        }
         return height;
     }
     // Of what was looked at last.
-    const std::optional<MeshPlaneAt>& plane() const { return plane_; }
+    std::optional<MeshPlaneAt> plane() const {
+        return seen_ ? std::optional(plane_) : std::nullopt;
+    }
 
   private:
     const Body& body_;
     double offset_, side_ = 0;
-    std::optional<MeshPlaneAt> plane_;
+    bool seen_ = false;
+    MeshPlaneAt plane_{Vec3::Zero(), Vec3::Zero(), 0};
 };
 
 // The plane of the place with the least f - o on the way, up to where that is nothing.
@@ -276,7 +281,7 @@ std::optional<MeshTouch> touch_of(const Body& body, const MeshWays& ways, size_t
     auto plane = walk.plane();
     if (height && *start + *height < way)
         plane = met(walk, from, to, *start, offset);
-    const auto& end = last.plane();
+    const auto end = last.plane();
     if (end && plane) {
         const double off = std::abs(end->height - plane->height_of(to));
         if (off < way + PLAIT_MESH_MARCH_LEAST &&
