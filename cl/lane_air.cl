@@ -38,7 +38,7 @@ static inline real length_at(const lane_step* step, int i, uint equal_masses) {
     return 0.5f * (before + lane_material_at(step, i, PLAIT_LANE_LENGTH));
 }
 
-/* The lanes of a work-item in this stage. */
+/* The lanes of a work-item in this stage, whose drag, rho d/2 in kg/m^2, is the strand's own. */
 static inline lane_step step_of(const plait_lane_air_params* params, lane_place place,
                                 lane_pose pose, __global const real* material) {
     lane_step step;
@@ -49,8 +49,9 @@ static inline lane_step step_of(const plait_lane_air_params* params, lane_place 
     step.bdf2 = params->bdf2 != 0;
     step.whole = params->h;
     step.h = params->h * (step.bdf2 ? 2.0f / 3.0f : 1.0f);
-    step.drag = 0.0f;
     step.segments = (int)params->vertex_stride - 1;
+    step.drag = params->drag * lane_strand_scale(&step, PLAIT_LANE_DRAG);
+    step.friction = (real)(0.0f);
     return step;
 }
 
@@ -103,7 +104,7 @@ __kernel void plait_lane_air(const uint item_count, const plait_lane_air_params 
         const vec3 wind = vec3_of(air.x, air.y, air.z), u = sub3(wind, v);
         const vec3 along = direction_at(place, lane_x, i, counts);
         const real mass = lane_material_at(&step, i, PLAIT_LANE_MASS);
-        const real share = params.drag * length_at(&step, i, params.equal_masses) / mass;
+        const real share = step.drag * length_at(&step, i, params.equal_masses) / mass;
         const lane_drag drag = lane_drag_of(&params, u, along, share, most);
         vec3 push = drag.force;
         if (step.bdf2) {

@@ -671,7 +671,8 @@ PLAIT_API plait_result plait_sim_params_set_fibre(plait_sim_params* params,
 /* What some strands of a sim are made of, in place of the params' fields of the same names (and of
  * tip_stiffness and tip_density, which the ramps take the place of). Ramps have knots at the root,
  * a third, two thirds of the arc length and the tip, linear between. Models chain (line_density and
- * its ramp), cosserat, rod, articulated, each what it reads of the params. */
+ * its ramp, drag_scale and friction_scale), cosserat, rod, articulated, each what it reads of the
+ * params. */
 typedef struct plait_material {
     uint32_t struct_size;
     float line_density;      /* kg/m, [1e-9, 1e3], default 5e-6 */
@@ -685,6 +686,11 @@ typedef struct plait_material {
                                 bend and twist, [0, 100], default 1; 0: a hinge */
     float stiffness_ramp[4]; /* scale of bend and twist stiffness, each [0, 100], default 1 */
     float density_ramp[4];   /* scale of line_density, each [1e-3, 1e3], default 1 */
+    float drag_scale;        /* scale of the air's drag on them, of the params' `drag` and of a
+                                wind's, [0, 100], default 1 */
+    float friction_scale;    /* scale of the coefficient of friction of whatever they touch,
+                                colliders of every kind and other strands, [0, 100], default 1. Of
+                                two strands that meet each feels friction by its own scale */
 } plait_material;
 
 PLAIT_API void plait_material_init(plait_material* material, size_t size);

@@ -5,7 +5,8 @@
 namespace plait {
 
 plait_material default_material() {
-    return {sizeof(plait_material), 5e-6f, 4.7e-9f, 0, 0, 1, 1, 1, {1, 1, 1, 1}, {1, 1, 1, 1}};
+    return {sizeof(plait_material), 5e-6f,        4.7e-9f, 0, 0, 1, 1, 1,
+            {1, 1, 1, 1},           {1, 1, 1, 1}, 1,       1};
 }
 
 namespace {
@@ -24,6 +25,8 @@ Status check_material(const plait_material& s) {
     for (const float& knot : s.density_ramp)
         PLAIT_TRY(check_range(format("density_ramp[%td]", &knot - s.density_ramp).c_str(),
                               double(knot), double(1e-3f), 1e3));
+    PLAIT_RANGE(drag_scale, 0, 100);
+    PLAIT_RANGE(friction_scale, 0, 100);
     return {};
 }
 

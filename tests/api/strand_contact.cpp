@@ -117,8 +117,17 @@ ON_EVERY_BACKEND(StrandContact);
 // of 2 m/s^2 presses the one on the other, `degrees` off the normal: the same lever bears both parts
 // of it, so that the hair slides along the other where tan(degrees) exceeds friction, whatever its
 // weight and stiffness.
-plait::Sim pressed(const plait::Context& context, plait_model model, double degrees) {
+plait::Sim pressed(const plait::Context& context, plait_model model, double degrees,
+                   float friction_scale = 1) {
     auto desc = meeting(model);
+    const std::vector<uint32_t> of{PLAIT_MATERIAL_OF_PARAMS, 0};
+    auto material = plait_material_defaults();
+    material.friction_scale = friction_scale;
+    if (friction_scale != 1) {
+        desc.materials = &material;
+        desc.material_count = 1;
+        desc.strand_material = plait::view(of);
+    }
     const double angle = degrees * std::numbers::pi / 180;
     desc.params.drag = 5;
     desc.params.gravity[0] = 9.81f;
@@ -155,6 +164,19 @@ TEST_P(StrandContact, HairSlidesOverHairWhereItIsSteeperThanFriction) {
         run(below, 120);
         EXPECT_LT(std::abs(gone_aside(below)), 7e-4f) << model << ": creeps";
         EXPECT_GT(distance(below.read(PLAIT_FIELD_POSITION), 0, 1), 0.95) << model;
+    }
+}
+
+// By its own scale, that of the hair it lies on being 1: of 0.5 it holds up to 8.5 degrees, of 2 up to
+// 31.
+TEST_P(StrandContact, HairFeelsFrictionByTheScaleOfItsMaterial) {
+    for (const plait_model model : meeting_models) {
+        plait::Sim slides = pressed(context, model, 14.7, 0.5f),
+                   holds = pressed(context, model, 25, 2);
+        for (plait::Sim* sim : {&slides, &holds})
+            run(*sim, 60);
+        EXPECT_GT(gone_aside(slides), 1e-3f) << model;
+        EXPECT_LT(std::abs(gone_aside(holds)), 5e-4f) << model;
     }
 }
 

@@ -566,8 +566,13 @@ Words lane_rows(const Shape& shape, const std::array<float, Components>& row) {
 Words lane_material(const Shape& shape) {
     constexpr float density = 5e-6f, bend = 4.7e-9f, stretch = 1.2e-2f;
     const float l = strand_length / static_cast<float>(shape.vertices - 1);
-    return lane_rows<PLAIT_LANE_MATERIAL_COMPONENTS>(
-        shape, {l, stretch / l, 4 * bend / l, density * l, 0, 0});
+    std::vector<float> rows;
+    for (uint32_t i = 0; i < shape.vertices; ++i)
+        for (const float value : {l, stretch / l, 4 * bend / l, density * l, 0.0f, 0.0f})
+            rows.push_back(value);
+    const auto last = rows.end() - PLAIT_LANE_MATERIAL_COMPONENTS;
+    last[PLAIT_LANE_DRAG] = last[PLAIT_LANE_FRICTION] = 1;
+    return in_lanes(shape, rows);
 }
 
 // Turned a little further about y, bone by bone.

@@ -63,6 +63,20 @@ void add_material(LaneHair& lanes, Random& random, bool segment, bool root) {
                                scale * density * segment_length, twist * joint, cross * joint});
 }
 
+// Of a strand of `stride` rows that are all there.
+float* scales_of(std::vector<float>& material, size_t strand, size_t stride) {
+    return &material[((strand + 1) * stride - 1) * PLAIT_LANE_MATERIAL_COMPONENTS];
+}
+
+// Each strand feels what it lies on by a scale of its own, which makes friction what it would be by 1:
+// inputs are chosen by what keeps clear of decisions then. So is drag.
+float friction_for(std::vector<float>& material, size_t strand, size_t stride, float friction) {
+    float* scales = scales_of(material, strand, stride);
+    scales[PLAIT_LANE_DRAG] = 1;
+    scales[PLAIT_LANE_FRICTION] = std::exp2(static_cast<float>(strand % 3) - 1);
+    return friction / scales[PLAIT_LANE_FRICTION];
+}
+
 void add_strand(LaneHair& lanes, Random& random, uint32_t count, uint32_t stride, const float* pose,
                 const float* root_rest) {
     const Quat pose_q = {pose[0], pose[1], pose[2], pose[3]};
@@ -181,10 +195,14 @@ std::vector<float> capsules_of_two_substeps(const std::vector<float>& capsules) 
 LaneHair make_lane_hair(const Size& size, uint32_t seed) {
     LaneHair lanes;
     lanes.hair = make_hair(size, seed);
-    Random random(seed * 104729 + size.strands * 17 + size.stride);
-    for (uint32_t s = 0; s < size.strands; ++s)
+    Random random(seed * 104729 + size.strands * 17 + size.stride), scales(seed + 5);
+    for (uint32_t s = 0; s < size.strands; ++s) {
         add_strand(lanes, random, lanes.hair.vertex_count[s], size.stride, &lanes.hair.pose[8 * s],
                    &lanes.hair.rest[size_t{4} * s * size.stride]);
+        float* own = scales_of(lanes.material, s, size.stride);
+        own[PLAIT_LANE_DRAG] = static_cast<float>(scales.uniform(0.4, 1.6));
+        own[PLAIT_LANE_FRICTION] = static_cast<float>(scales.uniform(0.6, 1.4));
+    }
     return lanes;
 }
 
@@ -193,9 +211,11 @@ LaneHair make_lane_hair_in_contact(const Size& size, uint32_t seed, float fricti
     Random random(seed + 1);
     for (size_t s = 0; s < size.strands; ++s) {
         const size_t vertex = s * size.stride + lanes.hair.vertex_count[s] / 2;
-        add_capsule(lanes, random, vertex, s % 3 == 2 ? -0.015 : 0.004, s % 2 ? 0.3f : friction);
+        add_capsule(lanes, random, vertex, s % 3 == 2 ? -0.015 : 0.004,
+                    friction_for(lanes.material, s, size.stride, s % 2 ? 0.3f : friction));
         if (s % 4 == 1) // deep around the root, too
-            add_capsule(lanes, random, s * size.stride + 1, -0.025, friction);
+            add_capsule(lanes, random, s * size.stride + 1, -0.025,
+                        friction_for(lanes.material, s, size.stride, friction));
     }
     return lanes;
 }
@@ -214,9 +234,11 @@ LaneHair make_lane_hair_on_surfaces(const Size& size, uint32_t seed, float frict
         const size_t vertex = s * size.stride + lanes.hair.vertex_count[s] / 2;
         const double gap = s % 3 == 2 ? -0.01 : 0.004;
         if (s % 4 == 3)
-            add_capsule(lanes, random, vertex, gap, 0.3f);
+            add_capsule(lanes, random, vertex, gap,
+                        friction_for(lanes.material, s, size.stride, 0.3f));
         else
-            add_box(lanes, random, vertex, gap, s % 2 ? 0.3f : friction);
+            add_box(lanes, random, vertex, gap,
+                    friction_for(lanes.material, s, size.stride, s % 2 ? 0.3f : friction));
     }
     return lanes;
 }
@@ -434,8 +456,9 @@ Setup on_planes(Setup setup, const LaneHair& lanes, float friction, bool bends) 
         size_t last = 0;
         for (size_t i = 2; i < lanes.hair.vertex_count[s]; i += 3) {
             const size_t row = s * setup.width + i;
-            const auto plane = plane_under(lanes, random, row, s % 3 == 2 ? -0.015 : 0.004,
-                                           s % 2 ? friction : 0.3f);
+            const auto plane = plane_under(
+                lanes, random, row, s % 3 == 2 ? -0.015 : 0.004,
+                friction_for(setup.buffers[3].floats, s, setup.width, s % 2 ? friction : 0.3f));
             std::ranges::transform(plane, &planes[PLAIT_LANE_PLANE_COMPONENTS * row],
                                    [](double value) { return static_cast<float>(value); });
             last = i;

@@ -99,9 +99,16 @@ Setup nearest_setup(const Size& size, uint32_t bdf2, bool after_others, uint32_t
 // The way from an edge a millimetre off has no direction to more than 1e-4, places being known to 1e-7 m.
 Case mesh_nearest_case() {
     Case result = {PLAIT_STAGE_mesh_nearest, {}, {{"lane_plane", 1e-4}}};
-    result.unread = {"iterations",         "contact_rate",        "contact_slip",
-                     "collider.end.b",     "collider.kind",       "lane_material.stretch",
-                     "lane_material.bend", "lane_material.twist", "lane_material.cross",
+    result.unread = {"iterations",
+                     "contact_rate",
+                     "contact_slip",
+                     "collider.end.b",
+                     "collider.kind",
+                     "lane_material.stretch",
+                     "lane_material.bend",
+                     "lane_material.twist",
+                     "lane_material.cross",
+                     "lane_material.friction",
                      "mesh_box",    // bounds, which the reference does without
                      "mesh_bends"}; // a bound, too, and whether there is anything to bend
     result.decides = {

@@ -55,7 +55,7 @@ class SceneMaterials : public TemporaryFolder {
 TEST_F(SceneMaterials, say_every_field) {
     const Scene scene = read(R"({"materials": [{"name": "fringe", "line_density": 1e-5,
         "bend_stiffness": 2e-8, "stretch_stiffness": 3, "twist_stiffness": 4e-8, "section_ratio": 2,
-        "curl": 0.5, "clamp_stiffness": 0, "stiffness_ramp": [1, 0.8, 0.5, 0.1],
+        "curl": 0.5, "clamp_stiffness": 0, "drag_scale": 3, "friction_scale": 0.25, "stiffness_ramp": [1, 0.8, 0.5, 0.1],
         "density_ramp": [1, 1, 2, 3]}]})");
     ASSERT_EQ(scene.materials.size(), 1u);
     const plait_material& m = scene.materials[0].material;
@@ -67,6 +67,8 @@ TEST_F(SceneMaterials, say_every_field) {
     EXPECT_FLOAT_EQ(m.section_ratio, 2.0f);
     EXPECT_FLOAT_EQ(m.curl, 0.5f);
     EXPECT_FLOAT_EQ(m.clamp_stiffness, 0.0f);
+    EXPECT_FLOAT_EQ(m.drag_scale, 3.0f);
+    EXPECT_FLOAT_EQ(m.friction_scale, 0.25f);
     EXPECT_THAT(m.stiffness_ramp, ElementsAre(1.0f, 0.8f, 0.5f, 0.1f));
     EXPECT_THAT(m.density_ramp, ElementsAre(1.0f, 1.0f, 2.0f, 3.0f));
 }

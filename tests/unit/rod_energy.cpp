@@ -70,7 +70,7 @@ class Strand {
                          capsules,
                          q,
                          q_before,
-                         {x, v, none, none, acceleration, pin, plane}},
+                         {x, v, none, none, material, acceleration, pin, plane}},
                         params, 0);
     }
     double* joint(size_t i) { return &material_[i * PLAIT_LANE_MATERIAL_COMPONENTS]; }

@@ -520,6 +520,9 @@ typedef struct plait_lane_move_params {
 #define PLAIT_LANE_TWIST 4 /* 4(GJ - EI)/lbar of the joint before segment i, N m */
 #define PLAIT_LANE_CROSS 5 /* 4(EI2 - EI)/lbar, N m */
 #define PLAIT_LANE_MATERIAL_COMPONENTS 6
+/* Of row V - 1, after whose vertex no strand has a segment: two scales of the whole strand. */
+#define PLAIT_LANE_DRAG 1     /* of params.drag */
+#define PLAIT_LANE_FRICTION 2 /* of the coefficient of whatever the strand touches */
 
 /* lane_plane: of each vertex the plane of a mesh or a strand that it may meet in the substep. Row 0, for the
  * root has none, holds the last vertex of the strand that has one, and rows after that anything. */

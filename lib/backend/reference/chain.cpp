@@ -182,20 +182,16 @@ void follow(const Links& links, Contacts* contacts, std::vector<Vec3>& x) {
 } // namespace
 
 void chain(uint32_t item_count, const plait_lane_params& params, const chain_args& args) {
-    const LaneState state{args.lane_x,
-                          args.lane_v,
-                          args.lane_x_before,
-                          args.lane_v_before,
-                          args.lane_acceleration,
-                          args.lane_pin,
-                          args.lane_plane};
+    const LaneState state{args.lane_x,        args.lane_v,        args.lane_x_before,
+                          args.lane_v_before, args.lane_material, args.lane_acceleration,
+                          args.lane_pin,      args.lane_plane};
     for (size_t slot = 0; slot < item_count; ++slot) {
         const Lane lane(slot, params.vertex_stride, params.tile);
         const size_t strand = strand_of(args.lane_strand, slot);
         const Vec3 root = root_of(args.rest, pose_of(args.pose, strand), strand, params.row_stride);
         Motion motion(lane, params, state, root);
         Links links;
-        links.reach = motion.h * motion.h / (1 + params.drag * motion.h);
+        links.reach = motion.h * motion.h / (1 + motion.drag * motion.h);
         std::vector<double> before(1, 0.0), stretch(1, 0.0); // of the segment before a vertex
         for (uint32_t i = 0; i < params.vertex_stride; ++i) {
             const auto material = [&](size_t component) {

@@ -202,8 +202,9 @@ Contacts::Contact Contacts::renewed(size_t vertex, const Vec3& x) const {
         return now;
     now.stiffness = stiffness;
     now.push = was ? std::max(left, 0.0) : std::min(stiff * std::max(D, 0.0), most);
-    now.friction = std::min(found->friction, PLAIT_CONTACT_MAX_FRICTION * stretch_[vertex] *
-                                                 length_[vertex] / std::max(now.push, 1e-30));
+    now.friction = std::min(motion_.friction * found->friction,
+                            PLAIT_CONTACT_MAX_FRICTION * stretch_[vertex] * length_[vertex] /
+                                std::max(now.push, 1e-30));
     const Vec3 u = slip_of(now, x);
     // A surface that comes from farther strikes: what it throws is not tried.
     const bool tries =

@@ -27,7 +27,7 @@ Vec3 root_velocity(const Substep& step, bool pairs) {
 Balance of_backward_euler(const Substep& step, const std::vector<Vec3>& x,
                           const std::vector<Vec3>& v) {
     const auto& [params, motion, mass, length] = step;
-    const double h = motion.h, gain = 1 + params.drag * h;
+    const double h = motion.h, gain = 1 + motion.drag * h;
     Balance sum{0, 0};
     for (size_t i = 1; i < x.size(); ++i) {
         if (length[i] == 0)
@@ -36,7 +36,7 @@ Balance of_backward_euler(const Substep& step, const std::vector<Vec3>& x,
         const Vec3 moves = v[i] - motion.root_velocity;
         sum.before +=
             gain * (mass[i] / 2 * inertial.squaredNorm() + creep(mass[i], h, x[i])) +
-            mass[i] * (motion.pull[i] + params.drag * vec3(params.air)).dot(x[i] - motion.from[i]) +
+            mass[i] * (motion.pull[i] + motion.drag * vec3(params.air)).dot(x[i] - motion.from[i]) +
             motion.pin[i].force(x[i]).dot(x[i] - motion.from[i]);
         sum.after += gain * mass[i] / 2 * moves.squaredNorm();
     }
@@ -57,7 +57,7 @@ Balance of_bdf2(const Substep& step, bool pairs, const std::vector<Vec3>& x,
         const Vec3 now = v[i] - root, before = motion.v[i] - root, ago = motion.v_before[i] - root;
         const Vec3 way = pairs ? Vec3(params.h / motion.h * (x[i] - motion.from[i]))
                                : Vec3(x[i] - (motion.start[i] - motion.start[0]));
-        const Vec3 force = motion.pull[i] + params.drag * (vec3(params.air) - v[i]);
+        const Vec3 force = motion.pull[i] + motion.drag * (vec3(params.air) - v[i]);
         const double moves = held(pairs, before, ago), least = creep(mass[i], motion.h, x[i]);
         sum.kinetic_before += mass[i] * moves + least;
         sum.before +=

@@ -48,7 +48,9 @@ class Strand {
         : params_(params), args_(args), strand_(strand_of(args.lane_strand, slot)),
           lane_(slot, params.vertex_stride, params.tile),
           root_(root_of(args.rest, pose_of(args.pose, strand_), strand_, params.row_stride)),
-          step_(params.bdf2 ? params.h * 2.0 / 3.0 : params.h) {}
+          step_(params.bdf2 ? params.h * 2.0 / 3.0 : params.h),
+          drag_(params.drag *
+                scale_of(lane_, args.lane_material, params.vertex_stride, PLAIT_LANE_DRAG)) {}
 
     void write() const {
         const uint32_t count = vertices_of(args_.vertex_count, strand_, params_.vertex_stride);
@@ -85,7 +87,7 @@ class Strand {
         const double behind = material(i, PLAIT_LANE_LENGTH); // 0 at the tip
         const double length = params_.equal_masses ? before : (before + behind) / 2;
         return {direction(position(tip ? i : i + 1) - position(i - 1)),
-                params_.drag * length / material(i, PLAIT_LANE_MASS)};
+                drag_ * length / material(i, PLAIT_LANE_MASS)};
     }
     void write_vertex(uint32_t i, bool tip) const;
     void put(uint32_t i, const Vec3& push, const Vec3& target, double stiffness) const {
@@ -101,6 +103,7 @@ class Strand {
     Lane lane_;
     Vec3 root_;
     double step_; // of the integrator
+    double drag_; // rho d/2 of the strand, kg/m^2
 };
 
 Strand::Air Strand::air_at(const Vec3& x) const {

@@ -24,7 +24,9 @@ Motion::Motion(const Lane& lane, const plait_lane_params& params, const LaneStat
       start(params.vertex_stride), v(params.vertex_stride, Vec3::Zero()),
       pull(params.vertex_stride, vec3(params.gravity)), from(params.vertex_stride, Vec3::Zero()),
       y(params.vertex_stride), w(params.vertex_stride, Vec3::Zero()), pin(params.vertex_stride),
-      inertia((1 + params.drag * h) / (h * h)) {
+      drag(params.drag * scale_of(lane, state.material, params.vertex_stride, PLAIT_LANE_DRAG)),
+      friction(scale_of(lane, state.material, params.vertex_stride, PLAIT_LANE_FRICTION)),
+      inertia((1 + drag * h) / (h * h)) {
     const Vec3 root_now = lane.vector(state.x, 0);
     const Vec3 root_before = params.bdf2 ? lane.vector(state.x_before, 0) : root_now;
     start[0] = root_now - root;
@@ -43,7 +45,7 @@ Motion::Motion(const Lane& lane, const plait_lane_params& params, const LaneStat
         const Vec3 velocity = params.bdf2 ? continued(v[i], v_before[i]) : v[i];
         if (params.accelerates)
             pull[i] += lane.vector(state.acceleration, i);
-        w[i] = (velocity + h * (pull[i] + params.drag * vec3(params.air))) / (1 + params.drag * h);
+        w[i] = (velocity + h * (pull[i] + drag * vec3(params.air))) / (1 + drag * h);
         y[i] = from[i] + h * (w[i] - root_velocity);
         if (params.pins)
             pin[i] = {xyz_of(state.pin, lane, i), state.pin[lane.index(i, 3, 4)]};

@@ -43,6 +43,12 @@ inline size_t strand_of(const View<const uint32_t>& lane_strand, size_t lane) {
     return lane_strand.size() > 0 ? lane_strand[lane] : lane;
 }
 
+// PLAIT_LANE_DRAG or PLAIT_LANE_FRICTION of a strand, in its last row.
+inline double scale_of(const Lane& lane, const View<const double>& material, uint32_t vertices,
+                       size_t component) {
+    return material[lane.index(vertices - 1, component, PLAIT_LANE_MATERIAL_COMPONENTS)];
+}
+
 // World position of a strand's root under a pose.
 Vec3 root_of(const View<const Vec4>& rest, const Pose& pose, size_t strand, uint32_t stride);
 
@@ -51,6 +57,7 @@ struct LaneState {
     const View<double>& v;        // row 0: the root's own
     const View<double>& x_before; // BDF2 only
     const View<double>& v_before;
+    const View<const double>& material;
     const View<const double>& acceleration; // beside gravity, where there is any
     const View<const double>& pin;          // where there are any
     const View<const double>& plane;        // of meshes, where there are any
@@ -89,6 +96,8 @@ struct Motion {
     Vec3 root_velocity;
     std::vector<Vec3> y, w;
     std::vector<Pin> pin; // of every vertex
+    double drag;          // c of the strand, 1/s
+    double friction;      // scale of the coefficient of what it touches
     double inertia;       // (1 + c h)/h^2, 1/s^2
 };
 

@@ -49,7 +49,9 @@ struct MeshWays {
     MeshWays(const Lane& lane, const plait_lane_params& params, const Args& args,
              const Vec3& root_now)
         : root(root_now) {
-        const double h = params.bdf2 ? params.h * 2.0 / 3.0 : params.h, drag = params.drag;
+        const double h = params.bdf2 ? params.h * 2.0 / 3.0 : params.h;
+        const double drag =
+            params.drag * scale_of(lane, args.lane_material, params.vertex_stride, PLAIT_LANE_DRAG);
         const auto continued = [&](const auto& data, const auto& before, size_t i) -> Vec3 {
             const Vec3 now = lane.vector(data, i);
             return params.bdf2 ? Vec3(now + (now - lane.vector(before, i)) / 3) : now;

@@ -137,7 +137,8 @@ void step_rods(uint32_t item_count, const plait_lane_params& params, const Args&
                              args.lane_q,
                              args.lane_q_before,
                              {args.lane_x, args.lane_v, args.lane_x_before, args.lane_v_before,
-                              args.lane_acceleration, args.lane_pin, args.lane_plane}};
+                              args.lane_material, args.lane_acceleration, args.lane_pin,
+                              args.lane_plane}};
     for (size_t slot = 0; slot < item_count; ++slot) {
         RodModel rod(buffers, params, slot, inextensible);
         solve(rod);

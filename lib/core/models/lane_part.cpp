@@ -123,18 +123,19 @@ Status LanePart::keep_planes(Device& device, bool keep) {
 
 Materials LanePart::materials_of(const plait_sim_params& params) const {
     Materials all{std::pmr::vector<Material>(source_.memory), source_.materials};
-    const auto add = [&](const auto& of, float curl, float clamp, const Ramp& stiffness,
-                         const Ramp& density) {
+    const auto add = [&](const auto& of, float curl, float clamp, float drag, float friction,
+                         const Ramp& stiffness, const Ramp& density) {
         all.list.push_back({of.line_density, of.bend_stiffness, of.stretch_stiffness,
                             traits_.bends ? of.twist_stiffness : 0.0f,
-                            traits_.flat ? of.section_ratio : 1.0f, curl, clamp, stiffness, density,
-                            !traits_.halves_tip, !traits_.stretches});
+                            traits_.flat ? of.section_ratio : 1.0f, curl, clamp, drag, friction,
+                            stiffness, density, !traits_.halves_tip, !traits_.stretches});
     };
-    add(params, 1, 1, Ramp::to_tip(double(params.tip_stiffness)),
+    add(params, 1, 1, 1, 1, Ramp::to_tip(double(params.tip_stiffness)),
         Ramp::to_tip(double(params.tip_density)));
     if (source_.materials)
         for (const plait_material& m : source_.materials->table)
-            add(m, m.curl, m.clamp_stiffness, ramp_of(m.stiffness_ramp), ramp_of(m.density_ramp));
+            add(m, m.curl, m.clamp_stiffness, m.drag_scale, m.friction_scale,
+                ramp_of(m.stiffness_ramp), ramp_of(m.density_ramp));
     return all;
 }
 

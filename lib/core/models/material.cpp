@@ -20,6 +20,10 @@ class Writer {
     Writer(LaneRows& rows, const LaneLayout& layout) : rows_(rows), layout_(layout) {}
 
     void strand(size_t strand, const RestStrand& s);
+    void scales(size_t strand, double drag, double friction) {
+        set(strand, layout_.row - 1, PLAIT_LANE_DRAG, drag);
+        set(strand, layout_.row - 1, PLAIT_LANE_FRICTION, friction);
+    }
 
   private:
     void set(size_t strand, size_t row, size_t component, double value) {
@@ -102,6 +106,7 @@ LaneRows lane_rows(const RestStrands& strands, std::span<const uint32_t> members
         if (own.curl != 1)
             s.scale_curl(double(own.curl));
         writer.strand(lane, s);
+        writer.scales(lane, double(own.drag), double(own.friction));
     }
     return rows;
 }

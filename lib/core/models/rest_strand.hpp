@@ -32,8 +32,9 @@ struct Material {
     float stretch_stiffness; // N; 0: by the strand's length
     float twist_stiffness;   // N m^2; 0: as bend_stiffness
     float section_ratio;
-    float curl;  // scale of the joints' turns at rest
-    float clamp; // scale of the stiffness of the first
+    float curl;           // scale of the joints' turns at rest
+    float clamp;          // scale of the stiffness of the first
+    float drag, friction; // scales
     Ramp stiffness, density;
     bool equal_masses; // a limp chain's; a rod has half a mass at the tip
     bool inextensible;

@@ -109,7 +109,7 @@ Vector drag_on(Bench& bench, const Segment& segment, uint32_t bdf2) {
         before[i] = -whole * v[3 + i]; // the root goes along
         pose[4 + i] = whole * v[3 + i];
     }
-    const std::vector<float> material{length, 0, 0, 0, 0, 0, 0, 0, 0, mass, 0, 0};
+    const std::vector<float> material{length, 0, 0, 0, 0, 0, 0, 1, 1, mass, 0, 0};
     const auto out = bench.run(
         PLAIT_STAGE_lane_air, 1, 2, params,
         {null_array(), uints({2}), float4s(std::vector<float>(8, 0.0f)), float4s(pose),

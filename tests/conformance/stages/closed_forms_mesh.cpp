@@ -82,7 +82,7 @@ void a_table_of_distances(Bench& bench) {
             append_floats(x, {p[0] - root[0], p[1] - root[1], p[2] - root[2]});
             append_floats(rest, {root[0], root[1], root[2], 0, p[0], p[1], p[2], 0});
             append_floats(pose, {0, 0, 0, 1, 0, 0, 0, 0});
-            append_floats(material, {0.4, 1, 1, 1e-6, 0, 0, 0, 0, 0, 1e-6, 0, 0});
+            append_floats(material, {0.4, 1, 1, 1e-6, 0, 0, 0, 1, 1, 1e-6, 0, 0});
             append_floats(meshes.clearance, {0, 0});
         }
         append_floats(meshes.rows, {0, 0, 0, 1, 0, 0, 0, 1, 0, 0,   0,

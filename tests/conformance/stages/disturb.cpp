@@ -22,7 +22,8 @@ constexpr BufferComponents all_buffers[] = {
 #include <plait/buffers.def>
 };
 
-// Components in the order they lie in, "-" for one that no stage may read.
+// Components in the order they lie in, "-" for one that no stage may read, "a/b" for one that is b
+// in the last row.
 std::vector<std::string> words_of(const char* argument) {
     const auto found = std::find_if(
         std::begin(all_buffers), std::end(all_buffers),
@@ -59,6 +60,16 @@ size_t row_of(const Setup& setup, const Case& stage_case, const Component& compo
     return strands ? size_t{4} * stride : 0;
 }
 
+// Whether float `i` of a buffer of lanes is in these rows of its strand.
+bool is_in(const Setup& setup, const Component& component, size_t i) {
+    if (component.rows == Rows::all)
+        return true;
+    uint32_t stride; // the first field of every parameter struct of a stage over lanes
+    std::memcpy(&stride, setup.params.data(), sizeof stride);
+    const bool last = i / component.period % stride + 1 == stride;
+    return last == (component.rows == Rows::last);
+}
+
 } // namespace
 
 void disturb(Setup& setup, const Field& field, size_t word) {
@@ -84,9 +95,17 @@ std::vector<Component> components_of(const Case& stage_case) {
             continue;
         const auto words = words_of(buffers[i].name);
         for (size_t place = 0; place < words.size(); ++place)
-            if (words[place] != "-")
-                components.push_back(
-                    {std::string(buffers[i].name) + "." + words[place], i, place, words.size()});
+            if (const std::string& word = words[place]; word != "-") {
+                const auto add = [&](const std::string& name, Rows rows) {
+                    components.push_back(
+                        {std::string(buffers[i].name) + "." + name, i, place, words.size(), rows});
+                };
+                const size_t slash = word.find('/');
+                add(word.substr(0, slash),
+                    slash == std::string::npos ? Rows::all : Rows::all_but_last);
+                if (slash != std::string::npos)
+                    add(word.substr(slash + 1), Rows::last);
+            }
     }
     return components;
 }
@@ -104,6 +123,8 @@ bool disturb(Setup& setup, const Case& stage_case, const Component& component) {
     const bool flag = has(stage_case.flags, component.name);
     const size_t items = has(stage_case.ratios, component.name) ? 2 : 1;
     for (size_t i = component.place; i < floats.size(); i += items * component.period) {
+        if (!is_in(setup, component, i))
+            continue;
         const float about = row > 0 ? before[i / row * row + component.place] : 0;
         floats[i] = flag ? (before[i] == 0 ? 1.0f : 0.0f) : about + (before[i] - about) * 1.01f;
     }

@@ -8,10 +8,14 @@ namespace plait::conformance {
 // Changes word `word` of a field the way its kind asks for.
 void disturb(cases::Setup& setup, const cases::Field& field, size_t word);
 
-// Every `period`-th float of a buffer from `place` on.
+// Which of a strand's rows hold a component.
+enum class Rows { all, last, all_but_last };
+
+// Every `period`-th float of a buffer from `place` on, in these rows.
 struct Component {
     std::string name;
     size_t buffer, place, period;
+    Rows rows;
 };
 
 // Those of every buffer of floats that the stage reads, named argument.component. Left out is what

@@ -31,6 +31,7 @@ struct Strand {
     std::vector<Vec3> acceleration; // beside gravity
     std::vector<Vec3> pin;          // relative to the root
     std::vector<double> held;       // N/m, by the pin
+    double drag = 1;                // scale of the params'
     Quat root;
     Vec3 root_at;
 };
@@ -91,6 +92,9 @@ Strand strand_of(const Setup& setup, size_t strand, bool bends, bool sections) {
         if (m[PLAIT_LANE_LENGTH] == 0)
             break;
     }
+    const size_t last = (strand + 1) * setup.width - 1;
+    s.drag = double(
+        setup.buffers[at.material].floats[PLAIT_LANE_MATERIAL_COMPONENTS * last + PLAIT_LANE_DRAG]);
     s.root = quat_at(setup.buffers[at.pose], 2 * strand);
     s.root_at = s.root * vec3_at(setup.buffers[at.rest], strand * setup.width, 4) +
                 vec3_at(setup.buffers[at.pose], 2 * strand + 1, 4);
@@ -119,8 +123,8 @@ double held_by_pins(const Strand& s, const State& at) {
 struct Forces {
     double h, drag;
     Vec3 push;
-    explicit Forces(const plait_lane_params& p)
-        : h(double(p.h)), drag(double(p.drag)),
+    Forces(const plait_lane_params& p, const Strand& s)
+        : h(double(p.h)), drag(double(p.drag) * s.drag),
           push(Vec3(p.gravity[0], p.gravity[1], p.gravity[2]) +
                drag * Vec3(p.air[0], p.air[1], p.air[2])) {}
 };
@@ -223,9 +227,9 @@ struct Count {
 
 void check_substep(const Setup& before, const Setup& now, bool bends, bool sections, Count& count) {
     const Places at(bends);
-    const Forces forces(before.params_as<plait_lane_params>());
     for (size_t k = 0; k < before.items; ++k) {
         const Strand s = strand_of(before, k, bends, sections);
+        const Forces forces(before.params_as<plait_lane_params>(), s);
         const Vec3 shift = vec3_at(before.buffers[at.x], k * before.width) - s.root_at;
         Balance b = balance(s, forces, shift, state_of(before, k, bends), state_of(now, k, bends));
         b.before += held(s, before, state_of(before, k, bends), bends) -
@@ -352,7 +356,7 @@ void no_iteration_raises_the_potential(Bench& bench, plait_stage stage, bool sec
         for (size_t k = 0; k < size.strands; ++k) {
             const Strand s = strand_of(setup, k, true, sections);
             const Vec3 shift = vec3_at(setup.buffers[Places(true).x], k * setup.width) - s.root_at;
-            const double now = potential(s, Forces(params), shift, state_of(setup, k, true),
+            const double now = potential(s, Forces(params, s), shift, state_of(setup, k, true),
                                          state_of(solved, k, true));
             EXPECT_LE(now, before[k] * (1 + 1e-5)) << iterations << " iterations, strand " << k;
             before[k] = now;

@@ -64,6 +64,8 @@ class Material(c.Structure):
         ("clamp_stiffness", c.c_float),
         ("stiffness_ramp", c.c_float * 4),
         ("density_ramp", c.c_float * 4),
+        ("drag_scale", c.c_float),
+        ("friction_scale", c.c_float),
     ]
 
 

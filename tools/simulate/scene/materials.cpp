@@ -40,7 +40,9 @@ void read_fields(JsonReader& in, plait_material& material) {
         {"twist_stiffness", &plait_material::twist_stiffness, 0, 1e3},
         {"section_ratio", &plait_material::section_ratio, 1e-3, 1e3},
         {"curl", &plait_material::curl, 0, 4},
-        {"clamp_stiffness", &plait_material::clamp_stiffness, 0, 100}};
+        {"clamp_stiffness", &plait_material::clamp_stiffness, 0, 100},
+        {"drag_scale", &plait_material::drag_scale, 0, 100},
+        {"friction_scale", &plait_material::friction_scale, 0, 100}};
     for (const Field& field : fields)
         in.number(field.key, material.*field.member, field.least, field.most);
     in.numbers("stiffness_ramp", material.stiffness_ramp, 0, 100);
