@@ -102,7 +102,7 @@ Status Device::take_sources(std::span<const plait_stage_source> sources) {
         texts_[stage->stage] = {source.name ? source.name : format("<%s>", stage->name),
                                 source.source};
         own_texts_.set(stage->stage);
-        PLAIT_TRY(kernel(*stage, usual_vertices));
+        PLAIT_TRY(kernel(*stage, {}));
     }
     return {};
 }
