@@ -34,7 +34,7 @@ void list_programs(std::ofstream& list, const plait_stage_info& stage, const Sou
             Candidate candidate{};
             (void)set_lanes(candidate.info, lanes);
             list << stage.name << ' ' << lanes << ' ' << vertices << ' ' << stage.kernel << ' '
-                 << build_options(candidate, {vertices, 0}) << '\n';
+                 << build_options(candidate, {vertices, 0, 0}) << '\n';
         }
 }
 
@@ -42,7 +42,7 @@ void list_sums(std::ofstream& list, const std::string& program, const plait_stag
     Candidate candidate{};
     (void)set_lanes(candidate.info, 1);
     list << program << " 1 " << usual_vertices << ' ' << stage.kernel << ' '
-         << build_options(candidate, {usual_vertices, grid_sums}) << '\n';
+         << build_options(candidate, {usual_vertices, grid_sums, 0}) << '\n';
 }
 
 int write_all(const std::filesystem::path& directory) {

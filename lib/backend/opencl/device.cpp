@@ -16,6 +16,11 @@ Status check_part(const Buffer& buffer, size_t first, size_t count, const char* 
                         first, first + count, buffer.count)};
 }
 
+bool is_solve(plait_stage stage) {
+    return stage == PLAIT_STAGE_chain || stage == PLAIT_STAGE_cosserat ||
+           stage == PLAIT_STAGE_rod || stage == PLAIT_STAGE_articulated;
+}
+
 } // namespace
 
 Device::Device(Session session, Log log, const Calls& calls, ProgramFolder folder)
@@ -43,6 +48,8 @@ Variant Device::variant_of(const plait_stage_info& stage, const plait_dispatch& 
     if (own_texts_.test(stage.stage))
         return variant;
     variant.group_sums = group_sums(dispatch, info());
+    if (is_solve(stage.stage))
+        variant.idle_local_bytes = session_.idle_local_bytes;
     return variant;
 }
 
