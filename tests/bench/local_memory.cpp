@@ -24,8 +24,10 @@ std::vector<Column> open_columns(uint32_t index, const std::vector<uint32_t>& li
     std::vector<Column> columns;
     for (const uint32_t bytes : list)
         try {
-            columns.push_back({bytes, std::make_unique<Device>(
-                                          index, std::span<const plait_stage_source>{}, bytes), ""});
+            columns.push_back(
+                {bytes,
+                 std::make_unique<Device>(index, std::span<const plait_stage_source>{}, bytes),
+                 ""});
         } catch (const std::exception& error) {
             columns.push_back({bytes, nullptr, error.what()});
         }
@@ -37,7 +39,8 @@ std::vector<Column> open_columns(uint32_t index, const std::vector<uint32_t>& li
 std::vector<double> measure(std::vector<Column>& columns, plait_stage stage, const Shape& shape) {
     std::vector<std::unique_ptr<Rig>> rigs;
     for (Column& column : columns)
-        rigs.push_back(column.device ? std::make_unique<Rig>(*column.device, stage, shape) : nullptr);
+        rigs.push_back(column.device ? std::make_unique<Rig>(*column.device, stage, shape)
+                                     : nullptr);
     std::vector<std::vector<double>> seconds(columns.size());
     for (int round = 0; round < rounds; ++round)
         for (size_t i = 0; i < rigs.size(); ++i)
@@ -52,9 +55,10 @@ std::vector<double> measure(std::vector<Column>& columns, plait_stage stage, con
 
 void sweep(uint32_t index, const plait_device_info& info, const Options& options) {
     const Shape shape{options.strands, options.vertices, info.tile};
-    std::printf("\n%s (%s): ns per vertex, %u strands of %u vertices, %u a work-item, by bytes of idle "
-                "local memory a work-group\n\n| solve |",
-                info.name, info.platform, shape.strands, shape.vertices, info.lanes);
+    std::printf(
+        "\n%s (%s): ns per vertex, %u strands of %u vertices, %u a work-item, by bytes of idle "
+        "local memory a work-group\n\n| solve |",
+        info.name, info.platform, shape.strands, shape.vertices, info.lanes);
     for (const uint32_t bytes : options.local_memory)
         std::printf(" %u |", bytes);
     std::printf("\n|---|");

@@ -20,7 +20,8 @@ plait_device_info device_of(uint32_t lanes, uint64_t local_bytes) {
     return info;
 }
 
-template <typename Params> uint32_t words_of(plait_stage stage, uint32_t edge, uint64_t local_bytes) {
+template <typename Params>
+uint32_t words_of(plait_stage stage, uint32_t edge, uint64_t local_bytes) {
     Params params{};
     params.edge_count = edge;
     const plait_dispatch dispatch{stage, 1, 16, &params, sizeof params, 0, nullptr, 0};
@@ -56,9 +57,8 @@ constexpr uint32_t tile = 32, strands = 300, vertices = 7; // groups of 128, and
 
 std::vector<DeviceName> opencl_devices() {
     std::vector<DeviceName> names = every_device();
-    std::erase_if(names, [](const DeviceName& name) {
-        return std::string(name.backend->name) != "opencl";
-    });
+    std::erase_if(
+        names, [](const DeviceName& name) { return std::string(name.backend->name) != "opencl"; });
     return names;
 }
 
@@ -96,7 +96,8 @@ class OnDevice : public ::testing::TestWithParam<DeviceName> {
             StageDevice device(GetParam(), info);
             const plait_dispatch dispatch{stage,         strands, width,   &params,
                                           sizeof params, 0,       nullptr, 0};
-            const uint32_t words = params.edge_count * params.edge_count * params.edge_count * PLAIT_SUM_STRIDE;
+            const uint32_t words =
+                params.edge_count * params.edge_count * params.edge_count * PLAIT_SUM_STRIDE;
             ASSERT_EQ(group_sums(dispatch, device.describe()), words) << "a device of too little";
             const auto list = buffers(device);
             const auto sums = device.uints(words), outside = device.uints(1);
@@ -116,7 +117,8 @@ class OnDevice : public ::testing::TestWithParam<DeviceName> {
         EXPECT_LT(results[0].back(), strands * vertices);
     }
 };
-INSTANTIATE_TEST_SUITE_P(GroupSums, OnDevice, ::testing::ValuesIn(opencl_devices()), device_test_name);
+INSTANTIATE_TEST_SUITE_P(GroupSums, OnDevice, ::testing::ValuesIn(opencl_devices()),
+                         device_test_name);
 
 template <typename Params> Params grid_of(uint32_t edge) {
     Params params{};
