@@ -47,7 +47,9 @@ static inline mask articulated_wants(const rod_problem* rod, const rod_state* s,
     return wants | (rod->contacts->lanes & restless);
 }
 
-static inline void articulated_solve(const rod_problem* rod, rod_state* s, uint iterations) {
+/* From the start, whose level is known, but for contacts that were found since. */
+static inline void articulated_solve(const rod_problem* rod, rod_state* s, articulated_level start,
+                                     uint iterations) {
     mask takes = (real)(0.0f) == (real)(0.0f), moved = takes;
     for (uint k = 0;; ++k) {
         if (rod->contacts)
@@ -55,7 +57,9 @@ static inline void articulated_solve(const rod_problem* rod, rod_state* s, uint 
         takes &= articulated_wants(rod, s, iterations, k, moved);
         if (!any_lane(takes))
             return;
-        moved = articulated_newton(rod, s, takes);
+        const int known = k == 0 && !rod->contacts;
+        const articulated_level level = known ? start : articulated_level_of(rod, s);
+        moved = articulated_newton(rod, s, level, takes);
     }
 }
 
@@ -68,6 +72,7 @@ __kernel void plait_articulated(const uint item_count, const plait_lane_params p
                                 __global real* lane_x, __global real* lane_v, __global real* lane_q,
                                 __global real* lane_q_before, __global real* lane_x_before,
                                 __global real* lane_v_before) {
+    HOLD_IDLE_LOCAL(item_count, lane_x)
     lane_step step;
     if (!lane_begin(&step, item_count, &params, lane_strand, rest, pose, lane_material,
                     lane_acceleration, lane_pin))
@@ -82,7 +87,7 @@ __kernel void plait_articulated(const uint item_count, const plait_lane_params p
     const rod_problem rod =
         rod_problem_of(&step, y, lane_rest, contact_may_be(&params) ? &contacts : 0, 0);
     articulated_load(&rod, &s, state, lane_q);
-    articulated_start(&rod, &s);
-    articulated_solve(&rod, &s, params.iterations);
+    const articulated_level start = articulated_start(&rod, &s, state, lane_q);
+    articulated_solve(&rod, &s, start, params.iterations);
     rod_store(&rod, &params, state, &s, w, lane_q, lane_q_before, 0.0f);
 }

@@ -170,6 +170,7 @@ __kernel void plait_chain(const uint item_count, const plait_lane_params params,
                           __global const real* lane_pin, __global const real* lane_plane,
                           __global real* lane_x, __global real* lane_v,
                           __global real* lane_x_before, __global real* lane_v_before) {
+    HOLD_IDLE_LOCAL(item_count, lane_x)
     lane_step step;
     if (!lane_begin(&step, item_count, &params, lane_strand, rest, pose, lane_material,
                     lane_acceleration, lane_pin))

@@ -19,6 +19,7 @@ __kernel void plait_cosserat(const uint item_count, const plait_lane_params para
                              __global real* lane_v, __global real* lane_q,
                              __global real* lane_q_before, __global real* lane_x_before,
                              __global real* lane_v_before) {
+    HOLD_IDLE_LOCAL(item_count, lane_x)
     lane_step step;
     if (!lane_begin(&step, item_count, &params, lane_strand, rest, pose, lane_material,
                     lane_acceleration, lane_pin))

@@ -10,7 +10,7 @@
  */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/grid.clh"
-#include "common/sum.clh"
+#include "common/group_sum.clh"
 
 /* Velocity as far as the sums hold it; NaN, of an overflow, as 0. */
 static inline float3 summable_velocity(const plait_grid_params* params, float3 x, float3 prev) {
@@ -44,20 +44,14 @@ static inline void run_add(run_t* run, uint node, float weight, float3 v) {
     run->energy[node] += weight * dot3(v, v);
 }
 
-static inline void run_end(const run_t* run, uint nodes, __global uint* sums) {
+SUMS_INLINE void run_end(const run_t* run, uint nodes, SUM_SPACE uint* sums) {
     if (run->cell.low == GRID_OUTSIDE)
         return;
     const float4 scale = (float4)((float3)(PLAIT_SUM_MOMENTUM_SCALE), PLAIT_SUM_DENSITY_SCALE);
 #pragma unroll
     for (uint node = 0u; node < nodes; ++node) {
-        __global uint* words = sums + (size_t)stencil_voxel(run->cell, node) * PLAIT_SUM_STRIDE;
-        const float4 moments = sum_round(scale * run->moments[node]);
-        const float4 energy = sum_round((float4)(PLAIT_SUM_ENERGY_SCALE * run->energy[node]));
-        sum_add(words, convert_long(moments.w));
-        sum_add(words + 2, convert_long(moments.x));
-        sum_add(words + 4, convert_long(moments.y));
-        sum_add(words + 6, convert_long(moments.z));
-        sum_add(words + 8, convert_long(energy.x));
+        splat_add(sums + (size_t)stencil_voxel(run->cell, node) * PLAIT_SUM_STRIDE,
+                  scale * run->moments[node], PLAIT_SUM_ENERGY_SCALE * run->energy[node]);
     }
 }
 
@@ -75,9 +69,9 @@ static inline stencil_t cell_of(const plait_grid_params* params, float3 g) {
 
 /* Adds all vertices of a strand to so many nodes each; returns how many lie outside the grid. Where
  * `nodes` is a constant, the run stays in registers. */
-static inline uint splat_strand(const plait_grid_params* params, uint count, uint nodes,
-                                __global const float4* position,
-                                __global const float4* position_prev, __global uint* grid_sum) {
+SUMS_INLINE uint splat_strand(const plait_grid_params* params, uint count, uint nodes,
+                              __global const float4* position, __global const float4* position_prev,
+                              SUM_SPACE uint* sums) {
     uint outside = 0u;
     run_t run;
     run.cell.low = GRID_OUTSIDE;
@@ -86,7 +80,7 @@ static inline uint splat_strand(const plait_grid_params* params, uint count, uin
         const float3 g = grid_coordinates(params, x);
         const stencil_t cell = cell_of(params, g);
         if (cell.low != run.cell.low) {
-            run_end(&run, nodes, grid_sum);
+            run_end(&run, nodes, sums);
             run_begin(&run, cell, nodes);
         }
         if (cell.low == GRID_OUTSIDE) {
@@ -98,7 +92,7 @@ static inline uint splat_strand(const plait_grid_params* params, uint count, uin
         for (uint node = 0u; node < nodes; ++node)
             run_add(&run, node, nodes == 1u ? tent_voxel(g) : stencil_weight(cell, node), v);
     }
-    run_end(&run, nodes, grid_sum);
+    run_end(&run, nodes, sums);
     return outside;
 }
 
@@ -107,15 +101,18 @@ __kernel void plait_grid_splat(const uint item_count, const plait_grid_params pa
                                __global const float4* position_prev, __global uint* grid_sum,
                                __global uint* grid_outside) {
     const uint strand = get_global_id(0);
-    if (strand >= item_count)
-        return;
-    const size_t first = (size_t)strand * params.vertex_stride;
-    const uint count = vertex_count[strand];
-    const uint outside =
-        params.tent == PLAIT_TENT_VOXEL
-            ? splat_strand(&params, count, 1u, position + first, position_prev + first, grid_sum)
-            : splat_strand(&params, count, SPLAT_NODES, position + first, position_prev + first,
-                           grid_sum);
+    SUMS_BEGIN(sums, grid_sum);
+    uint outside = 0u;
+    if (strand < item_count) {
+        const size_t first = (size_t)strand * params.vertex_stride;
+        const uint count = vertex_count[strand];
+        outside =
+            params.tent == PLAIT_TENT_VOXEL
+                ? splat_strand(&params, count, 1u, position + first, position_prev + first, sums)
+                : splat_strand(&params, count, SPLAT_NODES, position + first, position_prev + first,
+                               sums);
+    }
+    SUMS_END(sums, grid_sum);
     if (outside > 0u)
         atomic_add(grid_outside, outside);
 }

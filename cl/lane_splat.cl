@@ -5,32 +5,33 @@
  * Adds to grid_sum, per voxel five 64-bit sums: tent, tent v (3), tent |v|^2; and to grid_outside.
  * Source  as grid_splat.
  * Changed neighbouring strands pass through the same voxels: what a work-item adds to one is added
- *         up in private memory, in the order of rows and then lanes, and rounded once. Strands lie
- *         in lanes by their roots, so the sums do not depend on the order in which work-items
- *         arrive.
+ *         up and rounded once, on CPUs in private memory, in the order of rows and then lanes; on GPUs
+ *         as long as vertices lie among the same eight, and groups add up small grids in local memory
+ *         first. Strands lie in lanes by their roots, so the sums do not depend on the order in which
+ *         work-items arrive.
  */
 #pragma OPENCL FP_CONTRACT OFF
 #define SPLAT_LAST_SCALE PLAIT_SUM_ENERGY_SCALE
 #include "common/lane_sum.clh"
 
-__kernel void plait_lane_splat(const uint item_count, const plait_lane_grid_params params,
-                               __global const uint* lane_strand, __global const uint* vertex_count,
-                               __global const real* lane_x, __global const real* lane_v,
-                               __global uint* grid_sum, __global uint* grid_outside) {
+/* All that a work-item adds; returns how many vertices lie outside the grid. */
+SUMS_INLINE uint splat_item(uint item_count, const plait_lane_grid_params* params,
+                            __global const uint* lane_strand, __global const uint* vertex_count,
+                            __global const real* lane_x, __global const real* lane_v,
+                            SUM_SPACE uint* sums) {
     splat_strands strands[SPLAT_RUN];
     const uint taken =
         splat_take(strands, (uint)get_global_id(0), item_count, lane_strand, vertex_count, lane_x);
     if (taken == 0u)
-        return;
-    const lane_grid grid = lane_grid_of(&params);
+        return 0u;
+    const lane_grid grid = lane_grid_of(params);
     splat_t splat;
-    splat_begin(&splat);
     splat_around around;
-    around.voxel = SPLAT_NONE;
+    splat_begin(&splat, &around);
     uint outside = 0u;
-    for (int i = 0; i < (int)params.vertex_stride; ++i)
+    for (int i = 0; i < (int)params->vertex_stride; ++i)
         for (uint j = 0; j < taken; ++j) {
-            const splat_row row = splat_row_of(&grid, strands + j, i, params.tent, lane_x, lane_v);
+            const splat_row row = splat_row_of(&grid, strands + j, i, params->tent, lane_x, lane_v);
             outside += splat_outside(&row);
             for (uint k = 0; k < PLAIT_LANES; ++k) {
                 if (!LANE_OF_MASK(row.inside, k))
@@ -38,14 +39,21 @@ __kernel void plait_lane_splat(const uint item_count, const plait_lane_grid_para
                 const float3 v = splat_velocity(&row, k);
                 const float energy = v.x * v.x + v.y * v.y + v.z * v.z;
                 const float8 moments = (float8)(v.x, v.y, v.z, 1.0f, energy, 0.0f, 0.0f, 0.0f);
-                if (params.tent == PLAIT_TENT_VOXEL)
-                    splat_voxel(&splat, &grid, &row, k, moments, grid_sum);
-                else
-                    splat_corners(&splat, &around, &grid, &row, k, moments, grid_sum);
+                splat_vertex(&splat, &around, &grid, &row, k, params->tent, moments, sums);
             }
         }
-    splat_leave(&splat, &around);
-    splat_end(&splat, grid_sum);
+    splat_end(&splat, &around, &grid, sums);
+    return outside;
+}
+
+__kernel void plait_lane_splat(const uint item_count, const plait_lane_grid_params params,
+                               __global const uint* lane_strand, __global const uint* vertex_count,
+                               __global const real* lane_x, __global const real* lane_v,
+                               __global uint* grid_sum, __global uint* grid_outside) {
+    SUMS_BEGIN(sums, grid_sum);
+    const uint outside =
+        splat_item(item_count, &params, lane_strand, vertex_count, lane_x, lane_v, sums);
+    SUMS_END(sums, grid_sum);
     if (outside > 0u)
         atomic_add(grid_outside, outside);
 }

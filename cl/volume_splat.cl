@@ -10,23 +10,23 @@
 #define SPLAT_LAST_SCALE PLAIT_SUM_REST_SCALE
 #include "common/lane_sum.clh"
 
-__kernel void plait_volume_splat(const uint item_count, const plait_lane_volume_params params,
-                                 __global const uint* lane_strand,
-                                 __global const uint* vertex_count, __global const real* lane_share,
-                                 __global const real* lane_x, __global const real* lane_v,
-                                 __global uint* grid_sum, __global uint* grid_outside) {
+/* All that a work-item adds; returns how many vertices lie outside the grid. */
+SUMS_INLINE uint splat_item(uint item_count, const plait_lane_volume_params* params,
+                            __global const uint* lane_strand, __global const uint* vertex_count,
+                            __global const real* lane_share, __global const real* lane_x,
+                            __global const real* lane_v, SUM_SPACE uint* sums) {
     splat_strands strands[SPLAT_RUN];
     const uint taken =
         splat_take(strands, (uint)get_global_id(0), item_count, lane_strand, vertex_count, lane_x);
     if (taken == 0u)
-        return;
-    const lane_grid grid = lane_grid_at(params.q, params.t, params.voxel_edge, params.edge_count);
+        return 0u;
+    const lane_grid grid =
+        lane_grid_at(params->q, params->t, params->voxel_edge, params->edge_count);
     splat_t splat;
-    splat_begin(&splat);
     splat_around around;
-    around.voxel = SPLAT_NONE;
+    splat_begin(&splat, &around);
     uint outside = 0u;
-    for (int i = 0; i < (int)params.vertex_stride; ++i)
+    for (int i = 0; i < (int)params->vertex_stride; ++i)
         for (uint j = 0; j < taken; ++j) {
             const splat_row row =
                 splat_row_of(&grid, strands + j, i, PLAIT_TENT_TRILINEAR, lane_x, lane_v);
@@ -41,11 +41,23 @@ __kernel void plait_volume_splat(const uint item_count, const plait_lane_volume_
                 const float3 v = splat_velocity(&row, k);
                 const float8 moments =
                     (float8)(v.x, v.y, v.z, 1.0f, LANE(rest, k), 0.0f, 0.0f, 0.0f);
-                splat_corners(&splat, &around, &grid, &row, k, LANE(hair, k) * moments, grid_sum);
+                splat_vertex(&splat, &around, &grid, &row, k, PLAIT_TENT_TRILINEAR,
+                             LANE(hair, k) * moments, sums);
             }
         }
-    splat_leave(&splat, &around);
-    splat_end(&splat, grid_sum);
+    splat_end(&splat, &around, &grid, sums);
+    return outside;
+}
+
+__kernel void plait_volume_splat(const uint item_count, const plait_lane_volume_params params,
+                                 __global const uint* lane_strand,
+                                 __global const uint* vertex_count, __global const real* lane_share,
+                                 __global const real* lane_x, __global const real* lane_v,
+                                 __global uint* grid_sum, __global uint* grid_outside) {
+    SUMS_BEGIN(sums, grid_sum);
+    const uint outside = splat_item(item_count, &params, lane_strand, vertex_count, lane_share,
+                                    lane_x, lane_v, sums);
+    SUMS_END(sums, grid_sum);
     if (outside > 0u)
         atomic_add(grid_outside, outside);
 }

@@ -16,6 +16,9 @@ void register_stages(uint32_t device, Results& results);
 void register_steps(uint32_t device, Results& results);
 void register_characters(uint32_t device, Results& results);
 
+// Prints what the solves over strands take while each work-group holds so much idle local memory.
+void sweep_local_memory(const Results& results);
+
 inline double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }

@@ -22,6 +22,8 @@ constexpr char usage[] =
     "  --vertices=V    vertices per strand, 2 to 256 (32)\n"
     "  --write=FOLDER  write bench-<device>.md and .csv there\n"
     "  --json=FOLDER   write bench-<device>.json there, for compare\n"
+    "  --local-memory=0,16384,...  instead of the rows: the solves over strands while each\n"
+    "                  work-group holds so many bytes of local memory that it does not use\n"
     "plait-bench compare OLD.json NEW.json [--least=PERCENT]\n"
     "  prints every row of both runs, and which became faster or slower: where no repetition\n"
     "  of one run is within the other's, and the medians are PERCENT (5) apart at least. That\n"
@@ -38,6 +40,18 @@ uint32_t number(std::string_view argument, std::string_view value, uint32_t low,
     return parsed;
 }
 
+// Whether a device has so much, it says itself.
+std::vector<uint32_t> numbers(std::string_view argument, std::string_view values) {
+    std::vector<uint32_t> list;
+    while (true) {
+        const size_t end = std::min(values.find(','), values.size());
+        list.push_back(number(argument, values.substr(0, end), 0, 1u << 30));
+        if (end == values.size())
+            return list;
+        values.remove_prefix(end + 1);
+    }
+}
+
 // Takes plait-bench's own options out of the arguments.
 Options take_options(int& argc, char** argv) {
     Options options;
@@ -52,6 +66,8 @@ Options take_options(int& argc, char** argv) {
             options.write = value;
         else if (argument.starts_with("--json="))
             options.json = value;
+        else if (argument.starts_with("--local-memory="))
+            options.local_memory = numbers(argument, value);
         else
             return false;
         return true;
@@ -86,6 +102,10 @@ int run(int argc, char** argv) {
         register_stages(index, results);
         register_steps(index, results);
         register_characters(index, results);
+    }
+    if (!results.options.local_memory.empty()) {
+        sweep_local_memory(results);
+        return 0;
     }
     if (results.options.json.empty()) {
         benchmark::RunSpecifiedBenchmarks();

@@ -8,6 +8,7 @@
 #include <map>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace bench {
 
@@ -16,7 +17,8 @@ struct Options {
     uint32_t vertices = 32;   // per strand, of the rows of stages and of the thesis's table
     std::string write;        // folder for the page and the CSV file; empty: none
     std::string json;         // folder for a file of the rows of each device; empty: none
-    double load = 0;          // of the host in the minute before
+    std::vector<uint32_t> local_memory; // bytes, of the sweep; empty: none, but the rows
+    double load = 0;                    // of the host in the minute before
 };
 
 constexpr uint32_t model_vertices = 16; // per strand, of the models' rows

@@ -100,8 +100,8 @@ Setup GridHair::setup() const {
 }
 
 std::vector<GridHair> make_grid_hair() {
-    return {make({67, 16}, 3, 5),  make({7, 31}, 8, 16), make({1, 2}, 1, 1),
-            make({5, 100}, 5, 67), make({67, 5}, 4, 1),  make({2, 256}, 2, 300)};
+    return {make({67, 16}, 3, 5), make({7, 31}, 8, 16),   make({1, 2}, 1, 1), make({5, 100}, 5, 67),
+            make({67, 5}, 4, 1),  make({2, 256}, 2, 300), make({9, 9}, 12, 2)};
 }
 
 GridHair make_much_grid_hair() {

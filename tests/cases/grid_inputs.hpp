@@ -20,7 +20,8 @@ struct GridHair {
     Setup setup() const; // name and parameters
 };
 
-// A few shapes of hair and grid; about one vertex in ten lies outside the grid.
+// A few shapes of hair and grid, the last larger than a work-group's local memory; about one vertex in
+// ten lies outside the grid.
 std::vector<GridHair> make_grid_hair();
 // So many strands that work-items of lane_splat take several times their lanes.
 GridHair make_much_grid_hair();

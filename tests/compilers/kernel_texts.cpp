@@ -14,6 +14,10 @@ namespace {
 constexpr uint32_t vertex_counts[] = {usual_vertices, 21};
 constexpr uint32_t lane_counts[] = {1, 16};
 
+// Stages whose work-groups may add up sums in local memory: a program more, `<stage>-8`, for a grid of 8
+// voxels each way.
+constexpr uint32_t grid_sums = 8 * 8 * 8 * PLAIT_SUM_STRIDE;
+
 // Does the text depend on them? What does not is compiled once.
 bool mentions(const Source& source, const char* name) {
     return source.text.find(name) != source.text.npos;
@@ -30,8 +34,15 @@ void list_programs(std::ofstream& list, const plait_stage_info& stage, const Sou
             Candidate candidate{};
             (void)set_lanes(candidate.info, lanes);
             list << stage.name << ' ' << lanes << ' ' << vertices << ' ' << stage.kernel << ' '
-                 << build_options(candidate, vertices) << '\n';
+                 << build_options(candidate, {vertices, 0, 0}) << '\n';
         }
+}
+
+void list_sums(std::ofstream& list, const std::string& program, const plait_stage_info& stage) {
+    Candidate candidate{};
+    (void)set_lanes(candidate.info, 1);
+    list << program << " 1 " << usual_vertices << ' ' << stage.kernel << ' '
+         << build_options(candidate, {usual_vertices, grid_sums, 0}) << '\n';
 }
 
 int write_all(const std::filesystem::path& directory) {
@@ -47,6 +58,11 @@ int write_all(const std::filesystem::path& directory) {
         }
         std::ofstream(directory / (std::string(stage.name) + ".cl")) << source->text;
         list_programs(list, stage, *source);
+        if (mentions(*source, "PLAIT_GROUP_SUMS")) {
+            const std::string program = std::string(stage.name) + "-8";
+            std::ofstream(directory / (program + ".cl")) << source->text;
+            list_sums(list, program, stage);
+        }
     }
     return list.flush() ? 0 : 1;
 }

@@ -35,6 +35,15 @@ TEST(Ranges, vertices_fill_large_groups_where_a_group_is_no_loop) {
     expect_range(spread(PLAIT_STAGE_grid_splat, 65, 1, {1024, 1024, 32768, 1}), 128, 64);
 }
 
+// What they add is cleared and handed on once a group.
+TEST(Ranges, strands_that_sum_in_local_memory_fill_larger_groups) {
+    const GroupLimits sums{1024, 1024, 65536, 1, 32, false, true};
+    expect_range(spread(PLAIT_STAGE_grid_splat, 129, 1, sums), 256, 128);
+    expect_range(spread(PLAIT_STAGE_lane_splat, 129, 16, sums), 256, 128);
+    expect_range(spread(PLAIT_STAGE_lane_splat, 129, 16, {1024, 64, 65536, 1, 32, false, true}),
+                 192, 64);
+}
+
 TEST(Ranges, short_strands_share_a_group) {
     expect_range(spread(PLAIT_STAGE_length, 5, 16), 128, 64); // 4 strands a group
     expect_range(spread(PLAIT_STAGE_length, 5, 24), 144, 48); // 2 strands a group

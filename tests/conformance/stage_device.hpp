@@ -95,8 +95,8 @@ class StageBuffer {
 
 class StageDevice {
   public:
-    explicit StageDevice(const DeviceName& name) : api_(name.backend->device) {
-        plait_open_info info{};
+    explicit StageDevice(const DeviceName& name, plait_open_info info = {})
+        : api_(name.backend->device) {
         info.struct_size = sizeof info;
         info.device_index = name.index;
         char error[4096] = "";
@@ -124,6 +124,13 @@ class StageDevice {
             stage,         static_cast<uint32_t>(items),          item_width,     &params,
             sizeof params, static_cast<uint32_t>(handles.size()), handles.data(), 0};
         EXPECT_EQ(api_->submit(device_, &dispatch, 1), PLAIT_OK) << api_->last_error(device_);
+    }
+
+    plait_device_info describe() const {
+        plait_device_info info{};
+        info.struct_size = sizeof info;
+        EXPECT_EQ(api_->describe(device_, &info), PLAIT_OK);
+        return info;
     }
 
   private:

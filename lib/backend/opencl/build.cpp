@@ -22,10 +22,10 @@ Result<Kernel> find_kernel(cl_program program, const plait_stage_info& stage,
 
 Result<StageKernel> build(Programs& programs, const Candidate& device,
                           const plait_stage_info& stage, const StageText& text,
-                          const ProgramFolder& folder, uint32_t vertices, const Log& log) {
+                          const ProgramFolder& folder, const Variant& variant, const Log& log) {
     auto source = flatten(text.name, text.text);
     PLAIT_TRY(source);
-    const std::string options = build_options(device, vertices);
+    const std::string options = build_options(device, variant);
     const ProgramRequest request{device, *source, options, folder, log};
     const auto program = programs.get(request);
     PLAIT_TRY(program);
@@ -50,12 +50,16 @@ Result<StageKernel> build(Programs& programs, const Candidate& device,
 
 } // namespace
 
-std::string build_options(const Candidate& device, uint32_t vertices) {
+std::string build_options(const Candidate& device, const Variant& variant) {
     // Velocities of hair that comes to rest die away through the denormal numbers, which CPUs
     // multiply a hundred times as slowly: resting strands cost half as much again.
     std::string options = "-cl-std=CL1.2 -cl-kernel-arg-info -cl-denorms-are-zero";
     options += format(" -DPLAIT_LANES=%u -DPLAIT_TILE=%u -DPLAIT_VERTICES=%u", device.info.lanes,
-                      device.info.tile, vertices);
+                      device.info.tile, variant.vertices);
+    if (variant.group_sums > 0)
+        options += format(" -DPLAIT_GROUP_SUMS=%u", variant.group_sums);
+    if (variant.idle_local_bytes > 0)
+        options += format(" -DPLAIT_IDLE_LOCAL=%u", variant.idle_local_bytes);
     // Oclgrind 21.10 does not know the intrinsics that LLVM's optimiser leaves in its input
     // (llvm.experimental.noalias.scope.decl).
     if (std::string_view(device.info.platform) == "Oclgrind")
@@ -65,8 +69,9 @@ std::string build_options(const Candidate& device, uint32_t vertices) {
 
 Result<StageKernel> build_stage(Programs& programs, const Candidate& device,
                                 const plait_stage_info& stage, const StageText& text,
-                                const Log& log, const ProgramFolder& folder, uint32_t vertices) {
-    auto built = build(programs, device, stage, text, folder, vertices, log);
+                                const Log& log, const ProgramFolder& folder,
+                                const Variant& variant) {
+    auto built = build(programs, device, stage, text, folder, variant, log);
     if (!built.ok()) {
         Error error = built.error();
         error.message = format("stage %s: %s", stage.name, error.message.c_str());

@@ -24,16 +24,24 @@ struct StageKernel {
 // Vertices per strand that a kernel over lanes is built for where no strand is at hand.
 inline constexpr uint32_t usual_vertices = 16;
 
-// `vertices` per strand matter to the stages over lanes alone, which are built for one number.
+// What a kernel is built for beside the device.
+struct Variant {
+    uint32_t vertices = usual_vertices; // per strand: of the stages over lanes
+    uint32_t group_sums = 0;            // words, as of group_sums()
+    uint32_t idle_local_bytes = 0;      // as of plait_open_info: of the solves over strands
+
+    auto operator<=>(const Variant&) const = default;
+};
+
 // @errors COMPILE with the compiler's whole log, or the argument that differs from stages.def
 Result<StageKernel> build_stage(Programs& programs, const Candidate& device,
                                 const plait_stage_info& stage, const StageText& text,
                                 const Log& log, const ProgramFolder& folder = {},
-                                uint32_t vertices = usual_vertices);
+                                const Variant& variant = {});
 
 // What kernels are built with. Contraction of a*b + c is left to each kernel (FP_CONTRACT); nothing
 // that trades accuracy for speed is on, and argument information is kept for the check. Kernels
 // over lanes learn the width, the tile and the vertices per strand.
-std::string build_options(const Candidate& device, uint32_t vertices = usual_vertices);
+std::string build_options(const Candidate& device, const Variant& variant = {});
 
 } // namespace plait::opencl

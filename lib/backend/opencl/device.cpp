@@ -1,6 +1,7 @@
 #include "backend/opencl/device.hpp"
 
 #include "backend/opencl/errors.hpp"
+#include "backend/opencl/group_sums.hpp"
 #include "backend/opencl/source.hpp"
 #include "base/format.hpp"
 
@@ -13,6 +14,11 @@ Status check_part(const Buffer& buffer, size_t first, size_t count, const char* 
     return Error{PLAIT_INVALID_ARGUMENT,
                  format("%s buffer %s: elements %zu to %zu of %zu", what, buffer.name.c_str(),
                         first, first + count, buffer.count)};
+}
+
+bool is_solve(plait_stage stage) {
+    return stage == PLAIT_STAGE_chain || stage == PLAIT_STAGE_cosserat ||
+           stage == PLAIT_STAGE_rod || stage == PLAIT_STAGE_articulated;
 }
 
 } // namespace
@@ -34,16 +40,27 @@ bool Device::supports(plait_stage stage) const {
     return stage >= 0 && stage < PLAIT_STAGE_COUNT && texts_[stage].has_value();
 }
 
-Result<const StageKernel*> Device::kernel(const plait_stage_info& stage, uint32_t vertices) {
-    if (stage.space != PLAIT_SPACE_LANES)
-        vertices = usual_vertices;
-    const auto key = std::pair(stage.stage, vertices);
+// A kernel of the user's knows nothing of local memory.
+Variant Device::variant_of(const plait_stage_info& stage, const plait_dispatch& dispatch) const {
+    Variant variant;
+    if (stage.space == PLAIT_SPACE_LANES)
+        variant.vertices = dispatch.item_width;
+    if (own_texts_.test(stage.stage))
+        return variant;
+    variant.group_sums = group_sums(dispatch, info());
+    if (is_solve(stage.stage))
+        variant.idle_local_bytes = session_.idle_local_bytes;
+    return variant;
+}
+
+Result<const StageKernel*> Device::kernel(const plait_stage_info& stage, const Variant& variant) {
+    const auto key = std::pair(stage.stage, variant);
     auto found = kernels_.find(key);
     if (found == kernels_.end()) {
         if (!texts_[stage.stage])
             return Error{PLAIT_UNSUPPORTED, format("stage %s has no kernel", stage.name)};
         auto built = build_stage(*session_.programs, session_.candidate, stage,
-                                 *texts_[stage.stage], log_, folder_, vertices);
+                                 *texts_[stage.stage], log_, folder_, variant);
         PLAIT_TRY(built);
         found = kernels_.emplace(key, std::move(*built)).first;
     }

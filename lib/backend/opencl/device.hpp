@@ -31,6 +31,7 @@ struct Session {
     std::shared_ptr<Programs> programs; // and the cl_context they are of
     Queue queue;
     bool profile;
+    uint32_t idle_local_bytes = 0; // of the solves over strands
 };
 
 class Device {
@@ -66,8 +67,8 @@ class Device {
     Device(Session session, Log log, const Calls& calls, ProgramFolder folder);
 
     Status take_sources(std::span<const plait_stage_source> sources);
-    // `vertices` per strand: of the stages over lanes, which are built once for each number.
-    Result<const StageKernel*> kernel(const plait_stage_info& stage, uint32_t vertices);
+    Variant variant_of(const plait_stage_info& stage, const plait_dispatch& dispatch) const;
+    Result<const StageKernel*> kernel(const plait_stage_info& stage, const Variant& variant);
     Result<WorkRange> range_of(const plait_stage_info& stage, const plait_dispatch& dispatch,
                                const StageKernel& built) const;
     cl_command_queue work_queue() const {
@@ -87,7 +88,7 @@ class Device {
     SideQueues side_queues_;
     std::array<std::optional<StageText>, PLAIT_STAGE_COUNT> texts_;
     std::bitset<PLAIT_STAGE_COUNT> own_texts_; // the user's
-    std::map<std::pair<plait_stage, uint32_t>, StageKernel> kernels_;
+    std::map<std::pair<plait_stage, Variant>, StageKernel> kernels_;
     std::set<std::pair<const StageKernel*, bool>> warm_; // and whether over a large grid
     std::optional<Error> lost_;
     std::string last_error_;

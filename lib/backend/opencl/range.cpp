@@ -17,6 +17,11 @@ constexpr size_t usual_group = 64;
 // has room for 1536.
 constexpr size_t small_items_group = 256;
 
+// Where a group clears and hands on its sums of the grid, a fixed cost, and its local memory says how
+// many of them run at a time: of 64, with a grid of 8^3, two thirds of the warps that the registers of a
+// multiprocessor of NVIDIA's have room for (compute capability 8.6), of 128 all of them.
+constexpr size_t summing_group = 128;
+
 size_t local_bytes_per_item(const plait_stage_info& stage) {
     size_t bytes = 0;
     for (const plait_stage_arg& arg : std::span(stage.args, stage.arg_count))
@@ -61,11 +66,15 @@ WorkRange voxel_groups(const plait_stage_info& stage, const plait_dispatch& disp
     return ranges_of(dispatch.item_count, width);
 }
 
+size_t strand_items(const GroupLimits& limits) {
+    return limits.sums ? summing_group : usual_group;
+}
+
 // A work-item steps `lanes` strands; where these fill registers, one is a work-group's worth.
 WorkRange lane_items(const plait_dispatch& dispatch, const GroupLimits& limits) {
     const size_t tiles = (dispatch.item_count + limits.tile - 1) / limits.tile;
     const size_t items = tiles * (limits.tile / limits.lanes);
-    const size_t wished = limits.lanes > 1 ? 1 : usual_group;
+    const size_t wished = limits.lanes > 1 ? 1 : strand_items(limits);
     const size_t local = std::min({wished, limits.device_items, limits.kernel_items});
     return ranges_of((items + local - 1) / local, local);
 }
@@ -90,7 +99,7 @@ Result<WorkRange> work_range(const plait_stage_info& stage, const plait_dispatch
     if (stage.space == PLAIT_SPACE_LANES)
         return lane_items(dispatch, limits);
     const bool small = stage.space == PLAIT_SPACE_VERTEX || stage.space == PLAIT_SPACE_WORD;
-    const size_t wished = small && limits.lanes == 1 ? small_items_group : usual_group;
+    const size_t wished = small && limits.lanes == 1 ? small_items_group : strand_items(limits);
     const size_t local = std::min({wished, limits.device_items, limits.kernel_items});
     return ranges_of((dispatch.item_count + local - 1) / local, local);
 }

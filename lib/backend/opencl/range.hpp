@@ -16,6 +16,7 @@ struct GroupLimits {
     size_t lanes = 1;      // strands per work-item, and per tile, of the stages over lanes
     size_t tile = 1;
     bool advice = false; // kernel_items is only what the driver likes best
+    bool sums = false;   // a group's sums are in its local memory: group_sums() > 0
 };
 
 // CL_KERNEL_WORK_GROUP_SIZE is a limit by the standard. The rusticl of Mesa 22.3 (Debian 12) gives
@@ -30,7 +31,7 @@ struct WorkRange {
 size_t element_size(plait_element element);
 
 // VERTEX, STRAND, VOXEL, WORD: one work-item per item; in groups of 64, of vertices and words on
-// devices without lanes of 256. STRAND_GROUP: short strands share a group of
+// devices without lanes of 256, of strands whose sums a group adds up of 128. STRAND_GROUP: short strands share a group of
 // about 64 work-items, as in TressFX; with S strands in a group, work-item l is vertex l/S of
 // strand l mod S, so a kernel derives S = get_local_size(0) / V. VOXEL_GROUP: one group per voxel,
 // with as many of the wished work-items as the device allows. LANES: one work-item per `lanes`

@@ -76,7 +76,8 @@ Result<WorkRange> Device::range_of(const plait_stage_info& stage, const plait_di
                                    const StageKernel& built) const {
     return work_range(stage, dispatch,
                       {info().max_group_size, built.group_limit, info().local_memory_bytes,
-                       info().lanes, info().tile, gives_advice_for_limit(info())});
+                       info().lanes, info().tile, gives_advice_for_limit(info()),
+                       variant_of(stage, dispatch).group_sums > 0});
 }
 
 Status Device::enqueue(const plait_dispatch& dispatch, bool last) {
@@ -84,7 +85,7 @@ Status Device::enqueue(const plait_dispatch& dispatch, bool last) {
     if (!stage)
         return Error{PLAIT_INVALID_ARGUMENT, format("stage %d does not exist", dispatch.stage)};
     PLAIT_TRY(check(*stage, dispatch));
-    auto found = kernel(*stage, dispatch.item_width);
+    auto found = kernel(*stage, variant_of(*stage, dispatch));
     PLAIT_TRY(found);
     const StageKernel& built = **found;
     const auto range = range_of(*stage, dispatch, built);
@@ -118,7 +119,7 @@ Status Device::warm_up(const plait_dispatch& dispatch) {
     const plait_stage_info* stage = plait_stage_describe(dispatch.stage);
     if (!stage)
         return Error{PLAIT_INVALID_ARGUMENT, format("stage %d does not exist", dispatch.stage)};
-    const auto found = kernel(*stage, dispatch.item_width);
+    const auto found = kernel(*stage, variant_of(*stage, dispatch));
     PLAIT_TRY(found);
     if (dispatch.item_count == 0 || own_texts_.test(dispatch.stage))
         return {};

@@ -3,6 +3,7 @@
 // Environment: PLAIT_TEST_DEVICE=part        only devices whose backend, platform or name has it
 //              PLAIT_TEST_ALLOW_NO_OPENCL=1  if there is no such device, say so and exit with 77
 //              PLAIT_TEST_LANES=n            strands per work-item, as in plait_open_info
+//              PLAIT_TEST_IDLE_LOCAL=bytes   of each work-group, as in plait_open_info
 //              PLAIT_TEST_MAX_VERTICES=V     leave out longer strands in the stages over lanes
 #include "case.hpp"
 #include "closed_forms.hpp"

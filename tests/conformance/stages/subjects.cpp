@@ -53,6 +53,8 @@ plait_device* Subject::device() {
         open.device_index = index_;
         if (const char* lanes = std::getenv("PLAIT_TEST_LANES"); lanes && !is_reference(info_))
             open.lanes = static_cast<uint32_t>(std::stoul(lanes));
+        if (const char* bytes = std::getenv("PLAIT_TEST_IDLE_LOCAL"); bytes && !is_reference(info_))
+            open.idle_local_bytes = static_cast<uint32_t>(std::stoul(bytes));
         char error[2000] = "";
         plait_device* handle = nullptr;
         if (api_.open(&open, &handle, error, sizeof error) == PLAIT_OK)
