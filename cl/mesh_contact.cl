@@ -58,14 +58,17 @@ static inline mesh_touch mesh_meet(const mesh_body* body, mesh_vertex* vertex) {
         add3(vertex->begin, mesh_carry(&body->motion, add3(vertex->root, vertex->begin)));
     const vec3 from = mesh_own(&body->motion, add3(vertex->root, touch.anchor));
     const vec3 to = mesh_own(&body->motion, add3(vertex->root, vertex->end));
-    const mesh_sample first = mesh_field_sample(&body->field, from);
+    mesh_cells cells;
+    cells.first = (mask)(-1);
+    const mesh_sample first = mesh_field_sample(&body->field, from, &cells);
     touch.start = first.distance - vertex->offset;
     touch.some = !(touch.start > mesh_length(sub3(to, from)) + (real)(2.0f * body->field.edge));
-    mesh_plane plane = mesh_march(&body->field, from, to, vertex->offset, first, touch.some);
+    mesh_plane plane =
+        mesh_march(&body->field, from, to, vertex->offset, first, &cells, touch.some);
     touch.some &= mesh_plane_is(plane);
     if (!any_lane(touch.some))
         return touch;
-    plane = mesh_plane_at_foot(&body->field, mesh_plane_unit(plane), to, vertex->offset);
+    plane = mesh_plane_at_foot(&body->field, mesh_plane_unit(plane), to, vertex->offset, &cells);
     const real gap = mesh_plane_height(plane, to);
     touch.some &= !(gap >= vertex->gap);
     touch.normal = add3(plane.normal, mesh_turn(body->motion.orientation, plane.normal));
@@ -75,8 +78,11 @@ static inline mesh_touch mesh_meet(const mesh_body* body, mesh_vertex* vertex) {
 
 static inline void mesh_find(const mesh_body* body, const mesh_ways* ways, const mesh_list* list,
                              mesh_planes* planes) {
+    mesh_cells cells;
+    cells.first = (mask)(-1);
     planes->depth =
-        mesh_field_sample(&body->field, mesh_own(&body->motion, ways->step->pose.root)).distance;
+        mesh_field_sample(&body->field, mesh_own(&body->motion, ways->step->pose.root), &cells)
+            .distance;
     for (uint first = 0; first < list->count; first += PLAIT_LANES) {
         const uint count = min(list->count - first, (uint)PLAIT_LANES);
         mesh_vertex vertex = mesh_gather(ways, planes, &list->at[first], count);

@@ -39,30 +39,19 @@ static inline real near_reach(const near_body* body, real arm) {
     return moves + turns * arm + (body->bends + 1.5f * PLAIT_MESH_ROOM);
 }
 
-/* ---- which vertices are near -------------------------------------------------------------- */
+/* The way of a vertex in the mesh's own frame. */
+typedef struct {
+    vec3 anchor; /* m, relative to the root in the world: where its pose alone carries the vertex */
+    vec3 rigid, to; /* m: that, and where the way ends */
+} near_way;
 
-/* As in mesh_contact, by boxes. */
-static inline void near_list(const near_body* body, const mesh_ways* ways, mesh_list* list) {
-    const vec3 root = ways->step->pose.root;
-    const real arm = mesh_arm(&body->motion, root);
-    real least = (real)(-1.0f); /* m: the distance of the vertex before is no less */
-    real along = (real)(0.0f);  /* m, of the chain of vertices */
-    list->count = 0;
-    for (int i = 1; i <= ways->step->segments; ++i) {
-        const real chord = mesh_length(sub3(ways->end[i], ways->end[i - 1]));
-        const real way = mesh_length(sub3(ways->end[i], mesh_begin(ways, i)));
-        least -= chord;
-        along += chord;
-        const real meets = way + near_reach(body, arm + along + way);
-        if (!any_lane(!(least > meets)))
-            continue;
-        least =
-            fmax(least, near_least(&body->mesh, mesh_own(&body->motion, add3(root, ways->end[i]))));
-        const mask near = (!(least > meets)) &
-                          (lane_material_at(ways->step, i - 1, PLAIT_LANE_LENGTH) > (real)(0.0f));
-        if (any_lane(near))
-            mesh_list_add(list, i, near);
-    }
+static inline near_way near_way_of(const near_body* body, const mesh_ways* ways, int i) {
+    const vec3 root = ways->step->pose.root, begin = mesh_begin(ways, i), from = add3(root, begin);
+    near_way at;
+    at.anchor = add3(begin, mesh_carry(&body->motion, from));
+    at.rigid = mesh_own(&body->motion, add3(from, mesh_carry(&body->motion, from)));
+    at.to = mesh_own(&body->motion, add3(root, ways->end[i]));
+    return at;
 }
 
 /* ---- their planes --------------------------------------------------------------------------- */
@@ -146,7 +135,8 @@ static inline mesh_plane near_march(const near_body* body, vec3 from, vec3 to, r
         const vec3 at = axpy3(t, way, from);
         /* no farther than it was and the step */
         const real bound = fabs(distance + offset) + (t - before) * size + (real)(1e-5f);
-        const near_sample sample = near_sample_at(&body->mesh, body->end, at, bound, on);
+        const near_sample sample = near_sample_of(
+            &body->mesh, near_search(&body->mesh, body->end, at, bound, on), body->end, at);
         real turned = *side;
         const mesh_plane next = near_plane(body, &sample, at, offset, &turned);
         const mask found = on & sample.some;
@@ -170,60 +160,98 @@ static inline mesh_plane near_plane_at_end(mesh_plane plane, mesh_plane end, rea
     return mesh_plane_pick(taken, end, plane);
 }
 
-static inline mesh_touch near_meet(const near_body* body, const mesh_vertex* vertex) {
-    const mask all = (vertex->offset == vertex->offset);
+/* m: what a distance near x may be off. */
+static inline real near_rounding(vec3 x) {
+    return (real)(1e-5f) + 1e-6f * mesh_length(x);
+}
+
+/* Of a row, in the lanes `near`. `there`: at the end of the way. */
+static inline mesh_touch near_meet(const near_body* body, const near_way* at,
+                                   const near_sample* there, real offset, real gap, mask near) {
     mesh_touch touch;
-    const vec3 begin = add3(vertex->root, vertex->begin);
-    const vec3 rigid = mesh_own(&body->motion, add3(begin, mesh_carry(&body->motion, begin)));
-    const vec3 to = mesh_own(&body->motion, add3(vertex->root, vertex->end));
-    vec3 from = rigid;
+    /* m: f at the end of the way, from where no place is farther off the mesh than it is from there */
+    const real nearest = fabs(there->distance) + near_rounding(at->to);
+    vec3 from = at->rigid;
+    const real drift = mesh_length(sub3(at->to, at->rigid));
     if (body->mesh.bends > 0.0f) {
-        const near_found under = near_search(
-            &body->mesh, body->begin, rigid,
-            mesh_length(sub3(to, rigid)) + (real)(body->bends + 2 * PLAIT_MESH_ROOM), all);
-        from = near_carried(body, &under, rigid);
+        const real most = drift + (real)(body->bends + 2 * PLAIT_MESH_ROOM);
+        const near_found under =
+            near_search(&body->mesh, body->begin, at->rigid,
+                        fmin(most, nearest + drift + (real)(body->bends)), near);
+        from = near_carried(body, &under, at->rigid);
     }
-    touch.anchor = add3(add3(vertex->begin, mesh_carry(&body->motion, begin)),
-                        near_turned(&body->motion, sub3(from, rigid)));
-    const real way = mesh_length(sub3(to, from)), room = way + (real)(PLAIT_MESH_ROOM);
-    const near_sample first = near_sample_at(&body->mesh, body->end, from,
-                                             room + fmax(vertex->offset, (real)(0.0f)), all);
+    touch.anchor = add3(at->anchor, near_turned(&body->motion, sub3(from, at->rigid)));
+    const real way = mesh_length(sub3(at->to, from)), room = way + (real)(PLAIT_MESH_ROOM);
+    const near_sample first =
+        near_sample_of(&body->mesh,
+                       near_search(&body->mesh, body->end, from,
+                                   fmin(room + fmax(offset, (real)(0.0f)), nearest + way), near),
+                       body->end, from);
     real side = pick(first.distance < (real)(0.0f), (real)(-1.0f), (real)(1.0f));
-    mesh_plane plane = near_plane(body, &first, from, vertex->offset, &side);
+    mesh_plane plane = near_plane(body, &first, from, offset, &side);
     touch.start = plane.height;
     touch.some = first.some & (touch.start <= room);
     if (!any_lane(touch.some))
         return touch;
-    const near_sample last = near_sample_at(&body->mesh, body->end, to,
-                                            fabs(first.distance) + way + (real)(1e-5f), touch.some);
     real side_there = side;
-    const mesh_plane end = near_plane(body, &last, to, vertex->offset, &side_there);
+    const mesh_plane end = near_plane(body, there, at->to, offset, &side_there);
     /* else all of the way is nearer to one of its ends than the mesh is */
     const mask crosses = touch.some & (touch.start + end.height < way);
     if (any_lane(crosses))
-        plane = near_march(body, from, to, vertex->offset, plane, &side, crosses);
+        plane = near_march(body, from, at->to, offset, plane, &side, crosses);
     plane = near_plane_at_end(plane, end, way);
     touch.some &= mesh_plane_is(plane);
-    touch.some &= !(mesh_plane_height(plane, to) >= vertex->gap);
+    touch.some &= !(mesh_plane_height(plane, at->to) >= gap);
     touch.normal = near_turned(&body->motion, plane.normal);
     touch.height = mesh_plane_height(plane, from);
     return touch;
 }
 
-static inline void near_find(const near_body* body, const mesh_ways* ways, const mesh_list* list,
-                             mesh_planes* planes) {
-    planes->depth = (real)(0.0f);
-    if (!body->mesh.two_sided) {
-        const vec3 root = mesh_own(&body->motion, ways->step->pose.root);
-        const near_sample at = near_sample_at(&body->mesh, body->end, root,
-                                              (real)(PLAIT_MESH_ROOT_DEPTH), root.x == root.x);
-        planes->depth = pick(at.some, at.distance, planes->depth);
-    }
-    for (uint first = 0; first < list->count; first += PLAIT_LANES) {
-        const uint count = min(list->count - first, (uint)PLAIT_LANES);
-        const mesh_vertex vertex = mesh_gather(ways, planes, &list->at[first], count);
-        const mesh_touch touch = near_meet(body, &vertex);
-        mesh_scatter(ways, planes, &list->at[first], count, body->motion.friction, &touch);
+/* m, of the roots of strands that have a vertex near; negative inside. */
+static inline real near_depth(const near_body* body, const mesh_ways* ways) {
+    const real none = (real)(0.0f);
+    if (body->mesh.two_sided)
+        return none;
+    const vec3 root = mesh_own(&body->motion, ways->step->pose.root);
+    const near_sample at = near_sample_of(
+        &body->mesh,
+        near_search(&body->mesh, body->end, root, (real)(PLAIT_MESH_ROOT_DEPTH), root.x == root.x),
+        body->end, root);
+    return pick(at.some, at.distance, none);
+}
+
+/* Row by row, root to tip: a search from where a way ends tells whether anything is near there, and
+ * how far it is no nearer, so that rows are passed over that are nearer to each other than the mesh is. */
+static inline void near_find(const near_body* body, const mesh_ways* ways, mesh_planes* planes) {
+    const vec3 root = ways->step->pose.root;
+    const real arm = mesh_arm(&body->motion, root);
+    real least = (real)(-1.0f); /* m: the distance of the vertex before is no less */
+    real along = (real)(0.0f);  /* m, of the chain of vertices */
+    int deep = 0;
+    for (int i = 1; i <= ways->step->segments; ++i) {
+        const real chord = mesh_length(sub3(ways->end[i], ways->end[i - 1]));
+        const real size = mesh_length(sub3(ways->end[i], mesh_begin(ways, i)));
+        least -= chord;
+        along += chord;
+        const real meets = size + near_reach(body, arm + along + size);
+        const mask need = (!(least > meets)) &
+                          (lane_material_at(ways->step, i - 1, PLAIT_LANE_LENGTH) > (real)(0.0f));
+        if (!any_lane(need))
+            continue;
+        const near_way at = near_way_of(body, ways, i);
+        const near_found last = near_search(&body->mesh, body->end, at.to, meets, need);
+        const mask near = need & (last.triangle >= 0);
+        least = pick(near, sqrt(fmax(last.squared, (real)(0.0f))), fmax(least, meets));
+        if (!any_lane(near))
+            continue;
+        const near_sample there = near_sample_of(&body->mesh, last, body->end, at.to);
+        if (!deep)
+            planes->depth = near_depth(body, ways);
+        deep = 1;
+        const mesh_vertex vertex = mesh_row(ways, planes, i);
+        mesh_touch touch = near_meet(body, &at, &there, vertex.offset, vertex.gap, near);
+        touch.some &= near;
+        mesh_scatter_row(ways, planes, i, body->motion.friction, &touch);
     }
 }
 
@@ -258,17 +286,14 @@ __kernel void plait_mesh_nearest(const uint item_count, const plait_lane_params 
     planes.strands = lane_strands_of(lane_strand, step.place, item_count);
     planes.last = &last;
     planes.lane_plane = lane_plane;
-    mesh_list list;
     for (uint mesh = 0; mesh < params.collider_count; ++mesh) {
         const near_body body =
             near_body_at(collider, params.collider_first + mesh,
                          near_mesh_at(mesh_first, mesh_box, mesh_tree, mesh_triangle, mesh_ring,
                                       mesh_from, mesh_to, mesh_bends, mesh));
-        near_list(&body, &ways, &list);
         planes.mesh = mesh;
         planes.others = mesh > 0 || params.planes;
-        if (list.count > 0)
-            near_find(&body, &ways, &list, &planes);
+        near_find(&body, &ways, &planes);
     }
     lane_plane[head] = LANE_REAL(last);
 }

@@ -296,9 +296,30 @@ void append(Words& words, float x, float y, float z, float w) {
 }
 
 // Strands that hang from the head; `shift` metres along x. The first two vertices are pinned.
-Words strands(const Shape& shape, float shift) {
+// As a sim keeps strands: those of a tile lie near together, by Morton codes of their roots.
+std::vector<float> roots_side_by_side(uint32_t strands) {
+    using Root = std::array<float, 3>;
+    const auto code = [](const Root& root) {
+        uint32_t bits = 0;
+        for (uint32_t bit = 10; bit-- > 0;)
+            for (const float x : root)
+                bits = bits << 1 | (static_cast<uint32_t>((x / head_radius + 1) * 511) >> bit & 1u);
+        return bits;
+    };
+    const auto apart = root_positions(strands);
+    std::vector<Root> roots;
+    for (size_t i = 0; i < apart.size(); i += 3)
+        roots.push_back({apart[i], apart[i + 1], apart[i + 2]});
+    std::stable_sort(roots.begin(), roots.end(),
+                     [&](const Root& a, const Root& b) { return code(a) < code(b); });
+    std::vector<float> list;
+    for (const Root& root : roots)
+        list.insert(list.end(), root.begin(), root.end());
+    return list;
+}
+
+Words strands_from(const std::vector<float>& roots, const Shape& shape, float shift) {
     Words words;
-    const auto roots = root_positions(shape.strands);
     for (uint32_t strand = 0; strand < shape.strands; ++strand)
         for (uint32_t vertex = 0; vertex < shape.vertices; ++vertex) {
             const float along =
@@ -307,6 +328,10 @@ Words strands(const Shape& shape, float shift) {
             append(words, root[0] + shift, root[1] - along, root[2], vertex < 2 ? 0.0f : 1.0f);
         }
     return words;
+}
+
+Words strands(const Shape& shape, float shift) {
+    return strands_from(root_positions(shape.strands), shape, shift);
 }
 
 Words vectors(size_t count, float x, float y, float z, float w) {
@@ -526,10 +551,8 @@ Words lane_positions(const Shape& shape) {
 
 // Strands that begin on the head, lie on it for a share of their length, down its meridians, and
 // stand off it from there: row 0 the root, the others relative to it.
-constexpr float lying_share = 0.2f;
-
 Words lying_positions(const Shape& shape) {
-    const auto roots = root_positions(shape.strands);
+    const auto roots = roots_side_by_side(shape.strands);
     const size_t lanes = (size_t{shape.strands} + shape.tile - 1) / shape.tile * shape.tile;
     Words words(lanes * shape.vertices * 3);
     for (size_t lane = 0; lane < lanes; ++lane) {
@@ -540,7 +563,7 @@ Words lying_positions(const Shape& shape) {
         for (size_t i = 0; i < shape.vertices; ++i) {
             const float arc =
                 strand_length * static_cast<float>(i) / static_cast<float>(shape.vertices - 1);
-            const float lies = std::min(arc, lying_share * strand_length);
+            const float lies = std::min(arc, shape.lies * strand_length);
             const float angle = polar + lies / head_radius;
             const float radius = head_radius + (arc - lies) + (i > 0 ? 0.001f : 0.0f);
             const float x[3] = {radius * std::sin(angle) * along[0], radius * std::cos(angle),
@@ -862,6 +885,8 @@ std::vector<uint32_t> typical_buffer(const plait_stage_info& stage, const plait_
         return {}; // and that is near no mesh
     if (finds_planes(stage.stage) && name == "collider")
         return mesh_row();
+    if (finds_planes(stage.stage) && name == "rest")
+        return strands_from(roots_side_by_side(shape.strands), shape, 0);
     if (finds_planes(stage.stage) && name == "lane_x")
         return lying_positions(shape);
     const auto maker = makers().find(arg.name);

@@ -15,6 +15,8 @@ struct Shape {
     uint32_t strands;
     uint32_t vertices; // per strand
     uint32_t tile = 1; // strands per tile of the device's lane layout
+    float lies =
+        0.2f; // share of a strand's length that lies on the mesh, of stages that find planes
 
     size_t total() const { return size_t{strands} * vertices; }
 };

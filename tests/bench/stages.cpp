@@ -62,6 +62,39 @@ void measure(benchmark::State& state, uint32_t index, plait_stage stage, Results
     state.counters["times copy"] = row.seconds / row.copy_seconds;
 }
 
+// Of stages that find planes of meshes: how much of the hair is near. As long strands as models are
+// measured with, beside the substep that reads the planes.
+constexpr int near_shares[] = {0, 20, 100}; // % of a strand's length that lies on the mesh
+constexpr uint32_t near_strands = 10000;
+
+void measure_near(benchmark::State& state, uint32_t index, plait_stage stage, int share,
+                  Results& results) {
+    const Shape shape{near_strands, model_vertices, results.devices[index].device.tile,
+                      static_cast<float>(share) / 100};
+    Device device(index);
+    Rig rig(device, stage, shape), solve(device, PLAIT_STAGE_cosserat, shape);
+    double seconds = 0, solve_seconds = 0;
+    for ([[maybe_unused]] auto _ : state) {
+        const double run = rig.run();
+        state.SetIterationTime(run);
+        seconds += run;
+        solve_seconds += solve.run(); // in turn, so that what disturbs one disturbs both
+    }
+    state.counters["ns/vertex"] = 1e9 * seconds / static_cast<double>(state.iterations()) /
+                                  static_cast<double>(shape.total());
+    state.counters["times cosserat"] = seconds / solve_seconds;
+}
+
+void register_near(uint32_t device, Results& results) {
+    for (const plait_stage stage : {PLAIT_STAGE_mesh_contact, PLAIT_STAGE_mesh_nearest})
+        for (const int share : near_shares)
+            register_row("device:" + std::to_string(device) + "/near:" + std::to_string(share) +
+                             "/" + plait_stage_describe(stage)->name,
+                         results, [=, &results](benchmark::State& state) {
+                             measure_near(state, device, stage, share, results);
+                         });
+}
+
 } // namespace
 
 void register_stages(uint32_t device, Results& results) {
@@ -73,6 +106,7 @@ void register_stages(uint32_t device, Results& results) {
             measure(state, device, which, results);
         });
     }
+    register_near(device, results);
 }
 
 } // namespace bench
