@@ -28,8 +28,19 @@
 
 namespace {
 
-enum Kind { private_read, private_written, global_read, global_written, local_read, local_written, global_atomic, local_atomic, kinds };
-constexpr const char* kind_names = "private_read,private_written,global_read,global_written,local_read,local_written,global_atomic,local_atomic";
+enum Kind {
+    private_read,
+    private_written,
+    global_read,
+    global_written,
+    local_read,
+    local_written,
+    global_atomic,
+    local_atomic,
+    kinds
+};
+constexpr const char* kind_names = "private_read,private_written,global_read,global_written,local_"
+                                   "read,local_written,global_atomic,local_atomic";
 
 std::array<std::atomic<uint64_t>, kinds> touched; // bytes; of atomic additions their number
 
@@ -68,8 +79,10 @@ namespace {
 using Call = void (*)(void* kernel, uint32_t items, const void* params, void* const* buffers);
 
 template <typename Params, size_t... I>
-void call_with(void* kernel, uint32_t items, const void* params, void* const* buffers, std::index_sequence<I...>) {
-    using Kernel = void (*)(uint32_t, Params, decltype(static_cast<void>(I), static_cast<void*>(nullptr))...);
+void call_with(void* kernel, uint32_t items, const void* params, void* const* buffers,
+               std::index_sequence<I...>) {
+    using Kernel =
+        void (*)(uint32_t, Params, decltype(static_cast<void>(I), static_cast<void*>(nullptr))...);
     reinterpret_cast<Kernel>(kernel)(items, *static_cast<const Params*>(params), buffers[I]...);
 }
 
@@ -80,7 +93,7 @@ void call(void* kernel, uint32_t items, const void* params, void* const* buffers
 
 // LOCAL arguments, too, which none of the stages that are counted has.
 constexpr Call calls[] = {
-#define PLAIT_STAGE(name, space, params, summary) call<params, 0
+#define PLAIT_STAGE(name, space, params, summary) call < params, 0
 #define PLAIT_ARG(stage, name, element, access) +1
 #define PLAIT_STAGE_END(name) >,
 #include <plait/stages.def>
@@ -99,7 +112,8 @@ bool counting = false;
 std::string scene;
 std::map<std::pair<std::string, std::string>, std::array<double, kinds + 1>> results; // and strands
 
-void run_group(const Program& program, const plait_dispatch& dispatch, void* const* buffers, uint32_t group) {
+void run_group(const Program& program, const plait_dispatch& dispatch, void* const* buffers,
+               uint32_t group) {
     std::barrier barrier(program.group);
     const auto run = [&](uint32_t local) {
         item = {group, program.group, local, &barrier};
@@ -142,16 +156,19 @@ plait_result submit(plait_device* device, const plait_dispatch* list, size_t siz
             if (!counting || program.stage != dispatch.stage)
                 continue;
             Words words;
-            for (plait_buffer* buffer : std::vector(dispatch.buffers, dispatch.buffers + dispatch.buffer_count)) {
+            for (plait_buffer* buffer :
+                 std::vector(dispatch.buffers, dispatch.buffers + dispatch.buffer_count)) {
                 words.emplace_back();
                 if (!buffer)
                     continue;
                 const plait_buffer_desc& desc = descs.at(buffer);
                 words.back().resize(desc.count * (desc.element == PLAIT_ELEMENT_FLOAT4 ? 4 : 1));
-                if (wrapped->device->buffer_read(device, buffer, 0, desc.count, words.back().data()) != PLAIT_OK)
+                if (wrapped->device->buffer_read(device, buffer, 0, desc.count,
+                                                 words.back().data()) != PLAIT_OK)
                     return PLAIT_BACKEND;
             }
-            count(program, dispatch, std::move(words), dispatch.item_count / (by_vertex ? double(vertices) : 1));
+            count(program, dispatch, std::move(words),
+                  dispatch.item_count / (by_vertex ? double(vertices) : 1));
         }
         if (const plait_result result = wrapped->device->submit(device, &dispatch, 1))
             return result;
@@ -159,7 +176,8 @@ plait_result submit(plait_device* device, const plait_dispatch* list, size_t siz
     return PLAIT_OK;
 }
 
-plait_result buffer_create(plait_device* device, const plait_buffer_desc* desc, plait_buffer** out) {
+plait_result buffer_create(plait_device* device, const plait_buffer_desc* desc,
+                           plait_buffer** out) {
     const plait_result result = wrapped->device->buffer_create(device, desc, out);
     if (result == PLAIT_OK)
         descs[*out] = *desc;
@@ -234,7 +252,8 @@ std::vector<plait_collider_id> add_capsules(plait::Sim& sim) {
     return on_head;
 }
 
-void play(const plait::Context& context, const plait::Groom& groom, const plait_sim_desc& desc, bool capsules) {
+void play(const plait::Context& context, const plait::Groom& groom, const plait_sim_desc& desc,
+          bool capsules) {
     plait::Sim sim(context, groom, desc);
     const auto on_head = capsules ? add_capsules(sim) : std::vector<plait_collider_id>{};
     for (uint32_t frame = 0; frame < settling + frames; ++frame) {
@@ -259,7 +278,8 @@ void play_all() {
     const plait::Groom groom = long_hair();
     plait_sim_desc desc = plait_sim_desc_defaults();
     desc.params.interhair = PLAIT_INTERHAIR_OFF;
-    for (const plait_model model : {PLAIT_MODEL_CHAIN, PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD, PLAIT_MODEL_ARTICULATED})
+    for (const plait_model model :
+         {PLAIT_MODEL_CHAIN, PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD, PLAIT_MODEL_ARTICULATED})
         for (const bool capsules : {false, true}) {
             desc.model = model;
             scene = capsules ? "capsules" : "alone";
