@@ -390,11 +390,16 @@ class RandomCalls : public testing::TestWithParam<Case> {
         return GetParam().model == PLAIT_MODEL_CHAIN || GetParam().mixed ? 1.0f : 0.1f;
     }
 
+    // The float64 reference is slower by tens, and meets the first of the same calls.
+    static uint32_t seeds() {
+        return GetParam().backend == "reference" ? (PLAIT_TEST_SEEDS + 3) / 4 : PLAIT_TEST_SEEDS;
+    }
+
     plait::Context context_ = make_context(GetParam().backend);
 };
 
 TEST_P(RandomCalls, OfCollidersAndPinsLeaveHairWhole) {
-    for (uint32_t seed = 1; seed <= PLAIT_TEST_SEEDS; ++seed) {
+    for (uint32_t seed = 1; seed <= seeds(); ++seed) {
         Scene scene(context_, GetParam(), seed);
         SCOPED_TRACE("seed " + std::to_string(seed));
         for (int i = 0; i < 60; ++i) {
