@@ -44,7 +44,7 @@ Watcher watcher_of(Inside& inside) {
             [&inside](const Shot& shot) { inside.take(shot); }};
 }
 
-Measurements run_scene(const Scene& scene, const Figure& figure, Album* album,
+Measurements run_scene(const Scene& scene, const Figure& figure, Album* album, Inside& inside,
                        std::vector<std::string>& warnings) {
     Simulation simulation(scene, figure);
     warn(stiffening_warnings(scene, figure, simulation.stats()), warnings);
@@ -60,24 +60,22 @@ Measurements run_scene(const Scene& scene, const Figure& figure, Album* album,
     if (album)
         watchers.push_back({[album](uint32_t frame) { return album->wants(frame); },
                             [album](const Shot& shot) { album->take(shot); }});
-    Inside inside(scene, figure);
     watchers.push_back(watcher_of(inside));
     Measurements run = simulation.run(*motion_of(scene), watchers, "simulating");
-    run.inside = inside.report();
+    run.inside = inside.finish();
     return run;
 }
 
 // The same hair and motion by other means, for the comparison sheet.
 Compared run_beside(const Scene& scene, const Figure& figure, const Variant& variant, size_t index,
-                    Album& album) {
-    Inside inside(scene, figure);
+                    Album& album, Inside& inside) {
     const std::vector<Watcher> watchers{{[&](uint32_t frame) { return album.wants_beside(frame); },
                                          [&](const Shot& shot) { album.take_beside(index, shot); }},
                                         watcher_of(inside)};
     const Scene other = variant.of(scene);
     Compared beside{variant,
                     Simulation(other, figure).run(*motion_of(scene), watchers, "comparing ")};
-    beside.run.inside = inside.report();
+    beside.run.inside = inside.finish();
     return beside;
 }
 
@@ -110,14 +108,15 @@ void simulate_scene(Scene& scene) {
     make_folder(scene.out);
     const std::vector<Variant> beside = variants_beside(scene);
     const std::unique_ptr<Album> album = make_album(scene, figure, beside);
-    Measurements run = run_scene(scene, figure, album.get(), warnings);
+    Inside inside(scene, figure);
+    Measurements run = run_scene(scene, figure, album.get(), inside, warnings);
     std::optional<Profile> profile;
     if (scene.profile)
         profile = make_profile(run, figure.info.vertices, copy_rate(run.device));
     Report report{scene, figure, std::move(run), std::move(profile), {}, std::move(warnings),
                   false, {}};
     for (size_t i = 0; i < beside.size() && album && !interrupted(); ++i)
-        report.beside.push_back(run_beside(scene, figure, beside[i], i, *album));
+        report.beside.push_back(run_beside(scene, figure, beside[i], i, *album, inside));
     finish_report(report, album.get());
 }
 

@@ -1,9 +1,10 @@
 #include "inside.hpp"
 
 #include "render/inside.hpp"
-#include "scene/groom_field.hpp"
+#include "scene/read_field.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace simulate {
 
@@ -52,7 +53,13 @@ double Inside::groomed() const {
 Inside::~Inside() = default;
 
 bool Inside::wants(uint32_t frame) const {
-    return state_ && (frame + 1) % state_->every == 0;
+    return state_ && frame % state_->every == 0;
+}
+
+InsideReport Inside::finish() {
+    InsideReport next;
+    next.groomed = report_.groomed;
+    return std::exchange(report_, next);
 }
 
 void Inside::take(const Shot& shot) {
@@ -70,7 +77,9 @@ void Inside::take(const Shot& shot) {
             deeper[kind] += depth > InsideReport::limit;
             if (InsideCount& count = *kinds[kind]; depth > count.deepest) {
                 count.deepest = depth;
-                count.frame = shot.frame, count.strand = strand, count.vertex = vertex;
+                count.frame = shot.frame;
+                count.strand = strand;
+                count.vertex = vertex;
             }
         }
     for (int kind = 0; kind < 2; ++kind) {

@@ -33,9 +33,9 @@ class Inside {
     Inside(const Scene& scene, const Figure& figure);
     ~Inside();
 
-    bool wants(uint32_t frame) const; // ten times a second
+    bool wants(uint32_t frame) const; // ten times a second, the first frame among them
     void take(const Shot& shot);
-    const InsideReport& report() const { return report_; }
+    InsideReport finish(); // of the frames taken since the run before
 
   private:
     struct State;

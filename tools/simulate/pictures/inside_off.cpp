@@ -11,5 +11,8 @@ bool Inside::wants(uint32_t) const {
     return false;
 }
 void Inside::take(const Shot&) {}
+InsideReport Inside::finish() {
+    return {};
+}
 
 } // namespace simulate

@@ -61,20 +61,25 @@ inline RTCRayHit nearest_hit(RTCScene scene, const Eigen::Vector3f& origin,
     return query;
 }
 
+// What lies on the ray, by the filters of the scene's geometries, to which `context` is handed.
+inline void filter_along(RTCScene scene, RTCRay& ray, QueryContext& context) {
+#if PLAIT_EMBREE_MAJOR >= 4
+    rtcInitRayQueryContext(&context);
+    RTCOccludedArguments arguments;
+    rtcInitOccludedArguments(&arguments);
+    arguments.context = &context;
+    rtcOccluded1(scene, &ray, &arguments);
+#else
+    rtcInitIntersectContext(&context);
+    rtcOccluded1(scene, &context, &ray);
+#endif
+}
+
 // How many hairs, at most `most`, lie on the ray; `most` as well when it meets something solid.
 inline int hairs_on_ray(RTCScene scene, RTCRay ray, int most) {
     ShadowContext context;
     context.most = most;
-#if PLAIT_EMBREE_MAJOR >= 4
-    rtcInitRayQueryContext(&context.base);
-    RTCOccludedArguments arguments;
-    rtcInitOccludedArguments(&arguments);
-    arguments.context = &context.base;
-    rtcOccluded1(scene, &ray, &arguments);
-#else
-    rtcInitIntersectContext(&context.base);
-    rtcOccluded1(scene, &context.base, &ray);
-#endif
+    filter_along(scene, ray, context.base);
     return ray.tfar < 0.0f ? most : context.hairs;
 }
 

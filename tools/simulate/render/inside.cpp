@@ -53,16 +53,7 @@ void count_crossing(const RTCFilterFunctionNArguments* hit) {
 int crossings_along(RTCScene scene, const Vector3f& origin, const Vector3f& along) {
     Crossings crossings;
     RTCRay ray = make_ray(origin, along, 0.0f, std::numeric_limits<float>::infinity());
-#if PLAIT_EMBREE_MAJOR >= 4
-    rtcInitRayQueryContext(&crossings.base);
-    RTCOccludedArguments arguments;
-    rtcInitOccludedArguments(&arguments);
-    arguments.context = &crossings.base;
-    rtcOccluded1(scene, &ray, &arguments);
-#else
-    rtcInitIntersectContext(&crossings.base);
-    rtcOccluded1(scene, &crossings.base, &ray);
-#endif
+    filter_along(scene, ray, crossings.base);
     return crossings.sum;
 }
 

@@ -1,6 +1,6 @@
 #include "figure.hpp"
-#include "groom_field.hpp"
 #include "loaded.hpp"
+#include "read_field.hpp"
 
 #include <Eigen/Dense>
 
@@ -242,15 +242,6 @@ void load_groom(Scene& scene, Figure& figure) {
         figure.groom = load(choice, figure.info);
 }
 
-// Which strands of the groom a sim has, guides first.
-std::vector<uint32_t> strands_of(const plait_follow_map* follows) {
-    size_t size = 0;
-    check(plait_follow_map_read(follows, PLAIT_FOLLOW_MAP_FIELD_STRANDS, nullptr, &size));
-    std::vector<uint32_t> strands(size / sizeof(uint32_t));
-    check(plait_follow_map_read(follows, PLAIT_FOLLOW_MAP_FIELD_STRANDS, strands.data(), &size));
-    return strands;
-}
-
 void choose_guides(const Scene& scene, Figure& figure) {
     const uint32_t wanted = scene.groom.guides;
     if (wanted == 0 || wanted == figure.info.strands)
@@ -320,7 +311,7 @@ uint32_t Figure::simulated_strands() const {
 std::vector<uint32_t> Figure::of_simulated(const std::vector<uint32_t>& of_strands) const {
     if (!follows || of_strands.empty())
         return of_strands;
-    std::vector<uint32_t> of_guides = strands_of(follows.get());
+    auto of_guides = read_field<uint32_t>(follows.get(), PLAIT_FOLLOW_MAP_FIELD_STRANDS); // first
     of_guides.resize(simulated_strands());
     for (uint32_t& strand : of_guides)
         strand = of_strands[strand];

@@ -1,5 +1,6 @@
 #include "head_mesh.hpp"
 #include "common.hpp"
+#include "read_field.hpp"
 
 #include "generator/generator.hpp"
 
@@ -14,14 +15,6 @@
 namespace simulate {
 
 namespace {
-
-template <typename T> std::vector<T> read_field(const plait_mesh* mesh, plait_mesh_field field) {
-    size_t size = 0;
-    check(plait_mesh_read(mesh, field, nullptr, &size));
-    std::vector<T> data(size / sizeof(T));
-    check(plait_mesh_read(mesh, field, data.data(), &size));
-    return data;
-}
 
 HeadMesh read_tfxmesh(const std::string& file) {
     plait_mesh* mesh = nullptr;

@@ -1,5 +1,5 @@
 #include "materials.hpp"
-#include "groom_field.hpp"
+#include "read_field.hpp"
 
 #include <algorithm>
 #include <cmath>
