@@ -27,6 +27,13 @@ struct HeadMesh {
 // 2 about 19,000, 3 about 42,000. Range [1, 4].
 HeadMesh make_head(unsigned detail = 2);
 
+// The same in two closed parts without normals: what turns with the head, and what stays when it
+// does. They overlap along the neck, so that no gap opens between them.
+struct HeadParts {
+    HeadMesh head, torso;
+};
+HeadParts make_head_parts(unsigned detail = 2);
+
 // Distance to the mannequin's surface in metres, negative inside; first order exact near the
 // surface.
 double head_distance(double x, double y, double z);

@@ -58,10 +58,37 @@ void append(std::vector<float>& values, Vec3 v) {
         values.push_back(static_cast<float>(value));
 }
 
+double spacing_of(unsigned detail) {
+    return 2.6 / std::clamp(detail, 1u, 4u);
+}
+
+// Height along the neck, which leans forward, m.
+double along_neck(Vec3 p) {
+    return p.y + 0.2 * p.z;
+}
+constexpr double head_begin = -0.175, torso_end = -0.125;
+
+// Points are not moved onto the surface: at the rims there is no one direction to it.
+HeadMesh make_part(const std::function<double(Vec3)>& distance, unsigned detail) {
+    const Surface surface = surface_nets(distance, bust_grid(spacing_of(detail)));
+    HeadMesh mesh;
+    mesh.triangles = surface.triangles;
+    for (const Vec3 point : surface.points)
+        append(mesh.positions, point);
+    return mesh;
+}
+
 } // namespace
 
 HeadMesh make_head(unsigned detail) {
-    return make_head_of(2.6 / std::clamp(detail, 1u, 4u));
+    return make_head_of(spacing_of(detail));
+}
+
+HeadParts make_head_parts(unsigned detail) {
+    return {make_part([](Vec3 p) { return std::max(head_distance(p), head_begin - along_neck(p)); },
+                      detail),
+            make_part([](Vec3 p) { return std::max(head_distance(p), along_neck(p) - torso_end); },
+                      detail)};
 }
 
 HeadMesh make_head_of(double spacing) {

@@ -24,21 +24,62 @@ Vec3 surface_along(Vec3 from, Vec3 way) {
     return from + inside * way;
 }
 
+// Half-edges without their other half, and those of more triangles than one.
+struct Edges {
+    size_t open = 0, shared = 0;
+};
+
+Edges edges_of(const HeadMesh& mesh) {
+    std::map<std::pair<uint32_t, uint32_t>, int> edges;
+    for (size_t t = 0; t < mesh.triangles.size(); t += 3)
+        for (size_t k = 0; k < 3; ++k)
+            ++edges[{mesh.triangles[t + k], mesh.triangles[t + (k + 1) % 3]}];
+    Edges counted;
+    for (const auto& [edge, count] : edges) {
+        const auto other = edges.find({edge.second, edge.first});
+        counted.open += other == edges.end() || other->second != count;
+        counted.shared += count > 1;
+    }
+    return counted;
+}
+
 TEST(Head, IsClosedAndConsistentlyOriented) {
     for (unsigned detail = 1; detail <= 3; ++detail) {
-        const HeadMesh mesh = make_head(detail);
-        std::map<std::pair<uint32_t, uint32_t>, int> edges;
-        for (size_t t = 0; t < mesh.triangles.size(); t += 3)
-            for (size_t k = 0; k < 3; ++k)
-                ++edges[{mesh.triangles[t + k], mesh.triangles[t + (k + 1) % 3]}];
-        size_t open = 0, shared = 0;
-        for (const auto& [edge, count] : edges) {
-            const auto other = edges.find({edge.second, edge.first});
-            open += other == edges.end() || other->second != count;
-            shared += count > 1;
+        const Edges edges = edges_of(make_head(detail));
+        EXPECT_EQ(edges.open, 0u) << "half-edges at detail " << detail;
+        EXPECT_LE(edges.shared, detail == 2 ? 0u : 8u)
+            << "surfaces that touch, at detail " << detail;
+    }
+}
+
+TEST(Head, ConsistsOfTwoClosedParts) {
+    const HeadParts parts = make_head_parts();
+    double head_lowest = 1, torso_highest = -1;
+    for (const HeadMesh* part : {&parts.head, &parts.torso}) {
+        const Edges edges = edges_of(*part);
+        EXPECT_EQ(edges.open, 0u);
+        EXPECT_EQ(edges.shared, 0u);
+        for (size_t i = 0; i < part->positions.size() / 3; ++i) {
+            const Vec3 p = point(part->positions, i);
+            ASSERT_LT(head_distance(p), 5e-4) << "vertex " << i;
+            (part == &parts.head ? head_lowest : torso_highest) =
+                part == &parts.head ? std::min(head_lowest, p.y) : std::max(torso_highest, p.y);
         }
-        EXPECT_EQ(open, 0u) << "of " << edges.size() << " half-edges at detail " << detail;
-        EXPECT_LE(shared, detail == 2 ? 0u : 8u) << "surfaces that touch, at detail " << detail;
+    }
+    EXPECT_LT(head_lowest, torso_highest - 0.03) << "they overlap";
+}
+
+// Of the whole, so that hair between them meets what is drawn.
+TEST(Head, IsTheUnionOfItsParts) {
+    const HeadMesh mesh = make_head(1);
+    const HeadParts parts = make_head_parts();
+    for (size_t i = 0; i < mesh.positions.size() / 3; ++i) {
+        const Vec3 p = point(mesh.positions, i);
+        double nearest = 1;
+        for (const HeadMesh* part : {&parts.head, &parts.torso})
+            for (size_t k = 0; k < part->positions.size() / 3; ++k)
+                nearest = std::min(nearest, length(point(part->positions, k) - p));
+        ASSERT_LT(nearest, 0.012) << "vertex " << i;
     }
 }
 

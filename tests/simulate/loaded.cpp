@@ -85,6 +85,31 @@ TEST_F(Loaded, warns_of_a_mesh_that_no_hair_reaches) {
                                HasSubstr("is its scale, 100, right?")));
 }
 
+// The comparison's rows of TressFX have the capsules.
+TEST_F(Loaded, hair_on_the_mannequin_collides_with_its_meshes) {
+    Scene scene = scene_of({{"groom", "long"}, {"strands", 50}});
+    const Figure figure = make_figure(scene);
+    EXPECT_THAT(loaded_line(scene, figure), HasSubstr("; 2 meshes of "));
+    EXPECT_THAT(loaded_line(scene, figure), HasSubstr(" triangles, the mannequin's"));
+    ASSERT_EQ(figure.meshes.size(), 2u);
+    EXPECT_TRUE(figure.meshes[0].choice.moves_with_head);
+    EXPECT_FALSE(figure.meshes[1].choice.moves_with_head);
+    EXPECT_EQ(figure.solids.triangles.size(), figure.head.triangles.size()) << "drawn once";
+    EXPECT_THAT(figure.colliders, IsEmpty());
+    EXPECT_EQ(figure.stand_ins.size(), 14u);
+    EXPECT_TRUE(figure.neck);
+    EXPECT_THAT(size_warnings(scene, figure), IsEmpty());
+}
+
+TEST_F(Loaded, or_with_its_capsules) {
+    Scene scene = scene_of({{"groom", "long"}, {"strands", 50}, {"mannequin", "capsules"}});
+    const Figure figure = make_figure(scene);
+    EXPECT_THAT(loaded_line(scene, figure), HasSubstr("; 14 colliders of the mannequin"));
+    EXPECT_THAT(figure.meshes, IsEmpty());
+    EXPECT_EQ(figure.colliders.size(), 14u);
+    EXPECT_THAT(figure.stand_ins, IsEmpty());
+}
+
 TEST_F(Loaded, hair_on_a_ball_has_the_ball_for_its_head) {
     Scene scene = scene_of({{"groom", "ball"}, {"strands", 50}});
     const Figure figure = make_figure(scene);

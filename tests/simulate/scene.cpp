@@ -71,6 +71,26 @@ TEST_F(SceneFile, has_meshes) {
                 HasSubstr("tressfx"));
 }
 
+TEST_F(SceneFile, hair_collides_with_the_mannequins_meshes_or_its_capsules) {
+    EXPECT_TRUE(read("{}").mannequin_is_meshes());
+    EXPECT_TRUE(read(R"({"mannequin": "meshes"})").mannequin_is_meshes());
+    EXPECT_FALSE(read(R"({"mannequin": "capsules"})").mannequin_is_meshes());
+    EXPECT_FALSE(read(R"({"colliders": []})").mannequin_is_meshes());
+    EXPECT_FALSE(read(R"({"groom": "ball"})").mannequin_is_meshes());
+    EXPECT_FALSE(read(R"({"model": "tressfx"})").mannequin_is_meshes());
+    EXPECT_FALSE(read(R"({"meshes": [{"file": "a.obj"}]})").mannequin_is_meshes());
+    EXPECT_TRUE(
+        read(R"({"meshes": [{"file": "a.obj", "moves_with_head": false}]})").mannequin_is_meshes());
+    EXPECT_THAT(refusal(R"({"mannequin": "spheres"})"),
+                AllOf(HasSubstr("mannequin"), HasSubstr("spheres"), HasSubstr("capsules")));
+    EXPECT_THAT(refusal(R"({"groom": "ball", "mannequin": "meshes"})"),
+                AllOf(HasSubstr("mannequin"), HasSubstr("ball")));
+    EXPECT_THAT(refusal(R"({"mannequin": "capsules", "colliders": []})"),
+                AllOf(HasSubstr("mannequin"), HasSubstr("take its place")));
+    EXPECT_THAT(refusal(R"({"mannequin": "meshes", "model": "tressfx"})"),
+                AllOf(HasSubstr("mannequin"), HasSubstr("tressfx")));
+}
+
 TEST_F(SceneFile, meshes_have_a_form) {
     EXPECT_EQ(read(R"({"meshes": [{"file": "a.obj"}]})").meshes[0].desc.form,
               PLAIT_MESH_FORM_FIELD);

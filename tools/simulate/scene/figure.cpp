@@ -132,8 +132,8 @@ std::vector<Collider> skull_under(const plait_groom* groom) {
     return {skull};
 }
 
-// The capsules are inscribed in the mannequin and only vertices collide, so hair that lies on the
-// shoulders would sink into them. On the head, where hair grows, there is no room for this.
+// The capsules are inscribed in the mannequin: hair on the shoulders would lie in them. On the head,
+// where hair grows, there is no room for this.
 constexpr float body_margin = 0.012f; // m
 
 std::vector<Collider> generated_colliders(bool on_ball) {
@@ -215,10 +215,14 @@ void add_colliders(const Scene& scene, Figure& figure) {
     figure.meshes = load_meshes(scene.meshes, scene.groom.generated);
     if (scene.body)
         figure.body = std::make_unique<Body>(*scene.body, scene.groom.generated);
+    if (scene.mannequin_is_meshes())
+        for (LoadedMesh& part : mannequin_parts())
+            figure.meshes.push_back(std::move(part));
     if (scene.colliders)
         figure.colliders = *scene.colliders;
     else
-        (scene.head_is_mesh() ? figure.stand_ins : figure.colliders) =
+        (scene.head_is_mesh() || scene.mannequin_is_meshes() ? figure.stand_ins
+                                                             : figure.colliders) =
             made_for(scene, figure.groom.get());
     figure.colliders.insert(figure.colliders.end(), scene.moving_colliders.begin(),
                             scene.moving_colliders.end());

@@ -17,7 +17,7 @@ std::string number(float value) {
     return text;
 }
 
-std::string meshes_of(const Figure& figure) {
+std::string meshes_of(const Scene& scene, const Figure& figure) {
     size_t triangles = 0;
     for (const LoadedMesh& mesh : figure.meshes)
         triangles += mesh.shape.triangles.size();
@@ -27,7 +27,8 @@ std::string meshes_of(const Figure& figure) {
         ++count;
     }
     return std::to_string(count) + (count == 1 ? " mesh of " : " meshes of ") +
-           std::to_string(triangles) + " triangles";
+           std::to_string(triangles) + " triangles" +
+           (scene.mannequin_is_meshes() ? ", the mannequin's" : "");
 }
 
 std::string colliders_of(const Scene& scene, const Figure& figure) {
@@ -108,7 +109,7 @@ std::string loaded_line(const Scene& scene, const Figure& figure) {
     const std::string colliders = colliders_of(scene, figure);
     if (!colliders.empty())
         text += "; " + colliders;
-    return figure.meshes.empty() && !figure.body ? text : text + "; " + meshes_of(figure);
+    return figure.meshes.empty() && !figure.body ? text : text + "; " + meshes_of(scene, figure);
 }
 
 std::vector<std::string> size_warnings(const Scene& scene, const Figure& figure) {

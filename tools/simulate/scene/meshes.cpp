@@ -1,5 +1,7 @@
 #include "meshes.hpp"
 
+#include "generator/generator.hpp"
+
 #include <filesystem>
 
 namespace simulate {
@@ -59,6 +61,31 @@ std::vector<LoadedMesh> load_meshes(const std::vector<MeshChoice>& choices, bool
     std::vector<LoadedMesh> list;
     for (const MeshChoice& choice : choices)
         list.push_back(load_mesh(choice, generated));
+    return list;
+}
+
+namespace {
+
+LoadedMesh mannequin_part(const plait_generator::HeadMesh& made, bool moves_with_head) {
+    plait_mesh_desc desc = plait_mesh_desc_defaults();
+    desc.positions = {made.positions.data(), made.positions.size() / 3, 0};
+    desc.triangles = {made.triangles.data(), made.triangles.size() / 3, 0};
+    plait_mesh* mesh = nullptr;
+    check(plait_mesh_create(&desc, nullptr, &mesh));
+    MeshChoice choice;
+    choice.place = "the mannequin";
+    choice.drawn = false;
+    choice.moves_with_head = moves_with_head;
+    return {MeshHandle(mesh), choice, shape_of(mesh)};
+}
+
+} // namespace
+
+std::vector<LoadedMesh> mannequin_parts() {
+    const plait_generator::HeadParts parts = plait_generator::make_head_parts();
+    std::vector<LoadedMesh> list;
+    list.push_back(mannequin_part(parts.head, true));
+    list.push_back(mannequin_part(parts.torso, false));
     return list;
 }
 

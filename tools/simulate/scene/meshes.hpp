@@ -35,4 +35,8 @@ struct LoadedMesh {
 LoadedMesh load_mesh(const MeshChoice& choice, bool generated);
 std::vector<LoadedMesh> load_meshes(const std::vector<MeshChoice>& choices, bool generated);
 
+// The mannequin's head, and its neck and shoulders, which are not drawn: what is drawn is one skin,
+// whose neck twists.
+std::vector<LoadedMesh> mannequin_parts();
+
 } // namespace simulate

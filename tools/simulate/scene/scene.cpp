@@ -135,6 +135,19 @@ void read_moving_colliders(JsonReader& top, std::vector<Collider>& colliders) {
     });
 }
 
+// After colliders and meshes, which take its place.
+void read_mannequin(JsonReader& top, Scene& scene) {
+    constexpr const char* names[] = {"meshes", "capsules"};
+    if (!top.choice("mannequin", scene.mannequin, names))
+        return;
+    if (!scene.groom.generated || scene.groom.on_ball())
+        top.fail("mannequin", "is given, and \"" + scene.groom.name + "\" does not grow on it");
+    if (scene.colliders || scene.head_is_mesh())
+        top.fail("mannequin", "is given, and colliders, meshes or a body take its place");
+    if (scene.mannequin == Mannequin::Meshes && scene.sim.model == PLAIT_MODEL_TRESSFX)
+        top.fail("mannequin", "is meshes, and strands of the model tressfx meet no meshes");
+}
+
 void take_meshes(JsonReader& top, const Origin& origin, Scene& scene) {
     const std::string folder = std::filesystem::path(origin.file).parent_path().string();
     scene.meshes = read_meshes(top, folder);
@@ -369,6 +382,11 @@ bool Scene::head_is_mesh() const {
     return body || std::ranges::any_of(meshes, &MeshChoice::moves_with_head);
 }
 
+bool Scene::mannequin_is_meshes() const {
+    return groom.generated && !groom.on_ball() && !colliders && !head_is_mesh() &&
+           sim.model != PLAIT_MODEL_TRESSFX && mannequin == Mannequin::Meshes;
+}
+
 Scene make_scene(const std::string& file, const Json& command_line) {
     Origin origin{file, command_line, {}};
     Json document = file.empty() ? Json::object() : read_json(origin);
@@ -382,6 +400,7 @@ Scene make_scene(const std::string& file, const Json& command_line) {
     read_colliders(top, scene.colliders);
     read_moving_colliders(top, scene.moving_colliders);
     take_meshes(top, origin, scene);
+    read_mannequin(top, scene);
     read_pins(top, scene);
     read_wind(top, scene);
     take_detail(top, scene);

@@ -78,12 +78,16 @@ struct PictureChoice {
     std::optional<Vector> hair_root, hair_tip; // linear RGB
 };
 
+// What hair collides with.
+enum class Mannequin { Meshes, Capsules };
+
 struct Scene {
     GroomChoice groom;
     HeadChoice head;
     CameraChoice camera;
     PictureChoice pictures;
     std::optional<std::vector<Collider>> colliders; // absent: made for the groom
+    Mannequin mannequin = Mannequin::Meshes;        // where those are the mannequin
     std::vector<Collider> moving_colliders;         // beside those
     std::vector<MeshChoice> meshes;                 // beside those
     std::optional<BodyChoice> body;                 // beside those; it moves the head
@@ -107,6 +111,7 @@ struct Scene {
 
     uint32_t frames() const;
     bool head_is_mesh() const;           // of the colliders
+    bool mannequin_is_meshes() const;    // of the colliders, beside those of a file
     static plait_sim_desc default_sim(); // what long hair needs under real gravity
 };
 
