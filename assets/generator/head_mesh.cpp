@@ -68,13 +68,21 @@ double along_neck(Vec3 p) {
 }
 constexpr double head_begin = -0.175, torso_end = -0.125;
 
-// Points are not moved onto the surface: at the rims there is no one direction to it.
-HeadMesh make_part(const std::function<double(Vec3)>& distance, unsigned detail) {
-    const Surface surface = surface_nets(distance, bust_grid(spacing_of(detail)));
+// m: a point of a cell that the skin crosses is no farther from it.
+constexpr double most_moved = 0.004;
+
+// What of the mannequin lies where `beyond` is negative.
+HeadMesh make_part(const std::function<double(Vec3)>& beyond, unsigned detail) {
+    const Surface surface =
+        surface_nets([&](Vec3 p) { return std::max(head_distance(p), beyond(p)); },
+                     bust_grid(spacing_of(detail)));
     HeadMesh mesh;
     mesh.triangles = surface.triangles;
-    for (const Vec3 point : surface.points)
-        append(mesh.positions, point);
+    for (const Vec3 point : surface.points) {
+        const bool on_cut = std::abs(head_distance(point)) > most_moved;
+        const Vec3 p = on_cut ? point : to_distance(point, 0);
+        append(mesh.positions, beyond(p) < 0 ? p : point);
+    }
     return mesh;
 }
 
@@ -85,10 +93,8 @@ HeadMesh make_head(unsigned detail) {
 }
 
 HeadParts make_head_parts(unsigned detail) {
-    return {make_part([](Vec3 p) { return std::max(head_distance(p), head_begin - along_neck(p)); },
-                      detail),
-            make_part([](Vec3 p) { return std::max(head_distance(p), along_neck(p) - torso_end); },
-                      detail)};
+    return {make_part([](Vec3 p) { return head_begin - along_neck(p); }, detail),
+            make_part([](Vec3 p) { return along_neck(p) - torso_end; }, detail)};
 }
 
 HeadMesh make_head_of(double spacing) {

@@ -61,7 +61,7 @@ TEST(Head, ConsistsOfTwoClosedParts) {
         EXPECT_EQ(edges.shared, 0u);
         for (size_t i = 0; i < part->positions.size() / 3; ++i) {
             const Vec3 p = point(part->positions, i);
-            ASSERT_LT(head_distance(p), 5e-4) << "vertex " << i;
+            ASSERT_LT(head_distance(p), 1e-6) << "vertex " << i;
             (part == &parts.head ? head_lowest : torso_highest) =
                 part == &parts.head ? std::min(head_lowest, p.y) : std::max(torso_highest, p.y);
         }
