@@ -615,6 +615,9 @@ typedef struct plait_sim_params {
                               stands for many hairs */
     float strand_friction; /* Coulomb coefficient, [0, 10], default 0.3 */
 
+    uint32_t follow_contact; /* 1 (default): strands that follow by a map are turned out of
+                                colliders, except of meshes that are two_sided; 0: they are not */
+
     float accelerate_values[16]; /* each [-1e6, 1e6], default 0: passed to the caller's kernel for
                                     accelerate, which defines them; a warning if none runs */
 } plait_sim_params;

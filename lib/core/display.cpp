@@ -25,6 +25,27 @@ Float4 follow_offset(const float* guide, const FollowRules& rules, uint64_t foll
     return {offset[0], offset[1], offset[2], 0};
 }
 
+// Of follow strands. Colliders that are no meshes come first, then those of form FIELD.
+void append_out_of_colliders(Schedule& schedule, const Substep& at, const Buffer& position) {
+    plait_follow_collide_params params{at.layout.row, at.layout.guides, at.collider_count,
+                                       at.collider_first};
+    const uint32_t follows = at.layout.follows;
+    if (params.collider_count > 0)
+        schedule.add(PLAIT_STAGE_follow_collide, follows, params, {&at.colliders, &position});
+    params.collider_first += params.collider_count;
+    params.collider_count = at.mesh_count;
+    if (at.meshes)
+        schedule.add(
+            PLAIT_STAGE_follow_field, follows, params,
+            {&at.colliders, &at.meshes->grid, &at.meshes->nodes, &at.meshes->values, &position});
+    params.collider_first += params.collider_count;
+    params.collider_count = at.bending_count;
+    if (const BendingBuffers* const m = at.bending)
+        schedule.add(PLAIT_STAGE_follow_nearest, follows, params,
+                     {&at.colliders, &m->first, &m->box, &m->tree, &m->triangle, &m->ring, &m->from,
+                      &m->to, &m->bends, &position});
+}
+
 } // namespace
 
 Result<Display> Display::create(Device& device, const Groom& groom, const Layout& layout,
@@ -137,8 +158,10 @@ void Display::append_frame_before(Schedule& schedule, const Layout& layout,
                      {&position(state), &last_frame_});
 }
 
-void Display::append(Schedule& schedule, const Layout& layout, const State& state,
-                     const Roots& roots, const plait_sim_params& params, float remainder) const {
+void Display::append(Schedule& schedule, const Substep& at, const Roots& roots,
+                     float remainder) const {
+    const Layout& layout = at.layout;
+    const State& state = at.state;
     const Buffer& shown = position(state);
     const Buffer& pose = interpolates() ? pose_now_ : state.pose;
     if (interpolates()) {
@@ -152,11 +175,13 @@ void Display::append(Schedule& schedule, const Layout& layout, const State& stat
     else if (layout.follows > 0)
         schedule.add(
             PLAIT_STAGE_follow, layout.follows * layout.row,
-            plait_follow_params{layout.row, layout.guides, params.tip_separation,
-                                of_kernels(params.follow_form)},
+            plait_follow_params{layout.row, layout.guides, at.params.tip_separation,
+                                of_kernels(at.params.follow_form)},
             {&state.rest, &pose, &state.vertex_count, &follow_guide_, &follow_offset_, &shown});
     if (detail_)
         detail_.append(schedule, layout, pose, follow_guide_, shown);
+    if (meets_colliders(at.params))
+        append_out_of_colliders(schedule, at, shown);
     schedule.add(PLAIT_STAGE_tangents, layout.vertices(), plait_layout_params{layout.row},
                  {&state.vertex_count, &shown, &tangent_});
 }

@@ -3,6 +3,7 @@
 
 #include "core/detail.hpp"
 #include "core/follow_turns.hpp"
+#include "core/model.hpp"
 #include "core/roots.hpp"
 #include "core/state.hpp"
 
@@ -37,8 +38,12 @@ class Display {
     // What keeps what is shown as the frame before, if that is asked for.
     void append_frame_before(Schedule& schedule, const Layout& layout, const State& state) const;
     // What fills position and tangent; `remainder`: share of a step since the last one.
-    void append(Schedule& schedule, const Layout& layout, const State& state, const Roots& roots,
-                const plait_sim_params& params, float remainder) const;
+    // Colliders are where they are at the end of `at`.
+    void append(Schedule& schedule, const Substep& at, const Roots& roots, float remainder) const;
+    // Follow strands are kept out of colliders.
+    bool meets_colliders(const plait_sim_params& params) const {
+        return turns_ && params.follow_contact != 0;
+    }
 
     // Of the follows, from the next time on that they are shown. Waits. INVALID_STATE: there are none.
     Result<Detail> make_detail(Device& device, const Layout& layout, const State& state,

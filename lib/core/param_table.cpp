@@ -147,6 +147,8 @@ constexpr plait_param_info table[] = {
     of(meeting, above(AT(strand_radius), "m", 0, 0.1)),
     of(meeting, real(AT(strand_friction), "", 0, 10)),
 
+    whole(AT(follow_contact), 0, 1),
+
     real(AT(accelerate_values), "", -1e6, 1e6),
 };
 

@@ -122,6 +122,7 @@ plait_sim_params default_params() {
     p.volume_viscosity = 5;
     p.strand_radius = 0.002f;
     p.strand_friction = 0.3f;
+    p.follow_contact = 1;
     return p;
 }
 

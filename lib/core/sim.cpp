@@ -308,6 +308,14 @@ Status Sim::prepare_teleport() {
                            "pose_spare");
 }
 
+// Where they stand still, for strands that follow and are shown before the next step.
+Status Sim::place_colliders() {
+    if (!display_.meets_colliders(desc_.params))
+        return {};
+    PLAIT_TRY(colliders_.advance(device(), 0));
+    return bending_.advance(device(), 0);
+}
+
 Status Sim::teleport(const RootsInput& input) {
     schedule_.clear();
     PLAIT_TRY(prepare_teleport());
@@ -319,6 +327,7 @@ Status Sim::teleport(const RootsInput& input) {
     bending_.arrive();
     bending_.stop();
     roots_.append_poses_now(schedule_, pose_spare_);
+    PLAIT_TRY(place_colliders());
     append_stopped_pins(schedule_, layout_, state_);
     grid_.volume().carries = false;
     model_->teleport(schedule_, present(), pose_spare_);
@@ -334,6 +343,7 @@ Status Sim::reset() {
     roots_.stop(schedule_);
     colliders_.stop();
     bending_.stop();
+    PLAIT_TRY(place_colliders());
     append_stopped_pins(schedule_, layout_, state_);
     roots_.append_poses_now(schedule_, state_.pose);
     model_->reset(schedule_, present());

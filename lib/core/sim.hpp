@@ -201,6 +201,7 @@ class Sim {
 
     Status show_at_once();
     Status prepare_teleport();
+    Status place_colliders();
     Status check_stages(); // and builds them
     Status check_schedule();
     Status prepare_calls();

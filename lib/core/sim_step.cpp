@@ -42,6 +42,8 @@ void Sim::append_phases(const At& at) {
 Status Sim::step(double dt) {
     schedule_.clear(); // what a failed call may have left
     const Tick tick = clock_.advance(dt);
+    if (tick.steps == 0)
+        PLAIT_TRY(place_colliders());
     append_phases({Moment::call_begins, present(), 0, tick.steps});
     for (uint32_t k = 0; k < tick.steps; ++k)
         PLAIT_TRY(fixed_step(tick.end_of(k), k, tick.steps));
@@ -85,6 +87,7 @@ void Sim::append_dry_step() {
         return Status{};
     });
     append_phases({Moment::step_ends, present()});
+    append_shown();
 }
 
 void Sim::append_roots(const At& at) {
@@ -196,8 +199,7 @@ void Sim::append_display(const At& at) {
 }
 
 void Sim::append_shown() {
-    display_.append(schedule_, layout_, state_, roots_, desc_.params,
-                    static_cast<float>(clock_.remainder()));
+    display_.append(schedule_, first_group(), roots_, static_cast<float>(clock_.remainder()));
 }
 
 Substep Sim::at(const Group& group, uint32_t substep) const {

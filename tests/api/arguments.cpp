@@ -374,6 +374,7 @@ TEST(Arguments, ParametersOutsideTheirRanges) {
         params("strand_radius", [](P& p) { p.strand_radius = 0.11f; }),
         params("strand_friction", [](P& p) { p.strand_friction = -0.1f; }),
         params("strand_friction", [](P& p) { p.strand_friction = 10.1f; }),
+        params("follow_contact", [](P& p) { p.follow_contact = 2; }),
         params("wind_cone", [](P& p) { p.wind_cone = 1.6f; }),
         params("interhair", [](P& p) { set_raw(p.interhair, 3); }),
         params("grid_edge_count", [](P& p) { p.grid_edge_count = 0; }),

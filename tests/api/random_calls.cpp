@@ -298,6 +298,7 @@ class Scene {
             contact_dice_.one_in(3) ? PLAIT_STRAND_CONTACT_OFF : PLAIT_STRAND_CONTACT_ON;
         params.strand_radius = contact_dice_.decade(-4, -1);
         params.strand_friction = contact_dice_.one_in(3) ? 0 : contact_dice_.between(0, 2);
+        params.follow_contact = contact_dice_.one_in(3) ? 0 : 1;
         sim_.set_params(params);
     }
     std::optional<size_t> some_collider() {

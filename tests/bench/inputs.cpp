@@ -97,6 +97,9 @@ void fill(plait_follow_turns_params& p, const Shape& shape) {
 void fill(plait_follow_clump_params& p, const Shape& shape) {
     p = {shape.vertices, shape.strands, {0, 0.3f, 0.7f, 0.9f}};
 }
+void fill(plait_follow_collide_params& p, const Shape& shape) {
+    p = {shape.vertices, shape.strands, colliders, 0};
+}
 void fill(plait_follow_curl_params& p, const Shape& shape) {
     p = {shape.vertices,
          shape.strands,
@@ -418,6 +421,10 @@ Words words_of(const std::vector<float>& floats) {
     std::transform(floats.begin(), floats.end(), words.begin(),
                    [](float value) { return std::bit_cast<uint32_t>(value); });
     return words;
+}
+
+bool follows_meet_meshes(plait_stage stage) {
+    return stage == PLAIT_STAGE_follow_field || stage == PLAIT_STAGE_follow_nearest;
 }
 
 bool finds_planes(plait_stage stage) {
@@ -799,6 +806,13 @@ const std::map<std::string, Maker>& makers() {
 } // namespace
 
 std::vector<unsigned char> typical_params(plait_stage stage, const Shape& shape) {
+    if (follows_meet_meshes(stage)) { // of one
+        plait_follow_collide_params params{};
+        fill(params, shape);
+        params.collider_count = 1;
+        const auto* const bytes = reinterpret_cast<const unsigned char*>(&params);
+        return {bytes, bytes + sizeof params};
+    }
     if (finds_planes(stage)) { // of one mesh
         plait_lane_params params{};
         fill(params, shape);
@@ -852,7 +866,9 @@ uint32_t item_width(plait_stage stage, const Shape& shape) {
 namespace {
 bool places_follows(plait_stage stage) {
     return stage == PLAIT_STAGE_follow || stage == PLAIT_STAGE_follow_turns ||
-           stage == PLAIT_STAGE_follow_clump || stage == PLAIT_STAGE_follow_curl;
+           stage == PLAIT_STAGE_follow_clump || stage == PLAIT_STAGE_follow_curl ||
+           stage == PLAIT_STAGE_follow_collide || stage == PLAIT_STAGE_follow_field ||
+           stage == PLAIT_STAGE_follow_nearest;
 }
 } // namespace
 
@@ -883,7 +899,7 @@ std::vector<uint32_t> typical_buffer(const plait_stage_info& stage, const plait_
     if (!finds_planes(stage.stage) && stage.stage != PLAIT_STAGE_strand_contact &&
         name == "lane_plane")
         return {}; // and that is near no mesh
-    if (finds_planes(stage.stage) && name == "collider")
+    if ((finds_planes(stage.stage) || follows_meet_meshes(stage.stage)) && name == "collider")
         return mesh_row();
     if (finds_planes(stage.stage) && name == "rest")
         return strands_from(roots_side_by_side(shape.strands), shape, 0);

@@ -1,41 +1,20 @@
-#include "mesh_inputs.hpp"
+#include "field_inputs.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace plait::cases {
 namespace {
 
-constexpr uint32_t nodes[3] = {13, 12, 11};
-constexpr double cell = 0.013; // m
-
-struct Meshes {
-    std::vector<float> rows, grid, values, clearance;
-    std::vector<uint32_t> nodes;
+struct Meshes : FieldMeshes {
+    std::vector<float> clearance;
 };
-
-// About a ball with a bulge, off the middle of its grid.
-void add_field(Meshes& meshes, Random& random) {
-    const double radius = random.uniform(0.03, 0.05), bulge = random.uniform(0.002, 0.004);
-    meshes.nodes.insert(meshes.nodes.end(), {nodes[0], nodes[1], nodes[2],
-                                             static_cast<uint32_t>(meshes.values.size())});
-    const Point first = {-6.3 * cell, -5.4 * cell, -5.2 * cell};
-    append_floats(meshes.grid, {first[0], first[1], first[2], cell});
-    for (uint32_t z = 0; z < nodes[2]; ++z)
-        for (uint32_t y = 0; y < nodes[1]; ++y)
-            for (uint32_t x = 0; x < nodes[0]; ++x) {
-                const Point p = {first[0] + cell * x, first[1] + cell * y, first[2] + cell * z};
-                append_floats(meshes.values, {std::hypot(p[0], p[1], p[2]) - radius +
-                                              bulge * std::sin(30 * p[0]) * std::cos(40 * p[1])});
-            }
-}
 
 Meshes make_meshes(const LaneHair& lanes, uint32_t seed) {
     Meshes meshes;
     Random random(seed);
     const Size& size = lanes.hair.size;
     for (size_t s = 0; s < size.strands; ++s) {
-        add_field(meshes, random);
+        meshes.add(random);
         const size_t first = s * size.stride;
         if (s % 3 == 1) // around the root
             add_mesh_row(meshes.rows, random, lanes, first + 1, -0.025);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace plait::cases {
 namespace {
@@ -90,6 +91,57 @@ void NearestMeshes::add(const MeshCorners& corners, const std::vector<Point>& fr
 std::vector<Array> NearestMeshes::buffers() const {
     return {uints(first),  float4s(box), uints(tree),   uints(triangle),  uints(ring),
             float4s(from), float4s(to),  floats(bends), floats(clearance)};
+}
+
+namespace {
+
+constexpr uint32_t around = 9, rings = 7; // vertices of a ball, without its poles
+
+// Of a ball: quads between rings, fans around the poles; without the upper fan it is open.
+MeshCorners triangles_of_ball(bool open) {
+    MeshCorners list;
+    for (uint32_t v = 0; v + 1 < rings; ++v)
+        for (uint32_t u = 0; u < around; ++u) {
+            const uint32_t next = (u + 1) % around;
+            const uint32_t a = v * around + u, b = v * around + next, up = around;
+            list.push_back({a, b, b + up});
+            list.push_back({a, b + up, a + up});
+        }
+    const uint32_t last = (rings - 1) * around, bottom = rings * around, top = bottom + 1;
+    for (uint32_t u = 0; u < around; ++u) {
+        list.push_back({bottom, (u + 1) % around, u});
+        if (!open)
+            list.push_back({top, last + u, last + (u + 1) % around});
+    }
+    return list;
+}
+
+Point place_in_ball(uint32_t vertex, double radius) {
+    constexpr double pi = std::numbers::pi;
+    if (vertex >= rings * around)
+        return {0, vertex > rings * around ? radius : -radius, 0};
+    const double a = 2 * pi * (vertex % around) / around,
+                 b = pi * (vertex / around + 1.0) / (rings + 1.0);
+    return {radius * std::sin(b) * std::cos(a), -radius * std::cos(b),
+            -radius * std::sin(b) * std::sin(a)};
+}
+
+} // namespace
+
+void add_ball(NearestMeshes& meshes, Random& random, bool sheet, bool bends) {
+    const double radius = random.uniform(0.03, 0.05), bulge = random.uniform(0.002, 0.004);
+    std::vector<Point> from, to;
+    for (uint32_t i = 0; i < rings * around + 2; ++i) {
+        Point p = place_in_ball(i, radius);
+        for (double& c : p)
+            c *= 1 + bulge / radius * std::sin(30 * p[0]) * std::cos(40 * p[1]);
+        from.push_back(p);
+        if (bends)
+            p = {p[0] + 0.004 * std::sin(40 * p[1]), p[1] + 0.003 * std::cos(50 * p[2]),
+                 p[2] + 0.005 * std::sin(45 * p[0])};
+        to.push_back(p);
+    }
+    meshes.add(triangles_of_ball(sheet), from, to, sheet);
 }
 
 void add_mesh_row(std::vector<float>& rows, Random& random, const LaneHair& lanes, size_t vertex,

@@ -23,6 +23,9 @@ struct NearestMeshes {
     std::vector<Array> buffers() const; // from mesh_first to mesh_clearance
 };
 
+// A ball of 3 to 5 cm with a bulge, that bends by some millimetres in the step or does not; a sheet: open.
+void add_ball(NearestMeshes& meshes, Random& random, bool sheet, bool bends);
+
 // The row in `collider` of a mesh some 4 cm in size whose surface is `gap` (m) off the start of a
 // vertex, down the way that forces drive it, and that moves and turns a little. `shares`: of the fixed
 // step, where the substep begins and ends.

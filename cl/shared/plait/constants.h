@@ -214,6 +214,14 @@
  * integral of (1 - f)^2 t^2, f the fade. */
 #define PLAIT_FRIZZ_NOISE_RMS PLAIT_NUMBER(0.14069)
 
+/* ---- follow_collide, follow_field and follow_nearest --------------------------------------------
+ */
+
+/* Sine of the steepest way out of a body: what is deeper comes out over several segments. Ours. */
+#define PLAIT_FOLLOW_STEEPEST PLAIT_NUMBER(0.9)
+/* Turns of a segment towards one surface: the second is for its curvature. Ours. */
+#define PLAIT_FOLLOW_TURNS 2
+
 /* ---- switching ---------------------------------------------------------------------------------
  */
 

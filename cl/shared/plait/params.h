@@ -214,6 +214,14 @@ typedef struct plait_follow_clump_params {
     float clump[4]; /* share of the way to the centre, [0, 1] */
 } plait_follow_clump_params;
 
+/* follow_collide, follow_field, follow_nearest: follow strands out of colliders. */
+typedef struct plait_follow_collide_params {
+    plait_u32 vertex_stride;
+    plait_u32 guide_count;
+    plait_u32 collider_count;
+    plait_u32 collider_first; /* where in `collider` those begin */
+} plait_follow_collide_params;
+
 /* follow_curl: offsets from the strand, in a frame that it carries along. */
 typedef struct plait_follow_curl_params {
     plait_u32 vertex_stride;

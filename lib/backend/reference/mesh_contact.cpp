@@ -6,12 +6,12 @@
 //   o = min(clearance, min(f_root, 0) + s arc).
 // f is trilinear between nodes, its normal the gradient of that over its size.
 // Source: ours; signs by Baerentzen & Aanaes 2005, on the host.
+#include "backend/reference/mesh_field.hpp"
 #include "backend/reference/mesh_ways.hpp"
 
 #include <plait/constants.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -19,87 +19,19 @@
 namespace plait::reference {
 namespace {
 
-struct Sample {
-    double distance;
-    std::optional<Vec3> gradient; // where the distance is exact
-};
-
-class Field {
-  public:
-    Field(const mesh_contact_args& args, size_t mesh)
-        : values_(args.mesh_values), origin_(xyz(args.mesh_grid[mesh])),
-          edge_(args.mesh_grid[mesh].w()) {
-        for (size_t k = 0; k < 3; ++k) {
-            nodes_[k] = args.mesh_nodes[4 * mesh + k];
-            if (nodes_[k] < 2)
-                throw BadDispatch(
-                    format("mesh_nodes[%zu] is %zu, allowed from 2 on", 4 * mesh + k, nodes_[k]));
-        }
-        first_ = args.mesh_nodes[4 * mesh + 3];
-    }
-
-    double edge() const { return edge_; }
-
-    Sample at(const Vec3& x) const {
-        const Vec3 cells = (x - origin_) / edge_;
-        std::array<size_t, 3> cell{};
-        Vec3 share, outside = Vec3::Zero();
-        for (Eigen::Index k = 0; k < 3; ++k) {
-            const auto axis = static_cast<size_t>(k);
-            const double inside = std::clamp(cells[k], 0.0, double(nodes_[axis] - 1));
-            outside[k] = cells[k] - inside;
-            cell[axis] = std::min(static_cast<size_t>(inside), nodes_[axis] - 2);
-            share[k] = inside - double(cell[axis]);
-        }
-        if (!outside.isZero(0))
-            return {edge_ * (outside.norm() + 2), {}};
-        double value = 0;
-        Vec3 slope = Vec3::Zero();
-        for (size_t corner = 0; corner < 8; ++corner) {
-            const std::array<size_t, 3> upper{corner & 1, corner >> 1 & 1, corner >> 2};
-            Vec3 weight, change;
-            for (Eigen::Index k = 0; k < 3; ++k) {
-                const bool up = upper[static_cast<size_t>(k)] != 0;
-                weight[k] = up ? share[k] : 1 - share[k];
-                change[k] = up ? 1 : -1;
-            }
-            const double node =
-                value_at(cell[0] + upper[0], cell[1] + upper[1], cell[2] + upper[2]);
-            value += weight.prod() * node;
-            slope += node * Vec3(change.x() * weight.y() * weight.z(),
-                                 change.y() * weight.z() * weight.x(),
-                                 change.z() * weight.x() * weight.y());
-        }
-        if (value > 2 * edge_)
-            return {value, {}};
-        return {value, Vec3(slope / edge_)};
-    }
-
-  private:
-    double value_at(size_t x, size_t y, size_t z) const {
-        return values_[first_ + (z * nodes_[1] + y) * nodes_[0] + x];
-    }
-
-    const View<const double>& values_;
-    Vec3 origin_;
-    double edge_;
-    std::array<size_t, 3> nodes_{};
-    size_t first_;
-};
-
-std::optional<MeshPlaneAt> plane_of(const Sample& sample, const Vec3& point, double offset) {
+std::optional<MeshPlaneAt> plane_of(const FieldSample& sample, const Vec3& point, double offset) {
     if (!sample.gradient || !(sample.gradient->norm() > PLAIT_MESH_MIN_SLOPE))
         return {};
     return MeshPlaneAt{sample.gradient->normalized(), point, sample.distance - offset};
 }
 
-std::optional<MeshPlaneAt> met(const Field& field, const Vec3& from, const Vec3& to,
+std::optional<MeshPlaneAt> met(const MeshField& field, const Vec3& from, const Vec3& to,
                                double offset) {
     double t = 0, distance = std::numeric_limits<double>::infinity();
     std::optional<MeshPlaneAt> nearest;
     for (int k = 0; k <= PLAIT_MESH_MARCH_STEPS; ++k) {
         const Vec3 at = from + t * (to - from);
-        const Sample sample = field.at(at);
+        const FieldSample sample = field.at(at);
         distance = sample.distance - offset;
         const auto plane = plane_of(sample, at, offset);
         if (plane && (!nearest || plane->height < nearest->height))
@@ -122,7 +54,7 @@ std::optional<MeshPlaneAt> met(const Field& field, const Vec3& from, const Vec3&
 struct Body {
     Body(const mesh_contact_args& args, size_t collider, size_t mesh)
         : field(args, mesh), motion(args.collider, collider) {}
-    Field field;
+    MeshField field;
     MeshMotion motion;
 };
 

@@ -410,6 +410,23 @@ void follow_clump_leans_to_the_centre(Bench& bench) {
                                  .679404f, 1.873269f, 0, 5});
 }
 
+// Segments of 1 m down to a floor at a slope of 0.8: the second, which would end 0.6 m under it, is turned up
+// by so much, and the third lies on it.
+void follow_collide_lies_on_a_floor(Bench& bench) {
+    const auto out =
+        bench.run(PLAIT_STAGE_follow_collide, 1, 1, plait_follow_collide_params{4, 1, 1, 0},
+                  {float4s({0, 0, 0, 0, 0, 1,
+                            0, 0, 0, 0, 0, 0,
+                            0, 1, 0, 0, //
+                            0, 0, 0, 1, 0, PLAIT_KIND_PLANE,
+                            0, 0}),
+                   float4s({9, 9, 9, 9, 9,   9,   9, 9, 9,    9,    9, 9, 9,    9,     9, 9, //
+                            0, 1, 0, 0, .6f, .2f, 0, 1, 1.2f, -.6f, 0, 1, 1.8f, -1.4f, 0, 1})});
+    const std::vector<float> follow(out[1].floats.begin() + 16, out[1].floats.end());
+    expect_near(floats(follow),
+                {0, 1, 0, 0, .6f, .2f, 0, 1, 1.5797959f, 0, 0, 1, 2.5797959f, 0, 0, 1});
+}
+
 // Along +y with a pitch of four segments: each offset is the one before, turned by a quarter.
 void follow_curl_is_a_helix(Bench& bench) {
     plait_follow_curl_params params{5, 1, {1, 1, 1, 1}, 4, 1, {0, 0, 0, 0}, 1, 3};
@@ -497,6 +514,7 @@ const std::vector<ClosedForm>& strand_closed_forms() {
         PLAIT_CLOSED_FORM(guide_turns_go_on_beyond_half_a_turn),
         PLAIT_CLOSED_FORM(follow_turns_by_the_mean),
         PLAIT_CLOSED_FORM(follow_clump_leans_to_the_centre),
+        PLAIT_CLOSED_FORM(follow_collide_lies_on_a_floor),
         PLAIT_CLOSED_FORM(follow_curl_is_a_helix),
         PLAIT_CLOSED_FORM(tangents_point_to_the_tip),
         PLAIT_CLOSED_FORM(tangents_are_never_zero),

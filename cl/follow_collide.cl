@@ -1,0 +1,59 @@
+/* follow_collide: strands that follow are turned out of colliders.
+ *
+ * Items   follows: strand f here is row guide_count + f of position.
+ * Reads   collider, at the end of its substep.
+ * Moves   position of the follows; w is kept, padding is a copy of the tip.
+ * Source  common/follow_out.clh; distances as in the strand models.
+ * Limit   without friction, and of no memory: a follow is where its guides put it, less what is
+ *         inside. A strand that leaves one collider may be brought into one before it in the list.
+ */
+#pragma OPENCL FP_CONTRACT OFF
+#undef PLAIT_LANES
+#define PLAIT_LANES 1
+#include "common/lane_collider.clh"
+
+typedef struct {
+    float kind;
+    lane_collider collider;
+} follow_body;
+
+typedef lane_gap follow_distance;
+
+static inline follow_distance follow_gap(const follow_body* body, vec3 x, float bound) {
+    return lane_collider_gap(body->kind, &body->collider, vec3_of(0.0f, 0.0f, 0.0f), x);
+}
+
+#include "common/follow_out.clh"
+
+typedef struct {
+    float3 low, high;
+} follow_box;
+
+static inline follow_box follow_box_of(__global const float4* row, uint stride) {
+    follow_box box = {row[0].xyz, row[0].xyz};
+    for (uint i = 1; i < stride; ++i) {
+        box.low = min(box.low, row[i].xyz);
+        box.high = max(box.high, row[i].xyz);
+    }
+    return box;
+}
+
+__kernel void plait_follow_collide(const uint item_count, const plait_follow_collide_params params,
+                                   __global const float4* collider, __global float4* position) {
+    const uint item = get_global_id(0), stride = params.vertex_stride;
+    if (item >= item_count)
+        return;
+    __global float4* row = position + ((size_t)params.guide_count + item) * stride;
+    for (uint k = 0; k < params.collider_count; ++k) {
+        const uint index = params.collider_first + k;
+        const follow_box box = follow_box_of(row, stride);
+        if (!lane_collider_meets(collider + PLAIT_COLLIDER_STRIDE * (size_t)index, box.low,
+                                 box.high, 0.0f))
+            continue;
+        follow_body body;
+        body.kind = lane_collider_kind(collider, index);
+        body.collider = lane_collider_at(body.kind, collider, index);
+        lane_collider_ready(body.kind, &body.collider);
+        follow_leave(&body, row, stride);
+    }
+}

@@ -1,0 +1,35 @@
+#include "colliders.hpp"
+#include "follow_out.hpp"
+
+namespace plait::cases {
+namespace {
+
+Setup make(const Size& size, std::vector<Collider> colliders) {
+    const FollowHair hair = hair_through_bodies(size, 81);
+    Setup setup;
+    setup.name = name_of(size) + ", " + std::to_string(colliders.size()) + " colliders";
+    setup.items = hair.follows;
+    const auto count = static_cast<uint32_t>(colliders.size());
+    const std::vector<Collider> before(count, sphere); // of the substep before
+    colliders.insert(colliders.begin(), before.begin(), before.end());
+    setup.buffers = {float4s(pack(colliders)), float4s(hair.position)};
+    return setup.with(out_params(size, count));
+}
+
+} // namespace
+
+// What a turn is off by moves all that comes after it.
+Case follow_collide_case() {
+    Case result = {PLAIT_STAGE_follow_collide, {}, {{"position", 1e-5}}};
+    result.unread = {"collider.begin.a", "collider.begin.a.radius", "collider.turn",
+                     "collider.friction", "position.w"};
+    for (const Size& size : sizes()) {
+        result.setups.push_back(make(size, {tapered}));
+        result.setups.push_back(make(size, {sphere, straight}));
+        result.setups.push_back(make(size, {plane}));
+        result.setups.push_back(make(size, {box}));
+    }
+    return result;
+}
+
+} // namespace plait::cases
