@@ -41,10 +41,10 @@ __kernel void plait_grid_slots(const uint item_count, const plait_grid_params pa
         return;
     const grid_frame grid = grid_at(params.q, params.t, params.voxel_edge, params.edge_count);
     const vec3 g = grid_coordinates(&grid, unpack3(position[item]));
-    if (!grid_contains(&grid, g)) {
+    if (grid_contains(&grid, g)) {
+        const uint voxel = (uint)grid_voxel_of(&grid, grid_cell_of(&grid, g, 1, PLAIT_TENT_VOXEL));
+        grid_slot[(size_t)voxel * params.capacity + slot_of(&params, item, g)] = item;
+    } else {
         atomic_inc(grid_outside);
-        return;
     }
-    const uint voxel = (uint)grid_voxel_of(&grid, grid_cell_of(&grid, g, 1, PLAIT_TENT_VOXEL));
-    grid_slot[(size_t)voxel * params.capacity + slot_of(&params, item, g)] = item;
 }
