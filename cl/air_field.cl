@@ -8,7 +8,9 @@
  * Changed lattice points have hashes, not tables of them, so that the wind never repeats.
  */
 #pragma OPENCL FP_CONTRACT OFF
-#include "common/lane_grid.clh"
+#define PLAIT_LANES PLAIT_DEVICE_LANES
+#include "common/quat.clh"
+#include "plait/params.h"
 
 #if PLAIT_LANES == 1
 typedef uint hash;

@@ -9,7 +9,7 @@
  */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/collider.clh"
-#include "common/lane_grid.clh"
+#include "common/grid.clh"
 
 static inline int is_solid(__global const float4* collider, const plait_air_obstacle_params* params,
                            vec3 x) {
@@ -26,12 +26,8 @@ __kernel void plait_air_obstacle(const uint item_count, const plait_air_obstacle
     if (item >= item_count)
         return;
     const uint n = params.edge_count;
-    const lane_grid grid = lane_grid_at(params.q, params.t, params.voxel_edge, n);
-    const float3 cell = (float3)((float)(item % n), (float)(item / (n * n)), (float)(item / n % n));
-    const float3 along = (cell + 0.5f) * params.voxel_edge;
-    const vec3 world = lane_grid_world(&grid, vec3_of(along.x, along.y, along.z));
-    const vec3 x =
-        vec3_of(grid.corner.x + world.x, grid.corner.y + world.y, grid.corner.z + world.z);
+    const grid_frame grid = grid_at(params.q, params.t, params.voxel_edge, n);
+    const vec3 x = grid_centre(&grid, item, params.voxel_edge);
     air_extinction[item] =
         is_solid(collider, &params, x) ? PLAIT_AIR_SOLID : params.extinction * grid_density[item];
 }

@@ -69,11 +69,11 @@ __kernel void plait_air_shelter(const uint item_count, const plait_air_shelter_p
     }
     air_depth[node] = tau;
     const float open = exp(-tau);
-    float3 wind = vload3(0, params.air);
+    vec3 wind = vload3(0, params.air);
     if (params.turbulent)
-        wind += air_velocity[node].xyz;
-    const float3 hair = grid_density[node] > 0.0f
-                            ? quat_rotate(vload4(0, params.q), grid_velocity[node].xyz)
-                            : vload3(0, params.still);
-    air_velocity[node] = (float4)(open * wind + (1.0f - open) * hair, open);
+        wind = add3(wind, unpack3(air_velocity[node]));
+    const vec3 hair = grid_density[node] > 0.0f
+                          ? rotate3(vload4(0, params.q), unpack3(grid_velocity[node]))
+                          : vload3(0, params.still);
+    air_velocity[node] = pack3(axpy3(open, wind, scale3(hair, 1.0f - open)), open);
 }

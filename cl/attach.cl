@@ -9,7 +9,7 @@
  */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/strand.clh"
-#include "common/vec.clh"
+#include "common/vec3.clh"
 #include "plait/params.h"
 
 __kernel void plait_attach(const uint item_count, const plait_attach_params params,
@@ -19,14 +19,14 @@ __kernel void plait_attach(const uint item_count, const plait_attach_params para
     if (strand >= item_count)
         return;
     const size_t first = (size_t)strand * params.vertex_stride;
-    const float3 root = position[first].xyz;
+    const vec3 root = unpack3(position[first]);
     float arc = 0.0f;
     for (uint i = 1u; i < vertex_count[strand]; ++i) {
         arc += rest_length[first + i - 1u];
         const float4 x = position[first + i];
-        const float3 offset = x.xyz - root;
+        const vec3 offset = sub3(unpack3(x), root);
         const float reach = params.reach * arc, distance_to_root = length3(offset);
         if (is_free(x) && distance_to_root > reach)
-            position[first + i] = (float4)(root + (reach / distance_to_root) * offset, x.w);
+            position[first + i] = pack3(axpy3(reach / distance_to_root, offset, root), x.w);
     }
 }

@@ -9,7 +9,7 @@
  */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/strand.clh"
-#include "common/vec.clh"
+#include "common/vec3.clh"
 #include "plait/params.h"
 
 __kernel void plait_clamp(const uint item_count, const plait_clamp_params params,
@@ -18,10 +18,10 @@ __kernel void plait_clamp(const uint item_count, const plait_clamp_params params
     if (item >= item_count)
         return;
     const float4 x = position[item];
-    const float3 prev = position_prev[item].xyz;
-    const float3 displacement = x.xyz - prev;
+    const vec3 prev = unpack3(position_prev[item]);
+    const vec3 displacement = sub3(unpack3(x), prev);
     const float distance_moved = length3(displacement);
     if (is_free(x) && distance_moved > params.max_displacement)
         position[item] =
-            (float4)(prev + (params.max_displacement / distance_moved) * displacement, x.w);
+            pack3(axpy3(params.max_displacement / distance_moved, displacement, prev), x.w);
 }

@@ -43,10 +43,9 @@ __kernel void plait_collide(const uint item_count, const plait_collide_params pa
     const uint strand = item / params.vertex_stride;
     if (item % params.vertex_stride >= vertex_count[strand] || !is_free(before))
         return;
-    const float4 prev = position_prev[item];
-    vec3 x = vec3_of(before.x, before.y, before.z);
+    const vec3 prev = unpack3(position_prev[item]);
+    vec3 x = unpack3(before);
     for (uint index = 0u; index < params.collider_count; ++index)
-        x = collide_with(collider, params.collider_first + index, x,
-                         vec3_of(prev.x, prev.y, prev.z));
-    position[item] = (float4)(x.x, x.y, x.z, before.w);
+        x = collide_with(collider, params.collider_first + index, x, prev);
+    position[item] = pack3(x, before.w);
 }

@@ -16,13 +16,12 @@
 /* The offset turned by the root's pose and then by the segment at `vertex`, from its skinned rest
  * direction to the present one; the tip has the segment before it. `guide` is the first element of
  * the guide's row. */
-static inline float3 turn_offset(float3 offset, float4 root_q, size_t guide, uint vertex,
-                                 uint count, __global const float4* rest,
-                                 __global const float4* position) {
+static inline vec3 turn_offset(vec3 offset, quat root_q, size_t guide, uint vertex, uint count,
+                               __global const float4* rest, __global const float4* position) {
     const size_t segment = guide + min(vertex, count - 2u);
-    const float3 before = quat_rotate(root_q, rest[segment + 1].xyz - rest[segment].xyz);
-    const float3 now = position[segment + 1].xyz - position[segment].xyz;
-    return turn_between(before, now, quat_rotate(root_q, offset));
+    const vec3 before = sub3(unpack3(rest[segment + 1]), unpack3(rest[segment]));
+    const vec3 now = sub3(unpack3(position[segment + 1]), unpack3(position[segment]));
+    return turn_between(rotate3(root_q, before), now, rotate3(root_q, offset));
 }
 
 __kernel void plait_follow(const uint item_count, const plait_follow_params params,
@@ -37,12 +36,12 @@ __kernel void plait_follow(const uint item_count, const plait_follow_params para
     const uint count = vertex_count[strand];
     const uint vertex = min(item % params.vertex_stride, count - 1u);
     const size_t guide = (size_t)strand * params.vertex_stride;
-    float3 offset = follow_offset[follower].xyz;
+    vec3 offset = unpack3(follow_offset[follower]);
     if (params.form == PLAIT_FOLLOW_ROTATING)
         offset =
             turn_offset(offset, pose_load(pose, strand).q, guide, vertex, count, rest, position);
     const float spread = params.tip_separation * ((float)vertex / (float)count) + 1.0f;
     const float4 x = position[guide + vertex];
     position[(size_t)params.guide_count * params.vertex_stride + item] =
-        (float4)(x.xyz + spread * offset, x.w);
+        pack3(axpy3(spread, offset, unpack3(x)), x.w);
 }

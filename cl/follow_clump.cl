@@ -14,26 +14,26 @@
  */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/ramp.clh"
-#include "common/vec.clh"
+#include "common/vec3.clh"
 #include "plait/constants.h"
 #include "plait/params.h"
 
 /* The strand whose row begins at `row`, between two of its vertices. */
-static inline float3 place_on(__global const float4* position, size_t row, uint stride,
-                              float place) {
+static inline vec3 place_on(__global const float4* position, size_t row, uint stride, float place) {
     const float held = clamp(place, 0.0f, (float)(stride - 1));
     const uint a = min((uint)held, stride - 2u);
     const float t = held - (float)a;
-    return (1.0f - t) * position[row + a].xyz + t * position[row + a + 1].xyz;
+    const vec3 begin = unpack3(position[row + a]), end = unpack3(position[row + a + 1]);
+    return axpy3(t, end, scale3(begin, 1.0f - t));
 }
 
 /* Unit, for a segment `segment` of a strand that is `gap` away from where the path's segment `path`
  * begins. */
-static inline float3 direction_along(float3 segment, float3 path, float3 gap, float length) {
-    const float3 along = normalize_or_zero(dot3(path, path) > 0.0f ? path : segment);
-    const float3 aside = gap - dot3(along, gap) * along;
+static inline vec3 direction_along(vec3 segment, vec3 path, vec3 gap, float length) {
+    const vec3 along = normalize3(dot3(path, path) > 0.0f ? path : segment);
+    const vec3 aside = axpy3(-dot3(along, gap), along, gap);
     const float reach = PLAIT_CLUMP_REACH * length + PLAIT_CLUMP_REACH_SEGMENTS * length3(segment);
-    return normalize_or_zero(along + aside / fmax(fmax(reach, length3(aside)), FLT_MIN));
+    return normalize3(add3(along, div3(aside, fmax(fmax(reach, length3(aside)), FLT_MIN))));
 }
 
 __kernel void plait_follow_clump(const uint item_count, const plait_follow_clump_params params,
@@ -46,22 +46,25 @@ __kernel void plait_follow_clump(const uint item_count, const plait_follow_clump
     const size_t from = (size_t)item * stride, to = from + (size_t)params.guide_count * stride;
     const size_t centre = (size_t)clump_centre[item] * stride;
     const float length = follow_arc[from + stride - 1];
-    const float3 root = position[to].xyz;
-    float3 x = (float3)(0.0f), way = (float3)(0.0f); /* all from the root */
-    float3 path = ramp_at(params.clump, 0.0f) *
-                  (place_on(position, centre, stride, clump_place[from]) - root);
+    const vec3 root = unpack3(position[to]);
+    vec3 x = zero3(), way = x; /* all from the root */
+    const vec3 aim_root = sub3(place_on(position, centre, stride, clump_place[from]), root);
+    vec3 path = scale3(aim_root, ramp_at(params.clump, 0.0f));
     for (uint i = 1; i < stride; ++i) {
         const float arc = follow_arc[from + i];
         const float4 now = position[to + i];
         if (arc > follow_arc[from + i - 1]) {
-            const float3 x_now = now.xyz - root;
-            const float3 aim = place_on(position, centre, stride, clump_place[from + i]) - root;
-            const float3 path_now = x_now + ramp_at(params.clump, arc / length) * (aim - x_now);
-            const float3 segment = x_now - x;
-            way += length3(segment) * direction_along(segment, path_now - path, path - way, length);
+            const vec3 x_now = sub3(unpack3(now), root);
+            const vec3 aim = sub3(place_on(position, centre, stride, clump_place[from + i]), root);
+            const vec3 path_now =
+                axpy3(ramp_at(params.clump, arc / length), sub3(aim, x_now), x_now);
+            const vec3 segment = sub3(x_now, x);
+            const vec3 along =
+                direction_along(segment, sub3(path_now, path), sub3(path, way), length);
+            way = axpy3(length3(segment), along, way);
             x = x_now;
             path = path_now;
         }
-        position[to + i] = (float4)(root + way, now.w);
+        position[to + i] = pack3(add3(root, way), now.w);
     }
 }

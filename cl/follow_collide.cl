@@ -8,8 +8,6 @@
  *         inside. A strand that leaves one collider may be brought into one before it in the list.
  */
 #pragma OPENCL FP_CONTRACT OFF
-#undef PLAIT_LANES
-#define PLAIT_LANES 1
 #include "common/lane_collider.clh"
 
 typedef struct {
@@ -20,7 +18,7 @@ typedef struct {
 typedef lane_gap follow_distance;
 
 static inline follow_distance follow_gap(const follow_body* body, vec3 x, float bound) {
-    return lane_collider_gap(body->kind, &body->collider, vec3_of(0.0f, 0.0f, 0.0f), x);
+    return lane_collider_gap(body->kind, &body->collider, zero3(), x);
 }
 
 #include "common/follow_out.clh"

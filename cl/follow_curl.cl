@@ -55,23 +55,22 @@ __kernel void plait_follow_curl(const uint item_count, const plait_follow_curl_p
     const uint clump = pcg(clump_centre[item] ^ pcg(params.seed));
     const uint strand = pcg((params.guide_count + item) ^ pcg(~params.seed));
     const float phase = hash_share(clump) + params.scatter * hash_share(strand);
-    const float4 q = pose_load(pose, follow_guide[item]).q;
-    const float3 rest = follow_way[item].xyz;
-    float3 along = quat_rotate(q, rest);
-    float3 u =
-        quat_rotate(q, turn_between((float3)(0.0f, 1.0f, 0.0f), rest, (float3)(1.0f, 0.0f, 0.0f)));
-    float3 x = position[to].xyz, shown = x;
+    const quat q = pose_load(pose, follow_guide[item]).q;
+    const vec3 rest = unpack3(follow_way[item]);
+    const vec3 across = turn_between(vec3_of(0.0f, 1.0f, 0.0f), rest, vec3_of(1.0f, 0.0f, 0.0f));
+    vec3 along = rotate3(q, rest), u = rotate3(q, across);
+    vec3 x = unpack3(position[to]), shown = x;
     for (uint i = 1; i < stride; ++i) {
         const float arc = follow_arc[from + i];
         const float4 now = position[to + i];
         if (arc > follow_arc[from + i - 1]) {
-            const float3 next = normalize_or_zero(now.xyz - x);
+            const vec3 x_now = unpack3(now), next = normalize3(sub3(x_now, x));
             u = turn_between(along, next, u);
             along = dot3(next, next) > 0.0f ? next : along;
             const float2 offset = offset_at(&params, arc, arc / length, phase, strand);
-            shown = now.xyz + offset.x * u + offset.y * cross3(along, u);
-            x = now.xyz;
+            shown = axpy3(offset.y, cross3(along, u), axpy3(offset.x, u, x_now));
+            x = x_now;
         }
-        position[to + i] = (float4)(shown, now.w);
+        position[to + i] = pack3(shown, now.w);
     }
 }

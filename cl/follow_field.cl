@@ -7,9 +7,8 @@
  * Source  common/follow_out.clh; distances as in mesh_contact.
  */
 #pragma OPENCL FP_CONTRACT OFF
-#undef PLAIT_LANES
-#define PLAIT_LANES 1
-#include "common/lane_mesh.clh"
+#include "common/mesh_field.clh"
+#include "plait/constants.h"
 
 typedef struct {
     mesh_field field;
@@ -24,14 +23,14 @@ typedef struct {
 static inline follow_distance follow_gap(const follow_body* body, vec3 x, float bound) {
     const vec3 own = mesh_own(&body->motion, x);
     follow_distance gap;
-    gap.normal = vec3_of(0.0f, 0.0f, 0.0f);
+    gap.normal = zero3();
     gap.distance = mesh_field_least(&body->field, own);
     if (!(gap.distance <= 0.0f))
         return gap;
     mesh_cells cells;
     cells.first = -1;
     const mesh_sample sample = mesh_field_sample(&body->field, own, &cells);
-    const float slope = mesh_length(sample.gradient);
+    const float slope = length3(sample.gradient);
     gap.distance = fmin(sample.distance, 0.0f); /* which says nothing of what is around */
     if (!(slope > PLAIT_MESH_MIN_SLOPE)) {
         gap.distance = 0.0f;

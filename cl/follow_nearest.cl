@@ -7,8 +7,6 @@
  * Limit   not of sheets, which have no inside.
  */
 #pragma OPENCL FP_CONTRACT OFF
-#undef PLAIT_LANES
-#define PLAIT_LANES 1
 #include "common/lane_nearest.clh"
 
 typedef struct {
@@ -26,7 +24,7 @@ typedef struct {
 static inline follow_distance follow_gap(const follow_body* body, vec3 x, float bound) {
     const vec3 own = mesh_own(&body->motion, x);
     const near_found found = near_search(&body->mesh, body->share, own, bound, 1);
-    follow_distance gap = {bound, vec3_of(0.0f, 0.0f, 0.0f)};
+    follow_distance gap = {bound, zero3()};
     if (found.triangle < 0)
         return gap;
     const near_sample sample = near_sample_of(&body->mesh, found, body->share, own);

@@ -15,29 +15,28 @@
 #include "common/pose.clh"
 
 /* Turn of a guide, whose row begins at `row`, between two of its segments. */
-static inline float4 turn_at(__global const float4* guide_turn, uint row, uint stride,
-                             float place) {
+static inline quat turn_at(__global const float4* guide_turn, uint row, uint stride, float place) {
     const float held = clamp(place, 0.0f, (float)(stride - 1));
     const uint a = min((uint)held, stride - 2u);
-    return quat_nlerp(guide_turn[row + a], guide_turn[row + a + 1], held - (float)a);
+    return nlerpq(guide_turn[row + a], guide_turn[row + a + 1], held - (float)a);
 }
 
 /* A share of that guide, with the sign that makes the pose of its root agree with `first`. */
-static inline float signed_share(pose_t pose, float4 first, float share) {
-    return dot3(pose.q.xyz, first.xyz) + pose.q.w * first.w < 0.0f ? -share : share;
+static inline float signed_share(pose_t pose, quat first, float share) {
+    return dotq(pose.q, first) < 0.0f ? -share : share;
 }
 
 /* Shares that are 0 come last. */
-static inline float4 mean_turn(__global const float4* guide_turn, uint4 row, uint stride,
-                               float4 share, float4 place) {
-    float4 sum = share.x * turn_at(guide_turn, row.x, stride, place.x);
+static inline quat mean_turn(__global const float4* guide_turn, uint4 row, uint stride,
+                             float4 share, float4 place) {
+    quat sum = scaleq(turn_at(guide_turn, row.x, stride, place.x), share.x);
     if (share.y != 0.0f)
-        sum += share.y * turn_at(guide_turn, row.y, stride, place.y);
+        sum = addq(sum, scaleq(turn_at(guide_turn, row.y, stride, place.y), share.y));
     if (share.z != 0.0f)
-        sum += share.z * turn_at(guide_turn, row.z, stride, place.z);
+        sum = addq(sum, scaleq(turn_at(guide_turn, row.z, stride, place.z), share.z));
     if (share.w != 0.0f)
-        sum += share.w * turn_at(guide_turn, row.w, stride, place.w);
-    return quat_normalize(sum);
+        sum = addq(sum, scaleq(turn_at(guide_turn, row.w, stride, place.w), share.w));
+    return normalizeq(sum);
 }
 
 __kernel void plait_follow_turns(const uint item_count, const plait_follow_turns_params params,
@@ -53,19 +52,21 @@ __kernel void plait_follow_turns(const uint item_count, const plait_follow_turns
     const float4 weight = follow_weight[item];
     const size_t from = (size_t)item * stride, to = from + (size_t)params.guide_count * stride;
     const float4 start = follow_rest[from];
+    const vec3 at = unpack3(start);
     const pose_t a = pose_load(pose, guide.x), b = pose_load(pose, guide.y);
     const pose_t c = pose_load(pose, guide.z), d = pose_load(pose, guide.w);
-    const float3 root = weight.x * pose_apply(a, start.xyz) + weight.y * pose_apply(b, start.xyz) +
-                        weight.z * pose_apply(c, start.xyz) + weight.w * pose_apply(d, start.xyz);
+    vec3 root = scale3(pose_apply(a, at), weight.x);
+    root = axpy3(weight.y, pose_apply(b, at), root);
+    root = axpy3(weight.z, pose_apply(c, at), root);
+    root = axpy3(weight.w, pose_apply(d, at), root);
     const float4 share = (float4)(weight.x, signed_share(b, a.q, weight.y),
                                   signed_share(c, a.q, weight.z), signed_share(d, a.q, weight.w));
-    position[to] = (float4)(root, start.w);
-    float3 way = (float3)(0.0f); /* from the root: a sum of small numbers */
+    position[to] = pack3(root, start.w);
+    vec3 way = zero3(); /* from the root: a sum of small numbers */
     for (uint i = 1; i < stride; ++i) {
         const float4 segment = follow_rest[from + i];
-        const float4 q =
-            mean_turn(guide_turn, guide * stride, stride, share, follow_place[from + i]);
-        way += quat_rotate(q, segment.xyz);
-        position[to + i] = (float4)(root + way, segment.w);
+        const quat q = mean_turn(guide_turn, guide * stride, stride, share, follow_place[from + i]);
+        way = add3(way, rotate3(q, unpack3(segment)));
+        position[to + i] = pack3(add3(root, way), segment.w);
     }
 }

@@ -24,7 +24,8 @@ __kernel void plait_global_shape(const uint item_count, const plait_global_shape
     const float4 x = position[item];
     if (vertex >= count || !is_free(x))
         return;
-    const float3 goal = pose_apply(pose_load(pose, strand), rest[item].xyz);
-    const float3 moved = global_shape(x.xyz, goal, params.stiffness, params.range, vertex, count);
-    position[item] = (float4)(moved, x.w);
+    const vec3 goal = pose_apply(pose_load(pose, strand), unpack3(rest[item]));
+    const vec3 moved =
+        global_shape(unpack3(x), goal, params.stiffness, params.range, vertex, count);
+    position[item] = pack3(moved, x.w);
 }

@@ -17,11 +17,12 @@ __kernel void plait_grid_density(const uint item_count, const plait_grid_params 
     const uint voxel = get_group_id(0);
     const uint item = get_local_id(0);
     const uint end = voxel < item_count ? params.capacity : 0u;
+    const grid_frame grid = grid_at(params.q, params.t, params.voxel_edge, params.edge_count);
     float sum = 0.0f;
     for (uint slot = item; slot < end; slot += (uint)get_local_size(0)) {
         const uint vertex = grid_slot[(size_t)voxel * params.capacity + slot];
         if (vertex != PLAIT_SLOT_EMPTY)
-            sum += tent_voxel(grid_coordinates(&params, position[vertex].xyz));
+            sum += grid_tents(grid_coordinates(&grid, unpack3(position[vertex])));
     }
     partial[item] = sum;
     reduce_float(partial);

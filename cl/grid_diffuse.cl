@@ -12,44 +12,46 @@
  */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/grid.clh"
+#include "common/quat.clh"
 #include "common/strand.clh"
 
 /* The hair around a point of the grid. */
 typedef struct surroundings_t {
     float density;
-    float3 mean; /* m/s, along the grid's axes */
+    vec3 mean; /* m/s, along the grid's axes */
     float mean_square;
 } surroundings_t;
 
 static inline void add_node(surroundings_t* sum, float weight, float density, float4 velocity) {
     sum->density += weight * density;
-    sum->mean += weight * velocity.xyz;
+    sum->mean = axpy3(weight, unpack3(velocity), sum->mean);
     sum->mean_square += weight * (velocity.w * velocity.w);
 }
 
-static inline surroundings_t surroundings_at(const plait_grid_params* params, float3 g,
+static inline surroundings_t surroundings_at(const grid_frame* grid, vec3 g, uint tent,
                                              __global const float* density,
                                              __global const float4* velocity) {
-    surroundings_t sum = {0.0f, (float3)(0.0f), 0.0f};
-    if (params->tent == PLAIT_TENT_VOXEL) {
-        const uint voxel = world_to_voxel(params, g);
-        add_node(&sum, 1.0f, density[voxel], velocity[voxel]);
+    surroundings_t sum = {0.0f, zero3(), 0.0f};
+    const grid_cell cell = grid_cell_of(grid, g, 1, tent);
+    const uint first = (uint)grid_voxel_of(grid, cell);
+    if (tent == PLAIT_TENT_VOXEL) {
+        add_node(&sum, 1.0f, density[first], velocity[first]);
         return sum;
     }
-    const stencil_t stencil = stencil_at(params, g);
+    const grid_weights weights = grid_weights_of(&cell);
 #pragma unroll
     for (uint corner = 0u; corner < 8u; ++corner) {
-        const uint voxel = stencil_voxel(stencil, corner);
-        add_node(&sum, stencil_weight(stencil, corner), density[voxel], velocity[voxel]);
+        const uint voxel = first + grid_corner(grid, corner);
+        add_node(&sum, weights.of[corner], density[voxel], velocity[voxel]);
     }
     return sum;
 }
 
-/* Per component of v: which are to be braked. */
-static inline int3 outruns(const plait_grid_params* params, float3 v, surroundings_t around) {
-    float3 allowed = fabs(around.mean);
+/* Is a component of a velocity to be braked? */
+static inline int outruns(const plait_grid_params* params, float v, float mean, float mean_square) {
+    float allowed = fabs(mean);
     if (params->diffuse_rule == PLAIT_DIFFUSE_FLOORED)
-        allowed = max(allowed, params->diffuse_floor * sqrt(around.mean_square));
+        allowed = max(allowed, params->diffuse_floor * sqrt(mean_square));
     return fabs(v) > params->diffuse_ratio * allowed;
 }
 
@@ -63,16 +65,22 @@ __kernel void plait_grid_diffuse(const uint item_count, const plait_grid_params 
         item % params.vertex_stride >= vertex_count[item / params.vertex_stride])
         return;
     const float4 x = position[item];
-    const float3 g = grid_coordinates(&params, x.xyz);
-    if (!is_free(x) || !grid_contains(&params, g))
+    const grid_frame grid = grid_at(params.q, params.t, params.voxel_edge, params.edge_count);
+    const vec3 g = grid_coordinates(&grid, unpack3(x));
+    if (!is_free(x) || !grid_contains(&grid, g))
         return;
-    const surroundings_t around = surroundings_at(&params, g, grid_density, grid_velocity);
+    const surroundings_t around =
+        surroundings_at(&grid, g, params.tent, grid_density, grid_velocity);
     const float4 prev = position_prev[item];
-    const float3 v = grid_velocity_of(&params, x.xyz, prev.xyz);
-    const int3 braked = outruns(&params, v, around);
-    if (around.density > 0.0f && any(braked)) {
-        const float3 kept = select(v, params.diffuse_factor * v, braked);
-        const float3 step_back = quat_rotate(vload4(0, params.q), kept) * params.h;
-        position_prev[item] = (float4)(x.xyz - step_back, prev.w);
+    const vec3 v = grid_verlet_velocity(&grid, params.h, unpack3(x), unpack3(prev));
+    const int on_x = outruns(&params, v.x, around.mean.x, around.mean_square),
+              on_y = outruns(&params, v.y, around.mean.y, around.mean_square),
+              on_z = outruns(&params, v.z, around.mean.z, around.mean_square);
+    if (around.density > 0.0f && (on_x | on_y | on_z)) {
+        const vec3 braked = scale3(v, params.diffuse_factor);
+        const vec3 kept = vec3_of(pick(on_x, braked.x, v.x), pick(on_y, braked.y, v.y),
+                                  pick(on_z, braked.z, v.z));
+        const vec3 step_back = scale3(rotate3(vload4(0, params.q), kept), params.h);
+        position_prev[item] = pack3(sub3(unpack3(x), step_back), prev.w);
     }
 }

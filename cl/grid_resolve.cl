@@ -7,6 +7,7 @@
  */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/sum.clh"
+#include "common/vec3.clh"
 #include "plait/params.h"
 
 __kernel void plait_grid_resolve(const uint item_count, const plait_grid_params params,
@@ -17,12 +18,11 @@ __kernel void plait_grid_resolve(const uint item_count, const plait_grid_params 
         return;
     __global const uint* words = grid_sum + (size_t)voxel * PLAIT_SUM_STRIDE;
     const float density = convert_float(sum_read(words)) / PLAIT_SUM_DENSITY_SCALE;
-    const float3 momentum =
-        (float3)(convert_float(sum_read(words + 2)), convert_float(sum_read(words + 4)),
-                 convert_float(sum_read(words + 6))) /
-        PLAIT_SUM_MOMENTUM_SCALE;
+    const vec3 sum = vec3_of(convert_float(sum_read(words + 2)), convert_float(sum_read(words + 4)),
+                             convert_float(sum_read(words + 6)));
+    const vec3 momentum = div3(sum, PLAIT_SUM_MOMENTUM_SCALE);
     const float energy = convert_float(sum_read(words + 8)) / PLAIT_SUM_ENERGY_SCALE;
     grid_density[voxel] = density;
     grid_velocity[voxel] =
-        density > 0.0f ? (float4)(momentum / density, sqrt(energy / density)) : (float4)(0.0f);
+        density > 0.0f ? pack3(div3(momentum, density), sqrt(energy / density)) : (float4)(0.0f);
 }

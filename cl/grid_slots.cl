@@ -10,6 +10,27 @@
  */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/grid.clh"
+#include "common/hash.clh"
+
+/* Random(p), fig. 4.6: frac(cos(fmod(123456789, 1e-7 + 256 p.r))), p the fractional parts of the
+ * vertex' x and y in voxels. The fmod keeps no digits that devices must agree on: kept for parity.
+ */
+static inline float thesis_random(vec3 g) {
+    const float x = g.x - floor(g.x);
+    const float y = g.y - floor(g.y);
+    const float seed = x * 23.14069263277f + y * 2.66514414269f; /* e^pi, 2^sqrt(2) */
+    const float c = cos(fmod(123456789.0f, 1e-7f + 256.0f * seed));
+    return c - floor(c);
+}
+
+/* Slot of a vertex in its voxel. The integer hash depends on which vertex and frame it is and not
+ * on where it is, so vertices that meet in one frame part in the next; (hash * C) >> 32 keeps every
+ * capacity as even as powers of two. */
+static inline uint slot_of(const plait_grid_params* grid, uint vertex, vec3 g) {
+    if (grid->slot_hash == PLAIT_SLOT_HASH_THESIS)
+        return min((uint)(thesis_random(g) * (float)grid->capacity), grid->capacity - 1u);
+    return mul_hi(pcg(vertex ^ pcg(grid->frame ^ pcg(grid->seed))), grid->capacity);
+}
 
 __kernel void plait_grid_slots(const uint item_count, const plait_grid_params params,
                                __global const uint* vertex_count, __global const float4* position,
@@ -18,10 +39,12 @@ __kernel void plait_grid_slots(const uint item_count, const plait_grid_params pa
     if (item >= item_count ||
         item % params.vertex_stride >= vertex_count[item / params.vertex_stride])
         return;
-    const float3 g = grid_coordinates(&params, position[item].xyz);
-    const uint voxel = world_to_voxel(&params, g);
-    if (voxel == GRID_OUTSIDE)
+    const grid_frame grid = grid_at(params.q, params.t, params.voxel_edge, params.edge_count);
+    const vec3 g = grid_coordinates(&grid, unpack3(position[item]));
+    if (grid_contains(&grid, g)) {
+        const uint voxel = (uint)grid_voxel_of(&grid, grid_cell_of(&grid, g, 1, PLAIT_TENT_VOXEL));
+        grid_slot[(size_t)voxel * params.capacity + slot_of(&params, item, g)] = item;
+    } else {
         atomic_inc(grid_outside);
-    else
-        grid_slot[(size_t)voxel * params.capacity + grid_slot_of(&params, item, g)] = item;
+    }
 }

@@ -12,26 +12,20 @@
 #include "common/grid.clh"
 #include "common/group_sum.clh"
 
-/* Velocity as far as the sums hold it; NaN, of an overflow, as 0. */
-static inline float3 summable_velocity(const plait_grid_params* params, float3 x, float3 prev) {
-    const float3 v = grid_velocity_of(params, x, prev);
-    const float3 limited = clamp(v, -PLAIT_SUM_MAX_SPEED, PLAIT_SUM_MAX_SPEED);
-    return select((float3)(0.0f), limited, isequal(v, v));
-}
-
 /* What a run of vertices adds to the nodes of the cell they share, added up in the strand's order
  * and rounded once: hair passes through a cell with several vertices, and an addition in private
  * memory costs a hundredth of an atomic one. */
 #define SPLAT_NODES 8
+#define NO_VOXEL 0xffffffffu /* of those outside the grid */
 
 typedef struct run_t {
-    stencil_t cell;              /* low is the voxel itself with PLAIT_TENT_VOXEL */
+    uint voxel;                  /* the least of the eight, or with PLAIT_TENT_VOXEL the one */
     float4 moments[SPLAT_NODES]; /* tent v (xyz), tent */
     float energy[SPLAT_NODES];   /* tent |v|^2 */
 } run_t;
 
-static inline void run_begin(run_t* run, stencil_t cell, uint nodes) {
-    run->cell = cell;
+static inline void run_begin(run_t* run, uint voxel, uint nodes) {
+    run->voxel = voxel;
 #pragma unroll
     for (uint node = 0u; node < nodes; ++node) {
         run->moments[node] = (float4)(0.0f);
@@ -39,32 +33,21 @@ static inline void run_begin(run_t* run, stencil_t cell, uint nodes) {
     }
 }
 
-static inline void run_add(run_t* run, uint node, float weight, float3 v) {
-    run->moments[node] += weight * (float4)(v, 1.0f);
+static inline void run_add(run_t* run, uint node, float weight, vec3 v) {
+    run->moments[node] += weight * pack3(v, 1.0f);
     run->energy[node] += weight * dot3(v, v);
 }
 
-SUMS_INLINE void run_end(const run_t* run, uint nodes, SUM_SPACE uint* sums) {
-    if (run->cell.low == GRID_OUTSIDE)
+SUMS_INLINE void run_end(const run_t* run, const grid_frame* grid, uint nodes,
+                         SUM_SPACE uint* sums) {
+    if (run->voxel == NO_VOXEL)
         return;
     const float4 scale = (float4)((float3)(PLAIT_SUM_MOMENTUM_SCALE), PLAIT_SUM_DENSITY_SCALE);
 #pragma unroll
     for (uint node = 0u; node < nodes; ++node) {
-        splat_add(sums + (size_t)stencil_voxel(run->cell, node) * PLAIT_SUM_STRIDE,
+        splat_add(sums + (size_t)(run->voxel + grid_corner(grid, node)) * PLAIT_SUM_STRIDE,
                   scale * run->moments[node], PLAIT_SUM_ENERGY_SCALE * run->energy[node]);
     }
-}
-
-/* The cell of a vertex; its `low` is GRID_OUTSIDE outside the grid. */
-static inline stencil_t cell_of(const plait_grid_params* params, float3 g) {
-    stencil_t cell = {GRID_OUTSIDE, (uint3)(0u), (float3)(0.0f)};
-    const uint voxel = world_to_voxel(params, g);
-    if (voxel == GRID_OUTSIDE)
-        return cell;
-    if (params->tent == PLAIT_TENT_TRILINEAR)
-        return stencil_at(params, g);
-    cell.low = voxel;
-    return cell;
 }
 
 /* Adds all vertices of a strand to so many nodes each; returns how many lie outside the grid. Where
@@ -72,27 +55,32 @@ static inline stencil_t cell_of(const plait_grid_params* params, float3 g) {
 SUMS_INLINE uint splat_strand(const plait_grid_params* params, uint count, uint nodes,
                               __global const float4* position, __global const float4* position_prev,
                               SUM_SPACE uint* sums) {
+    const grid_frame grid = grid_at(params->q, params->t, params->voxel_edge, params->edge_count);
     uint outside = 0u;
     run_t run;
-    run.cell.low = GRID_OUTSIDE;
+    run.voxel = NO_VOXEL;
     for (uint i = 0u; i < count; ++i) {
-        const float3 x = position[i].xyz;
-        const float3 g = grid_coordinates(params, x);
-        const stencil_t cell = cell_of(params, g);
-        if (cell.low != run.cell.low) {
-            run_end(&run, nodes, sums);
-            run_begin(&run, cell, nodes);
+        const vec3 x = unpack3(position[i]), g = grid_coordinates(&grid, x);
+        const mask inside = grid_contains(&grid, g);
+        const grid_cell cell =
+            grid_cell_of(&grid, g, inside, nodes == 1u ? PLAIT_TENT_VOXEL : PLAIT_TENT_TRILINEAR);
+        const uint voxel = inside ? (uint)grid_voxel_of(&grid, cell) : NO_VOXEL;
+        if (voxel != run.voxel) {
+            run_end(&run, &grid, nodes, sums);
+            run_begin(&run, voxel, nodes);
         }
-        if (cell.low == GRID_OUTSIDE) {
+        if (!inside) {
             ++outside;
             continue;
         }
-        const float3 v = summable_velocity(params, x, position_prev[i].xyz);
+        const vec3 v =
+            summable3(grid_verlet_velocity(&grid, params->h, x, unpack3(position_prev[i])));
+        const grid_weights weights = grid_weights_of(&cell);
 #pragma unroll
         for (uint node = 0u; node < nodes; ++node)
-            run_add(&run, node, nodes == 1u ? tent_voxel(g) : stencil_weight(cell, node), v);
+            run_add(&run, node, nodes == 1u ? cell.high.x : weights.of[node], v);
     }
-    run_end(&run, nodes, sums);
+    run_end(&run, &grid, nodes, sums);
     return outside;
 }
 

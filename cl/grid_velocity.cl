@@ -11,10 +11,10 @@
 #include "common/reduce.clh"
 
 /* (tent v, tent |v|^2) of a vertex. */
-static inline float4 weighted_velocity(const plait_grid_params* params, float3 x, float3 prev) {
-    const float tent = tent_voxel(grid_coordinates(params, x));
-    const float3 v = grid_velocity_of(params, x, prev);
-    return (float4)(tent * v, tent * dot3(v, v));
+static inline float4 weighted_velocity(const grid_frame* grid, float h, vec3 x, vec3 prev) {
+    const float tent = grid_tents(grid_coordinates(grid, x));
+    const vec3 v = grid_verlet_velocity(grid, h, x, prev);
+    return pack3(scale3(v, tent), tent * dot3(v, v));
 }
 
 static inline float4 mean_and_rms(float4 sum, float density) {
@@ -32,11 +32,13 @@ __kernel void plait_grid_velocity(const uint item_count, const plait_grid_params
     const uint item = get_local_id(0);
     const float density = voxel < item_count ? grid_density[voxel] : 0.0f;
     const uint end = density > 0.0f ? params.capacity : 0u; /* most voxels hold no hair */
+    const grid_frame grid = grid_at(params.q, params.t, params.voxel_edge, params.edge_count);
     float4 sum = (float4)(0.0f);
     for (uint slot = item; slot < end; slot += (uint)get_local_size(0)) {
         const uint vertex = grid_slot[(size_t)voxel * params.capacity + slot];
         if (vertex != PLAIT_SLOT_EMPTY)
-            sum += weighted_velocity(&params, position[vertex].xyz, position_prev[vertex].xyz);
+            sum += weighted_velocity(&grid, params.h, unpack3(position[vertex]),
+                                     unpack3(position_prev[vertex]));
     }
     partial[item] = sum;
     reduce_float4(partial);

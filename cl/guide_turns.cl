@@ -22,13 +22,13 @@ __kernel void plait_guide_turns(const uint item_count, const plait_layout_params
         return;
     const size_t row = (size_t)item * stride;
     const uint count = vertex_count[item];
-    float4 q = pose_load(pose, item).q;
-    float3 r = rest[row].xyz, x = position[row].xyz;
+    quat q = pose_load(pose, item).q;
+    vec3 r = unpack3(rest[row]), x = unpack3(position[row]);
     for (uint i = 0; i < stride; ++i) {
         if (i + 1 < count) {
-            const float3 r_next = rest[row + i + 1].xyz, x_next = position[row + i + 1].xyz;
-            const float4 bend = quat_between(quat_rotate(q, r_next - r), x_next - x);
-            q = quat_normalize(quat_mul(bend, q));
+            const vec3 r_next = unpack3(rest[row + i + 1]), x_next = unpack3(position[row + i + 1]);
+            const quat bend = quat_between(rotate3(q, sub3(r_next, r)), sub3(x_next, x));
+            q = normalizeq(mulq_by_parts(bend, q));
             r = r_next;
             x = x_next;
         }

@@ -9,15 +9,15 @@
  * Changed h may be any step: the published damping factor is per frame and takes 60 Hz for granted.
  */
 #pragma OPENCL FP_CONTRACT OFF
+#include "common/acceleration.clh"
 #include "common/pose.clh"
 #include "common/shape.clh"
 #include "common/strand.clh"
 #include "plait/constants.h"
 
-static inline float3 verlet(const plait_integrate_params* params, float3 pull, float3 x,
-                            float3 prev) {
+static inline vec3 verlet(const plait_integrate_params* params, vec3 pull, vec3 x, vec3 prev) {
     const float kept = exp(-PLAIT_DAMPING_RATE * params->damping * params->h);
-    return x + kept * (x - prev) + (params->h * params->h) * pull;
+    return axpy3(params->h * params->h, pull, axpy3(kept, sub3(x, prev), x));
 }
 
 __kernel void plait_integrate(const uint item_count, const plait_integrate_params params,
@@ -35,14 +35,14 @@ __kernel void plait_integrate(const uint item_count, const plait_integrate_param
         return;
     const float4 x = position[item];
     const float4 prev = position_prev[item];
-    float3 pull = (float3)(params.gravity[0], params.gravity[1], params.gravity[2]);
+    vec3 pull = vec3_of(params.gravity[0], params.gravity[1], params.gravity[2]);
     if (params.accelerates)
-        pull += checked_acceleration(acceleration[item].xyz);
-    float3 moved = pose_apply(pose_load(pose, strand), rest[item].xyz);
+        pull = add3(pull, allowed_acceleration(unpack3(acceleration[item])));
+    vec3 moved = pose_apply(pose_load(pose, strand), unpack3(rest[item]));
     if (is_free(x))
-        moved = global_shape(verlet(&params, pull, x.xyz, prev.xyz), moved, params.global_stiffness,
-                             params.global_range, vertex, count);
-    position[item] = (float4)(moved, x.w);
+        moved = global_shape(verlet(&params, pull, unpack3(x), unpack3(prev)), moved,
+                             params.global_stiffness, params.global_range, vertex, count);
+    position[item] = pack3(moved, x.w);
     position_prev[item] = x;
     position_prev2[item] = prev;
 }

@@ -5,6 +5,7 @@
  * Writes  lane_acceleration: 0 past the tip, where it would pull at masses that are not there; the
  *         caller's counts as 0 where a component is not finite or beyond PLAIT_MOST_ACCELERATION.
  */
+#include "common/acceleration.clh"
 #include "common/lane_step.clh"
 
 __kernel void plait_lane_accelerate(const uint item_count, const plait_lane_tile_params params,
@@ -24,7 +25,7 @@ __kernel void plait_lane_accelerate(const uint item_count, const plait_lane_tile
     for (uint i = 0; i < PLAIT_VERTICES; ++i) {
         const vec3 own = gather3(acceleration, &strands, params.row_stride, i);
         const mask pulls = (real)((float)i) < count;
-        vec3 push = lane_allowed_acceleration(own);
+        vec3 push = allowed_acceleration(own);
         if (params.pressure)
             push = add3(push, load3(lane_pressure, place, i));
         store3(lane_acceleration, place, i, pick3(pulls, push, zero));

@@ -17,6 +17,7 @@
  * Source: drag see common/lane_air.clh; the rest is ours.
  */
 #pragma OPENCL FP_CONTRACT OFF
+#include "common/acceleration.clh"
 #include "common/lane_air.clh"
 
 /* Of the strand at vertex i: from the vertex before to the one behind, or at the tip to the tip. */
@@ -82,7 +83,7 @@ __kernel void plait_lane_air(const uint item_count, const plait_lane_air_params 
     /* only read here */
     const lane_buffers state = {(__global real*)lane_x, (__global real*)lane_v,
                                 (__global real*)lane_x_before, (__global real*)lane_v_before};
-    const lane_grid grid = lane_grid_at(params.q, params.t, params.voxel_edge, params.edge_count);
+    const grid_frame grid = grid_at(params.q, params.t, params.voxel_edge, params.edge_count);
     const vec3 shift = lane_shift(&step, state), at_begin = load3(lane_x, place, 0);
     const vec3 jump =
         vec3_of((real)(params.jump[0]), (real)(params.jump[1]), (real)(params.jump[2]));
@@ -115,7 +116,7 @@ __kernel void plait_lane_air(const uint item_count, const plait_lane_air_params 
             push = axpy3((real)(0.5f / params.h), change, push);
         }
         if (params.accelerates)
-            push = add3(push, lane_allowed_acceleration(
+            push = add3(push, allowed_acceleration(
                                   gather3(acceleration, &strands, params.row_stride, (uint)i)));
         if (params.pressure)
             push = add3(push, load3(lane_pressure, place, i));

@@ -8,7 +8,8 @@
  *         of the step before as much, see lane_pack.
  */
 #pragma OPENCL FP_CONTRACT OFF
-#include "common/lane_grid.clh"
+#include "common/grid.clh"
+#include "common/lane_step.clh"
 
 /* The hair around a point of the grid. */
 typedef struct {
@@ -24,14 +25,14 @@ static inline void add_voxel(float4* velocity, float* density, float weight, flo
     *density += weight * d;
 }
 
-static inline lane_surroundings surroundings_of(const lane_grid* grid, lane_cell cell, uint tent,
+static inline lane_surroundings surroundings_of(const grid_frame* grid, grid_cell cell, uint tent,
                                                 __global const float* grid_density,
                                                 __global const float4* grid_velocity) {
     lane_surroundings around;
-    const mask low = lane_cell_voxel(grid, cell);
-    lane_weights weights;
+    const mask low = grid_voxel_of(grid, cell);
+    grid_weights weights;
     if (tent != PLAIT_TENT_VOXEL)
-        weights = lane_weights_of(&cell);
+        weights = grid_weights_of(&cell);
     for (uint k = 0; k < PLAIT_LANES; ++k) {
         const uint first = (uint)LANE_OF_MASK(low, k);
         float4 velocity = (float4)(0.0f);
@@ -41,7 +42,7 @@ static inline lane_surroundings surroundings_of(const lane_grid* grid, lane_cell
         } else {
 #pragma unroll
             for (uint corner = 0u; corner < 8u; ++corner) {
-                const uint voxel = first + lane_corner(grid, corner);
+                const uint voxel = first + grid_corner(grid, corner);
                 add_voxel(&velocity, &density, LANE(weights.of[corner], k), grid_velocity[voxel],
                           grid_density[voxel]);
             }
@@ -76,24 +77,24 @@ __kernel void plait_lane_diffuse(const uint item_count, const plait_lane_grid_pa
         return;
     const lane_strands strands = lane_strands_of(lane_strand, place, item_count);
     const mask counts = lane_counts(vertex_count, &strands);
-    const lane_grid grid = lane_grid_of(&params);
+    const grid_frame grid = grid_at(params.q, params.t, params.voxel_edge, params.edge_count);
     const vec3 root = load3(lane_x, place, 0);
     for (int i = 1; i < (int)params.vertex_stride; ++i) {
-        const vec3 g = lane_grid_coordinates(&grid, add3(root, load3(lane_x, place, i)));
-        const mask inside = ((mask)(i) < counts) & lane_grid_contains(&grid, g);
+        const vec3 g = grid_coordinates(&grid, add3(root, load3(lane_x, place, i)));
+        const mask inside = ((mask)(i) < counts) & grid_contains(&grid, g);
         if (!any_lane(inside))
             continue;
-        const lane_cell cell = lane_cell_of(&grid, g, inside, params.tent);
+        const grid_cell cell = grid_cell_of(&grid, g, inside, params.tent);
         const lane_surroundings around =
             surroundings_of(&grid, cell, params.tent, grid_density, grid_velocity);
         const mask hair = inside & (around.density > (real)(0.0f));
         const real rms = sqrt(around.mean_square);
         const vec3 before = load3(lane_v, place, i);
-        const vec3 v = lane_grid_components(&grid, before);
+        const vec3 v = grid_components(&grid, before);
         const vec3 lost = vec3_of(brake(&params, v.x, around.mean.x, rms, hair),
                                   brake(&params, v.y, around.mean.y, rms, hair),
                                   brake(&params, v.z, around.mean.z, rms, hair));
-        const vec3 gained = lane_grid_world(&grid, lost);
+        const vec3 gained = grid_world(&grid, lost);
         store3(lane_v, place, i, add3(before, gained));
         if (params.history)
             store3(lane_v_before, place, i, add3(load3(lane_v_before, place, i), gained));

@@ -10,16 +10,15 @@
  */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/lane_scalar.clh"
-#include "common/vec.clh"
 #include "plait/constants.h"
 #include "plait/params.h"
 
 /* What an edge lacks of its length. */
-static inline float3 to_length(float3 edge, float length) {
+static inline vec3 to_length(vec3 edge, float length) {
     const float now = length3(edge);
     if (fabs(now - length) <= PLAIT_LANE_FIT_TOLERANCE * length)
-        return (float3)(0.0f);
-    return length * normalize_or_zero(edge) - edge;
+        return zero3();
+    return sub3(scale3(normalize3(edge), length), edge);
 }
 
 __kernel void plait_lane_fit(const uint item_count, const plait_lane_fit_params params,
@@ -30,25 +29,25 @@ __kernel void plait_lane_fit(const uint item_count, const plait_lane_fit_params 
     if (item >= item_count)
         return;
     const uint lane = lane_slot[2 * item + 1];
-    const float3 root_v = lane_read(lane_v, lane_row(lane, 0, 3, stride, tile), tile);
-    float3 old = (float3)(0.0f), shift = old;
+    const vec3 root_v = lane_read3(lane_v, lane_row(lane, 0, 3, stride, tile), tile);
+    vec3 old = zero3(), shift = old;
     for (uint i = 0; i < stride; ++i) {
         const size_t row = lane_row(lane, i, 3, stride, tile);
-        const float3 v = lane_read(lane_v, row, tile);
-        const float3 moved = i > 0 ? v - root_v : v;
-        float3 x = lane_read(lane_x, row, tile);
+        const vec3 v = lane_read3(lane_v, row, tile);
+        const vec3 moved = i > 0 ? sub3(v, root_v) : v;
+        vec3 x = lane_read3(lane_x, row, tile);
         if (i > 0 && params.lengths) {
             const size_t before =
                 lane_row(lane, i - 1, PLAIT_LANE_MATERIAL_COMPONENTS, stride, tile);
             const float length = lane_material[before + PLAIT_LANE_LENGTH * tile];
-            shift += to_length(x - old, length);
+            shift = add3(shift, to_length(sub3(x, old), length));
             old = x;
-            x += shift;
-            lane_write(lane_x, row, tile, x);
+            x = add3(x, shift);
+            lane_write3(lane_x, row, tile, x);
         }
         if (params.history) {
-            lane_write(lane_x_before, row, tile, x - params.h * moved);
-            lane_write(lane_v_before, row, tile, v);
+            lane_write3(lane_x_before, row, tile, axpy3(-params.h, moved, x));
+            lane_write3(lane_v_before, row, tile, v);
         }
     }
 }

@@ -10,24 +10,12 @@
  */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/lane_scalar.clh"
-#include "common/quat.clh"
 #include "plait/params.h"
 
-static inline float4 rotation_at(__global const float* data, size_t element, uint tile) {
-    return (float4)(data[element], data[element + tile], data[element + 2 * tile],
-                    data[element + 3 * tile]);
-}
-static inline void put_rotation(__global float* data, size_t element, uint tile, float4 q) {
-    data[element] = q.x;
-    data[element + tile] = q.y;
-    data[element + 2 * tile] = q.z;
-    data[element + 3 * tile] = q.w;
-}
-
 /* `expected` turned so that its x axis lies along `edge`. */
-static inline float4 laid_along(float4 expected, float3 edge) {
-    const float3 director = quat_rotate(expected, (float3)(1.0f, 0.0f, 0.0f));
-    return quat_normalize(quat_mul(quat_between(director, edge), expected));
+static inline quat laid_along(quat expected, vec3 edge) {
+    const vec3 axis = rotate3(expected, vec3_of(1.0f, 0.0f, 0.0f));
+    return normalizeq(mulq_by_parts(quat_between(axis, edge), expected));
 }
 
 __kernel void plait_lane_orient(const uint item_count, const plait_lane_layout_params params,
@@ -39,24 +27,24 @@ __kernel void plait_lane_orient(const uint item_count, const plait_lane_layout_p
     if (item >= item_count)
         return;
     const uint lane = lane_slot[2 * item + 1];
-    float4 q = pose[(size_t)lane_strand_of(lane_strand, lane) * PLAIT_POSE_STRIDE], before = q;
-    float3 x = (float3)(0.0f), v = lane_read(lane_v, lane_row(lane, 0, 3, stride, tile), tile);
+    quat q = pose[(size_t)lane_strand_of(lane_strand, lane) * PLAIT_POSE_STRIDE], before = q;
+    vec3 x = zero3(), v = lane_read3(lane_v, lane_row(lane, 0, 3, stride, tile), tile);
     for (uint i = 0; i < stride; ++i) {
         const size_t row = lane_row(lane, i, 4, stride, tile);
-        const float4 rest = rotation_at(lane_rest, row, tile);
-        float3 edge = (float3)(0.0f), edge_before = edge;
+        const quat rest = lane_readq(lane_rest, row, tile);
+        vec3 edge = zero3(), edge_before = edge;
         if (i + 1 < stride) {
             const size_t next = lane_row(lane, i + 1, 3, stride, tile);
-            const float3 x_next = lane_read(lane_x, next, tile);
-            const float3 v_next = lane_read(lane_v, next, tile);
-            edge = x_next - x;
-            edge_before = edge - params.h * (v_next - v);
+            const vec3 x_next = lane_read3(lane_x, next, tile);
+            const vec3 v_next = lane_read3(lane_v, next, tile);
+            edge = sub3(x_next, x);
+            edge_before = axpy3(-params.h, sub3(v_next, v), edge);
             x = x_next;
             v = v_next;
         }
-        q = laid_along(quat_mul(q, rest), edge);
-        before = laid_along(quat_mul(before, rest), edge_before);
-        put_rotation(lane_q, row, tile, q);
-        put_rotation(lane_q_before, row, tile, before);
+        q = laid_along(mulq_by_parts(q, rest), edge);
+        before = laid_along(mulq_by_parts(before, rest), edge_before);
+        lane_writeq(lane_q, row, tile, q);
+        lane_writeq(lane_q_before, row, tile, before);
     }
 }

@@ -23,14 +23,14 @@ __kernel void plait_lane_pack(const uint item_count, const plait_lane_history_pa
     if (row >= vertex_count[strand])
         return;
     const size_t vertex = (size_t)strand * params.row_stride + row;
-    const float3 root = position[vertex - row].xyz, x = position[vertex].xyz;
+    const vec3 root = unpack3(position[vertex - row]), x = unpack3(position[vertex]);
     const size_t here = lane_element(item, params.vertex_stride, params.tile);
-    lane_write(lane_x, here, params.tile, x - root);
-    const float3 v = (x - position_prev[vertex].xyz) / params.h;
+    lane_write3(lane_x, here, params.tile, sub3(x, root));
+    const vec3 v = div3(sub3(x, unpack3(position_prev[vertex])), params.h);
     if (params.history) {
-        const float3 gained = v - lane_read(lane_v, here, params.tile);
-        lane_write(lane_v_before, here, params.tile,
-                   lane_read(lane_v_before, here, params.tile) + gained);
+        const vec3 gained = sub3(v, lane_read3(lane_v, here, params.tile));
+        lane_write3(lane_v_before, here, params.tile,
+                    add3(lane_read3(lane_v_before, here, params.tile), gained));
     }
-    lane_write(lane_v, here, params.tile, v);
+    lane_write3(lane_v, here, params.tile, v);
 }

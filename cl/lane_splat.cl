@@ -24,7 +24,7 @@ SUMS_INLINE uint splat_item(uint item_count, const plait_lane_grid_params* param
         splat_take(strands, (uint)get_global_id(0), item_count, lane_strand, vertex_count, lane_x);
     if (taken == 0u)
         return 0u;
-    const lane_grid grid = lane_grid_of(params);
+    const grid_frame grid = grid_at(params->q, params->t, params->voxel_edge, params->edge_count);
     splat_t splat;
     splat_around around;
     splat_begin(&splat, &around);

@@ -11,19 +11,20 @@
  */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/strand.clh"
-#include "common/vec.clh"
+#include "common/vec3.clh"
 #include "plait/constants.h"
 #include "plait/params.h"
 
 static inline void satisfy_edge(float rest_length, __local float4* a, __local float4* b) {
     const float4 xa = *a, xb = *b;
-    const float3 d = xb.xyz - xa.xyz;
-    const float3 excess = (1.0f - rest_length / max(length3(d), PLAIT_LENGTH_MIN_DISTANCE)) * d;
+    const vec3 a_at = unpack3(xa), b_at = unpack3(xb), d = sub3(b_at, a_at);
+    const float stretch = 1.0f - rest_length / max(length3(d), PLAIT_LENGTH_MIN_DISTANCE);
     const float share = is_free(xa) && is_free(xb) ? 0.5f : 1.0f;
+    const vec3 excess = scale3(scale3(d, stretch), share);
     if (is_free(xa))
-        *a = xa + (float4)(share * excess, 0.0f);
+        *a = pack3(add3(a_at, excess), xa.w);
     if (is_free(xb))
-        *b = xb - (float4)(share * excess, 0.0f);
+        *b = pack3(sub3(b_at, excess), xb.w);
 }
 
 __kernel void plait_length(const uint item_count, const plait_length_params params,

@@ -16,27 +16,28 @@
 #include "plait/constants.h"
 
 /* How far p1 and p2 go towards each other's place in the rest shape; b are rest positions. */
-static inline float3 shape_delta(float k, float3 b0, float3 b1, float3 b2, float3 p0, float3 p1,
-                                 float3 p2) {
-    return k * (turn_between(b1 - b0, p1 - p0, b2 - b1) + p1 - p2);
+static inline vec3 shape_delta(float k, vec3 b0, vec3 b1, vec3 b2, vec3 p0, vec3 p1, vec3 p2) {
+    const vec3 turned = turn_between(sub3(b1, b0), sub3(p1, p0), sub3(b2, b1));
+    return scale3(sub3(add3(turned, p1), p2), k);
 }
 
 /* One pass over a strand of count >= 3 vertices, three neighbours at a time in registers. */
-static inline void shape_pass(float k, uint count, float4 q, __global const float4* rest,
+static inline void shape_pass(float k, uint count, quat q, __global const float4* rest,
                               __global float4* position) {
-    float3 b0 = quat_rotate(q, rest[0].xyz), b1 = quat_rotate(q, rest[1].xyz);
-    float4 p0 = position[0], p1 = position[1];
+    vec3 b0 = rotate3(q, unpack3(rest[0])), b1 = rotate3(q, unpack3(rest[1]));
+    vec3 p0 = unpack3(position[0]);
+    float4 p1 = position[1];
     for (uint i = 1u; i + 1u < count; ++i) {
-        const float3 b2 = quat_rotate(q, rest[i + 1u].xyz);
+        const vec3 b2 = rotate3(q, unpack3(rest[i + 1u]));
         float4 p2 = position[i + 1u];
-        const float3 delta = shape_delta(k, b0, b1, b2, p0.xyz, p1.xyz, p2.xyz);
+        const vec3 delta = shape_delta(k, b0, b1, b2, p0, unpack3(p1), unpack3(p2));
         if (is_free(p1))
-            p1.xyz -= delta;
+            p1 = pack3(sub3(unpack3(p1), delta), p1.w);
         if (is_free(p2))
-            p2.xyz += delta;
+            p2 = pack3(add3(unpack3(p2), delta), p2.w);
         position[i] = p1;
         b0 = b1, b1 = b2;
-        p0 = p1, p1 = p2;
+        p0 = unpack3(p1), p1 = p2;
     }
     position[count - 1u] = p1;
 }
@@ -48,7 +49,7 @@ __kernel void plait_local_shape(const uint item_count, const plait_local_shape_p
     if (strand >= item_count || vertex_count[strand] < 3u)
         return;
     const size_t root = (size_t)strand * params.vertex_stride;
-    const float4 q = pose_load(pose, strand).q;
+    const quat q = pose_load(pose, strand).q;
     const float k = 0.5f * min(params.stiffness, PLAIT_LOCAL_SHAPE_MAX_STIFFNESS);
     for (uint iteration = 0u; iteration < params.iterations; ++iteration)
         shape_pass(k, vertex_count[strand], q, rest + root, position + root);

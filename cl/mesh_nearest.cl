@@ -10,6 +10,7 @@
  *         by the nearest triangle.
  */
 #include "common/lane_nearest.clh"
+#include "common/mesh_planes.clh"
 
 /* A mesh over a substep. */
 typedef struct {

@@ -18,7 +18,8 @@ __kernel void plait_output(const uint item_count, const plait_output_params para
         return;
     const uint strand = item / params.vertex_stride;
     const float4 x = position[item];
-    const float3 last = pose_apply_inverse(pose_load(pose, strand), x.xyz);
-    const float3 between = (1.0f - params.alpha) * position_local[item].xyz + params.alpha * last;
-    position_out[item] = (float4)(pose_apply(pose_load(pose_now, strand), between), x.w);
+    const vec3 last = pose_apply_inverse(pose_load(pose, strand), unpack3(x));
+    const vec3 before = scale3(unpack3(position_local[item]), 1.0f - params.alpha);
+    const vec3 between = axpy3(params.alpha, last, before);
+    position_out[item] = pack3(pose_apply(pose_load(pose_now, strand), between), x.w);
 }

@@ -55,11 +55,11 @@ static inline bool pair_along(const pair_search* search, uint other, float lengt
 }
 
 /* Of the middle of a segment from the own one, m, squared. */
-static inline float pair_middle_distance(const pair_search* search, float3 middle) {
-    const float3 out = middle - search->own.from;
-    const float along = clamp(segment_dot(out, search->own.way) * search->per_square, 0.0f, 1.0f);
-    const float3 off = out - along * search->own.way;
-    return segment_dot(off, off);
+static inline float pair_middle_distance(const pair_search* search, vec3 middle) {
+    const vec3 out = sub3(middle, search->own.from);
+    const float along = clamp(dot3(out, search->own.way) * search->per_square, 0.0f, 1.0f);
+    const vec3 off = axpy3(-along, search->own.way, out);
+    return dot3(off, off);
 }
 
 /* What is far is told by its middle, which most are. */
@@ -68,17 +68,18 @@ static inline void pair_look_at(const pair_search* search, uint other, pair_list
     const segment its = segment_at(search->position, other);
     const float near = PLAIT_PAIR_NEAR * params->diameter, most = near + params->room;
     const float reach = most + params->voxel_edge;
-    if (pair_middle_distance(search, its.from + 0.5f * its.way) > reach * reach)
+    if (pair_middle_distance(search, axpy3(0.5f, its.way, its.from)) > reach * reach)
         return;
     const segment_foot foot = segment_nearest(search->own, its);
-    const float squared = segment_dot(foot.apart, foot.apart);
+    const float squared = dot3(foot.apart, foot.apart);
     if (squared > most * most || other == search->item ||
-        pair_along(search, other, segment_length(its.way)))
+        pair_along(search, other, length3(its.way)))
         return;
     if (squared > near * near) {
-        const float3 moves = segment_moves(search->position, search->before, search->item, foot.s) -
-                             segment_moves(search->position, search->before, other, foot.t);
-        const float far = near + fmin(params->steps * segment_length(moves), params->room);
+        const vec3 moves =
+            sub3(segment_moves(search->position, search->before, search->item, foot.s),
+                 segment_moves(search->position, search->before, other, foot.t));
+        const float far = near + fmin(params->steps * length3(moves), params->room);
         if (squared > far * far)
             return;
     }
@@ -129,7 +130,7 @@ __kernel void plait_pair_find(const uint item_count, const plait_pair_params par
     }
     if (pair_has_segment(vertex_count, item, params.vertex_stride)) {
         const segment own = segment_at(position, item);
-        const float length = segment_length(own.way);
+        const float length = length3(own.way);
         const float per_square = length > 0.0f ? 1.0f / (length * length) : 0.0f;
         const pair_search search = {&params, position, position_prev, item,
                                     own,     length,   per_square};
@@ -142,7 +143,7 @@ __kernel void plait_pair_find(const uint item_count, const plait_pair_params par
         if (other != PLAIT_PAIR_NONE) {
             const segment_foot foot =
                 segment_nearest(segment_at(rest, item), segment_at(rest, other));
-            offset = fmin(params.diameter, segment_length(foot.apart));
+            offset = fmin(params.diameter, length3(foot.apart));
         }
         pair_segment[at] = other;
         pair_offset[at] = offset;

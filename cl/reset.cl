@@ -15,7 +15,7 @@ __kernel void plait_reset(const uint item_count, const plait_layout_params param
     if (item >= item_count)
         return;
     const pose_t root = pose_load(pose, item / params.vertex_stride);
-    const float4 x = (float4)(pose_apply(root, rest[item].xyz), position[item].w);
+    const float4 x = pack3(pose_apply(root, unpack3(rest[item])), position[item].w);
     position[item] = x;
     position_prev[item] = x;
     position_prev2[item] = x;

@@ -299,7 +299,7 @@ static inline quat rod_turn(quat q, real x, real y, real z) {
     const real angle = 0.5f * sqrt(x * x + y * y + z * z);
     const mask small = angle < (real)(1e-4f);
     const real s = pick(small, (real)(0.5f), 0.5f * sin(angle) / pick(small, (real)(1.0f), angle));
-    return normalizeq(mulq(quat_of(x * s, y * s, z * s, cos(angle)), q), q);
+    return unitq(mulq(quat_of(x * s, y * s, z * s, cos(angle)), q), q);
 }
 
 /* s = from moved by alpha along u. */

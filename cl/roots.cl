@@ -10,8 +10,8 @@
 #include "common/pose.clh"
 
 static inline pose_t head_pose(const plait_roots_params* params) {
-    const pose_t from = {vload4(0, params->head_from_q), vload4(0, params->head_from_t).xyz};
-    const pose_t to = {vload4(0, params->head_to_q), vload4(0, params->head_to_t).xyz};
+    const pose_t from = {vload4(0, params->head_from_q), unpack3(vload4(0, params->head_from_t))};
+    const pose_t to = {vload4(0, params->head_to_q), unpack3(vload4(0, params->head_to_t))};
     return pose_interpolate(from, to, params->alpha);
 }
 

@@ -25,5 +25,5 @@ __kernel void plait_skin(const uint item_count, const plait_layout_params params
             r2 += weight * bone[2];
         }
     }
-    skin_store(pose, strand, r0, r1, r2, rest[(size_t)strand * params.vertex_stride].xyz);
+    skin_store(pose, strand, r0, r1, r2, unpack3(rest[(size_t)strand * params.vertex_stride]));
 }

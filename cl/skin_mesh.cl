@@ -9,11 +9,26 @@
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/skin.clh"
 
-/* Of length 1, or 0 where the triangle has no area. */
-static inline float3 unit_normal(float3 ab, float3 ac) {
-    const float3 n = cross(ab, ac);
-    const float size = sqrt(dot3(n, n));
-    return size > 0.0f ? n / size : (float3)(0.0f);
+/* A triangle's corner, its edges from there and its normal, of length 1, or 0 where it has no area. */
+typedef struct {
+    vec3 a, ab, ac, n;
+} skin_triangle;
+
+static inline skin_triangle triangle_of(__global const float4* at, __global const uint* corner) {
+    skin_triangle t;
+    t.a = unpack3(at[corner[0]]);
+    t.ab = sub3(unpack3(at[corner[1]]), t.a);
+    t.ac = sub3(unpack3(at[corner[2]]), t.a);
+    const vec3 n = cross3(t.ab, t.ac);
+    const float size = length3(n);
+    t.n = size > 0.0f ? div3(n, size) : zero3();
+    return t;
+}
+
+/* The row x ab' + y ac' + z n' of the deformation, and where it takes the corner to `to`. */
+static inline float4 row_of(vec3 along_ab, vec3 along_ac, vec3 n, vec3 now, vec3 a, float to) {
+    const vec3 row = axpy3(now.z, n, axpy3(now.y, along_ac, scale3(along_ab, now.x)));
+    return pack3(row, to - dot3(row, a));
 }
 
 __kernel void plait_skin_mesh(const uint item_count, const plait_layout_params params,
@@ -24,18 +39,12 @@ __kernel void plait_skin_mesh(const uint item_count, const plait_layout_params p
     if (strand >= item_count)
         return;
     __global const uint* corner = skin_corner + 3 * (size_t)strand;
-    const float3 a = skin_rest[corner[0]].xyz, ab = skin_rest[corner[1]].xyz - a,
-                 ac = skin_rest[corner[2]].xyz - a;
-    const float3 a_now = skin_at[corner[0]].xyz, ab_now = skin_at[corner[1]].xyz - a_now,
-                 ac_now = skin_at[corner[2]].xyz - a_now;
-    const float3 n = unit_normal(ab, ac), n_now = unit_normal(ab_now, ac_now);
-    /* rows of [ab ac n]^-1 */
-    const float area = dot3(n, cross(ab, ac));
-    const float3 along_ab = cross(ac, n) / area, along_ac = cross(n, ab) / area;
-    const float3 r0 = ab_now.x * along_ab + ac_now.x * along_ac + n_now.x * n;
-    const float3 r1 = ab_now.y * along_ab + ac_now.y * along_ac + n_now.y * n;
-    const float3 r2 = ab_now.z * along_ab + ac_now.z * along_ac + n_now.z * n;
-    skin_store(pose, strand, (float4)(r0, a_now.x - dot3(r0, a)),
-               (float4)(r1, a_now.y - dot3(r1, a)), (float4)(r2, a_now.z - dot3(r2, a)),
-               rest[(size_t)strand * params.vertex_stride].xyz);
+    const skin_triangle was = triangle_of(skin_rest, corner), is = triangle_of(skin_at, corner);
+    /* rows of [ab ac n]^-1, of which the last is n */
+    const float area = dot3(was.n, cross3(was.ab, was.ac));
+    const vec3 by_ab = div3(cross3(was.ac, was.n), area), by_ac = div3(cross3(was.n, was.ab), area);
+    const float4 r0 = row_of(by_ab, by_ac, was.n, vec3_of(is.ab.x, is.ac.x, is.n.x), was.a, is.a.x);
+    const float4 r1 = row_of(by_ab, by_ac, was.n, vec3_of(is.ab.y, is.ac.y, is.n.y), was.a, is.a.y);
+    const float4 r2 = row_of(by_ab, by_ac, was.n, vec3_of(is.ab.z, is.ac.z, is.n.z), was.a, is.a.z);
+    skin_store(pose, strand, r0, r1, r2, unpack3(rest[(size_t)strand * params.vertex_stride]));
 }

@@ -15,5 +15,5 @@ __kernel void plait_snapshot(const uint item_count, const plait_layout_params pa
         return;
     const pose_t root = pose_load(pose, item / params.vertex_stride);
     const float4 x = position[item];
-    position_local[item] = (float4)(pose_apply_inverse(root, x.xyz), x.w);
+    position_local[item] = pack3(pose_apply_inverse(root, unpack3(x)), x.w);
 }

@@ -32,12 +32,13 @@ __kernel void plait_strand_data(const uint item_count, const plait_strand_data_p
     if (strand >= item_count)
         return;
     const size_t root = (size_t)strand * params.vertex_stride;
-    const float3 x0 = position[root].xyz, x1 = position[root + 1].xyz;
-    const float3 prev0 = position_prev[root].xyz, prev1 = position_prev[root + 1].xyz;
-    const float3 acceleration = x1 - 2.0f * prev1 + position_prev2[root + 1].xyz;
-    const float4 q = quat_between(prev1 - prev0, x1 - x0);
-    const float3 t = x0 - quat_rotate(q, prev0);
+    const vec3 x0 = unpack3(position[root]), x1 = unpack3(position[root + 1]);
+    const vec3 prev0 = unpack3(position_prev[root]), prev1 = unpack3(position_prev[root + 1]);
+    const vec3 before1 = unpack3(position_prev2[root + 1]);
+    const vec3 acceleration = add3(sub3(x1, scale3(prev1, 2.0f)), before1);
+    const quat q = quat_between(sub3(prev1, prev0), sub3(x1, x0));
+    const vec3 t = sub3(x0, rotate3(q, prev0));
     strand_motion[PLAIT_MOTION_STRIDE * (size_t)strand] = q;
     strand_motion[PLAIT_MOTION_STRIDE * (size_t)strand + 1] =
-        (float4)(t, shock_blend(&params, length3(acceleration)));
+        pack3(t, shock_blend(&params, length3(acceleration)));
 }

@@ -8,26 +8,26 @@
  *         some, else of the nearest towards the tip, else +y: a tangent is always a unit vector.
  */
 #pragma OPENCL FP_CONTRACT OFF
-#include "common/vec.clh"
+#include "common/vec3.clh"
 #include "plait/params.h"
 
-static inline float3 segment_direction(__global const float4* strand, uint segment) {
-    return normalize_or_zero(strand[segment + 1u].xyz - strand[segment].xyz);
+static inline vec3 segment_direction(__global const float4* strand, uint segment) {
+    return normalize3(sub3(unpack3(strand[segment + 1u]), unpack3(strand[segment])));
 }
 
-static inline int is_direction(float3 unit_or_zero) {
+static inline int is_direction(vec3 unit_or_zero) {
     return dot3(unit_or_zero, unit_or_zero) != 0.0f;
 }
 
-static inline float3 tangent_at(__global const float4* strand, uint segment, uint count) {
-    float3 direction = segment_direction(strand, segment);
+static inline vec3 tangent_at(__global const float4* strand, uint segment, uint count) {
+    vec3 direction = segment_direction(strand, segment);
     if (is_direction(direction))
         return direction;
     for (uint i = segment; i > 0u && !is_direction(direction); --i)
         direction = segment_direction(strand, i - 1u);
     for (uint i = segment + 1u; i + 1u < count && !is_direction(direction); ++i)
         direction = segment_direction(strand, i);
-    return is_direction(direction) ? direction : (float3)(0.0f, 1.0f, 0.0f);
+    return is_direction(direction) ? direction : vec3_of(0.0f, 1.0f, 0.0f);
 }
 
 __kernel void plait_tangents(const uint item_count, const plait_layout_params params,
@@ -40,7 +40,7 @@ __kernel void plait_tangents(const uint item_count, const plait_layout_params pa
     const uint vertex = item % params.vertex_stride;
     const uint count = vertex_count[strand];
     __global float4* row = position + (size_t)strand * params.vertex_stride;
-    tangent[item] = (float4)(tangent_at(row, min(vertex, count - 2u), count), 0.0f);
+    tangent[item] = pack3(tangent_at(row, min(vertex, count - 2u), count), 0.0f);
     if (vertex >= count)
         row[vertex] = row[count - 1u];
 }

@@ -10,7 +10,7 @@
 #include "common/pose.clh"
 
 static inline float4 carry(pose_t from, pose_t to, float4 x) {
-    return (float4)(pose_apply(to, pose_apply_inverse(from, x.xyz)), x.w);
+    return pack3(pose_apply(to, pose_apply_inverse(from, unpack3(x))), x.w);
 }
 
 __kernel void plait_teleport(const uint item_count, const plait_layout_params params,

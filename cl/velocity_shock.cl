@@ -12,10 +12,11 @@
 #include "common/strand.clh"
 #include "plait/params.h"
 
-static inline float4 propagate(float4 q, float4 translation_blend, float4 p) {
+static inline float4 propagate(quat q, float4 translation_blend, float4 element) {
     const float c = translation_blend.w;
-    const float3 carried = quat_rotate(q, p.xyz) + translation_blend.xyz;
-    return (float4)((1.0f - c) * p.xyz + c * carried, p.w);
+    const vec3 p = unpack3(element);
+    const vec3 carried = add3(rotate3(q, p), unpack3(translation_blend));
+    return pack3(axpy3(c, carried, scale3(p, 1.0f - c)), element.w);
 }
 
 __kernel void plait_velocity_shock(const uint item_count, const plait_layout_params params,
@@ -30,7 +31,7 @@ __kernel void plait_velocity_shock(const uint item_count, const plait_layout_par
     const float4 x = position[item];
     if (vertex < 2u || vertex >= vertex_count[strand] || !is_free(x))
         return;
-    const float4 q = strand_motion[PLAIT_MOTION_STRIDE * (size_t)strand];
+    const quat q = strand_motion[PLAIT_MOTION_STRIDE * (size_t)strand];
     const float4 translation_blend = strand_motion[PLAIT_MOTION_STRIDE * (size_t)strand + 1];
     position[item] = propagate(q, translation_blend, x);
     position_prev[item] = propagate(q, translation_blend, position_prev[item]);

@@ -18,13 +18,14 @@
  * Source  contact condition of Narain et al. 2010; p carried over: van Kan 1986; faces: ours.
  */
 #pragma OPENCL FP_CONTRACT OFF
+#include "common/vec3.clh"
 #include "common/volume.clh"
 
 typedef struct {
     float density;
     float rest; /* to keep */
-    float3 velocity;
-    float3 wall; /* velocity of the collider */
+    vec3 velocity;
+    vec3 wall; /* velocity of the collider */
     bool solid;
 } volume_hair;
 
@@ -36,14 +37,14 @@ static inline volume_hair hair_at(const plait_volume_params* params, int node,
     volume_hair hair;
     hair.density = grid_density[node];
     hair.rest = params->share * volume_rest[node];
-    hair.velocity =
-        grid_velocity[node].xyz + (float3)(params->fall[0], params->fall[1], params->fall[2]);
-    hair.wall = volume_solid[node].xyz;
+    const vec3 fall = vec3_of(params->fall[0], params->fall[1], params->fall[2]);
+    hair.velocity = add3(unpack3(grid_velocity[node]), fall);
+    hair.wall = unpack3(volume_solid[node]);
     hair.solid = volume_solid[node].w > 0.0f;
     return hair;
 }
 
-static inline float along(float3 v, int axis) {
+static inline float along(vec3 v, int axis) {
     return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
 }
 

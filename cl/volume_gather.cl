@@ -10,7 +10,8 @@
  *         in place of as much of its own.
  */
 #pragma OPENCL FP_CONTRACT OFF
-#include "common/lane_grid.clh"
+#include "common/grid.clh"
+#include "common/lane_step.clh"
 
 /* Along the grid's axes. */
 typedef struct {
@@ -18,16 +19,16 @@ typedef struct {
     vec3 push;   /* m/s^2 */
 } node_pull;
 
-static inline node_pull pull_at(const lane_grid* grid, lane_cell cell,
+static inline node_pull pull_at(const grid_frame* grid, grid_cell cell,
                                 __global const float4* volume_pull) {
     node_pull at;
-    const mask low = lane_cell_voxel(grid, cell);
-    const lane_weights weights = lane_weights_of(&cell);
+    const mask low = grid_voxel_of(grid, cell);
+    const grid_weights weights = grid_weights_of(&cell);
     for (uint k = 0; k < PLAIT_LANES; ++k) {
         float8 pull = (float8)(0.0f); /* both at once: they lie together */
 #pragma unroll
         for (uint corner = 0u; corner < 8u; ++corner) {
-            const uint node = (uint)LANE_OF_MASK(low, k) + lane_corner(grid, corner);
+            const uint node = (uint)LANE_OF_MASK(low, k) + grid_corner(grid, corner);
             const float weight = LANE(weights.of[corner], k);
             pull += weight * vload8(node, (__global const float*)volume_pull);
         }
@@ -51,20 +52,20 @@ __kernel void plait_volume_gather(const uint item_count, const plait_lane_volume
         return;
     const lane_strands strands = lane_strands_of(lane_strand, place, item_count);
     const mask counts = lane_counts(vertex_count, &strands);
-    const lane_grid grid = lane_grid_at(params.q, params.t, params.voxel_edge, params.edge_count);
+    const grid_frame grid = grid_at(params.q, params.t, params.voxel_edge, params.edge_count);
     const vec3 root = load3(lane_x, place, 0);
     const vec3 zero = vec3_of((real)(0.0f), (real)(0.0f), (real)(0.0f));
     store3(lane_pressure, place, 0, zero);
     for (int i = 1; i < (int)params.vertex_stride; ++i) {
-        const vec3 g = lane_grid_coordinates(&grid, add3(root, load3(lane_x, place, i)));
-        const mask inside = ((mask)(i) < counts) & lane_grid_contains(&grid, g);
-        const lane_cell cell = lane_cell_of(&grid, g, inside, PLAIT_TENT_TRILINEAR);
+        const vec3 g = grid_coordinates(&grid, add3(root, load3(lane_x, place, i)));
+        const mask inside = ((mask)(i) < counts) & grid_contains(&grid, g);
+        const grid_cell cell = grid_cell_of(&grid, g, inside, PLAIT_TENT_TRILINEAR);
         const node_pull at = pull_at(&grid, cell, volume_pull);
-        store3(lane_pressure, place, i, pick3(inside, lane_grid_world(&grid, at.push), zero));
+        store3(lane_pressure, place, i, pick3(inside, grid_world(&grid, at.push), zero));
         if (!params.moves)
             continue;
         const vec3 before = load3(lane_v, place, i);
-        const vec3 change = lane_grid_world(&grid, at.change);
+        const vec3 change = grid_world(&grid, at.change);
         const vec3 gained = pick3(inside, axpy3((real)(-params.blend), before, change), zero);
         store3(lane_v, place, i, add3(before, gained));
         if (params.history)

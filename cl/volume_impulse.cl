@@ -13,6 +13,7 @@
  * Source  ours.
  */
 #pragma OPENCL FP_CONTRACT OFF
+#include "common/vec3.clh"
 #include "common/volume.clh"
 
 /* What the face between two nodes does to both. */
@@ -54,9 +55,9 @@ __kernel void plait_volume_impulse(const uint item_count, const plait_volume_imp
             volume_has_previous(&place, axis) ? volume_link_of(volume_link, before, axis) : 0.0f;
         open |= next[axis] > 0.0f || previous[axis] > 0.0f;
     }
-    const float3 blended = params.blend * grid_velocity[node].xyz;
+    const vec3 blended = scale3(unpack3(grid_velocity[node]), params.blend);
     if (!open) {
-        volume_pull[2 * node] = (float4)(blended, 0.0f);
+        volume_pull[2 * node] = pack3(blended, 0.0f);
         volume_pull[2 * node + 1] = (float4)(0.0f);
         return;
     }
@@ -80,6 +81,6 @@ __kernel void plait_volume_impulse(const uint item_count, const plait_volume_imp
         change[axis] = share * sum.change;
         push[axis] = share * sum.push;
     }
-    volume_pull[2 * node] = (float4)((float3)(change[0], change[1], change[2]) + blended, 0.0f);
+    volume_pull[2 * node] = pack3(add3(vec3_of(change[0], change[1], change[2]), blended), 0.0f);
     volume_pull[2 * node + 1] = (float4)(push[0], push[1], push[2], 0.0f);
 }

@@ -9,11 +9,11 @@
  */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/collider.clh"
-#include "common/lane_grid.clh"
+#include "common/grid.clh"
 #include "common/sum.clh"
 
 /* Inside of several the last counts. */
-static inline float4 solid_at(const plait_volume_nodes_params* params, const lane_grid* grid,
+static inline float4 solid_at(const plait_volume_nodes_params* params, const grid_frame* grid,
                               __global const float4* collider, vec3 x) {
     float4 solid = (float4)(0.0f);
     for (uint i = 0u; i < params->collider_count; ++i) {
@@ -21,8 +21,8 @@ static inline float4 solid_at(const plait_volume_nodes_params* params, const lan
         if (!(collider_gap(collider, index, x).distance < 0.0f))
             continue;
         const vec3 way = sub3(x, collider_carry_back(collider, index, x));
-        const vec3 v = lane_grid_components(grid, scale3(way, 1.0f / params->h));
-        solid = (float4)(v.x, v.y, v.z, 1.0f);
+        const vec3 v = grid_components(grid, scale3(way, 1.0f / params->h));
+        solid = pack3(v, 1.0f);
     }
     return solid;
 }
@@ -35,23 +35,18 @@ __kernel void plait_volume_nodes(const uint item_count, const plait_volume_nodes
     if (voxel >= item_count)
         return;
     const uint n = params.edge_count;
-    const float3 cell =
-        (float3)((float)(voxel % n), (float)(voxel / (n * n)), (float)(voxel / n % n));
-    const float3 offset = params.voxel_edge * (cell + 0.5f);
-    const lane_grid grid = lane_grid_at(params.q, params.t, params.voxel_edge, n);
-    const vec3 along = lane_grid_world(&grid, vec3_of(offset.x, offset.y, offset.z));
-    const vec3 x = add3(vec3_of(params.t[0], params.t[1], params.t[2]), along);
+    const grid_frame grid = grid_at(params.q, params.t, params.voxel_edge, n);
+    const vec3 x = grid_centre(&grid, voxel, params.voxel_edge);
     volume_solid[voxel] = solid_at(&params, &grid, collider, x);
     __global const uint* words = grid_sum + (size_t)voxel * PLAIT_SUM_STRIDE;
     const float density = convert_float(sum_read(words)) / PLAIT_SUM_DENSITY_SCALE;
-    const float3 momentum =
-        (float3)(convert_float(sum_read(words + 2)), convert_float(sum_read(words + 4)),
-                 convert_float(sum_read(words + 6))) /
-        PLAIT_SUM_MOMENTUM_SCALE;
+    const vec3 sum = vec3_of(convert_float(sum_read(words + 2)), convert_float(sum_read(words + 4)),
+                             convert_float(sum_read(words + 6)));
+    const vec3 momentum = div3(sum, PLAIT_SUM_MOMENTUM_SCALE);
     const float rest = convert_float(sum_read(words + 8)) / PLAIT_SUM_REST_SCALE;
     const bool hair = density > 0.0f;
-    const float3 v = hair ? momentum / density : (float3)(0.0f);
+    const vec3 v = hair ? div3(momentum, density) : zero3();
     grid_density[voxel] = density;
-    grid_velocity[voxel] = (float4)(v, sqrt(v.x * v.x + v.y * v.y + v.z * v.z));
+    grid_velocity[voxel] = pack3(v, length3(v));
     volume_rest[voxel] = hair ? rest / density : 0.0f;
 }

@@ -15,52 +15,52 @@
  */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/strand.clh"
-#include "common/vec.clh"
+#include "common/vec3.clh"
 #include "plait/params.h"
 
-static inline float3 drag_displacement(const plait_wind_params* params, float3 tangent, float3 x,
-                                       float3 prev) {
-    const float3 air = (float3)(params->wind[0], params->wind[1], params->wind[2]);
-    const float3 u = air - (x - prev) / params->h;
-    const float3 across = u - dot3(u, tangent) * tangent;
+static inline vec3 drag_displacement(const plait_wind_params* params, vec3 tangent, vec3 x,
+                                     vec3 prev) {
+    const vec3 air = vec3_of(params->wind[0], params->wind[1], params->wind[2]);
+    const vec3 u = sub3(air, div3(sub3(x, prev), params->h));
+    const vec3 across = axpy3(-dot3(u, tangent), tangent, u);
     const float rate = params->h * params->drag * length3(across);
-    return (params->h * rate / (1.0f + rate)) * across;
+    return scale3(across, params->h * rate / (1.0f + rate));
 }
 
-static inline float3 wind_corner(const plait_wind_params* params, uint corner) {
-    return vload4(corner, params->corner).xyz;
+static inline vec3 wind_corner(const plait_wind_params* params, uint corner) {
+    return unpack3(vload4(corner, params->corner));
 }
 
-static inline float3 published_wind(const plait_wind_params* params, uint strand) {
+static inline vec3 published_wind(const plait_wind_params* params, uint strand) {
     const float a = (float)(strand % 20u) / 20.0f;
-    const float3 even = wind_corner(params, 0u) + wind_corner(params, 2u);
-    const float3 odd = wind_corner(params, 1u) + wind_corner(params, 3u);
-    return a * even + (1.0f - a) * odd;
+    const vec3 even = add3(wind_corner(params, 0u), wind_corner(params, 2u));
+    const vec3 odd = add3(wind_corner(params, 1u), wind_corner(params, 3u));
+    return axpy3(a, even, scale3(odd, 1.0f - a));
 }
 
-static inline float3 published_displacement(const plait_wind_params* params, uint strand, float3 x,
-                                            float3 next) {
-    const float3 d = x - next;
-    const float3 force = -cross3(cross3(d, published_wind(params, strand)), d);
-    return (params->h * params->h) * force;
+static inline vec3 published_displacement(const plait_wind_params* params, uint strand, vec3 x,
+                                          vec3 next) {
+    const vec3 d = sub3(x, next);
+    const vec3 back = cross3(cross3(d, published_wind(params, strand)), d);
+    return scale3(back, -(params->h * params->h));
 }
 
 /* The segment towards the tip; at the last vertex the one before it. */
-static inline float3 wind_tangent(strand_item_t item, uint count, __local const float4* shared) {
+static inline vec3 wind_tangent(strand_item_t item, uint count, __local const float4* shared) {
     const uint last = item.vertex + 1u < count ? 0u : item.local_next;
     const uint from = item.local_index - last;
-    return normalize_or_zero(shared[from + item.local_next].xyz - shared[from].xyz);
+    return normalize3(sub3(unpack3(shared[from + item.local_next]), unpack3(shared[from])));
 }
 
-static inline float3 wind_displacement(const plait_wind_params* params, strand_item_t item,
-                                       uint count, float3 prev, __local const float4* shared) {
-    const float3 x = shared[item.local_index].xyz;
+static inline vec3 wind_displacement(const plait_wind_params* params, strand_item_t item,
+                                     uint count, vec3 prev, __local const float4* shared) {
+    const vec3 x = unpack3(shared[item.local_index]);
     if (params->form == PLAIT_WIND_DRAG)
         return drag_displacement(params, wind_tangent(item, count, shared), x, prev);
     const bool blown = item.vertex >= 2u && item.vertex + 1u < count;
     if (!blown)
-        return (float3)(0.0f);
-    const float3 x_next = shared[item.local_index + item.local_next].xyz;
+        return zero3();
+    const vec3 x_next = unpack3(shared[item.local_index + item.local_next]);
     return published_displacement(params, item.strand, x, x_next);
 }
 
@@ -74,7 +74,8 @@ __kernel void plait_wind(const uint item_count, const plait_wind_params params,
     barrier(CLK_LOCAL_MEM_FENCE);
     if (item.vertex >= count || !is_free(shared_position[item.local_index]))
         return;
-    const float3 moved =
-        wind_displacement(&params, item, count, position_prev[item.element].xyz, shared_position);
-    position[item.element] = shared_position[item.local_index] + (float4)(moved, 0.0f);
+    const float4 x = shared_position[item.local_index];
+    const vec3 moved = wind_displacement(&params, item, count, unpack3(position_prev[item.element]),
+                                         shared_position);
+    position[item.element] = pack3(add3(unpack3(x), moved), x.w);
 }

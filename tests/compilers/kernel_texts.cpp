@@ -26,15 +26,16 @@ bool mentions(const Source& source, const char* name) {
 void list_programs(std::ofstream& list, const plait_stage_info& stage, const Source& source) {
     for (const uint32_t lanes : lane_counts)
         for (const uint32_t vertices : vertex_counts) {
-            const bool same_lanes = !mentions(source, "PLAIT_LANES") &&
-                                    !mentions(source, "PLAIT_TILE") && lanes != lane_counts[0];
-            const bool usual = stage.space == PLAIT_SPACE_LANES || vertices == usual_vertices;
+            const bool over_lanes = stage.space == PLAIT_SPACE_LANES;
+            const bool same_lanes =
+                !over_lanes && !mentions(source, "PLAIT_DEVICE_LANES") && lanes != lane_counts[0];
+            const bool usual = over_lanes || vertices == usual_vertices;
             if (same_lanes || !usual)
                 continue;
             Candidate candidate{};
             (void)set_lanes(candidate.info, lanes);
             list << stage.name << ' ' << lanes << ' ' << vertices << ' ' << stage.kernel << ' '
-                 << build_options(candidate, {vertices, 0, 0}) << '\n';
+                 << build_options(candidate, stage.space, {vertices, 0, 0}) << '\n';
         }
 }
 
@@ -42,7 +43,7 @@ void list_sums(std::ofstream& list, const std::string& program, const plait_stag
     Candidate candidate{};
     (void)set_lanes(candidate.info, 1);
     list << program << " 1 " << usual_vertices << ' ' << stage.kernel << ' '
-         << build_options(candidate, {usual_vertices, grid_sums, 0}) << '\n';
+         << build_options(candidate, stage.space, {usual_vertices, grid_sums, 0}) << '\n';
 }
 
 int write_all(const std::filesystem::path& directory) {

@@ -96,8 +96,9 @@ class Layout : public OnDevice {
         const char* flat = source->text.c_str();
         cl_int code = CL_SUCCESS;
         const Program program(clCreateProgramWithSource(context_.get(), 1, &flat, nullptr, &code));
-        code = clBuildProgram(program.get(), 1, &candidate_.device,
-                              build_options(candidate_).c_str(), nullptr, nullptr);
+        code =
+            clBuildProgram(program.get(), 1, &candidate_.device,
+                           build_options(candidate_, PLAIT_SPACE_WORD).c_str(), nullptr, nullptr);
         EXPECT_EQ(code, CL_SUCCESS) << text;
         return Kernel(clCreateKernel(program.get(), "probe", &code));
     }

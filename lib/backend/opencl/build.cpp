@@ -25,7 +25,7 @@ Result<StageKernel> build(Programs& programs, const Candidate& device,
                           const ProgramFolder& folder, const Variant& variant, const Log& log) {
     auto source = flatten(text.name, text.text);
     PLAIT_TRY(source);
-    const std::string options = build_options(device, variant);
+    const std::string options = build_options(device, stage.space, variant);
     const ProgramRequest request{device, *source, options, folder, log};
     const auto program = programs.get(request);
     PLAIT_TRY(program);
@@ -50,12 +50,14 @@ Result<StageKernel> build(Programs& programs, const Candidate& device,
 
 } // namespace
 
-std::string build_options(const Candidate& device, const Variant& variant) {
+std::string build_options(const Candidate& device, plait_space space, const Variant& variant) {
     // Velocities of hair that comes to rest die away through the denormal numbers, which CPUs
     // multiply a hundred times as slowly: resting strands cost half as much again.
     std::string options = "-cl-std=CL1.2 -cl-kernel-arg-info -cl-denorms-are-zero";
-    options += format(" -DPLAIT_LANES=%u -DPLAIT_TILE=%u -DPLAIT_VERTICES=%u", device.info.lanes,
-                      device.info.tile, variant.vertices);
+    options += format(" -DPLAIT_DEVICE_LANES=%u", device.info.lanes);
+    if (space == PLAIT_SPACE_LANES)
+        options += format(" -DPLAIT_LANES=%u -DPLAIT_TILE=%u -DPLAIT_VERTICES=%u",
+                          device.info.lanes, device.info.tile, variant.vertices);
     if (variant.group_sums > 0)
         options += format(" -DPLAIT_GROUP_SUMS=%u", variant.group_sums);
     if (variant.idle_local_bytes > 0)

@@ -41,7 +41,8 @@ Result<StageKernel> build_stage(Programs& programs, const Candidate& device,
 
 // What kernels are built with. Contraction of a*b + c is left to each kernel (FP_CONTRACT); nothing
 // that trades accuracy for speed is on, and argument information is kept for the check. Kernels
-// over lanes learn the width, the tile and the vertices per strand.
-std::string build_options(const Candidate& device, const Variant& variant = {});
+// over lanes learn the width, the tile and the vertices per strand; the others have one lane, unless
+// they choose the device's width themselves.
+std::string build_options(const Candidate& device, plait_space space, const Variant& variant = {});
 
 } // namespace plait::opencl
