@@ -137,6 +137,7 @@ Status Sim::set_params(const plait_sim_params& params) {
         if (!made)
             return made.error();
         grid = std::move(*made);
+        PLAIT_TRY(grid.volume().keep_wetness(device(), bool(state_.wetness)));
     }
     Pairs pairs;
     const bool same_pairs = pairs_.fits(params);
@@ -202,6 +203,33 @@ Status Sim::set_wind(const plait_wind_desc* desc) {
     if (!wind_.blows())
         model_->close_wind();
     return status;
+}
+
+Status Sim::open_wetness() {
+    Status status = Wetness::open(device(), layout_, state_, &context_.memory);
+    if (status)
+        status = model_->open_wetness(device());
+    if (status)
+        status = grid_.volume().keep_wetness(device(), true);
+    if (status)
+        status = display_.keep_wetness(device(), layout_, state_, true, &context_.memory);
+    if (status)
+        status = check_stages();
+    if (status) {
+        append_shown();
+        status = check_schedule();
+    }
+    if (!status)
+        close_wetness();
+    return status;
+}
+
+// The material of dry strands is where it was.
+void Sim::close_wetness() {
+    (void)display_.keep_wetness(device(), layout_, state_, false, &context_.memory);
+    (void)grid_.volume().keep_wetness(device(), false);
+    model_->close_wetness();
+    Wetness::close(state_);
 }
 
 Status Sim::set_detail(const plait_detail_desc* desc, std::span<const uint32_t> centres) {
