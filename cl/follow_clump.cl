@@ -7,7 +7,8 @@
  * Source  clumping as groomers know it, x_i + c(s_i) (X(s_i) - x_i), c a ramp and X the centre at the
  *         same share of length, is where a strand shall go: the path p. A strand that went there
  *         would be shorter or longer than it is.
- *         Where hair is wet c is times the wetness of the centre, which is the strand's guide.
+ *         Where hair is wet c is times PLAIT_WET_FOLLOW and the wetness of the centre, which is then
+ *         the strand's guide.
  * Changed each segment keeps its length and points along that path, and towards it where the strand
  *         is beside it: y_i = y_(i-1) + |x_i - x_(i-1)| n(a + g/max(reach, |g|)), a the direction of
  *         the path's segment, g what leads to that from y_(i-1), normal to a. So no segment is more
@@ -47,7 +48,7 @@ __kernel void plait_follow_clump(const uint item_count, const plait_follow_clump
         return;
     const size_t from = (size_t)item * stride, to = from + (size_t)params.guide_count * stride;
     const size_t centre = (size_t)clump_centre[item] * stride;
-    const float share = params.wet ? strand_wetness[clump_centre[item]] : 1.0f;
+    const float share = params.wet ? PLAIT_WET_FOLLOW * strand_wetness[clump_centre[item]] : 1.0f;
     if (share == 0.0f)
         return;
     const float length = follow_arc[from + stride - 1];

@@ -612,7 +612,7 @@ typedef struct plait_sim_params {
     /* wetness, where PLAIT_FIELD_WETNESS was written; docs/wetness.md. All but tressfx */
     float drying_time;  /* tau, s: it falls with e^(-t/tau), [0, 1e9], default 0: it stays */
     float wet_cohesion; /* m^2/s^2, with volume: `cohesion` that wetness 1 adds, [0, 1e4],
-                           default 1 */
+                           default 0.03, which nobody has measured */
 
     /* guide strands meet each other; docs/strand_contact.md. Models cosserat, rod, articulated */
     plait_strand_contact_form strand_contact; /* default OFF */

@@ -4,8 +4,6 @@
 #include "core/choices.hpp"
 #include "core/groom.hpp"
 
-#include <plait/constants.h>
-
 #include <Eigen/Geometry>
 
 #include <vector>
@@ -134,7 +132,7 @@ Status Display::keep_wetness(Device& device, const Layout& layout, const State& 
     if (!keep || wet_ || layout.follows == 0)
         return {};
     plait_detail_desc desc = default_detail_desc();
-    std::fill_n(desc.clump + 1, 3, static_cast<float>(PLAIT_WET_FOLLOW));
+    std::fill_n(desc.clump + 1, 3, 1.0f);
     std::pmr::vector<uint32_t> guides(layout.follows, memory);
     PLAIT_TRY(device.read(follow_guide_, guides.data()));
     auto made = make_detail(device, layout, state, desc, guides, memory);

@@ -213,7 +213,7 @@ typedef struct plait_follow_clump_params {
     plait_u32 guide_count;
     float clump[4]; /* share of the way to the centre, [0, 1] */
     plait_u32
-        wet; /* 1: and that times the wetness of the centre, a guide; 0: strand_wetness is null */
+        wet; /* 1: that, times 0.8 the wetness of the centre, a guide; 0: strand_wetness is null */
 } plait_follow_clump_params;
 
 /* follow_curl: offsets from the strand, in a frame that it carries along. */
