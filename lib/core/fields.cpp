@@ -194,9 +194,13 @@ Status Sim::write_wetness(std::span<const float> src) {
         close_wetness();
         return {};
     }
-    if (!state_.wetness)
+    const bool opens = !state_.wetness;
+    if (opens)
         PLAIT_TRY(open_wetness());
-    return wetness_.give(device(), state_, src);
+    const Status status = wetness_.give(device(), state_, src);
+    if (!status && opens)
+        close_wetness();
+    return status;
 }
 
 Status Sim::set_pins(std::span<const plait_pin> pins) {

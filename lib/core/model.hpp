@@ -97,7 +97,7 @@ class Model {
     virtual Status open_wind(Device&) { return Error{PLAIT_INTERNAL, "this model takes no wind"}; }
     virtual void close_wind() {}
 
-    // The same of what wet strands need.
+    // The same of what wet strands need; where it fails close_wetness() gives back what there is.
     virtual Status open_wetness(Device&) {
         return Error{PLAIT_INTERNAL, "strands of this model do not get wet"};
     }

@@ -206,22 +206,22 @@ Status Sim::set_wind(const plait_wind_desc* desc) {
 }
 
 Status Sim::open_wetness() {
-    Status status = Wetness::open(device(), layout_, state_, &context_.memory);
-    if (status)
-        status = model_->open_wetness(device());
-    if (status)
-        status = grid_.volume().keep_wetness(device(), true);
-    if (status)
-        status = display_.keep_wetness(device(), layout_, state_, true, &context_.memory);
-    if (status)
-        status = check_stages();
-    if (status) {
-        append_shown();
-        status = check_schedule();
-    }
-    if (!status)
-        close_wetness();
-    return status;
+    struct Closer { // also where memory ends half-way
+        Sim* sim;
+        ~Closer() {
+            if (sim)
+                sim->close_wetness();
+        }
+    } closer{this};
+    PLAIT_TRY(Wetness::open(device(), layout_, state_, &context_.memory));
+    PLAIT_TRY(model_->open_wetness(device()));
+    PLAIT_TRY(grid_.volume().keep_wetness(device(), true));
+    PLAIT_TRY(display_.keep_wetness(device(), layout_, state_, true, &context_.memory));
+    PLAIT_TRY(check_stages());
+    append_shown();
+    PLAIT_TRY(check_schedule());
+    closer.sim = nullptr;
+    return {};
 }
 
 // The material of dry strands is where it was.

@@ -107,7 +107,10 @@ void Volume::splat_into(Schedule& schedule, const VolumeGrid& grid, const Model&
     LaneVolume lanes = lanes_of(grid);
     lanes.soaked = soaked;
     model.splat_volume(schedule, at, lanes);
-    schedule.add(PLAIT_STAGE_volume_nodes, voxels(grid.params), nodes_params(grid.params, at),
+    plait_volume_nodes_params nodes = nodes_params(grid.params, at);
+    if (soaked)
+        nodes.collider_count = 0; // where colliders are is found with the rest
+    schedule.add(PLAIT_STAGE_volume_nodes, voxels(grid.params), nodes,
                  {&grid.sums, &at.colliders, &grid.density, &grid.velocity, &rest, &solid_});
 }
 

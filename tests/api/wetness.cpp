@@ -260,6 +260,35 @@ TEST_P(WetnessOf, DryingHairRises) {
     }
 }
 
+// A strand that is let go level, without drag, has no energy but what it falls for; what water takes
+// along with it is its share.
+TEST_P(WetnessOf, DryingAddsNoEnergy) {
+    for (const plait_model model : every_model) {
+        auto desc = desc_of(model);
+        desc.params.drag = 0;
+        desc.params.bend_stiffness = 1e-8f;
+        desc.params.drying_time = 0.4f;
+        plait::Sim sim(context, make_groom(level_ones(1)), desc);
+        wet(sim, {1});
+        double most = -1, least = 0;
+        for (int i = 0; i < 120; ++i) {
+            run(sim, 1);
+            const auto x = sim.read(PLAIT_FIELD_POSITION), v = sim.read(PLAIT_FIELD_VELOCITY);
+            double energy = 0; // of motion and height, over the mass and g times the length
+            for (size_t k = 1; k < vertices; ++k) {
+                const float* at = &v[4 * k];
+                const double speed = std::hypot(double(at[0]), double(at[1]), double(at[2]));
+                energy += speed * speed / 2 + 9.81 * double(x[4 * k + 1]);
+            }
+            energy /= (vertices - 1) * 9.81 * double(segment) * (vertices - 1);
+            most = std::max(most, energy);
+            least = std::min(least, double(tip_height(x, 0)));
+        }
+        EXPECT_LT(most, 0.01) << model;
+        EXPECT_LT(least, -0.12) << model << ": it swings";
+    }
+}
+
 // Material is scaled anew once wetness is more than 0.02 away from what it is scaled by.
 TEST_P(WetnessOf, MaterialFollowsInSteps) {
     for (const plait_model model : bending_models) {

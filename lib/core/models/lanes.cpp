@@ -230,10 +230,7 @@ void LaneModel::close_wind() {
 Status LaneModel::open_wetness(Device& device) {
     source_.wet = true; // of parts and material that are made later, too
     for (const PartPtr& part : parts_)
-        if (Status status = part->open_wetness(device); !status) {
-            close_wetness();
-            return status;
-        }
+        PLAIT_TRY(part->open_wetness(device));
     return {};
 }
 
