@@ -1,12 +1,14 @@
 /* follow_clump: follow strands drawn to the centres of their clumps, by turns of their segments.
  *
  * Items   follows: strand f here is row guide_count + f of position.
- * Reads   clump_centre, clump_place, follow_arc; position of the strand and of its centre, which no
+ * Reads   clump_centre, clump_place, strand_wetness, follow_arc; position of the strand and of its centre, which no
  *         item writes.
  * Writes  position of the follows but for centres; w is kept, padding is a copy of the tip.
  * Source  clumping as groomers know it, x_i + c(s_i) (X(s_i) - x_i), c a ramp and X the centre at the
  *         same share of length, is where a strand shall go: the path p. A strand that went there
  *         would be shorter or longer than it is.
+ *         Where hair is wet c is times PLAIT_WET_FOLLOW and the wetness of the centre, which is then
+ *         the strand's guide.
  * Changed each segment keeps its length and points along that path, and towards it where the strand
  *         is beside it: y_i = y_(i-1) + |x_i - x_(i-1)| n(a + g/max(reach, |g|)), a the direction of
  *         the path's segment, g what leads to that from y_(i-1), normal to a. So no segment is more
@@ -39,25 +41,29 @@ static inline vec3 direction_along(vec3 segment, vec3 path, vec3 gap, float leng
 __kernel void plait_follow_clump(const uint item_count, const plait_follow_clump_params params,
                                  __global const uint* clump_centre,
                                  __global const float* clump_place,
+                                 __global const float* strand_wetness,
                                  __global const float* follow_arc, __global float4* position) {
     const uint item = get_global_id(0), stride = params.vertex_stride;
     if (item >= item_count || clump_centre[item] == params.guide_count + item)
         return;
     const size_t from = (size_t)item * stride, to = from + (size_t)params.guide_count * stride;
     const size_t centre = (size_t)clump_centre[item] * stride;
+    const float share = params.wet ? PLAIT_WET_FOLLOW * strand_wetness[clump_centre[item]] : 1.0f;
+    if (share == 0.0f)
+        return;
     const float length = follow_arc[from + stride - 1];
     const vec3 root = unpack3(position[to]);
     vec3 x = zero3(), way = x; /* all from the root */
     const vec3 aim_root = sub3(place_on(position, centre, stride, clump_place[from]), root);
-    vec3 path = scale3(aim_root, ramp_at(params.clump, 0.0f));
+    vec3 path = scale3(aim_root, share * ramp_at(params.clump, 0.0f));
     for (uint i = 1; i < stride; ++i) {
         const float arc = follow_arc[from + i];
         const float4 now = position[to + i];
         if (arc > follow_arc[from + i - 1]) {
             const vec3 x_now = sub3(unpack3(now), root);
             const vec3 aim = sub3(place_on(position, centre, stride, clump_place[from + i]), root);
-            const vec3 path_now =
-                axpy3(ramp_at(params.clump, arc / length), sub3(aim, x_now), x_now);
+            const float drawn = share * ramp_at(params.clump, arc / length);
+            const vec3 path_now = axpy3(drawn, sub3(aim, x_now), x_now);
             const vec3 segment = sub3(x_now, x);
             const vec3 along =
                 direction_along(segment, sub3(path_now, path), sub3(path, way), length);

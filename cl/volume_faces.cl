@@ -1,7 +1,8 @@
 /* volume_faces: the pressure's equations at the nodes.
  *
  * Items   voxels, whose centres are the nodes.
- * Reads   grid_density, grid_velocity, volume_rest, volume_solid, volume_before.
+ * Reads   grid_density, grid_velocity, volume_rest, volume_wetness, volume_solid,
+ *         volume_before.
  * Writes  volume_link, volume_node, volume_pressure.
  *
  * Hair of density r and rest density R times the share to keep. A face between a and b has the
@@ -14,7 +15,8 @@
  *     s = 1 - R/r where there is room, else the lesser of most_recovery and
  *         recovery max(0, 1 - R/r - slack).
  * Divided by (h/e)^2 that is one row of the matrix whose off-diagonals are the links, 1/density, and
- * `wanted` what is left for p = 0. Nodes with hardly any hair, and the outermost ones, are air, p = 0.
+ * `wanted` what is left for p = 0. `least` is minus R times the cohesion, to which wetness w adds its
+ * own times w. Nodes with hardly any hair, and the outermost ones, are air, p = 0.
  * Source  contact condition of Narain et al. 2010; p carried over: van Kan 1986; faces: ours.
  */
 #pragma OPENCL FP_CONTRACT OFF
@@ -79,6 +81,13 @@ static inline float carried_at(const plait_volume_params* params, int node, floa
     return before.x * fmin(density, before.y);
 }
 
+/* m^2/s^2: tension that the hair of a node bears, over its density at rest. */
+static inline float cohesion_at(const plait_volume_params* params, int node,
+                                __global const float* volume_wetness) {
+    return params->wet ? params->cohesion + params->wet_cohesion * volume_wetness[node]
+                       : params->cohesion;
+}
+
 /* Most nodes have no hair, and neither have the next ones, whose faces they keep. */
 static inline bool nobody_near(const volume_place* place, int node,
                                __global const float* grid_density) {
@@ -94,6 +103,7 @@ __kernel void plait_volume_faces(const uint item_count, const plait_volume_param
                                  __global const float* grid_density,
                                  __global const float4* grid_velocity,
                                  __global const float* volume_rest,
+                                 __global const float* volume_wetness,
                                  __global const float4* volume_solid,
                                  __global const float* volume_before, __global float4* volume_link,
                                  __global float4* volume_node, __global float* volume_pressure) {
@@ -145,6 +155,6 @@ __kernel void plait_volume_faces(const uint item_count, const plait_volume_param
     const float edges = params.voxel_edge / params.h;
     const float wanted = edges * divergence - edges * edges * room_of(&params, own) - carried;
     const bool coheres = own.density > PLAIT_VOLUME_COHESIVE * own.rest;
-    const float least = coheres ? -params.cohesion * own.rest : 0.0f;
+    const float least = coheres ? -cohesion_at(&params, node, volume_wetness) * own.rest : 0.0f;
     volume_node[node] = (float4)(wanted, least, PLAIT_VOLUME_RELAXATION / links, 0.0f);
 }

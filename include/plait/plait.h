@@ -609,6 +609,11 @@ typedef struct plait_sim_params {
                                  default 5 */
     float cohesion; /* m^2/s^2: tension that hair bears, over its density, [0, 1e4], default 0 */
 
+    /* wetness, where PLAIT_FIELD_WETNESS was written; docs/wetness.md. All but tressfx */
+    float drying_time;  /* tau, s: it falls with e^(-t/tau), [0, 1e9], default 0: it stays */
+    float wet_cohesion; /* m^2/s^2, with volume: `cohesion` that wetness 1 adds, [0, 1e4],
+                           default 0.03, which nobody has measured */
+
     /* guide strands meet each other; docs/strand_contact.md. Models cosserat, rod, articulated */
     plait_strand_contact_form strand_contact; /* default OFF */
     float strand_radius; /* m, (0, 0.1], default 0.002: half of what guides lie apart, of which each
@@ -1037,7 +1042,15 @@ typedef enum plait_field {
        that its strand's root carries along; 0, as at first: it is free. What plait_sim_set_pins
        fills, or the caller, as one array. Not read: vertex 0, past the tip. With pins */
     PLAIT_FIELD_PIN = 12,
-    PLAIT_FIELD_COUNT = 13,
+    /* float [guides], [0, 1]: how wet a strand is, after the steps so far; 0, as at first: dry. Written
+       by the caller, it acts from the next step on, and dries with `drying_time`; below 1e-3 it is 0.
+       A wet strand is heavier and softer, with volume it lies closer to others and holds to them, and
+       what follows it is drawn to it: by factors that nobody has measured (docs/wetness.md). Material
+       is scaled anew once wetness has moved by more than 0.02. Stays over reset, teleport and
+       switches of models; snapshots hold it. While all hair is dry there is no buffer and no stage
+       of it. All but tressfx, which refuses it */
+    PLAIT_FIELD_WETNESS = 13,
+    PLAIT_FIELD_COUNT = 14,
     PLAIT_FIELD_FORCE_32 = 0x7fffffff
 } plait_field;
 
@@ -1046,10 +1059,11 @@ typedef enum plait_field {
 PLAIT_API plait_result plait_sim_read(plait_sim* sim, plait_field field, void* dst, size_t* size);
 
 /* Overwrite POSITION (guides only, [guides][V]; w is kept), POSITION_PREV, VELOCITY (guides),
- * ACCELERATION or PIN. The size must match; of a value outside [-1e6, 1e6] m, [-1e4, 1e4] m/s,
- * [-1e4, 1e4] m/s^2 or [-1e6, 1e6] N/m (0 at vertex 0) the call says the index, and writes nothing.
- * Waits.
- * @errors INVALID_STATE (accelerations, or pins, is off) */
+ * ACCELERATION, PIN or WETNESS. The size must match; of a value outside [-1e6, 1e6] m,
+ * [-1e4, 1e4] m/s, [-1e4, 1e4] m/s^2, [-1e6, 1e6] N/m (0 at vertex 0) or [0, 1] the call says the
+ * index, and writes nothing. Waits.
+ * @errors INVALID_STATE (accelerations, or pins, is off; WETNESS in model tressfx); where hair
+ *         becomes wet UNSUPPORTED (the backend lacks a stage) and COMPILE */
 PLAIT_API plait_result plait_sim_write(plait_sim* sim, plait_field field, const void* src,
                                        size_t size);
 

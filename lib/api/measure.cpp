@@ -43,11 +43,14 @@ plait_result plait_sim_write(plait_sim* sim, plait_field field, const void* src,
         PLAIT_TRY(api::need(src, "src"));
         if (field != PLAIT_FIELD_POSITION && field != PLAIT_FIELD_POSITION_PREV &&
             field != PLAIT_FIELD_VELOCITY && field != PLAIT_FIELD_ACCELERATION &&
-            field != PLAIT_FIELD_PIN)
+            field != PLAIT_FIELD_PIN && field != PLAIT_FIELD_WETNESS)
             return api::invalid(format("field is %d, only POSITION, POSITION_PREV, VELOCITY, "
-                                       "ACCELERATION and PIN can be written",
+                                       "ACCELERATION, PIN and WETNESS can be written",
                                        field));
-        const auto needed = sim->sim.field_bytes(PLAIT_FIELD_POSITION_PREV);
+        const auto needed =
+            sim->sim.field_bytes(field == PLAIT_FIELD_WETNESS ? field : PLAIT_FIELD_POSITION_PREV);
+        if (!needed)
+            return needed.error();
         if (size != *needed)
             return api::invalid(format("size is %zu bytes, the guides take %zu", size, *needed));
         return sim->sim.write(field, src);

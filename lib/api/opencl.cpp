@@ -24,7 +24,7 @@ Status check_opencl(const Context& context) {
 // `bounds`: in a buffer only when they are asked for.
 Status check_lent(plait_field field, bool bounds) {
     if (field != PLAIT_FIELD_VELOCITY && field != PLAIT_FIELD_POSITION_PREV &&
-        (bounds || field != PLAIT_FIELD_BOUNDS))
+        field != PLAIT_FIELD_WETNESS && (bounds || field != PLAIT_FIELD_BOUNDS))
         return {};
     return invalid(format(
         "field is %d; there are POSITION, TANGENT, REST, VERTEX_COUNT, "

@@ -208,12 +208,13 @@ Result<Detail> Detail::create(Device& device, const plait_detail_desc& desc,
 }
 
 void Detail::append(Schedule& schedule, const Layout& layout, const Buffer& pose,
-                    const Buffer& follow_guide, const Buffer& position) const {
+                    const Buffer& follow_guide, const Buffer& position,
+                    const Buffer* wetness) const {
     if (clumps()) {
-        plait_follow_clump_params params{layout.row, layout.guides, {}};
+        plait_follow_clump_params params{layout.row, layout.guides, {}, wetness ? 1u : 0u};
         std::ranges::copy(desc_.clump, params.clump);
         schedule.add(PLAIT_STAGE_follow_clump, layout.follows, params,
-                     {&centre_, &place_, &arc_, &position});
+                     {&centre_, &place_, wetness, &arc_, &position});
     }
     if (curls()) {
         plait_follow_curl_params params{};

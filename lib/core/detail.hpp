@@ -32,8 +32,10 @@ class Detail {
 
     explicit operator bool() const { return static_cast<bool>(arc_); }
     // `pose` and `position` are of the same moment; follows are where their guides put them.
+    // `wetness`: of guides, or null; drawn by it are follows whose centres are guides.
     void append(Schedule& schedule, const Layout& layout, const Buffer& pose,
-                const Buffer& follow_guide, const Buffer& position) const;
+                const Buffer& follow_guide, const Buffer& position,
+                const Buffer* wetness = nullptr) const;
     uint64_t device_bytes() const;
 
   private:

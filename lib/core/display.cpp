@@ -144,6 +144,25 @@ Result<Detail> Display::make_detail(Device& device, const Layout& layout, const 
     return Detail::create(device, desc, centres, {layout, *rest, counts, guides}, memory);
 }
 
+// As clumps whose centres are the guides: roots stay, and from a third of the length on a strand is
+// drawn by the whole share.
+Status Display::keep_wetness(Device& device, const Layout& layout, const State& state, bool keep,
+                             std::pmr::memory_resource* memory) {
+    if (!keep)
+        wet_ = {};
+    if (!keep || wet_ || layout.follows == 0)
+        return {};
+    plait_detail_desc desc = default_detail_desc();
+    std::fill_n(desc.clump + 1, 3, 1.0f);
+    std::pmr::vector<uint32_t> guides(layout.follows, memory);
+    PLAIT_TRY(device.read(follow_guide_, guides.data()));
+    auto made = make_detail(device, layout, state, desc, guides, memory);
+    if (!made)
+        return made.error();
+    wet_ = std::move(*made);
+    return {};
+}
+
 void Display::append_step_before(Schedule& schedule, const Layout& layout,
                                  const State& state) const {
     if (interpolates())
@@ -180,6 +199,8 @@ void Display::append(Schedule& schedule, const Substep& at, const Roots& roots,
             {&state.rest, &pose, &state.vertex_count, &follow_guide_, &follow_offset_, &shown});
     if (detail_)
         detail_.append(schedule, layout, pose, follow_guide_, shown);
+    if (wet_ && state.wetness) // of all that sets them apart, curl and frizz, too
+        wet_.append(schedule, layout, pose, follow_guide_, shown, &state.wetness);
     if (meets_colliders(at.params))
         append_out_of_colliders(schedule, at, shown);
     schedule.add(PLAIT_STAGE_tangents, layout.vertices(), plait_layout_params{layout.row},
@@ -191,7 +212,7 @@ uint64_t Display::device_bytes() const {
     for (const Buffer* buffer : {&tangent_, &follow_guide_, &follow_offset_, &last_frame_,
                                  &position_local_, &position_out_, &pose_now_})
         bytes += buffer->bytes();
-    return bytes + turns_.device_bytes() + detail_.device_bytes();
+    return bytes + turns_.device_bytes() + detail_.device_bytes() + wet_.device_bytes();
 }
 
 } // namespace plait

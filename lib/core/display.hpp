@@ -49,6 +49,9 @@ class Display {
     Result<Detail> make_detail(Device& device, const Layout& layout, const State& state,
                                const plait_detail_desc& desc, std::span<const uint32_t> centres,
                                std::pmr::memory_resource* memory) const;
+    // Makes, or frees, what draws wet follows to their guides; nothing without follows.
+    Status keep_wetness(Device& device, const Layout& layout, const State& state, bool keep,
+                        std::pmr::memory_resource* memory);
     void exchange(Detail& detail) { std::swap(detail_, detail); }
 
     const Buffer& position(const State& state) const {
@@ -76,6 +79,7 @@ class Display {
     Buffer follow_offset_; // float4 [follows]; none with a map
     FollowTurns turns_;    // with a map only
     Detail detail_;        // where it is set only
+    Detail wet_;           // where strands may be wet only
     Buffer last_frame_;    // float4 [strands*V]
     // With interpolation only.
     Buffer position_local_; // float4 [guides*V]: the step before the last, in its root frames

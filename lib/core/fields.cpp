@@ -1,5 +1,6 @@
 // Reading and writing the fields of a sim.
 #include "base/format.hpp"
+#include "core/models/traits.hpp"
 #include "core/sim.hpp"
 
 #include <algorithm>
@@ -68,6 +69,10 @@ Result<const Buffer*> Sim::field_buffer(plait_field field) const {
         if (!state_.pin)
             return is_off("pins");
         return &state_.pin;
+    case PLAIT_FIELD_WETNESS:
+        if (!state_.wetness)
+            return Error{PLAIT_INVALID_STATE, "all hair is dry, and wetness has no buffer"};
+        return &state_.wetness;
     default:
         return Error{PLAIT_INVALID_ARGUMENT,
                      format("field is %d, range is [0, %d]", field, PLAIT_FIELD_COUNT - 1)};
@@ -105,6 +110,10 @@ Result<const Buffer*> Sim::filled_field(plait_field field) {
 Result<size_t> Sim::field_bytes(plait_field field) const {
     if (field == PLAIT_FIELD_BOUNDS)
         return size_t{2} * sizeof(Float4);
+    if (field == PLAIT_FIELD_WETNESS) {
+        PLAIT_TRY(check_gets_wet());
+        return layout_.guides * sizeof(float);
+    }
     const auto buffer = field_buffer(field);
     if (!buffer)
         return buffer.error();
@@ -114,6 +123,10 @@ Result<size_t> Sim::field_bytes(plait_field field) const {
 Status Sim::read(plait_field field, void* dst) {
     if (field == PLAIT_FIELD_VELOCITY)
         return read_velocity({static_cast<float*>(dst), size_t{4} * layout_.guide_vertices()});
+    if (field == PLAIT_FIELD_WETNESS && !state_.wetness) {
+        std::fill_n(static_cast<float*>(dst), layout_.guides, 0.0f);
+        return {};
+    }
     const auto buffer = filled_field(field);
     if (!buffer)
         return buffer.error();
@@ -165,6 +178,31 @@ Status Sim::write_pins(std::span<const float> src) {
     return device().write(state_.pin, src.data());
 }
 
+Status Sim::check_gets_wet() const {
+    if (traits_of(desc_.model).switches)
+        return {};
+    return Error{PLAIT_INVALID_STATE,
+                 format("the sim is of model 0 (tressfx), which has no wetness; strands of the "
+                        "models %s do",
+                        list_models(&ModelTraits::switches).c_str())};
+}
+
+Status Sim::write_wetness(std::span<const float> src) {
+    PLAIT_TRY(check_gets_wet());
+    PLAIT_TRY(check_wetness(src));
+    if (std::ranges::all_of(src, [](float w) { return w == 0; })) {
+        close_wetness();
+        return {};
+    }
+    const bool opens = !state_.wetness;
+    if (opens)
+        PLAIT_TRY(open_wetness());
+    const Status status = wetness_.give(device(), state_, src);
+    if (!status && opens)
+        close_wetness();
+    return status;
+}
+
 Status Sim::set_pins(std::span<const plait_pin> pins) {
     const auto buffer = field_buffer(PLAIT_FIELD_PIN);
     if (!buffer)
@@ -183,6 +221,8 @@ Status Sim::write(plait_field field, const void* src) {
         return write_acceleration({values, 4 * vertices});
     if (field == PLAIT_FIELD_PIN)
         return write_pins({values, 4 * vertices});
+    if (field == PLAIT_FIELD_WETNESS)
+        return write_wetness({values, layout_.guides});
     const bool velocity = field == PLAIT_FIELD_VELOCITY;
     PLAIT_TRY(check_vectors(values, 4 * vertices, velocity ? "velocity" : "position",
                             velocity ? fastest : farthest));

@@ -163,18 +163,26 @@ void InterHair::append_density(Schedule& schedule, const Step& step, const Model
                  {&sums_, &density_, &velocity_});
 }
 
+namespace {
+const Buffer* wetness_of(const InterHair::Step& step) {
+    return step.state.wetness ? &step.state.wetness : nullptr;
+}
+} // namespace
+
 void InterHair::append_volume_start(Schedule& schedule, const Step& step, const Model& model,
                                     const Substep& at) const {
     const auto h = static_cast<float>(at.step);
-    volume_.append_start(schedule, {grid_params(step), h, sums_, outside_, density_, velocity_},
-                         model, at);
+    volume_.append_start(
+        schedule, {grid_params(step), h, sums_, outside_, density_, velocity_, wetness_of(step)},
+        model, at);
 }
 
 void InterHair::append_volume(Schedule& schedule, const Step& step, const Model& model,
                               const Substep& at) const {
     const auto h = static_cast<float>(at.step);
-    volume_.append_step(schedule, {grid_params(step), h, sums_, outside_, density_, velocity_},
-                        model, at);
+    volume_.append_step(
+        schedule, {grid_params(step), h, sums_, outside_, density_, velocity_, wetness_of(step)},
+        model, at);
 }
 
 uint64_t InterHair::device_bytes() const {

@@ -67,6 +67,9 @@ struct LaneVolume {
     const Buffer &sums, &outside, &pull;
     float blend; // [0, 1]
     bool moves;  // velocities change, too
+    // Of strands, or null; `soaked`: the sums are of it, in place of the density at rest.
+    const Buffer* wetness = nullptr;
+    bool soaked = false;
 };
 
 class Model {
@@ -93,6 +96,14 @@ class Model {
     // Makes, or gives back, what substeps with wind need. Fails without an effect.
     virtual Status open_wind(Device&) { return Error{PLAIT_INTERNAL, "this model takes no wind"}; }
     virtual void close_wind() {}
+
+    // The same of what wet strands need; where it fails close_wetness() gives back what there is.
+    virtual Status open_wetness(Device&) {
+        return Error{PLAIT_INTERNAL, "strands of this model do not get wet"};
+    }
+    virtual void close_wetness() {}
+    // Appends what scales material by state.wetness_held.
+    virtual void soak(Schedule&, const Substep&) const {}
 
     // Makes, or frees, what the planes of meshes and of other strands need; all or nothing.
     virtual Status keep_planes(Device&, bool) { return {}; }

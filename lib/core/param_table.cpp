@@ -143,6 +143,9 @@ constexpr plait_param_info table[] = {
     of(strand_models, real(AT(volume_viscosity), "1/s", 0, 1e3)),
     of(strand_models, real(AT(cohesion), "m^2/s^2", 0, 1e4)),
 
+    of(strand_models, real(AT(drying_time), "s", 0, 1e9)),
+    of(strand_models, real(AT(wet_cohesion), "m^2/s^2", 0, 1e4)),
+
     of(meeting, choice(AT(strand_contact), strand_contacts)),
     of(meeting, above(AT(strand_radius), "m", 0, 0.1)),
     of(meeting, real(AT(strand_friction), "", 0, 10)),

@@ -119,6 +119,7 @@ plait_sim_params default_params() {
     p.volume_share = 1;
     p.volume_sweeps = 10;
     p.volume_rate = 5;
+    p.wet_cohesion = 0.03f;
     p.volume_viscosity = 5;
     p.strand_radius = 0.002f;
     p.strand_friction = 0.3f;

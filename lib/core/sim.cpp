@@ -137,6 +137,7 @@ Status Sim::set_params(const plait_sim_params& params) {
         if (!made)
             return made.error();
         grid = std::move(*made);
+        PLAIT_TRY(grid.volume().keep_wetness(device(), bool(state_.wetness)));
     }
     Pairs pairs;
     const bool same_pairs = pairs_.fits(params);
@@ -202,6 +203,33 @@ Status Sim::set_wind(const plait_wind_desc* desc) {
     if (!wind_.blows())
         model_->close_wind();
     return status;
+}
+
+Status Sim::open_wetness() {
+    struct Closer { // also where memory ends half-way
+        Sim* sim;
+        ~Closer() {
+            if (sim)
+                sim->close_wetness();
+        }
+    } closer{this};
+    PLAIT_TRY(Wetness::open(device(), layout_, state_, &context_.memory));
+    PLAIT_TRY(model_->open_wetness(device()));
+    PLAIT_TRY(grid_.volume().keep_wetness(device(), true));
+    PLAIT_TRY(display_.keep_wetness(device(), layout_, state_, true, &context_.memory));
+    PLAIT_TRY(check_stages());
+    append_shown();
+    PLAIT_TRY(check_schedule());
+    closer.sim = nullptr;
+    return {};
+}
+
+// The material of dry strands is where it was.
+void Sim::close_wetness() {
+    (void)display_.keep_wetness(device(), layout_, state_, false, &context_.memory);
+    (void)grid_.volume().keep_wetness(device(), false);
+    model_->close_wetness();
+    Wetness::close(state_);
 }
 
 Status Sim::set_detail(const plait_detail_desc* desc, std::span<const uint32_t> centres) {

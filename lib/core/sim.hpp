@@ -15,6 +15,7 @@
 #include "core/root_binding.hpp"
 #include "core/roots.hpp"
 #include "core/skin.hpp"
+#include "core/wetness.hpp"
 #include "core/wind.hpp"
 
 #include <memory>
@@ -181,6 +182,7 @@ class Sim {
     void append_phases(const At& at);
     void append_roots(const At& at);
     void append_pins(const At& at);
+    void append_wetness(const At& at);
     void append_air(const At& at);
     void append_accelerations(const At& at);
     void append_pairs(const At& at);
@@ -231,6 +233,11 @@ class Sim {
     Status write_velocity(const float* src);
     Status write_acceleration(std::span<const float> src);
     Status write_pins(std::span<const float> src);
+    Status check_gets_wet() const;
+    Status write_wetness(std::span<const float> src);
+    Status open_wetness(); // of all that needs it, or of nothing
+    void close_wetness();
+    void dry();
     // A run of floats that a snapshot holds.
     struct Block {
         enum class Of {
@@ -240,7 +247,8 @@ class Sim {
             motion,
             turns,
             pushes,
-            pressures
+            pressures,
+            wetness
         }; // what its values may be
         const Buffer* buffer;
         size_t floats;
@@ -283,6 +291,7 @@ class Sim {
     Clock clock_;
     Schedule schedule_;
     Wind wind_;
+    Wetness wetness_;     // where state_.wetness is there
     PinTable pin_table_;  // filled by the first set_pins
     Buffer pose_spare_;   // float4 [2*guides], from the first teleport on
     Buffer strand_stats_; // float4 [guides], from the first measurement on

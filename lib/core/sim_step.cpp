@@ -3,6 +3,7 @@
 //                     call begins      fixed step begins     substep     fixed step ends   call ends
 //   roots                              poses of their own    poses
 //   pins                               targets                                             targets
+//   wetness                            dries; material
 //   air                                eddies, shelter
 //   volume                             pressure at rest                  pressure, velocities
 //   accelerations                      of single vertices
@@ -16,7 +17,7 @@
 //
 // A phase appends dispatches and changes nothing else, so that the same list says which kernels a
 // sim needs before its first step. What the host keeps (paths of roots, pins and colliders, the
-// wind's grid and time) moves on by advance() and place(), once a fixed step, and by arrive(), at the
+// wind's grid and time, how much of the wetness is left) moves on by advance() and place(), once a fixed step, and by arrive(), at the
 // end of a call.
 #include "core/pins.hpp"
 #include "core/sim.hpp"
@@ -27,10 +28,12 @@ namespace plait {
 
 // In the order in which they act at one moment.
 constexpr Sim::Phase Sim::phases[] = {
-    &Sim::append_roots,           &Sim::append_pins,    &Sim::append_air,
+    &Sim::append_roots,         &Sim::append_pins,
+    &Sim::append_wetness,       &Sim::append_air,
     &Sim::append_volume, // whose pressure is an acceleration
-    &Sim::append_accelerations,   &Sim::append_pairs,   &Sim::append_solve,
-    &Sim::append_grid_over_lanes, &Sim::append_publish, &Sim::append_grid,
+    &Sim::append_accelerations, &Sim::append_pairs,
+    &Sim::append_solve,         &Sim::append_grid_over_lanes,
+    &Sim::append_publish,       &Sim::append_grid,
     &Sim::append_display,
 };
 
@@ -57,6 +60,7 @@ Status Sim::step(double dt) {
 Status Sim::fixed_step(double end, uint32_t step, uint32_t steps) {
     roots_.advance(end);
     advance_pins(state_);
+    dry();
     wind_.place(cube_, roots_.step_begin());
     PLAIT_TRY(colliders_.advance(device(), end));
     PLAIT_TRY(bending_.advance(device(), end));
@@ -102,6 +106,22 @@ void Sim::append_pins(const At& at) {
         append_pin_targets(schedule_, layout_, state_, at.end);
     if (at.moment == Moment::call_ends)
         append_pins_arrived(schedule_, layout_, state_);
+}
+
+// What it is at the end of a fixed step is what all of it is taken with.
+void Sim::append_wetness(const At& at) {
+    if (at.moment != Moment::step_begins || !state_.wetness)
+        return;
+    wetness_.append(schedule_, layout_, state_);
+    model_->soak(schedule_, at.substep);
+}
+
+void Sim::dry() {
+    if (!state_.wetness)
+        return;
+    wetness_.pass(clock_.step(), double(desc_.params.drying_time));
+    if (wetness_.is_dry())
+        close_wetness();
 }
 
 void Sim::append_air(const At& at) {

@@ -54,6 +54,9 @@ std::pmr::vector<Sim::Block> Sim::blocks(const SnapshotHeader& h) {
     if (h.pins)
         for (const Buffer* pins : {&state_.pin, &state_.pin_at, &state_.pin_to})
             list.push_back({pins, 4 * vertices, Block::Of::histories, {}});
+    if (h.wet)
+        for (const Buffer* wetness : {&state_.wetness_given, &state_.wetness_held})
+            list.push_back({wetness, layout_.guides, Block::Of::wetness, {}});
     if (h.volume > 0) {
         std::pmr::vector<LaneBuffer> pushes(&context_.memory);
         model_->add_pressure(pushes);
@@ -115,6 +118,8 @@ SnapshotHeader Sim::snapshot_header() {
     h.wind_time = wind_.moving.time;
     std::ranges::copy(wind_.moving.way, h.wind_way);
     std::ranges::copy(wind_.moving.jump, h.wind_jump);
+    h.wet = state_.wetness ? 1 : 0;
+    h.dried = state_.wetness ? wetness_.dried() : 0;
     h.volume = grid_.volume().carries ? desc_.params.grid_edge_count : 0;
     const auto strands = settings();
     h.switched = std::ranges::any_of(
@@ -252,6 +257,12 @@ Status Sim::check_block(const Block& block, const unsigned char* from) const {
                 return outside("volume_potential", i, double(value), "[-1e30, 1e30]");
         return {};
     }
+    if (block.of == Block::Of::wetness) {
+        for (size_t i = 0; i < block.floats; ++i)
+            if (const float value = float_at(from, i); !(value >= 0 && value <= 1))
+                return outside("wetness", i, double(value), "[0, 1]");
+        return {};
+    }
     for (size_t i = 0; i < block.floats; i += 4) {
         if (turns || (poses && i % 8 == 0)) {
             PLAIT_TRY(check_turn(from, i, name, block.lanes.blended));
@@ -363,6 +374,10 @@ Status Sim::restore(std::span<const unsigned char> src) {
     }
     if (*strands != settings())
         PLAIT_TRY(set_settings(*strands));
+    if (!h.wet)
+        close_wetness();
+    else if (!state_.wetness)
+        PLAIT_TRY(open_wetness());
     const auto list = blocks(h);
     schedule_.clear();
     PLAIT_TRY(take_meshes(std::move(*meshes), std::move(*bending)));
@@ -371,6 +386,8 @@ Status Sim::restore(std::span<const unsigned char> src) {
     if (!h.pins)
         PLAIT_TRY(clear_pins(device(), layout_, state_, &context_.memory));
     PLAIT_TRY(restore_blocks(list, from));
+    if (h.wet)
+        PLAIT_TRY(wetness_.resume(device(), state_, h.dried, &context_.memory));
     clock_.waiting = h.waiting;
     clock_.steps = h.steps;
     clock_.dropped = h.dropped;

@@ -144,6 +144,11 @@ Status check_header(const SnapshotHeader& h) {
                                     i, h.wind_way[i], i, double(h.wind_jump[i])));
     if (h.volume > 64)
         return malformed(format("volume is %u nodes, range is [0, 64]", h.volume));
+    if (!(h.dried >= 0 && h.dried <= 1e12))
+        return malformed(format("dried is %g, range is [0, 1e12]", h.dried));
+    if (h.wet > 1 || h.none != 0)
+        return malformed(
+            format("wet is %u, range is [0, 1], and %u after it is not 0", h.wet, h.none));
     if (h.aimed > 1 || h.kept > 1 || h.switched > 1 || h.pins > 1)
         return malformed(
             format("aimed is %u, kept is %u, switched is %u, pins is %u, range is [0, 1]", h.aimed,

@@ -51,15 +51,18 @@ struct SnapshotHeader {
     double wind_way[3];
     float wind_jump[3];
     uint32_t volume; // nodes per edge of the grid whose pressure is carried; 0: none
+    double dried;    // Wetness::dried()
+    uint32_t wet;    // 1: strands may be
+    uint32_t none;   // 0
 };
-static_assert(sizeof(SnapshotHeader) == 72 + 112 + 32 + 48);
+static_assert(sizeof(SnapshotHeader) == 72 + 112 + 32 + 48 + 16);
 static_assert(sizeof(Colliders::Slot) == sizeof(float) * (2 + 22 + 28),
               "no padding: slots are saved as bytes");
 
 namespace snapshots {
 
 constexpr uint32_t magic = 0x74696c70; // "plit"
-constexpr uint32_t version = 8;
+constexpr uint32_t version = 9;
 
 // BAD_DATA.
 Error malformed(const std::string& what);

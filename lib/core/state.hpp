@@ -28,10 +28,15 @@ struct State {
     Buffer pin;              // as the caller wants it at the end of the next call
     Buffer pin_at;           // at the end of the call before
     Buffer pin_from, pin_to; // at begin and end of the last fixed step
+    // Only where hair is wet, see wetness.hpp. float [guides]
+    Buffer wetness;       // now
+    Buffer wetness_given; // as the caller wrote it
+    Buffer wetness_held;  // that material is scaled by
 
-    std::array<const Buffer*, 12> all() const {
-        return {&rest, &vertex_count, &rest_length, &position, &position_prev, &position_prev2,
-                &pose, &acceleration, &pin,         &pin_at,   &pin_from,      &pin_to};
+    std::array<const Buffer*, 15> all() const {
+        return {&rest,           &vertex_count, &rest_length,  &position,      &position_prev,
+                &position_prev2, &pose,         &acceleration, &pin,           &pin_at,
+                &pin_from,       &pin_to,       &wetness,      &wetness_given, &wetness_held};
     }
 };
 

@@ -53,6 +53,7 @@ plait_volume_params faces_params(const plait_sim_params& p, const VolumeGrid& gr
     params.recovery = static_cast<float>(1 - std::exp(-parting * double(grid.step)));
     params.most_recovery = grid.step * p.volume_rate;
     params.cohesion = p.cohesion;
+    params.wet_cohesion = p.wet_cohesion;
     return params;
 }
 
@@ -81,14 +82,36 @@ Result<Volume> Volume::create(Device& device, const plait_sim_params& params) {
     return volume;
 }
 
+Status Volume::keep_wetness(Device& device, bool keep) {
+    if (!keep)
+        wetness_ = {};
+    else if (*this && !wetness_)
+        PLAIT_TRY(device.create(wetness_, PLAIT_ELEMENT_FLOAT, rest_.count(), "volume_wetness"));
+    return {};
+}
+
+// Sums hold one number of hair beside its momentum: where hair coheres by its wetness it is summed
+// first, and the rest after it, so that what stays is as of dry hair.
 void Volume::splat(Schedule& schedule, const VolumeGrid& grid, const Model& model,
                    const Substep& at) const {
+    if (coheres_wet(grid, at))
+        splat_into(schedule, grid, model, at, true, wetness_);
+    splat_into(schedule, grid, model, at, false, rest_);
+}
+
+void Volume::splat_into(Schedule& schedule, const VolumeGrid& grid, const Model& model,
+                        const Substep& at, bool soaked, const Buffer& rest) const {
     for (const Buffer* words : {&grid.outside, &grid.sums})
         schedule.add(PLAIT_STAGE_grid_clear, static_cast<uint32_t>(words->count()),
                      plait_grid_clear_params{0}, {words});
-    model.splat_volume(schedule, at, lanes_of(grid));
-    schedule.add(PLAIT_STAGE_volume_nodes, voxels(grid.params), nodes_params(grid.params, at),
-                 {&grid.sums, &at.colliders, &grid.density, &grid.velocity, &rest_, &solid_});
+    LaneVolume lanes = lanes_of(grid);
+    lanes.soaked = soaked;
+    model.splat_volume(schedule, at, lanes);
+    plait_volume_nodes_params nodes = nodes_params(grid.params, at);
+    if (soaked)
+        nodes.collider_count = 0; // where colliders are is found with the rest
+    schedule.add(PLAIT_STAGE_volume_nodes, voxels(grid.params), nodes,
+                 {&grid.sums, &at.colliders, &grid.density, &grid.velocity, &rest, &solid_});
 }
 
 void Volume::solve(Schedule& schedule, const VolumeGrid& grid, const Substep& at,
@@ -96,11 +119,12 @@ void Volume::solve(Schedule& schedule, const VolumeGrid& grid, const Substep& at
     const uint32_t n = grid.params.edge_count, colour_nodes = n * n * ((n + 1) / 2);
     plait_volume_params params = faces_params(at.params, grid);
     params.carried = before ? 1 : 0;
+    params.wet = coheres_wet(grid, at) ? 1 : 0;
     if (!before)
         std::ranges::copy(fall_of(at.params, grid.params, grid.step), params.fall);
-    schedule.add(
-        PLAIT_STAGE_volume_faces, voxels(grid.params), params,
-        {&grid.density, &grid.velocity, &rest_, &solid_, before, &link_, &node_, &pressure_});
+    schedule.add(PLAIT_STAGE_volume_faces, voxels(grid.params), params,
+                 {&grid.density, &grid.velocity, &rest_, params.wet ? &wetness_ : nullptr, &solid_,
+                  before, &link_, &node_, &pressure_});
     for (uint32_t sweep = 0; sweep < sweeps; ++sweep)
         for (const uint32_t colour : {0u, 1u})
             schedule.add(PLAIT_STAGE_volume_pressure, colour_nodes,
@@ -136,7 +160,7 @@ void Volume::carry() noexcept {
 uint64_t Volume::device_bytes() const {
     uint64_t bytes = 0;
     for (const Buffer* buffer :
-         {&potential_, &next_, &pressure_, &rest_, &solid_, &link_, &node_, &pull_})
+         {&potential_, &next_, &wetness_, &pressure_, &rest_, &solid_, &link_, &node_, &pull_})
         bytes += buffer->bytes();
     return bytes;
 }

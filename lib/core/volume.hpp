@@ -11,6 +11,7 @@ struct VolumeGrid {
     plait_grid_params params;
     float step; // s, the fixed one
     const Buffer &sums, &outside, &density, &velocity;
+    const Buffer* wetness; // of strands, or null
 };
 
 class Volume {
@@ -31,18 +32,27 @@ class Volume {
     bool carries = false;
     const Buffer& potential() const { return potential_; } // float [nv^3*2]
     uint64_t device_bytes() const;
+    // Makes, or frees, what wet strands need; nothing without volume.
+    Status keep_wetness(Device& device, bool keep);
 
   private:
     void splat(Schedule& schedule, const VolumeGrid& grid, const Model& model,
                const Substep& at) const;
+    // `soaked`: `rest` gets the mean wetness.
+    void splat_into(Schedule& schedule, const VolumeGrid& grid, const Model& model,
+                    const Substep& at, bool soaked, const Buffer& rest) const;
+    bool coheres_wet(const VolumeGrid& grid, const Substep& at) const {
+        return grid.wetness && wetness_ && at.params.wet_cohesion > 0;
+    }
     // `before`: null where nothing is carried.
     void solve(Schedule& schedule, const VolumeGrid& grid, const Substep& at, const Buffer* before,
                const Buffer& potential, uint32_t sweeps) const;
     LaneVolume lanes_of(const VolumeGrid& grid) const {
-        return {grid.params, grid.sums, grid.outside, pull_, 0, false};
+        return {grid.params, grid.sums, grid.outside, pull_, 0, false, grid.wetness};
     }
 
     Buffer potential_, next_; // float [nv^3*2]: p over density, density; last step, this one
+    Buffer wetness_;          // float [nv^3], where strands may be wet
     Buffer pressure_, rest_, solid_, link_, node_, pull_;
 };
 

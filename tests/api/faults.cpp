@@ -184,6 +184,7 @@ TEST(Faults, ContainersOfASimAreInTheCallersMemory) {
             run(sim, 2);
             if (model != PLAIT_MODEL_TRESSFX) {
                 sim.create_collider(cube());
+                sim.write(PLAIT_FIELD_WETNESS, {1, 0.5f, 0});
                 sim.set_models({PLAIT_MODEL_ARTICULATED, PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD});
             }
             run(sim, 2);
@@ -276,6 +277,49 @@ TEST(Faults, MaterialStaysWhenTheRestOfTheParametersFails) {
         run(untouched, 1);
         EXPECT_NE(sim.read(PLAIT_FIELD_POSITION), untouched.read(PLAIT_FIELD_POSITION));
     }
+}
+
+TEST(Faults, HairStaysDryWhenWetnessFails) {
+    Faults& faults = faulty();
+    const auto groom = make_groom(tuft(3, 5));
+    auto desc = plait_sim_desc_defaults();
+    desc.follows_per_guide = 1;
+    desc.params.interhair = PLAIT_INTERHAIR_EXACT;
+    desc.params.volume = PLAIT_VOLUME_PRESSURE;
+    const std::vector<float> wetness{1, 0.5f, 0};
+    const auto write = [&](plait::Sim& sim) {
+        return plait_sim_write(sim, PLAIT_FIELD_WETNESS, wetness.data(), 12);
+    };
+    {
+        const auto context = make_context("faulty");
+        plait::Sim sim(context, groom, desc), untouched(context, groom, desc);
+        const int buffers = faults.live_buffers;
+        int refused = 0;
+        for (plait_result result = PLAIT_OUT_OF_MEMORY; result != PLAIT_OK; ++refused) {
+            ASSERT_LT(refused, 100);
+            faults.fail_create_after = refused;
+            result = write(sim);
+            faults.fail_create_after = -1;
+            if (result == PLAIT_OK)
+                break;
+            EXPECT_EQ(result, PLAIT_OUT_OF_MEMORY);
+            EXPECT_EQ(faults.live_buffers, buffers);
+            EXPECT_EQ(sim.read(PLAIT_FIELD_WETNESS), std::vector<float>(3, 0));
+            run(sim, 1);
+            run(untouched, 1);
+            ASSERT_EQ(sim.hash(), untouched.hash()) << "after failure of buffer " << refused;
+        }
+        EXPECT_GE(refused, 6);
+        EXPECT_EQ(sim.read(PLAIT_FIELD_WETNESS), wetness);
+    }
+    faults.missing = PLAIT_STAGE_lane_wetness;
+    const auto context = make_context("faulty");
+    plait::Sim sim(context, groom, desc);
+    run(sim, 1);
+    EXPECT_EQ(write(sim), PLAIT_UNSUPPORTED);
+    EXPECT_NE(std::string(plait_last_error()).find("lane_wetness"), std::string::npos);
+    run(sim, 1);
+    faults.missing = PLAIT_STAGE_COUNT;
 }
 
 TEST(Faults, RootsStayWhenTheirBonesDoNotArrive) {

@@ -9,7 +9,7 @@
 namespace forged {
 
 // Of the header, bytes: where the checksum is, what it covers from where on, and where it ends.
-constexpr size_t checksum_at = 8, covered_from = 16, header_size = 264;
+constexpr size_t checksum_at = 8, covered_from = 16, header_size = 280;
 
 // As base/hash.hpp does it.
 inline uint64_t hash_of(const unsigned char* bytes, size_t size) {

@@ -197,7 +197,7 @@ class Scene {
     Scene(plait::Context& context, const Case& c, uint32_t seed)
         : case_(c), dice_(seed), mesh_dice_(seed + 1000), volume_dice_(seed + 2000),
           bend_dice_(seed + 5000), detail_dice_(seed + 3000), contact_dice_(seed + 4000),
-          sim_(context, groom(), random_desc(c, dice_)) {}
+          wet_dice_(seed + 6000), sim_(context, groom(), random_desc(c, dice_)) {}
 
     void frame_of_calls() {
         for (uint32_t i = dice_.below(4); i > 0; --i)
@@ -213,6 +213,8 @@ class Scene {
                                    : sim_.set_detail(random_detail(detail_dice_));
         if (case_.model > PLAIT_MODEL_CHAIN && contact_dice_.one_in(6))
             change_strand_contact();
+        if (case_.model != PLAIT_MODEL_TRESSFX && wet_dice_.one_in(6))
+            change_wetness();
         at_ = {at_[0] + dice_.between(-0.03f, 0.03f), at_[1], at_[2]};
         sim_.set_roots(head_at(at_));
         sim_.step(dice_.one_in(10) ? 0.04 : frame);
@@ -292,6 +294,17 @@ class Scene {
         params.cohesion = volume_dice_.one_in(2) ? 0 : volume_dice_.decade(-2, 2);
         sim_.set_params(params);
     }
+    void change_wetness() {
+        auto params = sim_.params();
+        params.drying_time = wet_dice_.one_in(3) ? 0 : wet_dice_.decade(-2, 3);
+        params.wet_cohesion = wet_dice_.one_in(3) ? 0 : wet_dice_.decade(-2, 2);
+        sim_.set_params(params);
+        std::vector<float> wetness(sim_.read(PLAIT_FIELD_WETNESS).size());
+        const bool dry = wet_dice_.one_in(5);
+        for (float& w : wetness)
+            w = dry || wet_dice_.one_in(3) ? 0 : wet_dice_.between(0, 1);
+        sim_.write(PLAIT_FIELD_WETNESS, wetness);
+    }
     void change_strand_contact() {
         auto params = sim_.params();
         params.strand_contact =
@@ -308,7 +321,7 @@ class Scene {
     }
 
     const Case& case_;
-    Dice dice_, mesh_dice_, volume_dice_, bend_dice_, detail_dice_, contact_dice_;
+    Dice dice_, mesh_dice_, volume_dice_, bend_dice_, detail_dice_, contact_dice_, wet_dice_;
     std::map<uint64_t, std::vector<float>> bending_; // as they were made, by id
     plait::Sim sim_;
     std::vector<plait_collider_id> colliders_;

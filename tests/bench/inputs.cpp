@@ -95,7 +95,7 @@ void fill(plait_follow_turns_params& p, const Shape& shape) {
     p = {shape.vertices, shape.strands};
 }
 void fill(plait_follow_clump_params& p, const Shape& shape) {
-    p = {shape.vertices, shape.strands, {0, 0.3f, 0.7f, 0.9f}};
+    p = {shape.vertices, shape.strands, {0, 0.3f, 0.7f, 0.9f}, 0};
 }
 void fill(plait_follow_collide_params& p, const Shape& shape) {
     p = {shape.vertices, shape.strands, colliders, 0};
@@ -109,6 +109,9 @@ void fill(plait_follow_curl_params& p, const Shape& shape) {
          {0, 1e-3f, 2e-3f, 2e-3f},
          0.01f,
          1};
+}
+void fill(plait_wetness_params& p, const Shape&) {
+    p.left = 0.5f;
 }
 void fill(plait_grid_clear_params& p, const Shape&) {
     p.value = PLAIT_SLOT_EMPTY;
@@ -760,6 +763,9 @@ const std::map<std::string, Maker>& makers() {
         {"follow_arc", arcs},
         {"clump_centre", [](const Shape& s) { return counting(s.strands); }},
         {"clump_place", own_places},
+        {"wetness_given", [](const Shape& s) { return Words(s.strands, word(1)); }},
+        {"wetness_held", [](const Shape& s) { return Words(s.strands, word(0.5f)); }},
+        {"lane_dry", lane_material}, // of which all rows are to be scaled
         {"guide_turn", [](const Shape& s) { return vectors(s.total(), 0, 0, 0, 1); }},
         {"grid_slot", slots},
         {"lane_material", lane_material},

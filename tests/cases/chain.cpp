@@ -15,7 +15,7 @@ Case chain_case() {
         {{"lane_x", 2e-5}, {"lane_v", 1e-3}, {"lane_x_before", 2e-5}, {"lane_v_before", 1e-3}}};
     result.ratios = {"lane_material.mass"}; // there is no stiffness to hold it against
     result.unread = unread_of_colliders();
-    for (const char* stiffness : {"stretch", "bend", "twist", "cross"})
+    for (const char* stiffness : {"stretch", "bend", "twist", "cross", "wetness"})
         result.unread.push_back(std::string("lane_material.") + stiffness);
     for (const Size& size : sizes())
         for (const uint32_t bdf2 : {0u, 1u})

@@ -13,6 +13,7 @@ Case cosserat_case() {
                     {"lane_x_before", 2e-5},
                     {"lane_v_before", 1e-3}},
                    unread_of_colliders()};
+    result.unread.push_back("lane_material.wetness");
     for (const Size& size : sizes())
         for (const uint32_t bdf2 : {0u, 1u})
             result.setups.push_back(

@@ -82,8 +82,8 @@ std::vector<float> some_pins(const LaneHair& lanes) {
 
 Case lane_air_case() {
     Case result = {PLAIT_STAGE_lane_air, {}, {{"lane_push", 2e-3}, {"lane_spring", 4e-5}}};
-    result.unread = {"lane_material.stretch", "lane_material.bend", "lane_material.twist",
-                     "lane_material.cross", "lane_material.friction"};
+    result.unread = {"lane_material.stretch", "lane_material.bend",     "lane_material.twist",
+                     "lane_material.cross",   "lane_material.friction", "lane_material.wetness"};
     for (const Size& size : sizes())
         for (const Form& form : forms) {
             LaneHair lanes = make_lane_hair(size, 61);

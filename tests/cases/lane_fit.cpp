@@ -9,7 +9,8 @@ Case lane_fit_case() {
                    {},
                    {{"lane_x", 1e-4}, {"lane_x_before", 1e-4}, {"lane_v_before", 0}},
                    {"lane_x_before", "lane_v_before"}}; // written or kept
-    for (const char* other : {"stretch", "bend", "mass", "twist", "cross", "drag", "friction"})
+    for (const char* other :
+         {"stretch", "bend", "mass", "twist", "cross", "drag", "friction", "wetness"})
         result.unread.push_back(std::string("lane_material.") + other);
     struct Way {
         uint32_t history, lengths;

@@ -6,7 +6,8 @@ namespace plait::cases {
 Case lane_pin_case() {
     Case result = {PLAIT_STAGE_lane_pin, {}, {{"lane_pin", 2e-5}}, {}};
     result.unread = {"lane_material.stretch", "lane_material.bend", "lane_material.twist",
-                     "lane_material.cross",   "lane_material.drag", "lane_material.friction"};
+                     "lane_material.cross",   "lane_material.drag", "lane_material.friction",
+                     "lane_material.wetness"};
     result.flags = {"pin_from.w"};
     for (const Size& size : sizes())
         for (const float rate : {2e6f, 10.0f}) {

@@ -65,7 +65,8 @@ Case mesh_contact_case() {
                      "lane_material.bend",
                      "lane_material.twist",
                      "lane_material.cross",
-                     "lane_material.friction"};
+                     "lane_material.friction",
+                     "lane_material.wetness"};
     for (const Size& size : contact_sizes())
         for (const uint32_t bdf2 : {0u, 1u}) {
             result.setups.push_back(mesh_setup(size, bdf2, 61));

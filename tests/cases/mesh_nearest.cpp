@@ -59,6 +59,7 @@ Case mesh_nearest_case() {
                      "lane_material.twist",
                      "lane_material.cross",
                      "lane_material.friction",
+                     "lane_material.wetness",
                      "mesh_box",    // bounds, which the reference does without
                      "mesh_bends"}; // a bound, too, and whether there is anything to bend
     result.decides = {

@@ -24,13 +24,16 @@ Case volume_faces_case() {
             params.recovery = 0.2f;
             params.most_recovery = 0.08f;
             params.cohesion = 0.6f;
+            params.wet_cohesion = 0.4f;
             params.carried = carried;
+            params.wet = edge_count % 2;
             Setup setup;
             setup.name = nodes.name() + (carried ? ", carried" : "");
             setup.items = nodes.count();
             setup.buffers = {floats(nodes.density),
                              float4s(nodes.velocity),
                              floats(nodes.rest),
+                             floats(nodes.wetness),
                              float4s(nodes.solid),
                              floats(nodes.potential),
                              unwritten_float4s(nodes.count()),

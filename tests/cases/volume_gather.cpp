@@ -22,7 +22,8 @@ std::vector<float> pulls(uint32_t nodes) {
 Case volume_gather_case() {
     Case result = {PLAIT_STAGE_volume_gather,
                    {},
-                   {{"lane_v", 1e-6}, {"lane_v_before", 1e-6}, {"lane_pressure", 3e-5}}};
+                   {{"lane_v", 1e-6}, {"lane_v_before", 1e-6}, {"lane_pressure", 3e-5}},
+                   {"wet", "soaked"}};
     for (const GridHair& hair : make_grid_hair())
         for (const uint32_t moves : {1u, 0u}) {
             const LaneGridHair lanes = over_lanes(hair);

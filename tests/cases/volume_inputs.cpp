@@ -29,13 +29,14 @@ const std::vector<uint32_t>& volume_sizes() {
 }
 
 VolumeNodes make_volume_nodes(uint32_t n) {
-    Random random(n);
+    Random random(n), wet(n + 1);
     VolumeNodes nodes;
     nodes.edge_count = n;
     for (uint32_t i = 0; i < n * n * n; ++i) {
         const bool empty = i % 5 == 3, thin = i % 5 == 1, inside = i % 7 == 4;
         nodes.density.push_back(empty ? 0 : thin ? draw(random, .05, .1) : draw(random, .4, 4));
         nodes.rest.push_back(empty ? 0 : draw(random, 2.2, 3));
+        nodes.wetness.push_back(draw(wet, .2, 1));
         add_vector(nodes.velocity, random, .6, 1);
         add_vector(nodes.solid, random, inside ? 1 : 0, inside ? 1 : 0);
         nodes.before.push_back(empty ? 0 : draw(random, 0, 2));

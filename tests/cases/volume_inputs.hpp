@@ -9,7 +9,8 @@ namespace plait::cases {
 // Of [n^3] nodes: floats of FLOAT4 buffers four each.
 struct VolumeNodes {
     uint32_t edge_count;
-    std::vector<float> density, velocity, rest, solid, potential, before, link, node, pressure;
+    std::vector<float> density, velocity, rest, solid, potential, before, link, node, pressure,
+        wetness;
 
     uint32_t count() const { return edge_count * edge_count * edge_count; }
     std::string name() const { return std::to_string(edge_count) + " nodes"; }

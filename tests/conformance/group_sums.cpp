@@ -194,6 +194,7 @@ TEST_P(OnDevice, of_volume_are_those_of_the_grid) {
         List list;
         list.push_back(nullptr);
         list.push_back(counts_on(device));
+        list.push_back(nullptr);
         list.push_back(floats_on(device, rows * PLAIT_LANE_SHARE_COMPONENTS, 1, 5));
         list.push_back(floats_on(device, rows * 3, 0.3f, 6));
         list.push_back(floats_on(device, rows * 3, 2, 7));

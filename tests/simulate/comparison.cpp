@@ -73,6 +73,16 @@ TEST_F(Comparison, is_with_the_run_without_volume) {
     EXPECT_EQ(variants[2].sim.params.interhair, PLAIT_INTERHAIR_EXACT);
 }
 
+TEST_F(Comparison, of_wet_hair_is_with_dry_hair) {
+    const Scene scene = read(R"({"wetness": 1, "params": {"volume": "pressure"}})");
+    EXPECT_EQ(simulate::label_of(scene), "articulated + volume, wet");
+    const std::vector<Variant> variants = simulate::variants_beside(scene);
+    ASSERT_EQ(variants.size(), 1u);
+    EXPECT_EQ(variants[0].label, "articulated + volume, dry");
+    EXPECT_TRUE(variants[0].of(scene).wetness.empty());
+    EXPECT_EQ(variants[0].sim.params.volume, PLAIT_VOLUME_PRESSURE);
+}
+
 // Detail after the simulation: its rows take the place of TressFX's, and the run's own says what it has.
 TEST_F(Comparison, is_with_other_details_where_the_scene_has_them) {
     const Scene scene =

@@ -50,6 +50,22 @@ TEST_F(SceneFile, has_wind) {
     EXPECT_THAT(refusal(R"({"model": "tressfx", "wind": {}})"), HasSubstr("tressfx"));
 }
 
+TEST_F(SceneFile, has_wetness) {
+    EXPECT_TRUE(read("{}").wetness.empty());
+    EXPECT_EQ(read(R"({"wetness": 0.5})").wetness, std::vector<float>{0.5f});
+    write("wet.txt", "0 0.25\n1 0.5\n");
+    EXPECT_EQ(read(R"({"wetness": "wet.txt"})").wetness, (std::vector<float>{0, 0.25f, 1, 0.5f}));
+    EXPECT_FLOAT_EQ(read(R"({"params": {"drying_time": 4}})").sim.params.drying_time, 4);
+    EXPECT_THAT(refusal(R"({"wetness": 1.5})"), HasSubstr("wetness"));
+    EXPECT_THAT(refusal(R"({"wetness": true})"), HasSubstr("wetness"));
+    EXPECT_THAT(refusal(R"({"wetness": "none.txt"})"), HasSubstr("none.txt"));
+    write("wrong.txt", "0 0.5 2\n");
+    EXPECT_THAT(refusal(R"({"wetness": "wrong.txt"})"), HasSubstr("number 2 is 2, range is [0,1]"));
+    write("words.txt", "0 wet\n");
+    EXPECT_THAT(refusal(R"({"wetness": "words.txt"})"), HasSubstr("number 1 is wet"));
+    EXPECT_THAT(refusal(R"({"model": "tressfx", "wetness": 1})"), HasSubstr("tressfx"));
+}
+
 TEST_F(SceneFile, has_meshes) {
     const Scene scene = read(R"({"meshes": [{"file": "a.obj", "scale": 0.01, "margin": 0.002,
         "friction": 0.1, "cells": 64, "two_sided": true, "moves_with_head": false}]})");

@@ -47,6 +47,8 @@ std::string Variant::short_label() const {
 Scene Variant::of(Scene scene) const {
     scene.sim = sim;
     scene.detail = detail;
+    if (dry)
+        scene.wetness.clear();
     scene.profile = false;
     scene.trace.clear();
     return scene;
@@ -65,6 +67,8 @@ std::string label_of(const plait_sim_desc& sim) {
 
 std::string label_of(const Scene& scene) {
     std::string label = label_of(scene.sim);
+    if (!scene.wetness.empty())
+        label += ", wet";
     if (!scene.detail)
         return label;
     const plait_detail_desc& detail = *scene.detail;
@@ -105,6 +109,8 @@ std::vector<Variant> variants_beside(const Scene& scene) {
             variants.push_back({choice.name, scene.sim, choice.detail});
         return variants;
     }
+    if (!scene.wetness.empty())
+        return {{label_of(scene.sim) + ", dry", scene.sim, scene.detail, true}};
     const bool own = scene.sim.model == PLAIT_MODEL_TRESSFX;
     const plait_sim_params& params = scene.sim.params;
     std::vector<Variant> variants;

@@ -13,6 +13,7 @@ struct Variant {
     std::string label;
     plait_sim_desc sim;
     Detail detail;
+    bool dry = false; // though the scene is wet
 
     std::string short_label() const; // in few letters, for films
     Scene of(Scene scene) const;     // the scene run this way
@@ -32,7 +33,7 @@ std::string tressfx_settings(const plait_sim_desc& sim);
 
 // The scene's other details; without any, TressFX alone, and with the inter-hair step as the thesis
 // has it: those of the two that are not the run itself; and the run without volume, where it has
-// volume.
+// volume. A run whose hair is wet stands beside itself dry alone.
 std::vector<Variant> variants_beside(const Scene& scene);
 
 } // namespace simulate

@@ -82,12 +82,29 @@ Simulation::Simulation(const Scene& scene, const Figure& figure)
         add_pins();
     if (scene.wind && scene.sim.model != PLAIT_MODEL_TRESSFX) // which has none
         check(plait_sim_set_wind(sim_.get(), &*scene.wind));
+    if (!scene.wetness.empty() && scene.sim.model != PLAIT_MODEL_TRESSFX)
+        add_wetness();
     if (scene.detail)
         check(plait_sim_set_detail(sim_.get(), &*scene.detail));
 }
 
 plait_sim_stats Simulation::stats() const {
     return stats_of(sim_.get());
+}
+
+void Simulation::add_wetness() {
+    const size_t strands = figure_.info.strands;
+    if (scene_.wetness.size() > 1 && scene_.wetness.size() != strands)
+        throw Failure("wetness has " + std::to_string(scene_.wetness.size()) +
+                      " numbers, the groom has " + std::to_string(strands) + " strands");
+    std::vector<uint32_t> all(strands);
+    for (uint32_t i = 0; i < all.size(); ++i)
+        all[i] = i;
+    std::vector<float> wetness;
+    for (const uint32_t strand : figure_.of_simulated(all))
+        wetness.push_back(scene_.wetness[std::min<size_t>(strand, scene_.wetness.size() - 1)]);
+    check(plait_sim_write(sim_.get(), PLAIT_FIELD_WETNESS, wetness.data(),
+                          wetness.size() * sizeof wetness[0]));
 }
 
 void Simulation::add_pins() {

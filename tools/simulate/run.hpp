@@ -61,6 +61,7 @@ class Simulation {
     void add_colliders();
     void add_meshes();
     void add_pins();
+    void add_wetness();
     bool keeps_timeline() const { return scene_.profile || !scene_.trace.empty(); }
     // Does `work`, and enters it under `call`, which has yet no times.
     template <typename Work> void timed(Timeline& timeline, HostCall call, const Work& work) const;

@@ -203,6 +203,25 @@
 /* Overrelaxation of the sweeps: layers of hair are a few voxels deep. Ours. */
 #define PLAIT_VOLUME_RELAXATION PLAIT_NUMBER(1.5)
 
+/* ---- wetness -----------------------------------------------------------------------------------
+ */
+
+/* What wetness w does, as 1 + factor w or 1 - factor w: to line density (hair takes up a third of its
+ * mass, and a film), bend and twist stiffness, the density that volume keeps, and the distance of a
+ * follow from its guide. Starting values, of which none was measured. Ours. */
+#define PLAIT_WET_DENSITY PLAIT_NUMBER(0.6)
+#define PLAIT_WET_BEND PLAIT_NUMBER(0.5)
+#define PLAIT_WET_CLOSENESS PLAIT_NUMBER(2.0)
+#define PLAIT_WET_FOLLOW PLAIT_NUMBER(0.8)
+/* Move of w for which rows of material are scaled anew: 1.2 % of a mass. Ours. */
+#define PLAIT_WETNESS_MOVE PLAIT_NUMBER(0.02)
+/* w below which hair is dry: e^(-t/tau) alone never gets there. Ours. */
+#define PLAIT_WETNESS_DRY PLAIT_NUMBER(1e-3)
+/* EA l: least 4 EI/l of a joint. Orientations are found from what joints and stretch pull at them; of
+ * joints alone without stiffness they would find nothing and stay. Far below what can be seen:
+ * Gamma 4e5 at 16 segments. Ours. */
+#define PLAIT_LANE_LEAST_BEND PLAIT_NUMBER(1e-5)
+
 /* ---- follow_clump and follow_curl --------------------------------------------------------------
  */
 

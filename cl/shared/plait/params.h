@@ -212,6 +212,8 @@ typedef struct plait_follow_clump_params {
     plait_u32 vertex_stride;
     plait_u32 guide_count;
     float clump[4]; /* share of the way to the centre, [0, 1] */
+    plait_u32
+        wet; /* 1: that, times 0.8 the wetness of the centre, a guide; 0: strand_wetness is null */
 } plait_follow_clump_params;
 
 /* follow_collide, follow_field, follow_nearest: follow strands out of colliders. */
@@ -418,7 +420,9 @@ typedef struct plait_lane_volume_params {
     float t[4];
     float blend;       /* as in plait_volume_impulse_params (volume_gather) */
     plait_u32 moves;   /* 1: velocities change; 0: lane_pressure alone is written (volume_gather) */
-    plait_u32 history; /* 1: BDF2's step before is kept; 0: lane_v_before is null */
+    plait_u32 history; /* 1: BDF2's step before is kept; 0: lane_v_before is null (volume_gather) */
+    plait_u32 wet;     /* 1: strands have a wetness; 0: strand_wetness is null (volume_splat) */
+    plait_u32 soaked;  /* 1, where wet: the fifth sum is of wetness (volume_splat) */
 } plait_lane_volume_params;
 
 typedef struct plait_volume_nodes_params {
@@ -441,7 +445,9 @@ typedef struct plait_volume_params {
     float recovery;      /* [0, 1]: share of what is denser that parts in a step */
     float most_recovery; /* and at most this share of the volume */
     float cohesion;      /* m^2/s^2: what hair bears in tension, over its density at rest */
+    float wet_cohesion;  /* m^2/s^2: what wetness 1 adds to it */
     plait_u32 carried;   /* 1: pressure starts as it was; 0: volume_before is null */
+    plait_u32 wet;       /* 1: hair has a wetness; 0: volume_wetness is null */
 } plait_volume_params;
 
 typedef struct plait_volume_sweep_params {
@@ -484,6 +490,17 @@ typedef struct plait_lane_layout_params {
     plait_u32 row_stride;
     float h; /* s: position_prev = position - h v; the step before is h ago (lane_orient) */
 } plait_lane_layout_params;
+
+/* wetness. */
+typedef struct plait_wetness_params {
+    float left; /* [0, 1]: e^(-t/tau), t since the wetness was given */
+} plait_wetness_params;
+
+/* lane_wetness. */
+typedef struct plait_lane_wetness_params {
+    plait_u32 vertex_stride;
+    plait_u32 tile;
+} plait_lane_wetness_params;
 
 /* bounds: item i takes the elements [i*share, (i+1)*share) of `count`. */
 typedef struct plait_bounds_params {
@@ -531,6 +548,10 @@ typedef struct plait_lane_move_params {
 /* Of row V - 1, after whose vertex no strand has a segment: two scales of the whole strand. */
 #define PLAIT_LANE_DRAG 1     /* of params.drag */
 #define PLAIT_LANE_FRICTION 2 /* of the coefficient of whatever the strand touches */
+/* And in that row, where hair may be wet: the wetness that a strand's rows are scaled by; and, of
+ * lane_dry, 1 where EA was chosen by weight, and so grows with it. */
+#define PLAIT_LANE_WETNESS 4
+#define PLAIT_LANE_WEIGHED 5
 
 /* lane_plane: of each vertex the plane of a mesh or a strand that it may meet in the substep. Row 0, for the
  * root has none, holds the last vertex of the strand that has one, and rows after that anything. */

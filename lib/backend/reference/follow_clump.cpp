@@ -35,10 +35,16 @@ void follow_clump(uint32_t item_count, const plait_follow_clump_params& params,
         const size_t centre = size_t{args.clump_centre[item]} * stride;
         if (centre == to)
             continue;
+        // of a wet follow the centre is its guide
+        const double wet =
+            params.wet ? PLAIT_WET_FOLLOW * args.strand_wetness[args.clump_centre[item]] : 1;
+        if (wet == 0)
+            continue;
         const double length = args.follow_arc[from + stride - 1];
         const auto path_at = [&](const Vec3& x, size_t i) {
             const Vec3 aim = place_on(args.position, centre, stride, args.clump_place[from + i]);
-            return Vec3(x + ramp(params.clump, args.follow_arc[from + i] / length) * (aim - x));
+            const double drawn = ramp(params.clump, args.follow_arc[from + i] / length);
+            return Vec3(x + wet * drawn * (aim - x));
         };
         Vec3 x = xyz(args.position[to]), path = path_at(x, 0), at = x;
         for (size_t i = 1; i < stride; ++i) {

@@ -51,6 +51,8 @@ class Shape {
             pressure_ = params.pressure != 0;
         if constexpr (requires { params.carried; })
             carried_ = params.carried != 0;
+        if constexpr (requires { params.wet; })
+            wet_ = params.wet != 0;
         if constexpr (requires { params.boxes; })
             points_ = size_t{params.count} * (params.boxes ? 2 : 1);
         set_rows(space);
@@ -90,7 +92,8 @@ class Shape {
     bool per_root_ = false;
     bool history_ = false;
     // where the parameters do not say
-    bool accelerates_ = true, pins_ = true, field_ = true, pressure_ = true, carried_ = true;
+    bool accelerates_ = true, pins_ = true, field_ = true, pressure_ = true, carried_ = true,
+         wet_ = true;
     bool planes_ = false; // mesh_contact makes them, and checks on access
 };
 

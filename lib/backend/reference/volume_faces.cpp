@@ -32,6 +32,10 @@ class Equations {
     bool solid(size_t node) const { return args_.volume_solid[node].w() > 0; }
     double density(size_t node) const { return args_.grid_density[node]; }
     double kept(size_t node) const { return params_.share * args_.volume_rest[node]; }
+    double cohesion(size_t node) const {
+        const double wet = params_.wet ? args_.volume_wetness[node] : 0;
+        return double(params_.cohesion) + double(params_.wet_cohesion) * wet;
+    }
     double before(size_t node) const {
         if (!params_.carried)
             return 0;
@@ -84,7 +88,7 @@ class Equations {
             links += between;
         });
         const bool coheres = density(node) > PLAIT_VOLUME_COHESIVE * kept(node);
-        return {left / lambda, coheres ? -params_.cohesion * kept(node) : 0.0,
+        return {left / lambda, coheres ? -cohesion(node) * kept(node) : 0.0,
                 PLAIT_VOLUME_RELAXATION / links, 0};
     }
 

@@ -1,8 +1,10 @@
 // volume_splat: what grid_splat sums up, of vertices that stand for different amounts of hair, and
-// instead of the energy the density at rest.
+// instead of the energy the density at rest; of wet hair 1 + 2 w times as much, or w itself.
 #include "backend/reference/grid.hpp"
 #include "backend/reference/grid_sum.hpp"
 #include "backend/reference/lanes.hpp"
+
+#include <plait/constants.h>
 
 #include <algorithm>
 #include <cmath>
@@ -44,6 +46,12 @@ void volume_splat(uint32_t item_count, const plait_lane_volume_params& params,
         const auto share = [&](size_t i, size_t component) {
             return args.lane_share[lane.index(i, component, PLAIT_LANE_SHARE_COMPONENTS)];
         };
+        const double wetness = params.wet ? args.strand_wetness[strand] : 0;
+        const auto fifth = [&](size_t i) {
+            return params.wet && params.soaked
+                       ? wetness
+                       : share(i, PLAIT_LANE_SHARE_REST) * (1 + PLAIT_WET_CLOSENESS * wetness);
+        };
         for (size_t i = 0; i < count; ++i) {
             const Vec3 x = i > 0 ? Vec3(root + lane.vector(args.lane_x, i)) : root;
             const auto nodes = grid.nodes(grid.coordinates(x));
@@ -51,8 +59,7 @@ void volume_splat(uint32_t item_count, const plait_lane_volume_params& params,
                 ++args.grid_outside[0];
             const Vec3 v = limited(grid.components(lane.vector(args.lane_v, i)));
             for (size_t node = 0; node < nodes.count; ++node)
-                add(args.grid_sum, nodes.node[node], share(i, PLAIT_LANE_SHARE_HAIR), v,
-                    share(i, PLAIT_LANE_SHARE_REST));
+                add(args.grid_sum, nodes.node[node], share(i, PLAIT_LANE_SHARE_HAIR), v, fifth(i));
         }
     }
 }

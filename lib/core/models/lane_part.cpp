@@ -160,10 +160,25 @@ Status LanePart::make_fill(Device& device, Fill& fill, const Members& members,
     PLAIT_TRY(put(fill.rest, rows.rest, "lane_rest"));
     if (!rows.start.empty())
         PLAIT_TRY(put(fill.start, rows.start, "lane_start"));
+    if (source_.wet)
+        PLAIT_TRY(make_wet(device, fill));
     fill.of = materials;
     fill.load = load;
     fill.sag = rows.sag;
     return {};
+}
+
+// Rows that no strand's wetness agrees with, so that the next soak() writes all of them.
+Status LanePart::make_wet(Device& device, Fill& fill) const {
+    const std::pmr::vector<float> unknown(fill.material.count(), -1.0f, source_.memory);
+    PLAIT_TRY(device.create(fill.wet, PLAIT_ELEMENT_FLOAT, unknown.size(), "lane_material"));
+    return device.write(fill.wet, unknown.data());
+}
+
+void LanePart::soak(Schedule& schedule, const Substep& at) const {
+    schedule.add(PLAIT_STAGE_lane_wetness, lanes_.strands,
+                 plait_lane_wetness_params{lanes_.row, lanes_.tile},
+                 {&lane_strand_, &at.state.wetness_held, &fill_.material, &fill_.wet}, lanes_.row);
 }
 
 // As if the strands had been where they are. At creation, where the state is not filled yet, reset
@@ -262,7 +277,7 @@ void LanePart::pin(Schedule& schedule, const Substep& at) const {
                  plait_lane_pin_params{lanes_.row, lanes_.tile, source_.layout.row, at.share,
                                        pin_hold, steps_of_pin / (step * step), at.h, pin_pull},
                  {&lane_strand_, &at.state.vertex_count, &at.state.rest, &at.state.pose,
-                  &fill_.material, &at.state.pin_from, &at.state.pin_to, &x_, &v_, &pin_},
+                  &material(), &at.state.pin_from, &at.state.pin_to, &x_, &v_, &pin_},
                  lanes_.row);
 }
 
@@ -289,7 +304,7 @@ void LanePart::blow(Schedule& schedule, const Substep& at, const WindStep& wind)
     std::ranges::copy(wind.t, params.t);
     schedule.add(PLAIT_STAGE_lane_air, lanes_.strands, params,
                  {&lane_strand_, &at.state.vertex_count, &at.state.rest, &at.state.pose,
-                  &at.state.acceleration, wind.velocity, &fill_.material, &x_, &v_, &history_.x,
+                  &at.state.acceleration, wind.velocity, &material(), &x_, &v_, &history_.x,
                   &history_.v, &volume_.pressure, &acceleration_, &pin_},
                  lanes_.row);
 }
@@ -301,7 +316,7 @@ void LanePart::find_planes(Schedule& schedule, const Substep& at,
     params.collider_first = at.collider_first + at.collider_count;
     params.collider_count = at.mesh_count;
     schedule.add(PLAIT_STAGE_mesh_contact, lanes_.strands, params,
-                 {&lane_strand_, &at.state.rest, &at.state.pose, &fill_.material, &at.colliders,
+                 {&lane_strand_, &at.state.rest, &at.state.pose, &material(), &at.colliders,
                   &at.meshes->grid, &at.meshes->nodes, &at.meshes->values, &at.meshes->clearance,
                   &push(), &pin_, &x_, &v_, &history_.x, &history_.v, &plane_},
                  lanes_.row);
@@ -317,9 +332,9 @@ void LanePart::find_nearest(Schedule& schedule, const Substep& at,
     const BendingBuffers& m = *at.bending;
     schedule.add(
         PLAIT_STAGE_mesh_nearest, lanes_.strands, params,
-        {&lane_strand_, &at.state.rest, &at.state.pose, &fill_.material, &at.colliders, &m.first,
-         &m.box,        &m.tree,        &m.triangle,    &m.ring,         &m.from,       &m.to,
-         &m.bends,      &m.clearance,   &push(),        &pin_,           &x_,           &v_,
+        {&lane_strand_, &at.state.rest, &at.state.pose, &material(), &at.colliders, &m.first,
+         &m.box,        &m.tree,        &m.triangle,    &m.ring,     &m.from,       &m.to,
+         &m.bends,      &m.clearance,   &push(),        &pin_,       &x_,           &v_,
          &history_.x,   &history_.v,    &plane_},
         lanes_.row);
 }
@@ -369,12 +384,12 @@ void LanePart::substep(Schedule& schedule, const Substep& at, float mean_length)
         find_strands(schedule, at);
     if (!traits_.bends)
         schedule.add(traits_.stage, lanes_.strands, params,
-                     {&lane_strand_, &at.state.rest, &at.state.pose, &fill_.material, &at.colliders,
+                     {&lane_strand_, &at.state.rest, &at.state.pose, &material(), &at.colliders,
                       &push(), &pin_, &plane_, &x_, &v_, &history_.x, &history_.v},
                      lanes_.row);
     else
         schedule.add(traits_.stage, lanes_.strands, params,
-                     {&lane_strand_, &at.state.rest, &at.state.pose, &fill_.material, &fill_.rest,
+                     {&lane_strand_, &at.state.rest, &at.state.pose, &material(), &fill_.rest,
                       &at.colliders, &push(), &pin_, &plane_, &x_, &v_, &q_, &q_before_,
                       &history_.x, &history_.v},
                      lanes_.row);
@@ -434,13 +449,15 @@ plait_lane_volume_params LanePart::volume_params(const LaneVolume& volume) const
     params.blend = volume.blend;
     params.moves = volume.moves ? 1 : 0;
     params.history = history_.v ? 1 : 0;
+    params.wet = volume.wetness ? 1 : 0;
+    params.soaked = volume.soaked ? 1 : 0;
     return params;
 }
 
 void LanePart::splat_volume(Schedule& schedule, const Substep& at, const LaneVolume& volume) const {
     schedule.add(PLAIT_STAGE_volume_splat, lanes_.strands, volume_params(volume),
-                 {&lane_strand_, &at.state.vertex_count, &volume_.share, &x_, &v_, &volume.sums,
-                  &volume.outside},
+                 {&lane_strand_, &at.state.vertex_count, volume.wetness, &volume_.share, &x_, &v_,
+                  &volume.sums, &volume.outside},
                  lanes_.row);
 }
 
@@ -478,8 +495,8 @@ void LanePart::add_dynamic(std::pmr::vector<LaneBuffer>& to) const {
 
 uint64_t LanePart::device_bytes() const {
     uint64_t bytes = 0;
-    for (const Buffer* buffer : {&fill_.material, &fill_.rest, &fill_.start, &x_, &v_, &q_,
-                                 &q_before_, &history_.x, &history_.v, &acceleration_, &pin_,
+    for (const Buffer* buffer : {&fill_.material, &fill_.wet, &fill_.rest, &fill_.start, &x_, &v_,
+                                 &q_, &q_before_, &history_.x, &history_.v, &acceleration_, &pin_,
                                  &plane_, &lane_strand_, &volume_.share, &volume_.pressure})
         bytes += buffer->bytes();
     return bytes;

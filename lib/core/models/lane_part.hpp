@@ -25,6 +25,7 @@ struct LaneSource {
     plait_sag_free sag_free;
     bool accelerates, pins;
     bool wind = false;
+    bool wet = false;    // strands may be
     bool planes = false; // of meshes or strands
     std::pmr::memory_resource* memory;
     RestStrands strands; // for when the material changes
@@ -67,6 +68,10 @@ class LanePart {
     Status open_forces(Device& device);
     void close_forces();
 
+    Status open_wetness(Device& device) { return make_wet(device, fill_); }
+    void close_wetness() { fill_.wet = {}; }
+    void soak(Schedule& schedule, const Substep& at) const;
+
     Status keep_planes(Device& device, bool keep);
     void accelerate(Schedule& schedule, const Substep& at) const;
     // `mean_length`: m, of all strands of the sim.
@@ -99,6 +104,7 @@ class LanePart {
         RestLoad load;
         SagReport sag;
         Buffer material, rest, start; // start: where a sag-free strand starts
+        Buffer wet;                   // material as wetness scales it, where strands may be wet
     };
     // BDF2's step before.
     struct History {
@@ -120,6 +126,9 @@ class LanePart {
     RestLoad load_of(const plait_sim_params& params) const;
     Status make_fill(Device& device, Fill& fill, const Members& members, const Materials& materials,
                      const RestLoad& load) const;
+    Status make_wet(Device& device, Fill& fill) const;
+    // That strands are stepped with.
+    const Buffer& material() const { return fill_.wet ? fill_.wet : fill_.material; }
     Status prepare_history(Device& device, const plait_sim_params& params);
     Status prepare_volume(Device& device, const plait_sim_params& params);
     Status make_pressed(Device& device, Pressed& to, const RestGrid& grid) const;

@@ -140,6 +140,8 @@ Status LanePart::take_over(Device& device, Schedule& schedule, const Substep& at
     fill_.of = materials_of(at.params);
     fill_.load = load_of(at.params);
     PLAIT_TRY(make(device, fill_.material, PLAIT_LANE_MATERIAL_COMPONENTS, "lane_material"));
+    if (source_.wet)
+        PLAIT_TRY(make_wet(device, fill_));
     PLAIT_TRY(make(device, fill_.rest, 4, "lane_rest"));
     if (fill_.load.mode != PLAIT_SAG_FREE_OFF || fill_.of.curls())
         PLAIT_TRY(make(device, fill_.start, 4, "lane_start"));

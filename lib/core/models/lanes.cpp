@@ -60,6 +60,9 @@ class LaneModel final : public Model {
     void discard() override;
     Status open_wind(Device& device) override;
     void close_wind() override;
+    Status open_wetness(Device& device) override;
+    void close_wetness() override;
+    void soak(Schedule& schedule, const Substep& at) const override;
     Status keep_planes(Device& device, bool keep) override;
     void accelerate(Schedule& schedule, const Substep& at) const override;
     void substep(Schedule& schedule, const Substep& at) override;
@@ -222,6 +225,24 @@ void LaneModel::close_wind() {
     source_.wind = false;
     for (const PartPtr& part : parts_)
         part->close_forces();
+}
+
+Status LaneModel::open_wetness(Device& device) {
+    source_.wet = true; // of parts and material that are made later, too
+    for (const PartPtr& part : parts_)
+        PLAIT_TRY(part->open_wetness(device));
+    return {};
+}
+
+void LaneModel::close_wetness() {
+    source_.wet = false;
+    for (const PartPtr& part : parts_)
+        part->close_wetness();
+}
+
+void LaneModel::soak(Schedule& schedule, const Substep& at) const {
+    for (const PartPtr& part : parts_)
+        part->soak(schedule, at);
 }
 
 Status LaneModel::keep_planes(Device& device, bool keep) {

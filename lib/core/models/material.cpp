@@ -1,5 +1,6 @@
 #include "core/models/material.hpp"
 
+#include <plait/constants.h>
 #include <plait/params.h>
 
 #include <algorithm>
@@ -10,19 +11,15 @@ namespace {
 
 constexpr size_t components = PLAIT_LANE_MATERIAL_COMPONENTS;
 
-// Orientations are found from what joints and stretch pull at them; of joints alone without
-// stiffness they would find nothing and stay. A joint has at least so much of EA l, far below what
-// can be seen: Gamma 4e5 at 16 segments.
-constexpr double least_bend = 1e-5;
-
 class Writer {
   public:
     Writer(LaneRows& rows, const LaneLayout& layout) : rows_(rows), layout_(layout) {}
 
     void strand(size_t strand, const RestStrand& s);
-    void scales(size_t strand, double drag, double friction) {
+    void scales(size_t strand, double drag, double friction, bool weighed) {
         set(strand, layout_.row - 1, PLAIT_LANE_DRAG, drag);
         set(strand, layout_.row - 1, PLAIT_LANE_FRICTION, friction);
+        set(strand, layout_.row - 1, PLAIT_LANE_WEIGHED, weighed ? 1 : 0);
     }
 
   private:
@@ -46,7 +43,7 @@ void Writer::strand(size_t strand, const RestStrand& s) {
     for (size_t i = 0; i < s.segments(); ++i) {
         set(strand, i, PLAIT_LANE_LENGTH, s.length[i]);
         set(strand, i, PLAIT_LANE_STRETCH, s.stretch[i]);
-        const double limp = least_bend * s.stretch[i] * s.length[i] * s.length[i];
+        const double limp = PLAIT_LANE_LEAST_BEND * s.stretch[i] * s.length[i] * s.length[i];
         set(strand, i, PLAIT_LANE_BEND, std::max(s.bend[i], limp));
         set(strand, i, PLAIT_LANE_TWIST, s.bend[i] * (s.twist - 1));
         set(strand, i, PLAIT_LANE_CROSS, s.bend[i] * (s.cross - 1));
@@ -106,7 +103,7 @@ LaneRows lane_rows(const RestStrands& strands, std::span<const uint32_t> members
         if (own.curl != 1)
             s.scale_curl(double(own.curl));
         writer.strand(lane, s);
-        writer.scales(lane, double(own.drag), double(own.friction));
+        writer.scales(lane, double(own.drag), double(own.friction), own.stretch_stiffness == 0);
     }
     return rows;
 }

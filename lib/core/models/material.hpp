@@ -38,7 +38,7 @@ struct RestLoad {
 
 struct LaneRows {
     // [rows*6]: PLAIT_LANE_LENGTH, ... Rows past a tip have mass 1 and nothing
-    // else, but for the strand's scales in the last one.
+    // else, but for what is of the whole strand in the last one.
     std::pmr::vector<float> material;
     // [rows*4]: rotation of the joint before each segment at rest; row 0: that of the first
     // segment, from the rest space's axes.

@@ -401,11 +401,11 @@ void follow_turns_by_the_mean(Bench& bench) {
 // first the path is 1 m away, then what is left of it.
 void follow_clump_leans_to_the_centre(Bench& bench) {
     const auto out =
-        bench.run(PLAIT_STAGE_follow_clump, 1, 1, plait_follow_clump_params{4, 1, {1, 1, 1, 1}},
-                  {uints({0}), floats({0, 1, 2, 2}), floats({0, 1, 2, 2}),
+        bench.run(PLAIT_STAGE_follow_clump, 1, 1, plait_follow_clump_params{4, 1, {1, 1, 1, 1}, 0},
+                  {uints({0}), floats({0, 1, 2, 2}), null_array(), floats({0, 1, 2, 2}),
                    float4s({1, 0, 0, 0, 1, 1, 0, 0, 1, 2, 0, 0, 1, 2, 0, 0, //
                             0, 0, 0, 0, 0, 1, 0, 5, 0, 2, 0, 5, 7, 7, 7, 5})});
-    const std::vector<float> follow(out[3].floats.begin() + 16, out[3].floats.end());
+    const std::vector<float> follow(out[4].floats.begin() + 16, out[4].floats.end());
     expect_near(floats(follow), {0, 0, 0, 0, .420124f, .907467f, 0, 5, .679404f, 1.873269f, 0, 5,
                                  .679404f, 1.873269f, 0, 5});
 }

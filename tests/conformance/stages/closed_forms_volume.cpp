@@ -52,8 +52,9 @@ struct Solved {
 };
 
 // `before`: potentials that are carried, if any.
+// `wetness`: of all hair, which has its share of the cohesion of it.
 Solved solve(Bench& bench, const State& state, uint32_t sweeps, float cohesion = 0,
-             const std::vector<float>& before = {}) {
+             const std::vector<float>& before = {}, float wetness = 0) {
     plait_volume_params params{};
     params.edge_count = state.n;
     params.voxel_edge = edge;
@@ -61,15 +62,19 @@ Solved solve(Bench& bench, const State& state, uint32_t sweeps, float cohesion =
     params.share = 1;
     params.recovery = 0.2f;
     params.most_recovery = 5 * h;
-    params.cohesion = cohesion;
+    params.cohesion = cohesion * (1 - 0.5f * wetness);
+    params.wet_cohesion = cohesion / 2;
+    params.wet = wetness > 0;
     params.carried = before.empty() ? 0 : 1;
-    const auto equations = bench.run(
-        PLAIT_STAGE_volume_faces, state.count(), 1, params,
-        {floats(state.density), float4s(state.velocity), floats(state.rest), float4s(state.solid),
-         before.empty() ? null_array() : floats(before), unwritten_float4s(state.count()),
-         unwritten_float4s(state.count()), unwritten_floats(state.count())});
-    const Array &link = equations[5], &node = equations[6];
-    Array pressure = equations[7];
+    const auto equations =
+        bench.run(PLAIT_STAGE_volume_faces, state.count(), 1, params,
+                  {floats(state.density), float4s(state.velocity), floats(state.rest),
+                   wetness > 0 ? floats(std::vector<float>(state.count(), wetness)) : null_array(),
+                   float4s(state.solid), before.empty() ? null_array() : floats(before),
+                   unwritten_float4s(state.count()), unwritten_float4s(state.count()),
+                   unwritten_floats(state.count())});
+    const Array &link = equations[6], &node = equations[7];
+    Array pressure = equations[8];
     const uint32_t items = state.n * state.n * ((state.n + 1) / 2);
     for (uint32_t sweep = 0; sweep < sweeps; ++sweep)
         for (const uint32_t colour : {0u, 1u})
@@ -192,6 +197,11 @@ void column_hangs_by_its_cohesion(Bench& bench) {
     EXPECT_NEAR(lowest(1.05f * needed), 0, 1e-4 * g * h);
     EXPECT_LT(lowest(0.95f * needed), -0.01 * g * h);
     EXPECT_NEAR(lowest(0), -g * h, 1e-6 * g * h);
+    const auto wet = [&](float cohesion) {
+        return solve(bench, state, 200, cohesion, {}, 0.7f).v(state, state.at(2, 3, 2), 1);
+    };
+    EXPECT_NEAR(wet(1.05f * needed), 0, 1e-4 * g * h);
+    EXPECT_LT(wet(0.95f * needed), -0.01 * g * h);
 }
 
 // Hair of a random density in the middle of a grid, and its rest density over it.

@@ -224,7 +224,7 @@ void Album::State::write_film(std::vector<std::string>& files) {
             labels.push_back(beside[i].short_label());
         }
     columns_of_film.push_back(&film);
-    labels.push_back(short_label_of(scene.sim));
+    labels.push_back(short_label_of(scene.sim) + (scene.wetness.empty() ? "" : ", wet"));
     std::unique_ptr<Video> out;
     for (size_t frame = 0; frame < film.size(); ++frame) {
         std::vector<render::Cell> side;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 
 namespace simulate {
 
@@ -210,6 +211,40 @@ void read_wind(JsonReader& top, Scene& scene) {
     scene.wind = wind;
 }
 
+// A number for all strands, or a file of one for each.
+void read_wetness(JsonReader& top, const Origin& origin, Scene& scene) {
+    const Json* value = top.value("wetness");
+    if (!value)
+        return;
+    if (scene.sim.model == PLAIT_MODEL_TRESSFX)
+        top.fail("wetness", "is given, and strands of the model tressfx have none");
+    if (!value->is_string()) {
+        scene.wetness.emplace_back();
+        top.number("wetness", scene.wetness.front(), 0, 1);
+        return;
+    }
+    const std::string path = resolve(value->get<std::string>(), "wetness", origin);
+    std::ifstream file(path);
+    if (!file)
+        top.fail("wetness", "is the file " + path + ", which cannot be read");
+    for (std::string word; file >> word;) {
+        size_t end = 0;
+        float wetness = -1;
+        try {
+            wetness = std::stof(word, &end);
+        } catch (const std::exception&) {
+            end = 0;
+        }
+        if (end != word.size() || !(wetness >= 0 && wetness <= 1))
+            top.fail("wetness", "is the file " + path + ", whose number " +
+                                    std::to_string(scene.wetness.size()) + " is " + word +
+                                    ", range is [0,1]");
+        scene.wetness.push_back(wetness);
+    }
+    if (scene.wetness.size() < 2)
+        top.fail("wetness", "is the file " + path + ", which has no number for each strand");
+}
+
 void take_detail(JsonReader& top, Scene& scene) {
     const Json* value = top.value("detail");
     if (value)
@@ -403,6 +438,7 @@ Scene make_scene(const std::string& file, const Json& command_line) {
     read_mannequin(top, scene);
     read_pins(top, scene);
     read_wind(top, scene);
+    read_wetness(top, origin, scene);
     take_detail(top, scene);
     const bool moves = top.text("motion", scene.motion);
     if (moves && scene.body)

@@ -94,6 +94,7 @@ struct Scene {
     std::vector<Tie> pins;
     std::optional<plait_wind_desc> wind;
     std::vector<MaterialChoice> materials;
+    std::vector<float> wetness; // one for all strands, or of each of the groom's; empty: dry
     Detail detail;
     std::vector<DetailChoice> compare_detail; // rows of the comparison, in place of TressFX's
     std::string motion = "shake_and_turn";    // a name or a file
