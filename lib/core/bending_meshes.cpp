@@ -334,11 +334,14 @@ void BendingMeshes::arrive() {
 
 void BendingMeshes::stop(Schedule& schedule) {
     size_t first = 0;
-    for (Entry& entry : entries_) {
-        for (int end = 0; end < 2 && !(entry.there && entry.still); ++end) // of the path
+    for (size_t m = 0; m < entries_.size(); ++m) {
+        Entry& entry = entries_[m];
+        const bool rests = entry.there && entry.still;
+        for (int end = 0; end < 2 && !rests; ++end) // of the path
             append_pose(schedule, entry, first, entry.at, 1);
-        entry.fitted = entry.fitted && entry.there && entry.still;
-        entry.there = entry.still = true;
+        if (!rests || !entry.fitted)
+            append_fit(schedule, entry, static_cast<uint32_t>(m));
+        entry.there = entry.still = entry.fitted = true;
         first += entry.vertices();
     }
 }
