@@ -1193,8 +1193,9 @@ typedef enum plait_collider_kind {
     PLAIT_COLLIDER_KIND_CAPSULE = 0, /* tapered: the hull of two spheres */
     PLAIT_COLLIDER_KIND_PLANE = 1,   /* all that lies under a plane */
     PLAIT_COLLIDER_KIND_BOX = 2,     /* with rounded edges */
-    PLAIT_COLLIDER_KIND_MESH =
-        3, /* of plait_collider_create_mesh; said, and not taken, by a desc */
+    /* of plait_collider_create_mesh and plait_collider_create_hull: said, and not taken, by a desc */
+    PLAIT_COLLIDER_KIND_MESH = 3,
+    PLAIT_COLLIDER_KIND_HULL = 4, /* all that lies under each of its faces */
     PLAIT_COLLIDER_KIND_FORCE_32 = 0x7fffffff
 } plait_collider_kind;
 
@@ -1275,6 +1276,29 @@ PLAIT_API void plait_collider_mesh_desc_init(plait_collider_mesh_desc* desc, siz
 PLAIT_API plait_result plait_collider_create_mesh(plait_sim* sim, const plait_mesh* mesh,
                                                   const plait_collider_mesh_desc* desc,
                                                   plait_collider_id* out);
+
+/* Faces of a hull, at most. */
+#define PLAIT_HULL_FACES_MAX 256
+
+/* A convex body with flat faces: what box and capsule are too plain for, at the cost of a box and a
+ * dot product per face. Rigid, and for every model. See docs/meshes.md. */
+typedef struct plait_collider_hull_desc {
+    uint32_t struct_size;
+    float margin;    /* m: every face lies so far outside, [0, 1e3], default 0; edges stay sharp */
+    float friction;  /* Coulomb coefficient, [0, 10], default 0.3 */
+    float tolerance; /* of the mesh's size: how far it may be from convex, and triangles of one
+                        face from its plane, [1e-6, 0.1], default 1e-4. The hull holds all of it */
+    plait_pose pose; /* at creation */
+} plait_collider_hull_desc;
+
+PLAIT_API void plait_collider_hull_desc_init(plait_collider_hull_desc* desc, size_t size);
+/* Of a closed convex mesh: its faces are the planes of its triangles, those that lie in one plane
+ * together. The sim keeps what it needs of `mesh`.
+ * @errors INVALID_ARGUMENT (open edges, and others that leave it without an inside; flat; not
+ * convex, with the edge and by how much; more than PLAIT_HULL_FACES_MAX faces) */
+PLAIT_API plait_result plait_collider_create_hull(plait_sim* sim, const plait_mesh* mesh,
+                                                  const plait_collider_hull_desc* desc,
+                                                  plait_collider_id* out);
 /* Where it will be at the end of the next plait_sim_step; interpolated from where it is.
  * @errors NOT_FOUND (not of this sim, or destroyed) */
 PLAIT_API plait_result plait_collider_set_pose(plait_sim* sim, plait_collider_id collider,
@@ -1288,11 +1312,12 @@ PLAIT_API plait_result plait_collider_set_pose(plait_sim* sim, plait_collider_id
 PLAIT_API plait_result plait_collider_set_positions(plait_sim* sim, plait_collider_id collider,
                                                     const plait_view* positions);
 /* Shape and friction of `desc`, from the next fixed step on; hair that is inside then is pushed
- * out. desc->pose is checked and not used. @errors NOT_FOUND, INVALID_STATE (it is a mesh) */
+ * out. desc->pose is checked and not used. @errors NOT_FOUND, INVALID_STATE (it is a mesh or a hull) */
 PLAIT_API plait_result plait_collider_set_shape(plait_sim* sim, plait_collider_id collider,
                                                 const plait_collider_desc* desc);
 /* As it was given: shape, friction, and the pose at the end of the next plait_sim_step; of a mesh
- * kind, friction and pose, the rest is 0. Does not wait. @errors NOT_FOUND */
+ * kind, friction and pose, the rest is 0; of a hull the box around it along its own axes, too: a,
+ * half_extents, and as rounding its margin. Does not wait. @errors NOT_FOUND */
 PLAIT_API plait_result plait_collider_describe(const plait_sim* sim, plait_collider_id collider,
                                                plait_collider_desc* out);
 /* Those of a sim, restored ones too: a list. Does not wait. */
@@ -1334,6 +1359,7 @@ PLAIT_DEFAULTS(plait_wind_desc)
 PLAIT_DEFAULTS(plait_detail_desc)
 PLAIT_DEFAULTS(plait_collider_desc)
 PLAIT_DEFAULTS(plait_collider_mesh_desc)
+PLAIT_DEFAULTS(plait_collider_hull_desc)
 #undef PLAIT_DEFAULTS
 
 #ifdef __cplusplus

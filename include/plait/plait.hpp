@@ -389,6 +389,13 @@ class Sim : public detail::Owner<plait_sim, plait_sim_destroy> {
         check(plait_collider_create_mesh(get(), mesh, &desc, &id));
         return id;
     }
+    plait_collider_id
+    create_hull(const Mesh& mesh,
+                const plait_collider_hull_desc& desc = plait_collider_hull_desc_defaults()) {
+        plait_collider_id id{};
+        check(plait_collider_create_hull(get(), mesh, &desc, &id));
+        return id;
+    }
     void set_collider_pose(plait_collider_id id, const plait_pose& pose) {
         check(plait_collider_set_pose(get(), id, &pose));
     }

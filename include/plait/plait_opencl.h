@@ -1,4 +1,5 @@
-/* Interop with OpenCL: adopt the caller's context and queue, borrow a field's cl_mem.
+/* Interop with OpenCL: adopt the caller's context and queue, borrow a field's cl_mem, take vertices of
+ * meshes from a cl_mem of the caller's.
  *
  * What includes this file needs OpenCL's headers and, for the caller's own calls, links OpenCL
  * (CMake: OpenCL::OpenCL; pkg-config: OpenCL) beside plait. What includes plait.h alone does not.
@@ -48,6 +49,35 @@ PLAIT_API plait_result plait_opencl_sim_get_field(plait_sim* sim, plait_field fi
  * @errors UNSUPPORTED (not an OpenCL context), INVALID_STATE (the field is off) */
 PLAIT_API plait_result plait_opencl_sim_copy_field(plait_sim* sim, plait_field field, cl_mem to,
                                                    size_t offset);
+
+/* Places in a buffer of the caller's, float[3], m, each [-1e6, 1e6]: `count` of them, `stride` bytes
+ * apart (0: 12, tightly packed; 16 of float4, whose w is not read; more where a vertex has other
+ * things, too), the first at byte `offset`. Both are multiples of 4, the stride in [12, 4096]. */
+typedef struct plait_opencl_positions {
+    cl_mem buffer; /* of the cl_context of the context's queue */
+    size_t count;
+    size_t offset;
+    size_t stride;
+} plait_opencl_positions;
+
+/* plait_collider_set_positions from the device, for vertices that a kernel of the caller's places:
+ * with the same places, to the same bits. Enqueues a copy on the context's queue and does not wait: what
+ * was enqueued there before is in it, and from the return on commands enqueued there may write the
+ * buffer again, or it may be released. Who fills it on another queue enqueues a barrier on this one
+ * that waits for it before (clEnqueueBarrierWithWaitList). Nothing comes to the host, so that values
+ * are not checked there: a vertex with a component that is not finite or outside its range stays
+ * where it is.
+ * @errors UNSUPPORTED (not an OpenCL context; the backend lacks a stage), NOT_FOUND, INVALID_STATE
+ * (no mesh, or of form FIELD), INVALID_ARGUMENT (count, stride or offset; a buffer that is too small,
+ * or of another cl_context). A call that fails changes nothing. */
+PLAIT_API plait_result plait_opencl_collider_set_positions(plait_sim* sim,
+                                                           plait_collider_id collider,
+                                                           const plait_opencl_positions* positions);
+
+/* plait_sim_set_roots with mesh_positions from the device, in the same way; `head` NULL: the
+ * identity. @errors as above, but for colliders; INVALID_ARGUMENT (roots that are bound to no mesh) */
+PLAIT_API plait_result plait_opencl_sim_set_roots(plait_sim* sim, const plait_pose* head,
+                                                  const plait_opencl_positions* positions);
 
 /* The queue plait enqueues on, borrowed. @errors UNSUPPORTED (not an OpenCL context) */
 PLAIT_API plait_result plait_opencl_context_get_queue(plait_context* context,

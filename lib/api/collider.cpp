@@ -54,6 +54,26 @@ Result<plait_collider_mesh_desc> read_mesh_collider(const plait_collider_mesh_de
     return given;
 }
 
+plait_collider_hull_desc default_hull() {
+    plait_collider_hull_desc desc{};
+    desc.struct_size = sizeof desc;
+    desc.friction = 0.3f;
+    desc.tolerance = 1e-4f;
+    desc.pose = identity_pose;
+    return desc;
+}
+
+Result<plait_collider_hull_desc> read_hull(const plait_collider_hull_desc* desc) {
+    plait_collider_hull_desc given = default_hull();
+    PLAIT_TRY(api::read_struct(desc, given, "desc"));
+    PLAIT_TRY(check_hull_collider(given));
+    const auto pose = checked_pose(given.pose, "desc->pose");
+    if (!pose)
+        return pose.error();
+    given.pose = *pose;
+    return given;
+}
+
 } // namespace
 
 extern "C" {
@@ -93,6 +113,28 @@ plait_result plait_collider_create_mesh(plait_sim* sim, const plait_mesh* mesh,
         if (!given)
             return given.error();
         const auto id = sim->sim.create_mesh_collider(mesh->mesh, *given);
+        if (!id)
+            return id.error();
+        *out = *id;
+        return {};
+    });
+}
+
+void plait_collider_hull_desc_init(plait_collider_hull_desc* desc, size_t size) {
+    api::init_struct(desc, size, default_hull());
+}
+
+plait_result plait_collider_create_hull(plait_sim* sim, const plait_mesh* mesh,
+                                        const plait_collider_hull_desc* desc,
+                                        plait_collider_id* out) {
+    return api::guard(__func__, [&]() -> Status {
+        PLAIT_TRY(api::need(sim, "sim"));
+        PLAIT_TRY(api::need(mesh, "mesh"));
+        PLAIT_TRY(api::need(out, "out"));
+        const auto given = read_hull(desc);
+        if (!given)
+            return given.error();
+        const auto id = sim->sim.create_hull_collider(mesh->mesh, *given);
         if (!id)
             return id.error();
         *out = *id;

@@ -7,17 +7,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace plait {
 namespace {
 
-constexpr float largest = 1e6f; // m
-
 // What does not change while a mesh is there.
 struct Fixed {
     explicit Fixed(std::pmr::memory_resource* memory)
-        : first(memory), tree(memory), triangle(memory), ring(memory) {}
-    std::pmr::vector<uint32_t> first, tree, triangle, ring;
+        : first(memory), tree(memory), under(memory), triangle(memory), ring(memory) {}
+    std::pmr::vector<uint32_t> first, tree, under, triangle, ring;
     size_t vertices = 0;
 };
 
@@ -67,6 +66,8 @@ void add_fixed(const BendingMeshes::Entry& entry, Fixed& to) {
                      here(entry.surface.triangles.size())});
     for (const MeshTree::Node& node : entry.tree.nodes())
         to.tree.insert(to.tree.end(), {node.first, node.number});
+    for (const MeshTree::Under& under : entry.tree.under())
+        to.under.insert(to.under.end(), {under.first, under.triangles, under.nodes});
     add_triangles(entry, to);
     add_ring(entry, to);
     to.vertices += entry.surface.positions.size();
@@ -77,42 +78,62 @@ Status put(Device& device, Buffer& to, plait_element element, const char* name, 
     return device.write(to, list.data());
 }
 
-void append(std::pmr::vector<float>& to, std::span<const MeshPoint> points) {
+std::pmr::vector<float> rows_of(std::span<const MeshPoint> points,
+                                std::pmr::memory_resource* memory) {
+    std::pmr::vector<float> rows(memory);
+    rows.reserve(4 * points.size());
     for (const MeshPoint& p : points)
-        to.insert(to.end(), {p[0], p[1], p[2], 0.0f});
+        rows.insert(rows.end(), {p[0], p[1], p[2], 0.0f});
+    return rows;
 }
 
-MeshPoint between(const MeshPoint& a, const MeshPoint& b, double share) {
-    MeshPoint p = b;
-    for (size_t k = 0; k < 3 && share < 1; ++k)
-        p[k] = static_cast<float>(double(a[k]) + share * (double(b[k]) - double(a[k])));
-    return p;
+Status write_points(Device& device, const Buffer& to, size_t first,
+                    const std::pmr::vector<MeshPoint>& points) {
+    const auto rows = rows_of(points, points.get_allocator().resource());
+    return device.write(to, first, points.size(), rows.data());
 }
 
-float farthest_way(const BendingMeshes::Entry& entry) {
-    double most = 0;
-    for (size_t i = 0; i < entry.from.size(); ++i) {
-        double square = 0;
-        for (size_t k = 0; k < 3; ++k)
-            square += std::pow(double(entry.to[i][k]) - double(entry.from[i][k]), 2);
-        most = std::max(most, square);
-    }
-    return static_cast<float>(std::sqrt(most) * (1 + 1e-6));
+Status read_points(Device& device, const Buffer& from, size_t first, size_t count,
+                   std::pmr::vector<MeshPoint>& to) {
+    std::pmr::vector<float> rows(4 * count, to.get_allocator().resource());
+    PLAIT_TRY(device.read(from, first, count, rows.data()));
+    to.resize(count);
+    for (size_t i = 0; i < count; ++i)
+        std::copy_n(&rows[4 * i], 3, to[i].begin());
+    return {};
 }
+
+// Triangles under the greatest nodes of one launch of mesh_fit, over those of the one before.
+constexpr uint32_t fit_ratio = 32;
 
 } // namespace
 
 BendingMeshes::Entry::Entry(uint32_t of, bool sheet, std::pmr::memory_resource* memory)
-    : slot(of), two_sided(sheet), surface(memory), clearance(memory), at(memory), target(memory),
-      from(memory), to(memory), tree(memory) {}
-
-void BendingMeshes::Entry::begin() {
-    at = target = from = to = surface.positions;
-    tree.build(surface);
+    : slot(of), two_sided(sheet), surface(memory), clearance(memory), tree(memory), places(memory) {
 }
 
-Status BendingMeshes::make(Device& device, std::span<const Entry> entries,
-                           BendingBuffers& to) const {
+void BendingMeshes::Entry::begin() {
+    tree.build(surface);
+    for (auto* list : {&places.at, &places.target, &places.from, &places.to})
+        if (list->empty())
+            *list = surface.positions;
+    aimed = places.target != places.at;
+    there = places.to == places.at;
+    still = places.from == places.to;
+}
+
+BendingMeshes::Entry& BendingMeshes::of(uint32_t slot) {
+    return *std::ranges::find(entries_, slot, &Entry::slot);
+}
+
+uint64_t BendingMeshes::device_bytes() const {
+    uint64_t sum = entries_.empty() ? 0 : buffers_.bytes();
+    for (const Entry& entry : entries_)
+        sum += entry.at.bytes() + entry.target.bytes();
+    return sum;
+}
+
+Status BendingMeshes::make(Device& device, std::span<Entry> entries, BendingBuffers& to) const {
     if (entries.empty())
         return {};
     std::pmr::memory_resource* memory = entries_.get_allocator().resource();
@@ -126,16 +147,66 @@ Status BendingMeshes::make(Device& device, std::span<const Entry> entries,
             clearance[i * entries.size() + m] = entries[m].clearance[i];
     PLAIT_TRY(put(device, to.first, PLAIT_ELEMENT_UINT, "mesh_first", fixed.first));
     PLAIT_TRY(put(device, to.tree, PLAIT_ELEMENT_UINT, "mesh_tree", fixed.tree));
+    PLAIT_TRY(put(device, to.under, PLAIT_ELEMENT_UINT, "mesh_under", fixed.under));
     PLAIT_TRY(put(device, to.triangle, PLAIT_ELEMENT_UINT, "mesh_triangle", fixed.triangle));
     PLAIT_TRY(put(device, to.ring, PLAIT_ELEMENT_UINT, "mesh_ring", fixed.ring));
     PLAIT_TRY(put(device, to.clearance, PLAIT_ELEMENT_FLOAT, "mesh_clearance", clearance));
     PLAIT_TRY(device.create(to.box, PLAIT_ELEMENT_FLOAT4, fixed.tree.size(), "mesh_box"));
+    PLAIT_TRY(device.create(to.way, PLAIT_ELEMENT_FLOAT, fixed.tree.size() / 2, "mesh_way"));
     PLAIT_TRY(device.create(to.from, PLAIT_ELEMENT_FLOAT4, fixed.vertices, "mesh_from"));
     PLAIT_TRY(device.create(to.to, PLAIT_ELEMENT_FLOAT4, fixed.vertices, "mesh_to"));
-    return device.create(to.bends, PLAIT_ELEMENT_FLOAT, entries.size(), "mesh_bends");
+    PLAIT_TRY(device.create(to.bends, PLAIT_ELEMENT_FLOAT, entries.size(), "mesh_bends"));
+    size_t first = 0;
+    for (Entry& entry : entries) {
+        PLAIT_TRY(write_points(device, to.from, first, entry.places.from));
+        PLAIT_TRY(write_points(device, to.to, first, entry.places.to));
+        first += entry.vertices();
+        if (entry.at)
+            continue;
+        Buffer at, target;
+        PLAIT_TRY(device.create(at, PLAIT_ELEMENT_FLOAT4, entry.vertices(), "mesh_at"));
+        PLAIT_TRY(device.create(target, PLAIT_ELEMENT_FLOAT4, entry.vertices(), "mesh_target"));
+        PLAIT_TRY(write_points(device, at, 0, entry.places.at));
+        PLAIT_TRY(write_points(device, target, 0, entry.places.target));
+        entry.at = std::move(at);
+        entry.target = std::move(target);
+    }
+    for (Entry& entry : entries) {
+        entry.fitted = false;
+        entry.places = Places(memory);
+    }
+    return {};
+}
+
+// To the host, of all, where the step begins and ends.
+Status BendingMeshes::pull(Device& device) {
+    for (size_t m = 0; m < entries_.size(); ++m) {
+        auto places = read(device, m);
+        if (!places)
+            return places.error();
+        entries_[m].places = std::move(*places);
+    }
+    return {};
+}
+
+Result<BendingMeshes::Places> BendingMeshes::read(Device& device, size_t index) const {
+    const Entry& entry = entries_[index];
+    Places places(entries_.get_allocator().resource());
+    size_t first = 0;
+    for (size_t m = 0; m < index; ++m)
+        first += entries_[m].vertices();
+    const size_t count = entry.vertices();
+    PLAIT_TRY(read_points(device, entry.at, 0, count, places.at));
+    places.target = places.at;
+    if (entry.aimed)
+        PLAIT_TRY(read_points(device, entry.target, 0, count, places.target));
+    PLAIT_TRY(read_points(device, buffers_.from, first, count, places.from));
+    PLAIT_TRY(read_points(device, buffers_.to, first, count, places.to));
+    return places;
 }
 
 Status BendingMeshes::add(Device& device, Entry&& entry) {
+    PLAIT_TRY(pull(device));
     const auto after = std::ranges::upper_bound(entries_, entry.slot, {}, &Entry::slot);
     const auto place = entries_.insert(after, std::move(entry));
     BendingBuffers made;
@@ -144,14 +215,14 @@ Status BendingMeshes::add(Device& device, Entry&& entry) {
         buffers_ = std::move(made);
     else
         entries_.erase(place);
-    uploaded_ = uploaded_ && !status;
     return status;
 }
 
 Status BendingMeshes::remove(Device& device, uint32_t slot) {
-    const auto place = std::ranges::find(entries_, slot, &Entry::slot);
+    auto place = std::ranges::find(entries_, slot, &Entry::slot);
     if (place == entries_.end())
         return {};
+    PLAIT_TRY(pull(device));
     Entry entry = std::move(*place);
     entries_.erase(place);
     BendingBuffers made;
@@ -161,7 +232,6 @@ Status BendingMeshes::remove(Device& device, uint32_t slot) {
     else
         entries_.insert(std::ranges::upper_bound(entries_, slot, {}, &Entry::slot),
                         std::move(entry));
-    uploaded_ = uploaded_ && !status;
     return status;
 }
 
@@ -170,71 +240,116 @@ Status BendingMeshes::assign(Device& device, Entries&& entries) {
     PLAIT_TRY(make(device, entries, made));
     entries_ = std::move(entries);
     buffers_ = std::move(made);
-    uploaded_ = false;
     return {};
 }
 
-Status BendingMeshes::set_positions(uint32_t slot, std::span<const float> positions) {
-    Entry& entry = *std::ranges::find(entries_, slot, &Entry::slot);
-    if (positions.size() != 3 * entry.target.size())
-        return Error{PLAIT_INVALID_ARGUMENT,
-                     format("positions.count is %zu, the mesh has %zu vertices",
-                            positions.size() / 3, entry.target.size())};
+Status BendingMeshes::check_count(uint32_t slot, size_t count) const {
+    const Entry& entry = *std::ranges::find(entries_, slot, &Entry::slot);
+    if (count != entry.vertices())
+        return Error{
+            PLAIT_INVALID_ARGUMENT,
+            format("positions.count is %zu, the mesh has %zu vertices", count, entry.vertices())};
+    return {};
+}
+
+Status BendingMeshes::set_positions(Device& device, uint32_t slot,
+                                    std::span<const float> positions) {
+    Entry& entry = of(slot);
+    PLAIT_TRY(check_count(slot, positions.size() / 3));
     for (size_t i = 0; i < positions.size(); ++i)
-        if (!(std::abs(positions[i]) <= largest))
+        if (!(std::abs(positions[i]) <= PLAIT_MESH_MOST_COORDINATE))
             return Error{PLAIT_INVALID_ARGUMENT,
                          format("positions[%zu]: coordinate is %g, range is [-1e6, 1e6] m", i / 3,
                                 double(positions[i]))};
+    std::pmr::vector<float> rows(4 * entry.vertices(), entries_.get_allocator().resource());
     for (size_t i = 0; i < positions.size(); ++i)
-        entry.target[i / 3][i % 3] = positions[i];
-    entry.posed = true;
+        rows[i / 3 * 4 + i % 3] = positions[i];
+    PLAIT_TRY(device.upload(entry.target, rows.data()));
+    entry.posed = entry.aimed = true;
     return {};
 }
 
-Status BendingMeshes::advance(Device& device, double end) {
+void BendingMeshes::take_positions(Schedule& schedule, uint32_t slot, const Buffer& taken,
+                                   uint32_t words) {
+    Entry& entry = of(slot);
+    schedule.add(PLAIT_STAGE_mesh_take, static_cast<uint32_t>(entry.vertices()),
+                 plait_mesh_take_params{words}, {&taken, &entry.at, &entry.target});
+    entry.posed = entry.aimed = true;
+}
+
+void BendingMeshes::advance(double end) {
     for (Entry& entry : entries_) {
-        if (!entry.posed)
-            continue;
-        uploaded_ = uploaded_ && entry.from == entry.to;
-        entry.from = entry.to;
-        for (size_t i = 0; i < entry.to.size(); ++i)
-            entry.to[i] = between(entry.at[i], entry.target[i], end);
-        uploaded_ = uploaded_ && entry.from == entry.to;
+        entry.poses = entry.aimed || !entry.there || !entry.still;
+        entry.fits = entry.poses || !entry.fitted;
+        entry.part = entry.aimed ? static_cast<float>(end) : 1.0f;
+        entry.still = entry.there && !entry.aimed;
+        entry.there = !entry.aimed;
+        entry.fitted = true;
     }
-    return uploaded_ || entries_.empty() ? Status{} : upload(device);
 }
 
-Status BendingMeshes::upload(Device& device) {
-    Scratch& s = scratch_;
-    for (auto* list : {&s.box, &s.from, &s.to, &s.bends})
-        list->clear();
-    for (const Entry& entry : entries_) {
-        entry.tree.fit(entry.surface.triangles, entry.from, entry.to, s.boxes);
-        for (const MeshTree::Box& box : s.boxes)
-            append(s.box, std::array{box.low, box.high});
-        append(s.from, entry.from);
-        append(s.to, entry.to);
-        s.bends.push_back(farthest_way(entry));
+void BendingMeshes::append_pose(Schedule& schedule, const Entry& entry, size_t first,
+                                const Buffer& goal, float part) const {
+    schedule.add(PLAIT_STAGE_mesh_pose, static_cast<uint32_t>(entry.vertices()),
+                 plait_mesh_pose_params{static_cast<uint32_t>(first), part},
+                 {&entry.at, &goal, &buffers_.from, &buffers_.to});
+}
+
+void BendingMeshes::append_fit(Schedule& schedule, const Entry& entry, uint32_t mesh) const {
+    const auto nodes = static_cast<uint32_t>(entry.tree.nodes().size());
+    const BendingBuffers& b = buffers_;
+    uint32_t least = 0, most = fit_ratio;
+    for (;;) {
+        schedule.add(PLAIT_STAGE_mesh_fit, nodes, plait_mesh_fit_params{mesh, least, most},
+                     {&b.first, &b.under, &b.triangle, &b.from, &b.to, &b.way, &b.box, &b.bends});
+        if (most >= entry.surface.triangles.size())
+            return;
+        least = most;
+        most *= fit_ratio;
     }
-    PLAIT_TRY(device.upload(buffers_.box, s.box.data()));
-    PLAIT_TRY(device.upload(buffers_.from, s.from.data()));
-    PLAIT_TRY(device.upload(buffers_.to, s.to.data()));
-    PLAIT_TRY(device.upload(buffers_.bends, s.bends.data()));
-    uploaded_ = true;
-    return {};
+}
+
+void BendingMeshes::append(Schedule& schedule, bool all) const {
+    size_t first = 0;
+    for (size_t m = 0; m < entries_.size(); ++m) {
+        const Entry& entry = entries_[m];
+        if (entry.poses || all)
+            append_pose(schedule, entry, first, entry.aimed ? entry.target : entry.at, entry.part);
+        if (entry.fits || all)
+            append_fit(schedule, entry, static_cast<uint32_t>(m));
+        first += entry.vertices();
+    }
 }
 
 void BendingMeshes::arrive() {
-    for (Entry& entry : entries_)
-        if (entry.posed)
-            entry.at = entry.target;
+    for (Entry& entry : entries_) {
+        const bool arrived = std::exchange(entry.poses, false) && entry.part == 1.0f;
+        if (!entry.aimed)
+            continue;
+        entry.at.swap(entry.target);
+        entry.aimed = entry.still = false;
+        entry.there = arrived;
+    }
 }
 
-void BendingMeshes::stop() {
-    for (Entry& entry : entries_)
-        if (entry.posed)
-            entry.from = entry.to = entry.at;
-    uploaded_ = false;
+void BendingMeshes::fit_new(Schedule& schedule) {
+    for (size_t m = 0; m < entries_.size(); ++m)
+        if (!std::exchange(entries_[m].fitted, true))
+            append_fit(schedule, entries_[m], static_cast<uint32_t>(m));
+}
+
+void BendingMeshes::stop(Schedule& schedule) {
+    size_t first = 0;
+    for (size_t m = 0; m < entries_.size(); ++m) {
+        Entry& entry = entries_[m];
+        const bool rests = entry.there && entry.still;
+        for (int end = 0; end < 2 && !rests; ++end) // of the path
+            append_pose(schedule, entry, first, entry.at, 1);
+        if (!rests || !entry.fitted)
+            append_fit(schedule, entry, static_cast<uint32_t>(m));
+        entry.there = entry.still = entry.fitted = true;
+        first += entry.vertices();
+    }
 }
 
 } // namespace plait

@@ -1,9 +1,10 @@
 // Colliders that are meshes of form NEAREST: their triangles, a tree over them, and where their
-// vertices are, which the caller may move.
+// vertices are, which the caller may move, from the host or on the device. Where they are the device
+// alone knows.
 #pragma once
 
-#include "backend/device.hpp"
 #include "core/mesh_tree.hpp"
+#include "core/schedule.hpp"
 
 #include <memory_resource>
 #include <span>
@@ -15,7 +16,9 @@ namespace plait {
 struct BendingBuffers {
     Buffer first;     // uint [PLAIT_MESH_FIRST_STRIDE*meshes]
     Buffer box;       // float4 [2*nodes]
+    Buffer way;       // float [nodes], m
     Buffer tree;      // uint [2*nodes]
+    Buffer under;     // uint [PLAIT_MESH_UNDER_STRIDE*nodes]
     Buffer triangle;  // uint [PLAIT_MESH_TRIANGLE_STRIDE*triangles]
     Buffer ring;      // uint, per mesh [vertices + 1 + 3*triangles]
     Buffer from, to;  // float4 [vertices], m
@@ -25,7 +28,7 @@ struct BendingBuffers {
     uint64_t bytes() const {
         uint64_t sum = 0;
         for (const Buffer* each :
-             {&first, &box, &tree, &triangle, &ring, &from, &to, &bends, &clearance})
+             {&first, &box, &way, &tree, &under, &triangle, &ring, &from, &to, &bends, &clearance})
             sum += each->bytes();
         return sum;
     }
@@ -33,54 +36,75 @@ struct BendingBuffers {
 
 class BendingMeshes {
   public:
+    // Where vertices are: as of a collider's pose, of the call and of the fixed step.
+    struct Places {
+        explicit Places(std::pmr::memory_resource* memory)
+            : at(memory), target(memory), from(memory), to(memory) {}
+        std::pmr::vector<MeshPoint> at, target, from, to;
+    };
+
     struct Entry {
         Entry(uint32_t slot, bool two_sided, std::pmr::memory_resource* memory);
-        // Once the surface is there.
+        // Once the surface is there; places, where they are not filled, are its.
         void begin();
+        size_t vertices() const { return surface.positions.size(); }
 
         uint32_t slot;
         bool two_sided;
-        bool posed = false;                               // its vertices have been moved
-        TriangleSet surface;                              // as it was made
-        std::pmr::vector<float> clearance;                // [guides][V]
-        std::pmr::vector<MeshPoint> at, target, from, to; // as of a collider's pose
+        bool posed = false;                // its vertices have been moved
+        TriangleSet surface;               // as it was made
+        std::pmr::vector<float> clearance; // [guides][V]
         MeshTree tree;
+        Places places;     // on the way to the device, and from one set of buffers to the next
+        Buffer at, target; // float4 [vertices]
+
+        bool aimed = false;               // the target is not where they are
+        bool there = true, still = true;  // the step's end is `at`; its begin its end
+        bool fitted = false;              // boxes are those of the step
+        bool poses = false, fits = false; // what a step has to do
+        float part = 1;                   // of the call's way, where the step ends
     };
     using Entries = std::pmr::vector<Entry>;
 
-    explicit BendingMeshes(std::pmr::memory_resource* memory)
-        : entries_(memory), scratch_(memory) {}
+    explicit BendingMeshes(std::pmr::memory_resource* memory) : entries_(memory) {}
 
     // Null: there are none.
     const BendingBuffers* buffers() const { return entries_.empty() ? nullptr : &buffers_; }
     std::span<const Entry> entries() const { return entries_; }
+    uint64_t device_bytes() const;
 
     // Each waits for the device, and changes nothing if it fails.
     Status add(Device& device, Entry&& entry);
     Status remove(Device& device, uint32_t slot);
     Status assign(Device& device, Entries&& entries);
+    // Where vertices are; waits.
+    Result<Places> read(Device& device, size_t index) const;
 
+    // INVALID_ARGUMENT: not as many as the mesh has.
+    Status check_count(uint32_t slot, size_t count) const;
     // m, of all of a mesh: where its vertices will be.
-    Status set_positions(uint32_t slot, std::span<const float> positions);
-    // As Colliders: the step's path ends at share `end` of the call's. Uploads what moved.
-    Status advance(Device& device, double end);
+    Status set_positions(Device& device, uint32_t slot, std::span<const float> positions);
+    // The same from a buffer on the device, `words` from one vertex to the next.
+    void take_positions(Schedule& schedule, uint32_t slot, const Buffer& taken, uint32_t words);
+    // As Colliders: the step's path ends at share `end` of the call's. append() is due.
+    void advance(double end);
+    // What moves them there; `all`: whatever any step may have to do.
+    void append(Schedule& schedule, bool all) const;
     void arrive();
-    void stop();
+    void stop(Schedule& schedule);
+    // Boxes of meshes that no step has seen yet, for who looks before one does.
+    void fit_new(Schedule& schedule);
 
   private:
-    struct Scratch {
-        explicit Scratch(std::pmr::memory_resource* memory)
-            : boxes(memory), box(memory), from(memory), to(memory), bends(memory) {}
-        std::pmr::vector<MeshTree::Box> boxes;
-        std::pmr::vector<float> box, from, to, bends;
-    };
-    Status make(Device& device, std::span<const Entry> entries, BendingBuffers& to) const;
-    Status upload(Device& device);
+    Entry& of(uint32_t slot);
+    Status make(Device& device, std::span<Entry> entries, BendingBuffers& to) const;
+    Status pull(Device& device);
+    void append_pose(Schedule& schedule, const Entry& entry, size_t first, const Buffer& goal,
+                     float part) const;
+    void append_fit(Schedule& schedule, const Entry& entry, uint32_t mesh) const;
 
     Entries entries_; // by slot
     BendingBuffers buffers_;
-    Scratch scratch_;
-    bool uploaded_ = false;
 };
 
 } // namespace plait

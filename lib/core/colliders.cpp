@@ -70,6 +70,15 @@ void pack_box(const Colliders::Slot& slot, const plait_pose& begin, const plait_
     now[7] = 0;
 }
 
+// All of it is in the box; faces are behind the rows.
+void pack_hull(const Colliders::Slot& slot, const plait_pose& begin, const plait_pose& end,
+               float* out) {
+    pack_box(slot, begin, end, out);
+    float* const half_extents = out + size_t{4} * (PLAIT_COLLIDER_END + 1);
+    for (size_t k = 0; k < 3; ++k)
+        half_extents[k] += slot.rounding;
+}
+
 // A box of no size about its origin, and which part of the step the substep is.
 void pack_mesh(const Colliders::Slot& slot, const plait_pose& begin, const plait_pose& end,
                std::array<float, 2> shares, float* out) {
@@ -90,6 +99,9 @@ float* pack(const Colliders::Slot& slot, const plait_pose& begin, const plait_po
     case PLAIT_COLLIDER_KIND_BOX:
         pack_box(slot, begin, end, out);
         break;
+    case PLAIT_COLLIDER_KIND_HULL:
+        pack_hull(slot, begin, end, out);
+        break;
     case PLAIT_COLLIDER_KIND_MESH:
         pack_mesh(slot, begin, end, shares, out);
         break;
@@ -103,6 +115,11 @@ float* pack(const Colliders::Slot& slot, const plait_pose& begin, const plait_po
     last[0] = slot.friction;
     last[1] = static_cast<float>(slot.kind);
     return out + collider_floats;
+}
+
+// Which rows come first in a substep.
+int order_of(const Colliders::Slot& slot) {
+    return Colliders::is_mesh(slot) + Colliders::bends(slot);
 }
 
 } // namespace
@@ -123,7 +140,7 @@ size_t Colliders::rows(size_t count) const {
 Status Colliders::set_substeps(Device& device, std::span<const uint32_t> numbers) {
     std::pmr::vector<uint32_t> substeps(numbers.begin(), numbers.end(), substeps_.get_allocator());
     substeps_.swap(substeps);
-    Status status = reserve(device, count_);
+    Status status = reserve(device, count_, face_count_);
     if (!status)
         substeps_.swap(substeps);
     else if (substeps_ != substeps)
@@ -131,14 +148,21 @@ Status Colliders::set_substeps(Device& device, std::span<const uint32_t> numbers
     return status;
 }
 
-// Room for the paths of `count` colliders on the device; doubles, so that adding many is cheap.
-Status Colliders::reserve(Device& device, size_t count) {
-    if (buffer_.count() >= rows(count) * PLAIT_COLLIDER_STRIDE)
+// Room for the paths of `count` colliders on the device and for faces of hulls; doubles, so that adding
+// many is cheap. Rows say as floats how far from them faces are.
+Status Colliders::reserve(Device& device, size_t count, size_t faces) {
+    constexpr size_t farthest = size_t{1} << 24;
+    const size_t need = rows(count) * PLAIT_COLLIDER_STRIDE + faces;
+    if (faces > 0 && need > farthest)
+        return Error{PLAIT_INVALID_ARGUMENT,
+                     format("%zu colliders in all substeps of a step take %zu rows; with hulls %zu "
+                            "are the most",
+                            count, rows(count), (farthest - faces) / PLAIT_COLLIDER_STRIDE)};
+    if (buffer_.count() >= need)
         return {};
-    const size_t room = std::max(rows(count), buffer_.count() / PLAIT_COLLIDER_STRIDE * 2);
-    packed_.reserve(room * collider_floats);
-    PLAIT_TRY(
-        device.create(buffer_, PLAIT_ELEMENT_FLOAT4, room * PLAIT_COLLIDER_STRIDE, "collider"));
+    const size_t room = std::max(need, buffer_.count() * 2);
+    packed_.reserve(room * 4);
+    PLAIT_TRY(device.create(buffer_, PLAIT_ELEMENT_FLOAT4, room, "collider"));
     uploaded_ = false;
     return {};
 }
@@ -147,6 +171,7 @@ Colliders::Slot& Colliders::take_slot(const plait_pose& pose) {
     auto slot = std::find_if(slots_.begin(), slots_.end(), [](const Slot& s) { return !s.alive; });
     if (slot == slots_.end())
         slot = slots_.emplace(slots_.end());
+    faces_.resize(slots_.size());
     slot->generation += 1;
     slot->alive = 1;
     slot->at = slot->target = slot->from = slot->to = pose;
@@ -156,7 +181,7 @@ Colliders::Slot& Colliders::take_slot(const plait_pose& pose) {
 }
 
 Result<plait_collider_id> Colliders::create(Device& device, const plait_collider_desc& desc) {
-    PLAIT_TRY(reserve(device, count_ + 1));
+    PLAIT_TRY(reserve(device, count_ + 1, face_count_));
     Slot& slot = take_slot(desc.pose);
     take_shape(slot, desc);
     return make_id(static_cast<size_t>(&slot - slots_.data()), slot.generation);
@@ -164,7 +189,7 @@ Result<plait_collider_id> Colliders::create(Device& device, const plait_collider
 
 Result<plait_collider_id> Colliders::create_mesh(Device& device,
                                                  const plait_collider_mesh_desc& desc) {
-    PLAIT_TRY(reserve(device, count_ + 1));
+    PLAIT_TRY(reserve(device, count_ + 1, face_count_));
     Slot& slot = take_slot(desc.pose);
     slot.kind = PLAIT_COLLIDER_KIND_MESH;
     slot.form = static_cast<uint32_t>(desc.form);
@@ -173,6 +198,22 @@ Result<plait_collider_id> Colliders::create_mesh(Device& device,
     ++meshes_;
     bending_ += bends(slot);
     return make_id(static_cast<size_t>(&slot - slots_.data()), slot.generation);
+}
+
+Result<plait_collider_id>
+Colliders::create_hull(Device& device, const plait_collider_hull_desc& desc, const Hull& hull) {
+    PLAIT_TRY(reserve(device, count_ + 1, face_count_ + hull.faces.size()));
+    Slot& slot = take_slot(desc.pose);
+    slot.kind = PLAIT_COLLIDER_KIND_HULL;
+    std::ranges::copy(hull.centre, slot.a);
+    std::ranges::copy(hull.half_extents, slot.half_extents);
+    slot.rounding = desc.margin;
+    slot.friction = desc.friction;
+    slot.orientation[3] = 1;
+    const auto index = static_cast<size_t>(&slot - slots_.data());
+    faces_[index].assign(hull.faces.begin(), hull.faces.end());
+    face_count_ += hull.faces.size();
+    return make_id(index, slot.generation);
 }
 
 Status Colliders::set_pose(plait_collider_id id, const plait_pose& pose) {
@@ -187,11 +228,12 @@ Status Colliders::set_shape(plait_collider_id id, const plait_collider_desc& des
     const auto index = find(id);
     if (!index)
         return index.error();
-    if (is_mesh(slots_[*index]))
+    if (is_mesh(slots_[*index]) || is_hull(slots_[*index]))
         return Error{PLAIT_INVALID_STATE,
-                     format("collider id 0x%llx is a mesh, which keeps its shape: destroy it and "
+                     format("collider id 0x%llx is a %s, which keeps its shape: destroy it and "
                             "create another",
-                            static_cast<unsigned long long>(id.value))};
+                            static_cast<unsigned long long>(id.value),
+                            is_hull(slots_[*index]) ? "hull" : "mesh")};
     take_shape(slots_[*index], desc);
     uploaded_ = false;
     return {};
@@ -237,6 +279,8 @@ Status Colliders::destroy(plait_collider_id id) {
     const uint32_t generation = slot.generation;
     meshes_ -= is_mesh(slot);
     bending_ -= bends(slot);
+    face_count_ -= faces_[*index].size();
+    faces_[*index].clear();
     slot = {}; // equal states have equal bytes
     slot.generation = generation;
     --count_;
@@ -253,9 +297,8 @@ Status Colliders::advance(Device& device, double end) {
     }
     if (uploaded_ || count_ == 0)
         return {};
-    packed_.resize(rows(count_) * collider_floats);
+    packed_.resize(rows(count_) * collider_floats + 4 * face_count_);
     float* out = packed_.data();
-    const auto order_of = [](const Slot& slot) { return is_mesh(slot) + bends(slot); };
     const auto pack_all = [&](double first, double last) { // shares of the step
         for (const int order : {0, 1, 2})
             for (const Slot& slot : slots_)
@@ -267,9 +310,30 @@ Status Colliders::advance(Device& device, double end) {
     for (const uint32_t substeps : substeps_)
         for (uint32_t i = 0; i < substeps; ++i) // as the roots go
             pack_all(double(i) / substeps, double(i + 1) / substeps);
+    pack_faces(out);
     PLAIT_TRY(device.upload(buffer_, 0, packed_.size() / 4, packed_.data()));
     uploaded_ = true;
     return {};
+}
+
+// Behind all rows, which are told where their own lie.
+void Colliders::pack_faces(float* out) {
+    const size_t per_substep = count_;
+    size_t row = 0; // of the first substep
+    for (const int order : {0, 1, 2})
+        for (size_t i = 0; i < slots_.size(); ++i) {
+            if (!slots_[i].alive || order_of(slots_[i]) != order)
+                continue;
+            for (size_t at = row; at < rows(count_) && is_hull(slots_[i]); at += per_substep) {
+                float* const first = packed_.data() + at * collider_floats;
+                float* const last = first + size_t{4} * PLAIT_COLLIDER_FRICTION;
+                last[2] = static_cast<float>((out - first) / 4);
+                last[3] = static_cast<float>(faces_[i].size());
+            }
+            for (const HullFace& face : faces_[i])
+                out = std::ranges::copy(face, out).out;
+            ++row;
+        }
 }
 
 void Colliders::arrive() {
@@ -283,11 +347,16 @@ void Colliders::stop() {
     uploaded_ = false;
 }
 
-Status Colliders::assign(Device& device, std::span<const Slot> slots) {
+Status Colliders::assign(Device& device, std::span<const Slot> slots, FacesOf&& faces) {
     const auto alive = static_cast<uint32_t>(
         std::count_if(slots.begin(), slots.end(), [](const Slot& s) { return s.alive != 0; }));
-    PLAIT_TRY(reserve(device, alive));
+    size_t face_count = 0;
+    for (const Faces& each : faces)
+        face_count += each.size();
+    PLAIT_TRY(reserve(device, alive, face_count));
     slots_.assign(slots.begin(), slots.end());
+    faces_ = std::move(faces);
+    face_count_ = face_count;
     meshes_ = static_cast<uint32_t>(std::count_if(slots.begin(), slots.end(), is_mesh));
     bending_ = static_cast<uint32_t>(std::count_if(slots.begin(), slots.end(), bends));
     count_ = alive;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "backend/device.hpp"
+#include "core/hull.hpp"
 #include "core/pose.hpp"
 
 #include <memory_resource>
@@ -12,7 +13,7 @@ namespace plait {
 class Colliders {
   public:
     Colliders(uint32_t substeps, std::pmr::memory_resource* memory)
-        : substeps_(1, substeps, memory), slots_(memory), packed_(memory) {}
+        : substeps_(1, substeps, memory), slots_(memory), faces_(memory), packed_(memory) {}
 
     // The numbers of substeps in which a fixed step is taken, by some strands or others.
     Status set_substeps(Device& device, std::span<const uint32_t> numbers);
@@ -20,6 +21,9 @@ class Colliders {
     Result<plait_collider_id> create(Device& device, const plait_collider_desc& desc);
     // A mesh, of which only pose, friction and form are kept here: see MeshColliders, BendingMeshes.
     Result<plait_collider_id> create_mesh(Device& device, const plait_collider_mesh_desc& desc);
+    // Faces of a hull are its own; the rest of its slot is that of a box around it.
+    Result<plait_collider_id> create_hull(Device& device, const plait_collider_hull_desc& desc,
+                                          const Hull& hull);
     Result<uint32_t> find(plait_collider_id id) const; // its slot
     Status set_pose(plait_collider_id id, const plait_pose& pose);
     // Shape and friction of `desc`, its pose not.
@@ -33,7 +37,7 @@ class Colliders {
     uint32_t meshes() const { return meshes_; }   // of these
     uint32_t bending() const { return bending_; } // and of these those of form NEAREST
     // float4 [all substeps, one number of them after the other][count][PLAIT_COLLIDER_STRIDE], the
-    // meshes last, and of these those of form NEAREST
+    // meshes last, and of these those of form NEAREST; then the faces of all hulls
     const Buffer& buffer() const { return buffer_; }
 
     // As Roots: the step's path ends at share `end` of the call's. Uploads what moved.
@@ -65,19 +69,28 @@ class Colliders {
     static bool is_mesh(const Slot& slot) {
         return slot.alive && slot.kind == PLAIT_COLLIDER_KIND_MESH;
     }
+    static bool is_hull(const Slot& slot) {
+        return slot.alive && slot.kind == PLAIT_COLLIDER_KIND_HULL;
+    }
     static plait_collider_desc shape_of(const Slot& slot); // its pose is zero
     std::span<const Slot> slots() const { return slots_; }
-    Status assign(Device& device, std::span<const Slot> slots);
+    using Faces = std::pmr::vector<HullFace>;
+    using FacesOf = std::pmr::vector<Faces>; // [slots], of what is no hull none
+    const FacesOf& faces() const { return faces_; }
+    Status assign(Device& device, std::span<const Slot> slots, FacesOf&& faces);
 
   private:
     Slot& take_slot(const plait_pose& pose);
-    Status reserve(Device& device, size_t count);
+    Status reserve(Device& device, size_t count, size_t faces);
+    void pack_faces(float* out);
     size_t rows(size_t count) const; // of their paths
 
     std::pmr::vector<uint32_t> substeps_;
     std::pmr::vector<Slot> slots_;
+    FacesOf faces_;
     std::pmr::vector<float> packed_; // scratch for uploads
     uint32_t count_ = 0, meshes_ = 0, bending_ = 0;
+    size_t face_count_ = 0; // of all hulls
     bool uploaded_ = false; // the buffer holds the step's path
     Buffer buffer_;
 };

@@ -309,6 +309,13 @@ Status check_collider(const plait_collider_desc& s) {
     }
 }
 
+Status check_hull_collider(const plait_collider_hull_desc& s) {
+    PLAIT_RANGE(margin, 0, 1e3);
+    PLAIT_RANGE(friction, 0, 10);
+    PLAIT_RANGE(tolerance, double(1e-6f), double(0.1f)); // as float32 has them
+    return {};
+}
+
 Status check_mesh_collider(const plait_collider_mesh_desc& s) {
     PLAIT_RANGE(cells, 8, 256);
     PLAIT_RANGE(margin, 0, 0.05);

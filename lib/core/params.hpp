@@ -22,6 +22,7 @@ Status check_strand_settings(const plait_strand_settings& settings);
 Status check_strand_stiffness(std::span<const float> scales, size_t guides);
 plait_fibre default_fibre();
 Status set_fibre(plait_sim_params& params, const plait_fibre& fibre);
+Status check_hull_collider(const plait_collider_hull_desc& desc);
 Status check_mesh_collider(const plait_collider_mesh_desc& s);
 Status check_collider(const plait_collider_desc& desc);
 

@@ -78,15 +78,15 @@ Result<RootBinding> RootBinding::create(Device& device, const Mesh& mesh, const 
     return binding;
 }
 
-Status RootBinding::check(std::span<const MeshPoint> positions) const {
+Status RootBinding::check_count(size_t positions) const {
     if (vertices_ == 0)
         return Error{PLAIT_INVALID_ARGUMENT,
                      "mesh_positions are given, but the roots are bound to no mesh"};
-    if (positions.size() != vertices_)
+    if (positions != vertices_)
         return Error{PLAIT_INVALID_ARGUMENT,
                      format("mesh_positions.count is %zu, the mesh that the roots are bound to has "
                             "%u vertices",
-                            positions.size(), vertices_)};
+                            positions, vertices_)};
     return {};
 }
 
@@ -101,6 +101,17 @@ Status RootBinding::append(Device& device, Schedule& schedule, const Layout& lay
                            const State& state, std::span<const MeshPoint> positions,
                            const Buffer& poses) const {
     PLAIT_TRY(device.upload(at_, rows_of(positions, memory_).data()));
+    append(schedule, layout, state, poses);
+    return {};
+}
+
+Status RootBinding::take(Device& device, Schedule& schedule, const Layout& layout,
+                         const State& state, const Taken& taken, const Buffer& poses) {
+    if (!next_)
+        PLAIT_TRY(device.create(next_, PLAIT_ELEMENT_FLOAT4, vertices_, "skin_at"));
+    schedule.add(PLAIT_STAGE_mesh_take, vertices_, plait_mesh_take_params{taken.words},
+                 {&taken.floats, &at_, &next_});
+    at_.swap(next_);
     append(schedule, layout, state, poses);
     return {};
 }

@@ -24,14 +24,23 @@ class RootBinding {
     float farthest() const { return farthest_; }    // m
     uint32_t farthest_root() const { return farthest_root_; }
     // INVALID_ARGUMENT: not as many as the mesh has.
-    Status check(std::span<const MeshPoint> positions) const;
+    Status check_count(size_t positions) const;
     // Uploads where the vertices are, and appends what makes the strands' poses of them.
     Status append(Device& device, Schedule& schedule, const Layout& layout, const State& state,
                   std::span<const MeshPoint> positions, const Buffer& poses) const;
+    // The same for places on the device, `words` floats from one to the next.
+    struct Taken {
+        const Buffer& floats;
+        uint32_t words;
+    };
+    Status take(Device& device, Schedule& schedule, const Layout& layout, const State& state,
+                const Taken& taken, const Buffer& poses);
     // Appends the same for what is uploaded, to be built.
     void append(Schedule& schedule, const Layout& layout, const State& state,
                 const Buffer& poses) const;
-    uint64_t device_bytes() const { return corner_.bytes() + rest_.bytes() + at_.bytes(); }
+    uint64_t device_bytes() const {
+        return corner_.bytes() + rest_.bytes() + at_.bytes() + next_.bytes();
+    }
 
   private:
     uint32_t vertices_ = 0, far_ = 0, farthest_root_ = 0;
@@ -40,6 +49,7 @@ class RootBinding {
     Buffer corner_; // uint [3*guides]
     Buffer rest_;   // float4 [vertices]
     Buffer at_;     // float4 [vertices]
+    Buffer next_;   // float4 [vertices], from the first time on that places are taken
 };
 
 } // namespace plait

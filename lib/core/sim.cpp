@@ -316,7 +316,8 @@ Status Sim::set_roots(const RootsInput& input) {
                             layout_.guides)};
     if (input.bones.empty() && input.mesh.empty())
         return roots_.aim(device(), input.head, input.own);
-    PLAIT_TRY(input.mesh.empty() ? skin_.check(input.bones) : binding_.check(input.mesh));
+    PLAIT_TRY(input.mesh.empty() ? skin_.check(input.bones)
+                                 : binding_.check_count(input.mesh.size()));
     const auto poses = roots_.target_poses(device());
     if (!poses)
         return poses.error();
@@ -340,8 +341,8 @@ Status Sim::prepare_teleport() {
 Status Sim::place_colliders() {
     if (!display_.meets_colliders(desc_.params))
         return {};
-    PLAIT_TRY(colliders_.advance(device(), 0));
-    return bending_.advance(device(), 0);
+    bending_.fit_new(schedule_);
+    return colliders_.advance(device(), 0);
 }
 
 Status Sim::teleport(const RootsInput& input) {
@@ -353,7 +354,7 @@ Status Sim::teleport(const RootsInput& input) {
     colliders_.arrive(); // what goes along has come no way either
     colliders_.stop();
     bending_.arrive();
-    bending_.stop();
+    bending_.stop(schedule_);
     roots_.append_poses_now(schedule_, pose_spare_);
     PLAIT_TRY(place_colliders());
     append_stopped_pins(schedule_, layout_, state_);
@@ -370,7 +371,7 @@ Status Sim::reset() {
     grid_.volume().carries = false;
     roots_.stop(schedule_);
     colliders_.stop();
-    bending_.stop();
+    bending_.stop(schedule_);
     PLAIT_TRY(place_colliders());
     append_stopped_pins(schedule_, layout_, state_);
     roots_.append_poses_now(schedule_, state_.pose);

@@ -104,7 +104,15 @@ class Sim {
     // sim_meshes.cpp
     Result<plait_collider_id> create_mesh_collider(const Mesh& mesh,
                                                    const plait_collider_mesh_desc& desc);
+    Result<plait_collider_id> create_hull_collider(const Mesh& mesh,
+                                                   const plait_collider_hull_desc& desc);
     Status set_collider_positions(plait_collider_id id, std::span<const float> positions);
+    // The same on the device: `count` vertices, whose floats the caller puts into what this gives,
+    // `words` from one to the next, before it has them taken.
+    Result<const Buffer*> room_for_positions(plait_collider_id id, size_t count, size_t words);
+    Status take_positions(plait_collider_id id, uint32_t words);
+    Result<const Buffer*> room_for_root_positions(size_t count, size_t words);
+    Status take_root_positions(const plait_pose& head, uint32_t words);
     Status destroy_collider(plait_collider_id id);
 
     // fields.cpp
@@ -181,6 +189,7 @@ class Sim {
     static const Phase phases[];
     void append_phases(const At& at);
     void append_roots(const At& at);
+    void append_meshes(const At& at);
     void append_pins(const At& at);
     void append_wetness(const At& at);
     void append_air(const At& at);
@@ -216,6 +225,8 @@ class Sim {
                                                  const plait_collider_mesh_desc& desc);
     Status add_field(uint32_t slot, const Mesh& mesh, const plait_collider_mesh_desc& desc);
     Status add_bending(uint32_t slot, const Mesh& mesh, const plait_collider_mesh_desc& desc);
+    Result<uint32_t> bending_slot(plait_collider_id id) const;
+    Result<const Buffer*> room_for(size_t count, size_t words);
     Status take_meshes(MeshColliders::Entries&& meshes, BendingMeshes::Entries&& bending);
     bool needs_planes() const {
         return meshes_.buffers() || bending_.buffers() || pairs_.buffers();
@@ -292,6 +303,7 @@ class Sim {
     Schedule schedule_;
     Wind wind_;
     Wetness wetness_;     // where state_.wetness is there
+    Buffer taken_;        // float, from the first vertices on that are taken on the device
     PinTable pin_table_;  // filled by the first set_pins
     Buffer pose_spare_;   // float4 [2*guides], from the first teleport on
     Buffer strand_stats_; // float4 [guides], from the first measurement on

@@ -1,4 +1,4 @@
-// Colliders that are meshes.
+// Colliders that are made of meshes.
 #include "base/format.hpp"
 #include "core/mesh_distance.hpp"
 #include "core/models/traits.hpp"
@@ -83,7 +83,15 @@ Result<plait_collider_id> Sim::create_mesh_collider(const Mesh& mesh,
     return status.error();
 }
 
-Status Sim::set_collider_positions(plait_collider_id id, std::span<const float> positions) {
+Result<plait_collider_id> Sim::create_hull_collider(const Mesh& mesh,
+                                                    const plait_collider_hull_desc& desc) {
+    Hull hull(&context_.memory);
+    PLAIT_TRY(make_hull(mesh, {double(desc.tolerance), desc.margin > 0}, hull));
+    return colliders_.create_hull(device(), desc, hull);
+}
+
+// Of a mesh whose vertices may be moved.
+Result<uint32_t> Sim::bending_slot(plait_collider_id id) const {
     const auto slot = colliders_.find(id);
     if (!slot)
         return slot.error();
@@ -98,7 +106,58 @@ Status Sim::set_collider_positions(plait_collider_id id, std::span<const float> 
                      format("collider id 0x%llx is a mesh of form 0 (FIELD), whose distances were "
                             "made once, for the shape it had: create it with form 1 (NEAREST)",
                             static_cast<unsigned long long>(id.value))};
-    return bending_.set_positions(*slot, positions);
+    return *slot;
+}
+
+Status Sim::set_collider_positions(plait_collider_id id, std::span<const float> positions) {
+    const auto slot = bending_slot(id);
+    if (!slot)
+        return slot.error();
+    return bending_.set_positions(device(), *slot, positions);
+}
+
+// What ran before it may still read the one that was too small: devices keep it as long.
+Result<const Buffer*> Sim::room_for(size_t count, size_t words) {
+    const size_t floats = (count - 1) * words + 3;
+    if (taken_.count() < floats) {
+        Buffer made;
+        PLAIT_TRY(device().create(made, PLAIT_ELEMENT_FLOAT, floats, "mesh_taken"));
+        taken_ = std::move(made);
+    }
+    return &taken_;
+}
+
+Result<const Buffer*> Sim::room_for_positions(plait_collider_id id, size_t count, size_t words) {
+    const auto slot = bending_slot(id);
+    if (!slot)
+        return slot.error();
+    PLAIT_TRY(bending_.check_count(*slot, count));
+    return room_for(count, words);
+}
+
+Status Sim::take_positions(plait_collider_id id, uint32_t words) {
+    const auto slot = bending_slot(id);
+    if (!slot)
+        return slot.error();
+    schedule_.clear();
+    bending_.take_positions(schedule_, *slot, taken_, words);
+    return submit();
+}
+
+Result<const Buffer*> Sim::room_for_root_positions(size_t count, size_t words) {
+    PLAIT_TRY(binding_.check_count(count));
+    return room_for(count, words);
+}
+
+Status Sim::take_root_positions(const plait_pose& head, uint32_t words) {
+    const auto poses = roots_.target_poses(device());
+    if (!poses)
+        return poses.error();
+    schedule_.clear();
+    PLAIT_TRY(binding_.take(device(), schedule_, layout_, state_, {taken_, words}, **poses));
+    PLAIT_TRY(submit());
+    roots_.aim_at_target_poses(head);
+    return {};
 }
 
 Status Sim::destroy_collider(plait_collider_id id) {

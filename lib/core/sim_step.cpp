@@ -2,6 +2,7 @@
 //
 //                     call begins      fixed step begins     substep     fixed step ends   call ends
 //   roots                              poses of their own    poses
+//   meshes that bend                   vertices, boxes
 //   pins                               targets                                             targets
 //   wetness                            dries; material
 //   air                                eddies, shelter
@@ -28,12 +29,11 @@ namespace plait {
 
 // In the order in which they act at one moment.
 constexpr Sim::Phase Sim::phases[] = {
-    &Sim::append_roots,         &Sim::append_pins,
-    &Sim::append_wetness,       &Sim::append_air,
+    &Sim::append_roots,           &Sim::append_meshes,  &Sim::append_pins,
+    &Sim::append_wetness,         &Sim::append_air,
     &Sim::append_volume, // whose pressure is an acceleration
-    &Sim::append_accelerations, &Sim::append_pairs,
-    &Sim::append_solve,         &Sim::append_grid_over_lanes,
-    &Sim::append_publish,       &Sim::append_grid,
+    &Sim::append_accelerations,   &Sim::append_pairs,   &Sim::append_solve,
+    &Sim::append_grid_over_lanes, &Sim::append_publish, &Sim::append_grid,
     &Sim::append_display,
 };
 
@@ -63,7 +63,7 @@ Status Sim::fixed_step(double end, uint32_t step, uint32_t steps) {
     dry();
     wind_.place(cube_, roots_.step_begin());
     PLAIT_TRY(colliders_.advance(device(), end));
-    PLAIT_TRY(bending_.advance(device(), end));
+    bending_.advance(end);
     append_phases({Moment::step_begins, present(), step, steps, static_cast<float>(end)});
     const auto substeps = [&](const Group& group) -> Status {
         for (uint32_t i = 0; i < group.substeps; ++i) {
@@ -99,6 +99,12 @@ void Sim::append_roots(const At& at) {
         roots_.append_path(schedule_);
     if (at.moment == Moment::substep)
         roots_.append_poses(schedule_, at.substep.share, state_.pose);
+}
+
+// A dry step, which is of none, has all that any may take.
+void Sim::append_meshes(const At& at) {
+    if (at.moment == Moment::step_begins)
+        bending_.append(schedule_, at.steps == 0);
 }
 
 void Sim::append_pins(const At& at) {

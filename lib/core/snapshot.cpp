@@ -1,5 +1,5 @@
 // The dynamic state as bytes: header, colliders, the settings of every strand where they have some of
-// their own, the grids of colliders that are meshes, then runs of floats. Little-endian, float32
+// their own, the faces of hulls, the grids of colliders that are meshes, then runs of floats. Little-endian, float32
 // whatever the backend computes in, so that a snapshot of one device restores on another. The header
 // has a checksum of all that follows it there, which finds damage, and what a snapshot says is held
 // to its range all the same: bytes that somebody made up with a checksum of their own are refused or
@@ -142,6 +142,9 @@ size_t Sim::snapshot_bytes(const SnapshotHeader& h) const {
 size_t Sim::snapshot_size() {
     const SnapshotHeader h = snapshot_header();
     size_t bytes = snapshot_bytes(h);
+    for (size_t i = 0; i < colliders_.slots().size(); ++i)
+        if (Colliders::is_hull(colliders_.slots()[i]))
+            bytes += sizeof(uint32_t) + colliders_.faces()[i].size() * sizeof(HullFace);
     for (const MeshColliders::Entry& mesh : meshes_.entries())
         bytes += sizeof(SavedMesh) + (mesh.field.count() + mesh.clearance.size()) * sizeof(float);
     for (const BendingMeshes::Entry& mesh : bending_.entries())
@@ -170,6 +173,14 @@ Status Sim::save(std::span<unsigned char> dst) {
                                          s.bdf2};
             put(&saved, sizeof saved);
         }
+    for (size_t i = 0; i < colliders_.slots().size(); ++i) {
+        if (!Colliders::is_hull(colliders_.slots()[i]))
+            continue;
+        const Colliders::Faces& faces = colliders_.faces()[i];
+        const auto count = static_cast<uint32_t>(faces.size());
+        put(&count, sizeof count);
+        put(faces.data(), faces.size() * sizeof(HullFace));
+    }
     for (const auto& [slot, field, clearance] : meshes_.entries()) {
         SavedMesh saved{{}, field.edge, {}, field.band};
         std::ranges::copy(field.origin, saved.origin);
@@ -179,15 +190,20 @@ Status Sim::save(std::span<unsigned char> dst) {
         put(clearance.data(), clearance.size() * sizeof(float));
     }
     const auto put_list = [&](const auto& list) { put(list.data(), list.size() * sizeof list[0]); };
-    for (const BendingMeshes::Entry& mesh : bending_.entries()) {
+    for (size_t m = 0; m < bending_.entries().size(); ++m) {
+        const BendingMeshes::Entry& mesh = bending_.entries()[m];
         const SavedBendingMesh saved = {static_cast<uint32_t>(mesh.surface.positions.size()),
                                         static_cast<uint32_t>(mesh.surface.triangles.size()),
                                         mesh.two_sided ? 1u : 0u, mesh.posed ? 1u : 0u};
         put(&saved, sizeof saved);
         put_list(mesh.surface.positions);
-        for (const auto* places : {&mesh.at, &mesh.target, &mesh.from, &mesh.to})
-            if (mesh.posed)
-                put_list(*places);
+        if (mesh.posed) {
+            const auto places = bending_.read(device(), m);
+            if (!places)
+                return places.error();
+            for (const auto* list : {&places->at, &places->target, &places->from, &places->to})
+                put_list(*list);
+        }
         put_list(mesh.surface.triangles);
         put_list(mesh.clearance);
     }
@@ -352,6 +368,9 @@ Status Sim::restore(std::span<const unsigned char> src) {
         return strands.error();
     from += h.switched ? layout_.guides * sizeof(SavedSettings) : 0;
     auto left = src.subspan(static_cast<size_t>(from - src.data()));
+    auto faces = saved_faces(*slots, left, &context_.memory);
+    if (!faces)
+        return faces.error();
     auto meshes = saved_meshes(*slots, layout_.guide_vertices(), left, &context_.memory);
     if (!meshes)
         return meshes.error();
@@ -381,7 +400,7 @@ Status Sim::restore(std::span<const unsigned char> src) {
     const auto list = blocks(h);
     schedule_.clear();
     PLAIT_TRY(take_meshes(std::move(*meshes), std::move(*bending)));
-    PLAIT_TRY(colliders_.assign(device(), *slots));
+    PLAIT_TRY(colliders_.assign(device(), *slots, std::move(*faces)));
     PLAIT_TRY(restore_roots(h));
     if (!h.pins)
         PLAIT_TRY(clear_pins(device(), layout_, state_, &context_.memory));

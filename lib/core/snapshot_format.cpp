@@ -37,6 +37,28 @@ Status check_mesh_slot(const Colliders::Slot& slot) {
     return {};
 }
 
+// As create_hull() makes it, and as a box it is none that may not be.
+Status check_hull_slot(const Colliders::Slot& slot) {
+    plait_collider_desc around = Colliders::shape_of(slot);
+    around.kind = PLAIT_COLLIDER_KIND_BOX;
+    PLAIT_TRY(check_collider(around));
+    Colliders::Slot bare = slot;
+    for (float* vector : {bare.b, bare.normal})
+        std::fill_n(vector, 3, 0.0f);
+    bare.radius_a = bare.radius_b = 0;
+    std::copy_n(identity_pose.q, 4, bare.orientation);
+    if (std::memcmp(&bare, &slot, sizeof slot) != 0)
+        return Error{PLAIT_INVALID_ARGUMENT, "is a hull, and has another shape besides"};
+    return {};
+}
+
+Status check_shape(const Colliders::Slot& slot) {
+    if (Colliders::is_mesh(slot))
+        return check_mesh_slot(slot);
+    return Colliders::is_hull(slot) ? check_hull_slot(slot)
+                                    : check_collider(Colliders::shape_of(slot));
+}
+
 Status check_slot(const Colliders::Slot& slot, size_t index) {
     if (slot.alive > 1)
         return malformed(format("collider %zu: alive is %u, range is [0, 1]", index, slot.alive));
@@ -47,12 +69,9 @@ Status check_slot(const Colliders::Slot& slot, size_t index) {
             return malformed(format("collider %zu is gone, but not all of it is zero", index));
         return {};
     }
-    const bool mesh = Colliders::is_mesh(slot);
-    if (!mesh && slot.form != 0)
+    if (!Colliders::is_mesh(slot) && slot.form != 0)
         return malformed(format("collider %zu: form is %u, and it is no mesh", index, slot.form));
-    if (const auto status =
-            mesh ? check_mesh_slot(slot) : check_collider(Colliders::shape_of(slot));
-        !status)
+    if (const auto status = check_shape(slot); !status)
         return malformed(format("collider %zu: %s", index, status.error().message.c_str()));
     for (const plait_pose* pose : {&slot.at, &slot.target, &slot.from, &slot.to})
         PLAIT_TRY(check_pose(*pose, "collider"));
@@ -193,6 +212,28 @@ Status check_turn(const unsigned char* bytes, size_t first, const char* name, bo
     return {};
 }
 
+Result<Colliders::FacesOf> saved_faces(std::span<const Colliders::Slot> slots,
+                                       std::span<const unsigned char>& from,
+                                       std::pmr::memory_resource* memory) {
+    Colliders::FacesOf list(slots.size(), memory);
+    for (size_t i = 0; i < slots.size(); ++i) {
+        if (!Colliders::is_hull(slots[i]))
+            continue;
+        uint32_t count = 0;
+        if (from.size() >= sizeof count)
+            std::memcpy(&count, from.data(), sizeof count);
+        if (from.size() < sizeof count || (from.size() - sizeof count) / sizeof(HullFace) < count)
+            return malformed(format("collider %zu: it ends before the faces of its hull", i));
+        list[i].resize(count);
+        if (count > 0)
+            std::memcpy(list[i].data(), from.data() + sizeof count, count * sizeof(HullFace));
+        from = from.subspan(sizeof count + count * sizeof(HullFace));
+        if (const auto status = check_hull_faces(list[i]); !status)
+            return malformed(format("collider %zu: %s", i, status.error().message.c_str()));
+    }
+    return list;
+}
+
 Result<MeshColliders::Entries> saved_meshes(std::span<const Colliders::Slot> slots, size_t vertices,
                                             std::span<const unsigned char>& from,
                                             std::pmr::memory_resource* memory) {
@@ -255,12 +296,10 @@ Result<BendingMeshes::Entry> saved_bending_mesh(uint32_t slot, size_t vertices,
     BendingMeshes::Entry entry(slot, saved.two_sided != 0, memory);
     entry.posed = saved.posed != 0;
     PLAIT_TRY(take_points(from, saved.vertices, entry.surface.positions));
-    std::pmr::vector<MeshPoint> places[4] = {
-        std::pmr::vector<MeshPoint>(memory), std::pmr::vector<MeshPoint>(memory),
-        std::pmr::vector<MeshPoint>(memory), std::pmr::vector<MeshPoint>(memory)};
-    for (auto& place : places)
+    BendingMeshes::Places& p = entry.places;
+    for (auto* places : {&p.at, &p.target, &p.from, &p.to})
         if (entry.posed)
-            PLAIT_TRY(take_points(from, saved.vertices, place));
+            PLAIT_TRY(take_points(from, saved.vertices, *places));
     take_rows(from, saved.triangles, entry.surface.triangles);
     for (const Triangle& triangle : entry.surface.triangles)
         for (const uint32_t corner : triangle)
@@ -270,12 +309,6 @@ Result<BendingMeshes::Entry> saved_bending_mesh(uint32_t slot, size_t vertices,
     for (size_t i = 0; i < vertices; ++i)
         PLAIT_TRY(check_range(from.data(), i, "mesh"));
     entry.begin();
-    if (entry.posed) {
-        entry.at = places[0];
-        entry.target = places[1];
-        entry.from = places[2];
-        entry.to = places[3];
-    }
     take_rows(from, vertices, entry.clearance);
     return entry;
 }

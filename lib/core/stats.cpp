@@ -100,8 +100,7 @@ uint64_t Sim::device_bytes() const {
                      colliders_.buffer().bytes();
     if (const MeshBuffers* meshes = meshes_.buffers())
         bytes += meshes->bytes();
-    if (const BendingBuffers* bending = bending_.buffers())
-        bytes += bending->bytes();
+    bytes += bending_.device_bytes() + taken_.bytes();
     if (const PairBuffers* pairs = pairs_.buffers())
         bytes += pairs->bytes();
     for (const Buffer* buffer : state_.all())

@@ -1,8 +1,10 @@
-// Contact of the strand models with planes and boxes: what a plane at any tilt and friction's angle
-// say in closed form, kinds that are each other's limits, and nothing that passes through.
+// Contact of the strand models with planes, boxes and hulls: what a plane at any tilt and friction's
+// angle say in closed form, kinds that are each other's limits, and nothing that passes through.
 #include "accuracy/one_collider.hpp"
+#include "api/mesh_shapes.hpp"
 
 #include <cstdio>
+#include <utility>
 
 namespace plait::test {
 namespace {
@@ -10,6 +12,29 @@ namespace {
 plait_collider_id add(const OneStrand& strand, const plait_collider_desc& desc) {
     plait_collider_id id{};
     PLAIT_EXPECT(plait_collider_create(strand.sim(), &desc, &id));
+    return id;
+}
+
+// That of a box about `centre`, in a frame of its own.
+plait_collider_id add_hull(const OneStrand& strand, Vec3 centre, Vec3 half_extents, float margin,
+                           float friction, plait_pose pose = {{0, 0, 0, 1}, {0, 0, 0}}) {
+    ShapeMesh shape =
+        box_mesh(double(half_extents[0]), double(half_extents[1]), double(half_extents[2]));
+    for (auto& p : shape.positions)
+        for (size_t k = 0; k < 3; ++k)
+            p[k] += centre[k];
+    plait_mesh_desc mesh_desc = plait_mesh_desc_defaults();
+    mesh_desc.positions = {shape.positions.data(), shape.positions.size(), 0};
+    mesh_desc.triangles = {shape.triangles.data(), shape.triangles.size(), 0};
+    plait_mesh* mesh = nullptr;
+    PLAIT_EXPECT(plait_mesh_create(&mesh_desc, nullptr, &mesh));
+    plait_collider_hull_desc desc = plait_collider_hull_desc_defaults();
+    desc.margin = margin;
+    desc.friction = friction;
+    desc.pose = pose;
+    plait_collider_id id{};
+    PLAIT_EXPECT(plait_collider_create_hull(strand.sim(), mesh, &desc, &id));
+    plait_mesh_destroy(mesh);
     return id;
 }
 
@@ -86,15 +111,20 @@ TEST_P(Surfaces, hair_rests_on_a_plane_at_any_tilt) {
 
 class Slope {
   public:
-    // `degrees` beyond the angle of friction. Down the slope is -z.
-    Slope(plait_model model, float friction, double degrees) {
+    // `degrees` beyond the angle of friction. Down the slope is -z. It is a plane, or the face of a hull.
+    Slope(plait_model model, float friction, double degrees, bool hull = false) {
         const double angle = std::atan(double(friction)) + degrees * pi / 180;
         plait_sim_desc desc = desc_of({model, 1});
         desc.params.drag = 0.0f;
         desc.params.bend_stiffness = 1e-10f; // hardly holds: the strand slides as one
         down_ = {0.0f, static_cast<float>(-std::sin(angle)), static_cast<float>(-std::cos(angle))};
         strand_ = std::make_unique<OneStrand>(StrandShape{17, length, {1.0f, 0.0f, 0.0f}}, desc);
-        add(*strand_, plane({5.0f, 0.0f, 0.0f}, {0.0f, -down_[2], down_[1]}, friction));
+        const auto half = static_cast<float>(angle / 2);
+        if (hull)
+            add_hull(*strand_, {0, -0.5f, 0}, {2, 0.5f, 2}, 0, friction,
+                     {{-std::sin(half), 0, 0, std::cos(half)}, {0, 0, 0}});
+        else
+            add(*strand_, plane({5.0f, 0.0f, 0.0f}, {0.0f, -down_[2], down_[1]}, friction));
         expected_ = double(g) * (std::sin(angle) - double(friction) * std::cos(angle));
     }
     // m/s of the tip, down the slope, over a number of steps.
@@ -117,19 +147,21 @@ class Slope {
 };
 
 TEST(SlopeFriction, holds_a_degree_below_its_angle) {
-    for (const plait_model model : {PLAIT_MODEL_CHAIN, PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD}) {
-        Slope slope(model, 0.3f, -1);
-        slope.speed(60);
-        EXPECT_LT(slope.speed(60), 1e-3 * double(length)) << "model " << model;
-    }
+    for (const plait_model model : {PLAIT_MODEL_CHAIN, PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD})
+        for (const bool hull : {false, true}) {
+            Slope slope(model, 0.3f, -1, hull);
+            slope.speed(60);
+            EXPECT_LT(slope.speed(60), 1e-3 * double(length)) << "model " << model << hull;
+        }
 }
 
 TEST(SlopeFriction, lets_go_a_degree_above) {
-    for (const plait_model model : {PLAIT_MODEL_CHAIN, PLAIT_MODEL_ROD}) {
-        Slope slope(model, 0.3f, 1);
-        slope.speed(20);
-        EXPECT_GT(slope.speed(5), 0.02) << "model " << model;
-    }
+    for (const plait_model model : {PLAIT_MODEL_CHAIN, PLAIT_MODEL_ROD})
+        for (const bool hull : {false, true}) {
+            Slope slope(model, 0.3f, 1, hull);
+            slope.speed(20);
+            EXPECT_GT(slope.speed(5), 0.02) << "model " << model << hull;
+        }
 }
 
 TEST(SlopeFriction, is_mu_times_the_push_while_it_slides) {
@@ -162,6 +194,33 @@ TEST_P(Surfaces, moving_plane_drags_hair_along) {
     }
 }
 
+// Hair lies on the top of a block that goes aside and turns about the middle of it: by friction it goes
+// along, and nothing of it is inside.
+TEST_P(Surfaces, moving_hull_carries_hair) {
+    for (const float friction : {0.0f, 1.0f}) {
+        OneStrand strand({17, length, {1.0f, 0.0f, 0.0f}}, desc_of(GetParam()));
+        const auto block = add_hull(strand, {0, -0.1f, 0}, {0.5f, 0.05f, 0.5f}, 0, friction);
+        strand.run(3.0);
+        const Points before = strand.read(PLAIT_FIELD_POSITION);
+        double deepest = 0;
+        for (int i = 1; i <= 30; ++i) {
+            const float half = 0.002f * static_cast<float>(i);
+            const plait_pose pose = {{0, std::sin(half), 0, std::cos(half)},
+                                     {0, 0, 0.0005f * static_cast<float>(i)}};
+            PLAIT_EXPECT(plait_collider_set_pose(strand.sim(), block, &pose));
+            strand.step();
+            for (const auto& x : strand.read(PLAIT_FIELD_POSITION))
+                deepest = std::max(deepest, -0.05 - double(x[1]));
+        }
+        EXPECT_LT(deepest, 1e-3);
+        const double moved = largest_move(before, strand.read(PLAIT_FIELD_POSITION));
+        if (friction > 0.0f)
+            EXPECT_GT(moved, 0.01);
+        else
+            EXPECT_LT(moved, 0.002);
+    }
+}
+
 // ---- kinds that are each other's limits --------------------------------------------------------
 
 // s: they have met. Without friction, where rounding would soon decide what sticks.
@@ -173,6 +232,41 @@ TEST_P(Surfaces, a_box_s_face_is_a_plane) {
         const plait_collider_desc face = box({0, -0.55f, 0}, {2, 0.5f - rounding, 2}, rounding, 0);
         EXPECT_LT(largest_move(rest_on(GetParam(), face, early), on_plane), 1e-4);
     }
+}
+
+TEST_P(Surfaces, a_hull_s_face_is_a_plane) {
+    const Points on_plane = rest_on(GetParam(), plane({0, -0.05f, 0}, {0, 3, 0}, 0), early);
+    for (const float margin : {0.0f, 0.25f}) {
+        OneStrand strand({17, length, {1.0f, 0.0f, 0.0f}}, desc_of(GetParam()));
+        add_hull(strand, {0, -0.55f, 0}, {2, 0.5f - margin, 2}, margin, 0);
+        strand.run(early);
+        EXPECT_LT(largest_move(strand.read(PLAIT_FIELD_POSITION), on_plane), 1e-4);
+    }
+}
+
+// Over an edge, too: a margin rounds nothing, where a box's rounding does.
+TEST_P(Surfaces, a_hull_s_margin_moves_its_faces) {
+    const auto over_edge = [&](const auto& add_one) {
+        OneStrand strand({17, length, {1.0f, 0.0f, 0.0f}}, desc_of(GetParam()));
+        add_one(strand);
+        strand.run(early);
+        return strand.read(PLAIT_FIELD_POSITION);
+    };
+    const Points sharp = over_edge([](const OneStrand& strand) {
+        add_hull(strand, {-0.05f, -0.07f, 0}, {0.16f, 0.06f, 0.3f}, 0, 0);
+    });
+    const Points margin = over_edge([](const OneStrand& strand) {
+        add_hull(strand, {-0.05f, -0.07f, 0}, {0.13f, 0.03f, 0.27f}, 0.03f, 0);
+    });
+    const Points rounded = over_edge([](const OneStrand& strand) {
+        add(strand, box({-0.05f, -0.07f, 0}, {0.13f, 0.03f, 0.27f}, 0.03f, 0));
+    });
+    const Points box_of_it = over_edge([](const OneStrand& strand) {
+        add(strand, box({-0.05f, -0.07f, 0}, {0.16f, 0.06f, 0.3f}, 0, 0));
+    });
+    EXPECT_LT(largest_move(margin, sharp), 1e-4);
+    EXPECT_LT(largest_move(box_of_it, sharp), 1e-4);
+    EXPECT_GT(largest_move(margin, rounded), 1e-3);
 }
 
 TEST_P(Surfaces, a_box_without_width_is_a_capsule) {
@@ -203,9 +297,12 @@ TEST(Tunnelling, no_vertex_passes_through_a_slab) {
                               -length * static_cast<float>(i) / 16.0f,
                               -0.006f + 0.012f * static_cast<float>(s) / 60.0f});
     for (const plait_model model : {PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD, PLAIT_MODEL_ARTICULATED})
-        for (const float pace : {1.0f, 2.0f, 5.0f}) {
+        for (const auto& [pace, is_hull] : {std::pair(1.0f, false), std::pair(2.0f, false),
+                                            std::pair(5.0f, false), std::pair(2.0f, true)}) {
             OneStrand hair(points, 17, desc_of({model, 1}), shared_context());
-            const auto slab = add(hair, box({-0.2f, -0.3f, 0}, {thick / 2, high, 0.2f}, 0, 0.3f));
+            const auto slab =
+                is_hull ? add_hull(hair, {-0.2f, -0.3f, 0}, {thick / 2, high, 0.2f}, 0, 0.3f)
+                        : add(hair, box({-0.2f, -0.3f, 0}, {thick / 2, high, 0.2f}, 0, 0.3f));
             int met = 0, passed = 0;
             Points before = hair.read(PLAIT_FIELD_POSITION);
             const int steps = static_cast<int>(0.25f / (pace * thick));

@@ -84,6 +84,9 @@ class Maker {
                     box[k + 4] = std::max(box[k + 4], c + 1e-7f);
                 }
         ball_.box.insert(ball_.box.end(), box.begin(), box.end());
+        const size_t own = ball_.under.size();
+        for (const uint32_t word : {begin, end - begin, 1u})
+            ball_.under.push_back(word);
         if (end - begin <= 4)
             return;
         const uint32_t half = (begin + end) / 2;
@@ -91,6 +94,7 @@ class Maker {
         ball_.tree[at] = static_cast<uint32_t>(ball_.tree.size() / 2);
         ball_.tree[at + 1] = 0;
         node(half, end);
+        ball_.under[own + 2] = static_cast<uint32_t>((ball_.tree.size() - at) / 2);
     }
 
     Ball& ball_;

@@ -7,8 +7,8 @@
 namespace bench {
 
 struct Ball {
-    std::vector<float> vertices;                // float4
-    std::vector<uint32_t> triangle, tree, ring; // as the buffers are
+    std::vector<float> vertices;                       // float4
+    std::vector<uint32_t> triangle, tree, under, ring; // as the buffers are
     std::vector<float> box;
 };
 

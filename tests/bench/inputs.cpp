@@ -116,6 +116,15 @@ void fill(plait_wetness_params& p, const Shape&) {
 void fill(plait_grid_clear_params& p, const Shape&) {
     p.value = PLAIT_SLOT_EMPTY;
 }
+void fill(plait_mesh_take_params& p, const Shape&) {
+    p = {4};
+}
+void fill(plait_mesh_pose_params& p, const Shape&) {
+    p = {0, 0.5f};
+}
+void fill(plait_mesh_fit_params& p, const Shape&) {
+    p = {0, 0, 32}; // the launch that has most to do
+}
 void fill(plait_grid_params& p, const Shape& shape) {
     p.vertex_stride = shape.vertices;
     p.edge_count = grid_edge_count;
@@ -747,6 +756,11 @@ const std::map<std::string, Maker>& makers() {
         {"mesh_from", [](const Shape&) { return words_of(ball().vertices); }},
         {"mesh_to", [](const Shape&) { return words_of(ball().vertices); }},
         {"mesh_bends", [](const Shape&) { return Words(1); }},
+        {"mesh_taken", [](const Shape&) { return words_of(ball().vertices); }},
+        {"mesh_at", [](const Shape&) { return words_of(ball().vertices); }},
+        {"mesh_target", [](const Shape&) { return words_of(ball().vertices); }},
+        {"mesh_way", [](const Shape&) { return Words(ball().tree.size() / 2); }},
+        {"mesh_under", [](const Shape&) { return ball().under; }},
         {"cell_count", [](const Shape&) { return Words(pair_cells * pair_cells * pair_cells); }},
         {"cell_end", [](const Shape& s) { return cells_of(s).end; }},
         {"cell_segment", [](const Shape& s) { return cells_of(s).segments; }},
@@ -844,6 +858,10 @@ uint32_t item_count(plait_stage stage, const Shape& shape) {
         fill(params, shape);
         return (params.count - 1) / params.share + 1;
     }
+    if (stage == PLAIT_STAGE_mesh_take || stage == PLAIT_STAGE_mesh_pose)
+        return static_cast<uint32_t>(ball().vertices.size() / 4);
+    if (stage == PLAIT_STAGE_mesh_fit)
+        return static_cast<uint32_t>(ball().tree.size() / 2);
     switch (plait_stage_describe(stage)->space) {
     case PLAIT_SPACE_VERTEX:
         return static_cast<uint32_t>(shape.total());

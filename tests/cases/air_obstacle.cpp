@@ -45,6 +45,14 @@ std::vector<Collider> crowd() {
     return colliders;
 }
 
+// A prism that goes through all of the grid: three faces leave free where a row has what is not read.
+Collider long_prism() {
+    Collider prism = hull;
+    prism.faces.resize(3);
+    prism.to[6] = 2;
+    return prism;
+}
+
 } // namespace
 
 // A node is in a collider or not: shells of thousands of them notice where a collider ends.
@@ -54,7 +62,8 @@ Case air_obstacle_case() {
                    {{"air_extinction", 1e-4}},
                    {"collider.begin.a", "collider.turn", "collider.friction"}};
     result.flags.push_back("collider.kind");
-    const std::vector<Collider> list[] = {{}, crowd(), {box}, {plane}, {sharp_box, tapered, box}};
+    const std::vector<Collider> list[] = {
+        {}, crowd(), {box}, {plane}, {sharp_box, tapered, box}, {long_prism()}};
     for (const uint32_t edge_count : {1u, 5u, 31u})
         for (std::vector<Collider> colliders : list) {
             const auto count = static_cast<uint32_t>(colliders.size());

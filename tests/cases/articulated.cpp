@@ -35,6 +35,7 @@ Case articulated_case() {
             result.setups.push_back(lane_setup(size, make_lane_hair_in_contact(size, 32, 100.0f),
                                                lane_params(size, 1, bdf2), true));
     add_rods_on_surfaces(result, 55); // with 48 a vertex is about to break loose
+    add_rods_on_hulls(result);
     add_rods_on_planes(result);
     add_pinned(result, true);
     add_longer_rows(result);

@@ -51,6 +51,13 @@ Case chain_case() {
             result.setups.push_back(
                 lane_setup(size, make_lane_hair_on_surfaces(size, 60, 0.05f, far), params, false));
         }
+    for (const Size& size : contact_sizes())
+        for (const uint32_t bdf2 : {0u, 1u}) {
+            plait_lane_params params = lane_params(size, 1, bdf2);
+            params.contact_rate = 3e4f;
+            result.setups.push_back(
+                lane_setup(size, make_lane_hair_on_hulls(size, 53, 0.05f), params, false));
+        }
     result.flags.push_back("collider.kind");
     for (const Size& size : contact_sizes())
         for (const uint32_t bdf2 : {0u, 1u}) {

@@ -38,7 +38,7 @@ Setup make(const Size& size, std::vector<Collider> colliders) {
 
 // A normal is good to 1e-7 m over the distance from the axis; pushes are up to 0.25 m. Vertices
 // nearer to an axis than 1 cm would need more than this; none of these lies there, nor so near the
-// middle between two faces of a box that rounding chooses.
+// middle between two faces of a box or a hull that rounding chooses.
 Case collide_case() {
     Case result = {PLAIT_STAGE_collide, {}, {{"position", 1e-5}}, unread_of_colliders()};
     result.flags.push_back("collider.kind");
@@ -47,7 +47,9 @@ Case collide_case() {
         result.setups.push_back(make(size, {tapered}));
         result.setups.push_back(make(size, {plane}));
         result.setups.push_back(make(size, {box}));
+        result.setups.push_back(make(size, {hull}));
         result.setups.push_back(make(size, {sharp_box, tapered, plane, box}));
+        result.setups.push_back(make(size, {tapered, hull, sharp_box}));
         result.setups.push_back(make(size, many()));
     }
     return result;

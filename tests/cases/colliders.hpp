@@ -4,6 +4,7 @@
 #include <plait/params.h>
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 namespace plait::cases {
@@ -14,16 +15,29 @@ struct Collider {
     std::array<float, 4> turn;
     float friction;
     float kind = PLAIT_KIND_CAPSULE;
+    std::vector<std::array<float, 4>> faces = {}; // of a hull: at most 5
 };
 
+// Faces lie behind the rows, those of a hull after a float4 of nothing: none lies where a row would have
+// what is not read.
 inline std::vector<float> pack(const std::vector<Collider>& colliders) {
-    std::vector<float> packed;
+    std::vector<float> packed, faces;
+    const std::size_t end = PLAIT_COLLIDER_STRIDE * colliders.size();
     for (const Collider& collider : colliders) {
+        const std::size_t here = packed.size() / 4;
         packed.insert(packed.end(), collider.from.begin(), collider.from.end());
         packed.insert(packed.end(), collider.to.begin(), collider.to.end());
         packed.insert(packed.end(), collider.turn.begin(), collider.turn.end());
         packed.insert(packed.end(), {collider.friction, collider.kind, 0, 0});
+        if (collider.faces.empty())
+            continue;
+        faces.insert(faces.end(), 4, 0.5f);
+        packed[packed.size() - 2] = static_cast<float>(end - here + faces.size() / 4);
+        packed[packed.size() - 1] = static_cast<float>(collider.faces.size());
+        for (const auto& face : collider.faces)
+            faces.insert(faces.end(), face.begin(), face.end());
     }
+    packed.insert(packed.end(), faces.begin(), faces.end());
     return packed;
 }
 
@@ -60,5 +74,16 @@ inline const Collider sharp_box = {{-.3f, -.2f, .1f, 0, 0, .6f, 0, .8f},
                                    {0, 0, .28f, .96f},
                                    .2f,
                                    PLAIT_KIND_BOX};
+// A prism on a triangle, with a margin.
+inline const Collider hull = {{-.05f, .1f, 0, .03f, .36f, -.48f, .64f, .48f},
+                              {0, .1f, .05f, .03f, .43f, .5f, .2f, 0},
+                              {.12f, -.24f, .16f, .9506840f},
+                              .6f,
+                              PLAIT_KIND_HULL,
+                              {{0, 1, 0, .22f},
+                               {.8660254f, -.5f, 0, .24f},
+                               {-.8660254f, -.5f, 0, .25f},
+                               {0, 0, 1, .18f},
+                               {0, 0, -1, .15f}}};
 
 } // namespace plait::cases

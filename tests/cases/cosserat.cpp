@@ -35,6 +35,7 @@ Case cosserat_case() {
             result.setups.push_back(lane_setup(size, make_lane_hair_in_contact(size, 32, 100.0f),
                                                lane_params(size, 3, bdf2), true));
     add_rods_on_surfaces(result);
+    add_rods_on_hulls(result);
     add_rods_on_planes(result);
     add_pinned(result, true);
     add_longer_rows(result);

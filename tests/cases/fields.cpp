@@ -14,9 +14,9 @@ namespace {
 
 // uint that sizes buffers, or says where in one to begin
 constexpr std::string_view of_layout[] = {
-    "vertex_stride", "row_stride", "tile",     "collider_count", "collider_first",
-    "guide_count",   "edge_count", "capacity", "share",          "boxes",
-    "components",    "axis",       "plane"};
+    "vertex_stride", "row_stride", "tile",   "collider_count", "collider_first", "guide_count",
+    "edge_count",    "capacity",   "share",  "boxes",          "components",     "axis",
+    "plane",         "words",      "begins", "mesh",           "least",          "most"};
 // uint that takes one of two values
 constexpr std::string_view choices[] = {
     "per_root",     "accelerates", "pins",      "planes",  "history",      "bdf2",

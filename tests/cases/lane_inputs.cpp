@@ -147,6 +147,32 @@ void add_box(LaneHair& lanes, Random& random, size_t vertex, double gap, float f
     append(lanes.capsules, Quat{double(friction), double{PLAIT_KIND_BOX}, 0, 0});
 }
 
+// The same with a prism on a triangle, whose faces, or an edge of them, are as far off.
+void add_hull(LaneHair& lanes, Random& random, size_t vertex, double gap, float friction) {
+    const Point down = sum(direction_of({20, -40, 30}), random_step(random, 0.2));
+    const Quat orientation = random.rotation();
+    const double margin = random.below(2) == 0 ? 0 : 0.01;
+    const double across = random.uniform(0.02, 0.035), along = random.uniform(0.02, 0.05);
+    const double side = std::sqrt(0.75);
+    const std::array<double, 4> faces[] = {{0, 1, 0, across},
+                                           {side, -0.5, 0, across},
+                                           {-side, -0.5, 0, across},
+                                           {0, 0, 1, along},
+                                           {0, 0, -1, along}};
+    const Point half = {2 * side * across, 2 * across, along}; // of a box around it
+    const Point middle = sum(place_of(lanes, vertex), down, 1.1 * across + margin + gap);
+    append(lanes.faces, Quat{0.5, 0.5, 0.5, 0.5}); // of none: see pack() in colliders.hpp
+    const auto begins = static_cast<double>(lanes.faces.size() / 4);
+    append(lanes.capsules, with_radius(middle, margin));
+    append(lanes.capsules, orientation);
+    append(lanes.capsules, with_radius(sum(middle, random_step(random, 0.03)), margin));
+    append(lanes.capsules, with_radius(half, 0));
+    append(lanes.capsules, small_turn(random, 0.3));
+    append(lanes.capsules, Quat{double(friction), double{PLAIT_KIND_HULL}, begins, 5});
+    for (const auto& face : faces)
+        append(lanes.faces, face);
+}
+
 // A plane `gap` below the vertex that lies lowest, the way that forces drive it.
 void add_plane(LaneHair& lanes, Random& random, double gap, float friction) {
     const Point down = sum(direction_of({20, -40, 30}), random_step(random, 0.2));
@@ -175,6 +201,17 @@ std::vector<float> without_w(const std::vector<float>& float4s) {
         if (i % 4 != 3)
             values.push_back(float4s[i]);
     return values;
+}
+
+// Where its faces are, from each hull's row on.
+std::vector<float> with_faces(std::vector<float> rows, const std::vector<float>& faces) {
+    constexpr size_t row = size_t{4} * PLAIT_COLLIDER_STRIDE;
+    const size_t end = rows.size();
+    for (size_t at = 0; at < end; at += row)
+        if (rows[at + row - 3] == PLAIT_KIND_HULL)
+            rows[at + row - 2] += static_cast<float>((end - at) / 4);
+    rows.insert(rows.end(), faces.begin(), faces.end());
+    return rows;
 }
 
 // All strands inside: what a kernel meets that reads the capsules of the substep before.
@@ -240,6 +277,16 @@ LaneHair make_lane_hair_on_surfaces(const Size& size, uint32_t seed, float frict
             add_box(lanes, random, vertex, gap,
                     friction_for(lanes.material, s, size.stride, s % 2 ? 0.3f : friction));
     }
+    return lanes;
+}
+
+LaneHair make_lane_hair_on_hulls(const Size& size, uint32_t seed, float friction) {
+    LaneHair lanes = make_lane_hair(size, seed);
+    Random random(seed + 6);
+    for (size_t s = 0; s < size.strands; ++s)
+        add_hull(lanes, random, s * size.stride + lanes.hair.vertex_count[s] / 2,
+                 s % 3 == 2 ? -0.01 : 0.004,
+                 friction_for(lanes.material, s, size.stride, s % 2 ? 0.3f : friction));
     return lanes;
 }
 
@@ -330,7 +377,9 @@ Setup lane_setup(const Size& size, const LaneHair& lanes, const plait_lane_param
     if (bends)
         setup.buffers.push_back(lane_floats(lanes.rest, 4));
     setup.buffers.push_back(
-        lanes.capsules.empty() ? null_array() : float4s(capsules_of_two_substeps(lanes.capsules)));
+        lanes.capsules.empty()
+            ? null_array()
+            : float4s(with_faces(capsules_of_two_substeps(lanes.capsules), lanes.faces)));
     // none in contact, whose capsules lie where gravity drives the hair
     const auto& g = params.gravity;
     const double strongest = lanes.capsules.empty() ? 0.5 * std::hypot(g[0], g[1], g[2]) : 0;
@@ -430,6 +479,14 @@ void add_rods_on_surfaces(Case& result, uint32_t seed) {
                                                make_lane_hair_on_surfaces(size, seed, 100.0f, far),
                                                lane_params(size, 1, far == 0), true));
     result.flags.push_back("collider.kind");
+}
+
+// With other seeds a vertex is about to break loose, or between two faces.
+void add_rods_on_hulls(Case& result) {
+    for (const Size& size : contact_sizes())
+        for (const uint32_t bdf2 : {0u, 1u})
+            result.setups.push_back(lane_setup(size, make_lane_hair_on_hulls(size, 53, 100.0f),
+                                               lane_params(size, 1, bdf2), true));
 }
 
 // A plane across the way of forces, `gap` (m) below a vertex, carried along a little.

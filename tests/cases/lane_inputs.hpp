@@ -11,6 +11,7 @@ struct LaneHair {
     std::vector<float> material, rest;
     std::vector<float> x, v, q, q_before, x_before, v_before;
     std::vector<float> capsules; // float4 [6*colliders]; empty: none
+    std::vector<float> faces;    // float4, of hulls, whose rows say where in them theirs begin
 };
 
 // A strand is at its pose, bent and turned a little in every joint, and moves.
@@ -21,6 +22,8 @@ LaneHair make_lane_hair_in_contact(const Size& size, uint32_t seed, float fricti
 // With moving boxes, some of them rounded, capsules, and a plane under all; in some a strand starts
 // inside. Before them in the buffer `far` that no strand meets.
 LaneHair make_lane_hair_on_surfaces(const Size& size, uint32_t seed, float friction, uint32_t far);
+// With a moving hull near the middle of every strand, some with a margin; every third starts inside.
+LaneHair make_lane_hair_on_hulls(const Size& size, uint32_t seed, float friction);
 const std::vector<Size>& contact_sizes();
 // Turned so fast that a solve, cut short, leaves more energy than a strand may keep.
 LaneHair make_lane_hair_spun(const Size& size, uint32_t seed);
@@ -44,6 +47,7 @@ Setup lane_setup(const Size& size, const LaneHair& hair, const plait_lane_params
                  bool bends);
 // Of a rod model, on surfaces of every kind, alone and behind 70 others.
 void add_rods_on_surfaces(Case& result, uint32_t seed = 48);
+void add_rods_on_hulls(Case& result);
 
 // Every third vertex has a plane near it, below which some start.
 Setup on_planes(Setup setup, const LaneHair& hair, float friction, bool bends);

@@ -67,19 +67,27 @@ plait_lane_volume_params volume_params_of(const plait_lane_grid_params& grid) {
     return params;
 }
 
-// A tapered capsule, a box and a plane that move and turn, behind one that belongs to the substep
+// A tapered capsule, a box, a plane and a hull that move and turn, behind one that belongs to the substep
 // before.
 std::vector<float> colliders_among_nodes() {
-    return {0, 0, 0, 9, 0, 0, 0, 9, 0, 0, 0, 9, 0, 0, 0, 9, 0, 0, 0, 1, 1, 0, 0, 0,
-            //
-            -.3f, -.1f, .1f, .25f, .4f, .3f, .2f, .08f, -.2f, 0, 0, .25f, .4f, .4f, .1f, .08f, .12f,
-            -.24f, .16f, .9506840f, .3f, PLAIT_KIND_CAPSULE, 0, 0,
-            //
-            .1f, .1f, -.3f, .06f, .36f, -.48f, .64f, .48f, .15f, .1f, -.25f, .06f, .3f, .12f, .2f,
-            0, .12f, -.24f, .16f, .9506840f, .6f, PLAIT_KIND_BOX, 0, 0,
-            //
-            .1f, -.4f, .1f, 0, 0, 1, 0, 0, .1f, -.35f, .1f, 0, .48f, .64f, -.6f, 0, .3f, 0, .24f,
-            .9233634f, .4f, PLAIT_KIND_PLANE, 0, 0};
+    return {
+        0, 0, 0, 9, 0, 0, 0, 9, 0, 0, 0, 9, 0, 0, 0, 9, 0, 0, 0, 1, 1, 0, 0, 0,
+        //
+        -.3f, -.1f, .1f, .25f, .4f, .3f, .2f, .08f, -.2f, 0, 0, .25f, .4f, .4f, .1f, .08f, .12f,
+        -.24f, .16f, .9506840f, .3f, PLAIT_KIND_CAPSULE, 0, 0,
+        //
+        .1f, .1f, -.3f, .06f, .36f, -.48f, .64f, .48f, .15f, .1f, -.25f, .06f, .3f, .12f, .2f, 0,
+        .12f, -.24f, .16f, .9506840f, .6f, PLAIT_KIND_BOX, 0, 0,
+        //
+        .1f, -.4f, .1f, 0, 0, 1, 0, 0, .1f, -.35f, .1f, 0, .48f, .64f, -.6f, 0, .3f, 0, .24f,
+        .9233634f, .4f, PLAIT_KIND_PLANE, 0, 0,
+        // its faces are seven float4 further: after one of nothing, so that none lies where a row
+        // has what is not read
+        .3f, .35f, .2f, .02f, 0, .6f, 0, .8f, .35f, .3f, .2f, .02f, .26f, .3f, .15f, 0, 0, 0, .28f,
+        .96f, .2f, PLAIT_KIND_HULL, 7, 5,
+        //
+        .5f, .5f, .5f, .5f, 0, 1, 0, .15f, .8660254f, -.5f, 0, .15f, -.8660254f, -.5f, 0, .15f, 0,
+        0, 1, .15f, 0, 0, -1, .12f};
 }
 
 } // namespace plait::cases

@@ -112,6 +112,14 @@ TEST_F(SceneFile, meshes_have_a_form) {
               PLAIT_MESH_FORM_FIELD);
     EXPECT_EQ(read(R"({"meshes": [{"file": "a.obj", "form": "nearest"}]})").meshes[0].desc.form,
               PLAIT_MESH_FORM_NEAREST);
+    const Scene hull =
+        read(R"({"meshes": [{"file": "a.obj", "form": "hull", "tolerance": 0.01}]})");
+    EXPECT_TRUE(hull.meshes[0].hull);
+    EXPECT_FLOAT_EQ(hull.meshes[0].tolerance, 0.01f);
+    EXPECT_THAT(refusal(R"({"meshes": [{"file": "a.obj", "tolerance": 0.01}]})"),
+                HasSubstr("tolerance"));
+    EXPECT_THAT(refusal(R"({"body": {"file": "a.gltf", "form": "hull"}})"),
+                HasSubstr("does not bend"));
     EXPECT_THAT(refusal(R"({"meshes": [{"file": "a.obj", "form": "nearst"}]})"),
                 AllOf(HasSubstr("meshes[0].form"), HasSubstr("nearst"), HasSubstr("nearest")));
 }

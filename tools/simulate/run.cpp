@@ -160,12 +160,27 @@ void Simulation::add_colliders() {
         hands_.push_back(create(hand.shape()));
 }
 
+namespace {
+
+plait_result create_collider(plait_sim* sim, const LoadedMesh& mesh, plait_collider_id& id) {
+    const plait_collider_mesh_desc& given = mesh.choice.desc;
+    if (!mesh.choice.hull)
+        return plait_collider_create_mesh(sim, mesh.mesh.get(), &given, &id);
+    plait_collider_hull_desc hull = plait_collider_hull_desc_defaults();
+    hull.margin = given.margin;
+    hull.friction = given.friction;
+    hull.tolerance = mesh.choice.tolerance;
+    hull.pose = given.pose;
+    return plait_collider_create_hull(sim, mesh.mesh.get(), &hull, &id);
+}
+
+} // namespace
+
 // In the pose in which the groom lies on them.
 void Simulation::add_meshes() {
     const auto create = [&](const LoadedMesh& mesh) {
         plait_collider_id id{};
-        if (plait_collider_create_mesh(sim_.get(), mesh.mesh.get(), &mesh.choice.desc, &id) !=
-            PLAIT_OK)
+        if (create_collider(sim_.get(), mesh, id) != PLAIT_OK)
             throw Failure(mesh.choice.place + ": " + plait_last_error());
         return id;
     };

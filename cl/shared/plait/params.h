@@ -45,11 +45,13 @@ typedef uint32_t plait_u32;
  *     + 1    (b,rb)           (normal,0)                its orientation at the end, x y z w
  *   END      (a,ra)           (point,0)                 (centre,rounding)
  *     + 1    (b,rb)           (normal,0)                (half extents,0)
- * Normals are unit and outward; half extents are of the box before it is rounded. */
+ * Normals are unit and outward; half extents are of the box before it is rounded. A hull is a box around
+ * all of it, its margin in place of a rounding; its faces, (normal, distance from the centre) in its
+ * axes, lie FACES float4 after its row begins, behind all rows. */
 #define PLAIT_COLLIDER_BEGIN 0    /* at the substep's begin; only its xyz is read of all kinds */
 #define PLAIT_COLLIDER_END 2      /* at its end */
 #define PLAIT_COLLIDER_TURN 4     /* the quaternion that turns the one into the other */
-#define PLAIT_COLLIDER_FRICTION 5 /* (friction,kind,0,0) */
+#define PLAIT_COLLIDER_FRICTION 5 /* (friction,kind,faces,their number), the last two of a hull */
 
 /* Kinds, as floats; a plane is all that lies under it. */
 #define PLAIT_KIND_CAPSULE 0.0f
@@ -59,6 +61,8 @@ typedef uint32_t plait_u32;
  * of its own frame, BEGIN + 1 its orientation at the end. The w of BEGIN and END are the shares of the
  * fixed step at which the substep begins and ends. */
 #define PLAIT_KIND_MESH 3.0f
+/* All that lies under each of its faces. */
+#define PLAIT_KIND_HULL 4.0f
 
 /* mesh_nearest: of each mesh where in the other buffers its own begins, counted in nodes, triangles,
  * vertices and words of mesh_ring; indices in them are of this mesh alone. */
@@ -71,7 +75,9 @@ typedef uint32_t plait_u32;
 #define PLAIT_MESH_FIRST_STRIDE 6
 #define PLAIT_MESH_TRIANGLE_STRIDE 6 /* corners; the triangles across the edges that begin there */
 #define PLAIT_MESH_NO_TRIANGLE 0xffffffffu
-#define PLAIT_MESH_TREE_DEPTH 32 /* nodes on the way down */
+#define PLAIT_MESH_TREE_DEPTH 32  /* nodes on the way down */
+#define PLAIT_MESH_UNDER_STRIDE 3 /* under a node: first triangle, triangles, nodes and itself */
+#define PLAIT_MESH_MOST_COORDINATE 1e6f /* m: what is beyond, or not finite, is no place */
 
 /* grid_sum: per voxel, five 64-bit sums as (low, high) words: density, momentum xyz, tent*|v|^2. */
 #define PLAIT_SUM_COUNT 5
@@ -115,6 +121,24 @@ typedef struct plait_roots_params {
 typedef struct plait_layout_params {
     plait_u32 vertex_stride; /* V: vertices per strand row, 2..256 */
 } plait_layout_params;
+
+/* mesh_take: vertices of a mesh from a buffer of the caller's. */
+typedef struct plait_mesh_take_params {
+    plait_u32 words; /* from one vertex to the next, at least 3 */
+} plait_mesh_take_params;
+
+/* mesh_pose: where the vertices of a mesh are at the end of a fixed step. */
+typedef struct plait_mesh_pose_params {
+    plait_u32 begins; /* in mesh_from and mesh_to: where this mesh's vertices begin */
+    float part;       /* of their way, [0, 1] */
+} plait_mesh_pose_params;
+
+/* mesh_fit: boxes of a tree's nodes that have more than `least` and at most `most` triangles under them. */
+typedef struct plait_mesh_fit_params {
+    plait_u32 mesh;  /* of mesh_first */
+    plait_u32 least; /* 0: by the triangles; else by nodes with no more, whose boxes are there */
+    plait_u32 most;
+} plait_mesh_fit_params;
 
 /* integrate: Verlet step and, if global_stiffness > 0, the global shape constraint. */
 typedef struct plait_integrate_params {

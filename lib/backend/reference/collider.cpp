@@ -2,6 +2,9 @@
 
 #include <plait/params.h>
 
+#include <cmath>
+#include <limits>
+
 namespace plait::reference {
 
 Surface surface(const Plane& plane, const Vec3& x) {
@@ -20,6 +23,15 @@ Surface surface(const Box& box, const Vec3& x) {
     return {nearest - box.rounding, box.orientation * Vec3(sides[axis] * Vec3::Unit(axis))};
 }
 
+Surface surface(const Hull& hull, const Vec3& x) {
+    const Vec3 local = hull.around.orientation.conjugate() * (x - hull.around.centre);
+    Surface highest{-std::numeric_limits<double>::infinity(), Vec3::Zero()};
+    for (const auto& [normal, distance] : hull.faces)
+        if (const double height = normal.dot(local) - distance; height > highest.distance)
+            highest = {height, normal};
+    return {highest.distance - hull.margin, hull.around.orientation * highest.normal};
+}
+
 Surface Collider::surface(const Vec3& x) const {
     return std::visit([&](const auto& shape) { return reference::surface(shape, x); }, body);
 }
@@ -35,6 +47,16 @@ Collider collider_at(const View<const Vec4>& buffer, size_t index) {
         collider.body = Plane{xyz(first), xyz(second)};
     else if (kind == double{PLAIT_KIND_BOX})
         collider.body = Box{xyz(first), xyz(second), quat(at(PLAIT_COLLIDER_BEGIN + 1)), first.w()};
+    else if (kind == double{PLAIT_KIND_HULL}) {
+        Hull hull{{xyz(first), xyz(second), quat(at(PLAIT_COLLIDER_BEGIN + 1)), 0}, {}, first.w()};
+        const size_t begins =
+            index * PLAIT_COLLIDER_STRIDE + static_cast<size_t>(std::lround(last.z()));
+        for (size_t i = 0; i < static_cast<size_t>(std::lround(last.w())); ++i) {
+            const Vec4 face = buffer[begins + i];
+            hull.faces.push_back({xyz(face), face.w()});
+        }
+        collider.body = hull;
+    }
     return collider;
 }
 

@@ -6,6 +6,7 @@
 #include "backend/reference/capsule.hpp"
 
 #include <variant>
+#include <vector>
 
 namespace plait::reference {
 
@@ -21,11 +22,25 @@ struct Box {
     double rounding;
 };
 
+// All x under each of its faces, `margin` farther out. Beyond edges f is less than the distance.
+struct Hull {
+    struct Face {
+        Vec3 normal;     // in the hull's axes
+        double distance; // from its centre
+    };
+    Box around; // of all of it, without rounding
+    std::vector<Face> faces;
+    double margin;
+};
+
 Surface surface(const Plane& plane, const Vec3& x);
 // Inside the box, which its rounding is added to, the surface is that of the nearest face.
 Surface surface(const Box& box, const Vec3& x);
 
-using Body = std::variant<Capsule, Plane, Box>;
+// That of the face that is highest below x, or least deep above it.
+Surface surface(const Hull& hull, const Vec3& x);
+
+using Body = std::variant<Capsule, Plane, Box, Hull>;
 
 // A collider over a substep.
 struct Collider {

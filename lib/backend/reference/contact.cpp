@@ -37,8 +37,10 @@ std::optional<Tangent> first_crossing(const Collider& collider, const Vec3& from
 }
 
 // At least this far from a collider, and from most no farther than that: of a capsule with the
-// greater radius all along.
+// greater radius all along, of a hull also of the box around it.
 double clearance(const Collider& collider, const Vec3& x) {
+    if (const Hull* hull = std::get_if<Hull>(&collider.body))
+        return std::max(surface(*hull, x).distance, surface(hull->around, x).distance);
     const Capsule* capsule = std::get_if<Capsule>(&collider.body);
     if (!capsule)
         return collider.surface(x).distance;

@@ -54,8 +54,9 @@ BodyChoice read_body(const JsonReader& top, const Json& value, const std::string
     BodyChoice body;
     body.mesh.desc.form = PLAIT_MESH_FORM_NEAREST;
     read_mesh(in, folder, body.mesh);
-    if (body.mesh.desc.form != PLAIT_MESH_FORM_NEAREST)
-        in.fail("form", "is \"field\", which does not bend; allowed is \"nearest\"");
+    if (body.mesh.hull || body.mesh.desc.form != PLAIT_MESH_FORM_NEAREST)
+        in.fail("form", std::string("is \"") + (body.mesh.hull ? "hull" : "field") +
+                            "\", which does not bend; allowed is \"nearest\"");
     if (const Json* animation = in.value("animation")) {
         if (!animation->is_number_unsigned() && !animation->is_string())
             in.fail("animation",

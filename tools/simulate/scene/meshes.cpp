@@ -17,7 +17,8 @@ MeshHandle load(const MeshChoice& choice) {
     return MeshHandle(mesh);
 }
 
-constexpr const char* form_names[] = {"field", "nearest"};
+constexpr const char* form_names[] = {"field", "nearest", "hull"}; // as plait_mesh_form, then that
+constexpr int hull_form = 2;
 
 } // namespace
 
@@ -26,7 +27,13 @@ void read_mesh(JsonReader& in, const std::string& folder, MeshChoice& mesh) {
     if (!in.text("file", mesh.file))
         in.fail("file", "is missing: an .obj, .gltf, .glb or .tfxmesh");
     mesh.file = (std::filesystem::path(folder) / mesh.file).string();
-    in.choice("form", mesh.desc.form, form_names);
+    int form = static_cast<int>(mesh.desc.form);
+    in.choice("form", form, form_names);
+    mesh.hull = form == hull_form;
+    if (!mesh.hull)
+        mesh.desc.form = static_cast<plait_mesh_form>(form);
+    else
+        in.number("tolerance", mesh.tolerance, 1e-6, 0.1);
     in.number("scale", mesh.scale, 1e-6, 1e6);
     in.number("margin", mesh.desc.margin, 0, 0.05);
     in.number("friction", mesh.desc.friction, 0, 10);

@@ -16,6 +16,8 @@ struct MeshChoice {
     std::string file;
     float scale = 1.0f; // file units to metres
     plait_collider_mesh_desc desc = plait_collider_mesh_desc_defaults();
+    bool hull = false;       // it is convex, and its faces are the collider
+    float tolerance = 1e-4f; // of a hull, as in plait_collider_hull_desc
     bool drawn = true;
     bool moves_with_head = true;
 };

@@ -155,7 +155,8 @@ void take_meshes(JsonReader& top, const Origin& origin, Scene& scene) {
     const Json* const body = top.value("body");
     if (body)
         scene.body = read_body(top, *body, folder);
-    if ((body || !scene.meshes.empty()) && scene.sim.model == PLAIT_MODEL_TRESSFX)
+    const bool all_hulls = std::ranges::all_of(scene.meshes, &MeshChoice::hull);
+    if ((body || !all_hulls) && scene.sim.model == PLAIT_MODEL_TRESSFX)
         top.fail(body ? "body" : "meshes",
                  "are given, and strands of the model tressfx meet no meshes");
 }
