@@ -27,10 +27,10 @@ struct HeadMesh {
 // 2 about 19,000, 3 about 42,000. Range [1, 4].
 HeadMesh make_head(unsigned detail = 2);
 
-// The same in two closed parts without normals: what turns with the head, and what stays when it
-// does. They overlap along the neck, so that no gap opens between them.
+// The same in three closed parts without normals: what turns with the head, the middle of the neck,
+// which goes half of the way, and what stays. They overlap, so that no gap opens between them.
 struct HeadParts {
-    HeadMesh head, torso;
+    HeadMesh head, neck, torso;
 };
 HeadParts make_head_parts(unsigned detail = 2);
 

@@ -62,11 +62,8 @@ double spacing_of(unsigned detail) {
     return 2.6 / std::clamp(detail, 1u, 4u);
 }
 
-// Height along the neck, which leans forward, m.
-double along_neck(Vec3 p) {
-    return p.y + 0.2 * p.z;
-}
-constexpr double head_begin = -0.175, torso_end = -0.125;
+// Heights, m.
+constexpr double head_begin = -0.125, neck_end = -0.105, neck_begin = -0.170, torso_end = -0.150;
 
 // m: a point of a cell that the skin crosses is no farther from it.
 constexpr double most_moved = 0.004;
@@ -93,8 +90,9 @@ HeadMesh make_head(unsigned detail) {
 }
 
 HeadParts make_head_parts(unsigned detail) {
-    return {make_part([](Vec3 p) { return head_begin - along_neck(p); }, detail),
-            make_part([](Vec3 p) { return along_neck(p) - torso_end; }, detail)};
+    return {make_part([](Vec3 p) { return head_begin - p.y; }, detail),
+            make_part([](Vec3 p) { return std::max(neck_begin - p.y, p.y - neck_end); }, detail),
+            make_part([](Vec3 p) { return p.y - torso_end; }, detail)};
 }
 
 HeadMesh make_head_of(double spacing) {

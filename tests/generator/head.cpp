@@ -52,21 +52,24 @@ TEST(Head, IsClosedAndConsistentlyOriented) {
     }
 }
 
-TEST(Head, ConsistsOfTwoClosedParts) {
+TEST(Head, ConsistsOfThreeClosedParts) {
     const HeadParts parts = make_head_parts();
-    double head_lowest = 1, torso_highest = -1;
-    for (const HeadMesh* part : {&parts.head, &parts.torso}) {
+    std::vector<std::pair<double, double>> heights;
+    for (const HeadMesh* part : {&parts.head, &parts.neck, &parts.torso}) {
         const Edges edges = edges_of(*part);
         EXPECT_EQ(edges.open, 0u);
         EXPECT_EQ(edges.shared, 0u);
+        double low = 1, high = -1;
         for (size_t i = 0; i < part->positions.size() / 3; ++i) {
             const Vec3 p = point(part->positions, i);
             ASSERT_LT(head_distance(p), 1e-6) << "vertex " << i;
-            (part == &parts.head ? head_lowest : torso_highest) =
-                part == &parts.head ? std::min(head_lowest, p.y) : std::max(torso_highest, p.y);
+            low = std::min(low, p.y);
+            high = std::max(high, p.y);
         }
+        heights.emplace_back(low, high);
     }
-    EXPECT_LT(head_lowest, torso_highest - 0.03) << "they overlap";
+    EXPECT_LT(heights[0].first, heights[1].second - 0.01) << "they overlap";
+    EXPECT_LT(heights[1].first, heights[2].second - 0.01) << "they overlap";
 }
 
 // Of the whole, so that hair between them meets what is drawn.
@@ -76,7 +79,7 @@ TEST(Head, IsTheUnionOfItsParts) {
     for (size_t i = 0; i < mesh.positions.size() / 3; ++i) {
         const Vec3 p = point(mesh.positions, i);
         double nearest = 1;
-        for (const HeadMesh* part : {&parts.head, &parts.torso})
+        for (const HeadMesh* part : {&parts.head, &parts.neck, &parts.torso})
             for (size_t k = 0; k < part->positions.size() / 3; ++k)
                 nearest = std::min(nearest, length(point(part->positions, k) - p));
         ASSERT_LT(nearest, 0.012) << "vertex " << i;

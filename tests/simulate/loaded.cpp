@@ -89,11 +89,12 @@ TEST_F(Loaded, warns_of_a_mesh_that_no_hair_reaches) {
 TEST_F(Loaded, hair_on_the_mannequin_collides_with_its_meshes) {
     Scene scene = scene_of({{"groom", "long"}, {"strands", 50}});
     const Figure figure = make_figure(scene);
-    EXPECT_THAT(loaded_line(scene, figure), HasSubstr("; 2 meshes of "));
+    EXPECT_THAT(loaded_line(scene, figure), HasSubstr("; 3 meshes of "));
     EXPECT_THAT(loaded_line(scene, figure), HasSubstr(" triangles, the mannequin's"));
-    ASSERT_EQ(figure.meshes.size(), 2u);
-    EXPECT_TRUE(figure.meshes[0].choice.moves_with_head);
-    EXPECT_FALSE(figure.meshes[1].choice.moves_with_head);
+    ASSERT_EQ(figure.meshes.size(), 3u);
+    EXPECT_EQ(figure.meshes[0].head_share, 1);
+    EXPECT_EQ(figure.meshes[1].head_share, 0.5f);
+    EXPECT_EQ(figure.meshes[2].head_share, 0);
     EXPECT_EQ(figure.solids.triangles.size(), figure.head.triangles.size()) << "drawn once";
     EXPECT_THAT(figure.colliders, IsEmpty());
     EXPECT_EQ(figure.stand_ins.size(), 14u);

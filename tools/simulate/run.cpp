@@ -148,7 +148,7 @@ void Simulation::add_colliders() {
                 continue;
             const plait_collider_id id = create(collider.shape);
             if (collider.moves_with_head)
-                moving_.push_back(id);
+                moving_.push_back({id, 1});
         }
     };
     add(figure_.colliders);
@@ -186,8 +186,8 @@ void Simulation::add_meshes() {
     };
     for (const LoadedMesh& mesh : figure_.meshes) {
         const plait_collider_id id = create(mesh);
-        if (mesh.choice.moves_with_head)
-            moving_.push_back(id);
+        if (mesh.head_share > 0)
+            moving_.push_back({id, mesh.head_share});
     }
     if (figure_.body)
         body_ = create(figure_.body->mesh());
@@ -226,8 +226,10 @@ void Simulation::pose_roots(const plait_pose& head, float time) {
 }
 
 void Simulation::pose_colliders(const plait_pose& head, float time) {
-    for (const plait_collider_id collider : moving_)
-        check(plait_collider_set_pose(sim_.get(), collider, &head));
+    for (const auto& [collider, share] : moving_) {
+        const plait_pose pose = share < 1 ? figure_.pose_of_share(head, share) : head;
+        check(plait_collider_set_pose(sim_.get(), collider, &pose));
+    }
     if (body_) {
         const auto posed = figure_.body->positions(time);
         const plait_view view{posed.data(), posed.size(), 0};

@@ -84,8 +84,12 @@ class Simulation {
     const Figure& figure_;
     ContextHandle context_;
     SimHandle sim_;
-    std::vector<plait_collider_id> moving_; // with the head
-    std::vector<plait_collider_id> hands_;  // as figure.hands
+    struct Moving {
+        plait_collider_id collider;
+        float share; // of the head's way
+    };
+    std::vector<Moving> moving_;
+    std::vector<plait_collider_id> hands_; // as figure.hands
     std::optional<plait_collider_id> body_;
     std::vector<float> positions_;
     std::vector<float> rest_; // as positions_, before the first step

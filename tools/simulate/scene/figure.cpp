@@ -322,18 +322,24 @@ std::vector<uint32_t> Figure::of_simulated(const std::vector<uint32_t>& of_stran
     return of_guides;
 }
 
-std::vector<Vector3f> Figure::posed_head(const plait_pose& pose) const {
-    const Eigen::Quaternionf turn(pose.q[3], pose.q[0], pose.q[1], pose.q[2]);
-    const Vector3f move(pose.t), centre(pivot.data());
+plait_pose Figure::pose_of_share(const plait_pose& head_pose, float share) const {
+    const Eigen::Quaternionf turn(head_pose.q[3], head_pose.q[0], head_pose.q[1], head_pose.q[2]);
+    const Vector3f move(head_pose.t), centre(pivot.data());
     const Vector3f offset = turn * centre + move - centre; // of the pivot
+    const Eigen::Quaternionf part = Eigen::Quaternionf::Identity().slerp(share, turn);
+    const Vector3f t = centre + share * offset - part * centre;
+    return {{part.x(), part.y(), part.z(), part.w()}, {t.x(), t.y(), t.z()}};
+}
+
+std::vector<Vector3f> Figure::posed_head(const plait_pose& pose) const {
     std::vector<Vector3f> posed;
     posed.reserve(head.vertices.size());
     for (const Vector3f& vertex : head.vertices) {
         const float up = neck ? (vertex.y() - (*neck)[0]) / ((*neck)[1] - (*neck)[0]) : 1.0f;
         const float share = std::clamp(up, 0.0f, 1.0f);
-        const float smooth = share * share * (3.0f - 2.0f * share);
-        const Eigen::Quaternionf part = Eigen::Quaternionf::Identity().slerp(smooth, turn);
-        posed.push_back(part * (vertex - centre) + centre + smooth * offset);
+        const plait_pose part = pose_of_share(pose, share * share * (3.0f - 2.0f * share));
+        const Eigen::Quaternionf turn(part.q[3], part.q[0], part.q[1], part.q[2]);
+        posed.push_back(turn * vertex + Vector3f(part.t));
     }
     return posed;
 }

@@ -36,6 +36,9 @@ struct Figure {
     // What belongs to strands of the groom, of those that are simulated.
     std::vector<uint32_t> of_simulated(const std::vector<uint32_t>& of_strands) const;
 
+    // Of what makes a share of the head's turn about the pivot and of its way.
+    plait_pose pose_of_share(const plait_pose& head_pose, float share) const;
+
     // The head's mesh when the head is at `pose`; below the neck it stays, in between it twists.
     std::vector<Eigen::Vector3f> posed_head(const plait_pose& pose) const;
 

@@ -61,7 +61,7 @@ LoadedMesh load_mesh(const MeshChoice& choice, bool generated) {
     HeadMesh shape = shape_of(mesh.get());
     if (generated && choice.moves_with_head)
         shape.scalp = scalp_of(shape.vertices);
-    return {std::move(mesh), choice, std::move(shape)};
+    return {std::move(mesh), choice, std::move(shape), choice.moves_with_head ? 1.0f : 0.0f};
 }
 
 std::vector<LoadedMesh> load_meshes(const std::vector<MeshChoice>& choices, bool generated) {
@@ -73,7 +73,7 @@ std::vector<LoadedMesh> load_meshes(const std::vector<MeshChoice>& choices, bool
 
 namespace {
 
-LoadedMesh mannequin_part(const plait_generator::HeadMesh& made, bool moves_with_head) {
+LoadedMesh mannequin_part(const plait_generator::HeadMesh& made, float head_share) {
     plait_mesh_desc desc = plait_mesh_desc_defaults();
     desc.positions = {made.positions.data(), made.positions.size() / 3, 0};
     desc.triangles = {made.triangles.data(), made.triangles.size() / 3, 0};
@@ -82,8 +82,8 @@ LoadedMesh mannequin_part(const plait_generator::HeadMesh& made, bool moves_with
     MeshChoice choice;
     choice.place = "the mannequin";
     choice.drawn = false;
-    choice.moves_with_head = moves_with_head;
-    return {MeshHandle(mesh), choice, shape_of(mesh)};
+    choice.moves_with_head = head_share > 0;
+    return {MeshHandle(mesh), choice, shape_of(mesh), head_share};
 }
 
 } // namespace
@@ -91,8 +91,9 @@ LoadedMesh mannequin_part(const plait_generator::HeadMesh& made, bool moves_with
 std::vector<LoadedMesh> mannequin_parts() {
     const plait_generator::HeadParts parts = plait_generator::make_head_parts();
     std::vector<LoadedMesh> list;
-    list.push_back(mannequin_part(parts.head, true));
-    list.push_back(mannequin_part(parts.torso, false));
+    list.push_back(mannequin_part(parts.head, 1));
+    list.push_back(mannequin_part(parts.neck, 0.5f));
+    list.push_back(mannequin_part(parts.torso, 0));
     return list;
 }
 

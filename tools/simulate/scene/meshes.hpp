@@ -30,6 +30,7 @@ struct LoadedMesh {
     MeshHandle mesh;
     MeshChoice choice;
     HeadMesh shape;
+    float head_share; // of the head's turn and way that it makes
 };
 
 // Throws Failure that says where the scene names the file. `generated`: the hair is the
@@ -37,8 +38,8 @@ struct LoadedMesh {
 LoadedMesh load_mesh(const MeshChoice& choice, bool generated);
 std::vector<LoadedMesh> load_meshes(const std::vector<MeshChoice>& choices, bool generated);
 
-// The mannequin's head, and its neck and shoulders, which are not drawn: what is drawn is one skin,
-// whose neck twists.
+// The mannequin's head, the middle of its neck, and its shoulders, which are not drawn: what is drawn
+// is one skin, whose neck twists.
 std::vector<LoadedMesh> mannequin_parts();
 
 } // namespace simulate
