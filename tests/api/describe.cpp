@@ -327,6 +327,8 @@ TEST_P(WhoReads, IsWhatTheTableSays) {
     for (const plait_param_info& info : plait::params_list()) {
         if (std::string(info.name) == "accelerate_values")
             continue; // told to a kernel of the caller's: see AccelerationsOnOpenCL
+        if (std::string(info.name) == "follow_contact")
+            continue; // of hair that follows by a map: see FollowContact
         if (std::string(info.name) == "volume" && GetParam() == PLAIT_MODEL_TRESSFX)
             continue; // refused: see VolumeOf
         if (std::string(info.name) == "strand_contact" && !meets_strands(GetParam()))
