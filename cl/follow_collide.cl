@@ -18,6 +18,17 @@ typedef struct {
 typedef lane_gap follow_distance;
 
 static inline follow_distance follow_gap(const follow_body* body, vec3 x, float bound) {
+    if (body->kind == PLAIT_KIND_CAPSULE) {
+        /* that to the capsule with the greater radius all along takes no division */
+        const lane_capsule* capsule = &body->collider.capsule;
+        const vec3 from = sub3(x, capsule->a);
+        const float along =
+            clamp(dot3(from, capsule->axis) * capsule->inverse, capsule->low, capsule->high);
+        const float wide = fmax(capsule->radius, capsule->radius - capsule->taper);
+        const follow_distance least = {zero3(), length3(axpy3(-along, capsule->axis, from)) - wide};
+        if (least.distance > 0.0f)
+            return least;
+    }
     return lane_collider_gap(body->kind, &body->collider, zero3(), x);
 }
 
@@ -42,9 +53,9 @@ __kernel void plait_follow_collide(const uint item_count, const plait_follow_col
     if (item >= item_count)
         return;
     __global float4* row = position + ((size_t)params.guide_count + item) * stride;
+    follow_box box = follow_box_of(row, stride);
     for (uint k = 0; k < params.collider_count; ++k) {
         const uint index = params.collider_first + k;
-        const follow_box box = follow_box_of(row, stride);
         if (!lane_collider_meets(collider + PLAIT_COLLIDER_STRIDE * (size_t)index, box.low,
                                  box.high, 0.0f))
             continue;
@@ -52,6 +63,7 @@ __kernel void plait_follow_collide(const uint item_count, const plait_follow_col
         body.kind = lane_collider_kind(collider, index);
         body.collider = lane_collider_at(body.kind, collider, index);
         lane_collider_ready(body.kind, &body.collider);
-        follow_leave(&body, row, stride);
+        if (follow_leave(&body, row, stride))
+            box = follow_box_of(row, stride);
     }
 }
