@@ -52,7 +52,7 @@ __kernel void plait_follow_collide(const uint item_count, const plait_follow_col
     const uint item = get_global_id(0), stride = params.vertex_stride;
     if (item >= item_count)
         return;
-    __global float4* row = position + ((size_t)params.guide_count + item) * stride;
+    __global float4* row = follow_row(position, &params, item);
     follow_box box = follow_box_of(row, stride);
     for (uint k = 0; k < params.collider_count; ++k) {
         const uint index = params.collider_first + k;

@@ -50,7 +50,7 @@ __kernel void plait_follow_field(const uint item_count, const plait_follow_colli
     const uint item = get_global_id(0), stride = params.vertex_stride;
     if (item >= item_count)
         return;
-    __global float4* row = position + ((size_t)params.guide_count + item) * stride;
+    __global float4* row = follow_row(position, &params, item);
     for (uint mesh = 0; mesh < params.collider_count; ++mesh) {
         const follow_body body = {mesh_field_at(mesh_grid, mesh_nodes, mesh_values, mesh),
                                   mesh_motion_at(collider, params.collider_first + mesh)};

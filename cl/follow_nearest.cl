@@ -45,7 +45,7 @@ __kernel void plait_follow_nearest(const uint item_count, const plait_follow_col
     const uint item = get_global_id(0), stride = params.vertex_stride;
     if (item >= item_count)
         return;
-    __global float4* row = position + ((size_t)params.guide_count + item) * stride;
+    __global float4* row = follow_row(position, &params, item);
     for (uint mesh = 0; mesh < params.collider_count; ++mesh) {
         const uint index = params.collider_first + mesh;
         follow_body body;

@@ -295,6 +295,10 @@ Status Colliders::advance(Device& device, double end) {
         slot.to = interpolate(slot.at, slot.target, end);
         uploaded_ = uploaded_ && (!slot.alive || (rested && same(slot.from, slot.to)));
     }
+    return upload(device);
+}
+
+Status Colliders::upload(Device& device) {
     if (uploaded_ || count_ == 0)
         return {};
     packed_.resize(rows(count_) * collider_floats + 4 * face_count_);

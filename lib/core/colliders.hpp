@@ -42,6 +42,8 @@ class Colliders {
 
     // As Roots: the step's path ends at share `end` of the call's. Uploads what moved.
     Status advance(Device& device, double end);
+    // The path as it is, where the device does not have it yet.
+    Status upload(Device& device);
     void arrive();
     void stop(); // no path: every collider is where it is now
 

@@ -7,8 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
-#include <optional>
+#include <vector>
 
 namespace plait {
 namespace {

@@ -218,8 +218,6 @@ Status Sim::open_wetness() {
     PLAIT_TRY(grid_.volume().keep_wetness(device(), true));
     PLAIT_TRY(display_.keep_wetness(device(), layout_, state_, true, &context_.memory));
     PLAIT_TRY(check_stages());
-    append_shown();
-    PLAIT_TRY(check_schedule());
     closer.sim = nullptr;
     return {};
 }
@@ -337,12 +335,13 @@ Status Sim::prepare_teleport() {
                            "pose_spare");
 }
 
-// Where they stand still, for strands that follow and are shown before the next step.
+// Where the last step left them, for strands that follow and are shown before the next one. Nothing moves
+// on: the next step's path begins where that one ended, however many calls lie between.
 Status Sim::place_colliders() {
     if (!display_.meets_colliders(desc_.params))
         return {};
     bending_.fit_new(schedule_);
-    return colliders_.advance(device(), 0);
+    return colliders_.upload(device());
 }
 
 Status Sim::teleport(const RootsInput& input) {

@@ -92,7 +92,7 @@ class Sim {
     Status wait() { return device().wait(); }
 
     Result<plait_collider_id> create_collider(const plait_collider_desc& desc) {
-        return colliders_.create(device(), desc);
+        return if_built(colliders_.create(device(), desc));
     }
     Status set_collider_pose(plait_collider_id id, const plait_pose& pose) {
         return colliders_.set_pose(id, pose);
@@ -213,6 +213,8 @@ class Sim {
     Status show_at_once();
     Status prepare_teleport();
     Status place_colliders();
+    // What was made, once its stages are built; else it is destroyed.
+    Result<plait_collider_id> if_built(Result<plait_collider_id> made);
     Status check_stages(); // and builds them
     Status check_schedule();
     Status prepare_calls();

@@ -87,7 +87,18 @@ Result<plait_collider_id> Sim::create_hull_collider(const Mesh& mesh,
                                                     const plait_collider_hull_desc& desc) {
     Hull hull(&context_.memory);
     PLAIT_TRY(make_hull(mesh, {double(desc.tolerance), desc.margin > 0}, hull));
-    return colliders_.create_hull(device(), desc, hull);
+    return if_built(colliders_.create_hull(device(), desc, hull));
+}
+
+// Solves have the stages of contact from the beginning; what follows may get one of its own.
+Result<plait_collider_id> Sim::if_built(Result<plait_collider_id> made) {
+    if (!made || !display_.meets_colliders(desc_.params))
+        return made;
+    const Status status = check_stages();
+    if (status)
+        return made;
+    (void)destroy_collider(*made);
+    return status.error();
 }
 
 // Of a mesh whose vertices may be moved.

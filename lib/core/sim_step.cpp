@@ -18,8 +18,8 @@
 //
 // A phase appends dispatches and changes nothing else, so that the same list says which kernels a
 // sim needs before its first step. What the host keeps (paths of roots, pins and colliders, the
-// wind's grid and time, how much of the wetness is left) moves on by advance() and place(), once a fixed step, and by arrive(), at the
-// end of a call.
+// wind's grid and time, how much of the wetness is left) moves on by advance() and place(), once a
+// fixed step, and by arrive(), at the end of a call.
 #include "core/pins.hpp"
 #include "core/sim.hpp"
 

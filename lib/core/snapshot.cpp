@@ -1,9 +1,9 @@
 // The dynamic state as bytes: header, colliders, the settings of every strand where they have some of
-// their own, the faces of hulls, the grids of colliders that are meshes, then runs of floats. Little-endian, float32
-// whatever the backend computes in, so that a snapshot of one device restores on another. The header
-// has a checksum of all that follows it there, which finds damage, and what a snapshot says is held
-// to its range all the same: bytes that somebody made up with a checksum of their own are refused or
-// harmless, too.
+// their own, the faces of hulls, the grids of colliders that are meshes, then runs of floats.
+// Little-endian, float32 whatever the backend computes in, so that a snapshot of one device restores on
+// another. The header has a checksum of all that follows it there, which finds damage, and what a
+// snapshot says is held to its range all the same: bytes that somebody made up with a checksum of their
+// own are refused or harmless, too.
 #include "core/snapshot_format.hpp"
 
 #include "base/format.hpp"

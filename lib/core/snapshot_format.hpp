@@ -76,7 +76,8 @@ Status check_header(const SnapshotHeader& h);
 // Colliders, as a snapshot holds them from `from` on.
 Result<std::pmr::vector<Colliders::Slot>>
 saved_slots(const SnapshotHeader& h, const unsigned char* from, std::pmr::memory_resource* memory);
-// The faces of those of them that are hulls, and those that are meshes, by form, from `from` on, which each moves on; `vertices`: [guides][V].
+// The faces of those of them that are hulls, and those that are meshes, by form, from `from` on, which
+// each moves on; `vertices`: [guides][V].
 Result<Colliders::FacesOf> saved_faces(std::span<const Colliders::Slot> slots,
                                        std::span<const unsigned char>& from,
                                        std::pmr::memory_resource* memory);

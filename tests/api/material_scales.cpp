@@ -69,11 +69,6 @@ std::vector<float> strand_of(const std::vector<float>& positions, size_t strand)
     return {first, first + static_cast<std::ptrdiff_t>(4 * vertices)};
 }
 
-// Of `rod`, whose lanes look together at which steps they need.
-float allowed(plait_model model) {
-    return model == PLAIT_MODEL_ROD ? 5e-6f : 0;
-}
-
 class MaterialScales : public OnBackend {};
 ON_EVERY_BACKEND(MaterialScales);
 

@@ -130,3 +130,9 @@ inline float largest_difference(const std::vector<float>& a, const std::vector<f
             largest, std::isfinite(a[i]) && std::isfinite(b[i]) ? std::abs(a[i] - b[i]) : INFINITY);
     return largest;
 }
+
+// m, between strands of one material in two sims: of `rod`, whose lanes look together at which steps they
+// need.
+inline float allowed(plait_model model) {
+    return model == PLAIT_MODEL_ROD ? 5e-6f : 0;
+}

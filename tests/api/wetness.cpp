@@ -60,11 +60,6 @@ std::vector<float> wetness_of(const plait::Sim& sim) {
     return sim.read(PLAIT_FIELD_WETNESS);
 }
 
-// Of `rod`, whose lanes look together at which steps they need.
-float allowed(plait_model model) {
-    return model == PLAIT_MODEL_ROD ? 5e-6f : 0;
-}
-
 class WetnessOf : public OnBackend {};
 ON_EVERY_BACKEND(WetnessOf);
 

@@ -1,5 +1,6 @@
 // Vertices of meshes from the caller's cl_mem: a kernel of the caller's moves a cloth, hair grows on it
 // and meets it, and nothing comes to the host.
+#include "owned.hpp"
 #include "support.hpp"
 
 #include <plait/plait_opencl.h>
@@ -9,14 +10,6 @@
 
 namespace plait::opencl {
 namespace {
-
-template <auto destroy> struct Destroy {
-    template <typename Object> void operator()(Object* object) const { destroy(object); }
-};
-using OwnContext = std::unique_ptr<plait_context, Destroy<plait_context_destroy>>;
-using OwnGroom = std::unique_ptr<plait_groom, Destroy<plait_groom_destroy>>;
-using OwnMesh = std::unique_ptr<plait_mesh, Destroy<plait_mesh_destroy>>;
-using OwnSim = std::unique_ptr<plait_sim, Destroy<plait_sim_destroy>>;
 
 constexpr uint32_t cells = 12, side = cells + 1, cloth_vertices = side * side;
 constexpr float cell = 0.02f; // m

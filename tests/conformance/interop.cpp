@@ -1,4 +1,5 @@
 // The public API of interop: plait on the caller's queue, its fields as the caller's cl_mem.
+#include "owned.hpp"
 #include "support.hpp"
 
 #include <plait/plait_opencl.h>
@@ -10,13 +11,6 @@
 
 namespace plait::opencl {
 namespace {
-
-template <auto destroy> struct Destroy {
-    template <typename Object> void operator()(Object* object) const { destroy(object); }
-};
-using OwnContext = std::unique_ptr<plait_context, Destroy<plait_context_destroy>>;
-using OwnGroom = std::unique_ptr<plait_groom, Destroy<plait_groom_destroy>>;
-using OwnSim = std::unique_ptr<plait_sim, Destroy<plait_sim_destroy>>;
 
 constexpr uint32_t vertices = 8;
 

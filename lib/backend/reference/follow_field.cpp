@@ -16,9 +16,7 @@ void follow_field(uint32_t item_count, const plait_follow_collide_params& params
                 return {};
             return FollowGap{sample.distance, motion.pose.q * sample.gradient->normalized()};
         };
-        for (size_t item = 0; item < item_count; ++item)
-            leave(args.position, (params.guide_count + item) * params.vertex_stride,
-                  params.vertex_stride, gap_at);
+        leave_all(item_count, params, args.position, gap_at);
     }
 }
 

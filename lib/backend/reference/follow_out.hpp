@@ -29,29 +29,41 @@ inline Vec3 lifted(const Vec3& segment, const Vec3& normal, double lift) {
     return up * normal + std::sqrt(std::max(size * size - up * up, 0.0)) * across.normalized();
 }
 
-// `gap_at(x, bound)`: nothing if the surface is surely farther than `bound`, m, or has no normal there.
+// Of the strand whose row begins at `row`. What needs no turn is not written. `gap_at(x, bound)`: nothing
+// if the surface is surely farther than `bound`, m, or has no normal there.
 template <typename GapAt>
 void leave(const View<Vec4>& position, size_t row, size_t stride, const GapAt& gap_at) {
-    Vec3 before = xyz(position[row]), at = before;
+    Vec3 before = xyz(position[row]), shift = Vec3::Zero();
     const std::optional<FollowGap> root = gap_at(before, double{PLAIT_MESH_ROOT_DEPTH});
     const double depth = root ? std::min(root->distance, 0.0) : 0;
     double arc = 0;
+    bool moved = false;
     for (size_t i = 1; i < stride; ++i) {
-        const Vec3 now = xyz(position[row + i]);
+        const Vec3 now = xyz(position[row + i]), from = before + shift;
         Vec3 segment = now - before;
         before = now;
         const double size = segment.norm();
         arc += size;
         const double offset = std::min(depth + PLAIT_CONTACT_ROOT_CLEARANCE * arc, 0.0);
         for (int turn = 0; turn < PLAIT_FOLLOW_TURNS && size > 0; ++turn) {
-            const std::optional<FollowGap> gap = gap_at(at + segment, 2 * size - depth);
+            const std::optional<FollowGap> gap = gap_at(from + segment, 2 * size - depth);
             if (!gap || !(gap->distance < offset))
                 break;
             segment = lifted(segment, gap->normal, offset - gap->distance);
+            shift = from + segment - now;
+            moved = true;
         }
-        at += segment;
-        set_xyz(position[row + i], at);
+        if (moved)
+            set_xyz(position[row + i], now + shift);
     }
+}
+
+template <typename GapAt>
+void leave_all(uint32_t follows, const plait_follow_collide_params& params,
+               const View<Vec4>& position, const GapAt& gap_at) {
+    for (size_t follow = 0; follow < follows; ++follow)
+        leave(position, (params.guide_count + follow) * params.vertex_stride, params.vertex_stride,
+              gap_at);
 }
 
 } // namespace plait::reference
