@@ -177,8 +177,8 @@ void Display::append_frame_before(Schedule& schedule, const Layout& layout,
                      {&position(state), &last_frame_});
 }
 
-void Display::append(Schedule& schedule, const Substep& at, const Roots& roots,
-                     float remainder) const {
+void Display::append(Schedule& schedule, const Substep& at, const Roots& roots, float remainder,
+                     Tangents tangents) const {
     const Layout& layout = at.layout;
     const State& state = at.state;
     const Buffer& shown = position(state);
@@ -203,8 +203,11 @@ void Display::append(Schedule& schedule, const Substep& at, const Roots& roots,
         wet_.append(schedule, layout, pose, follow_guide_, shown, &state.wetness);
     if (meets_colliders(at.params))
         append_out_of_colliders(schedule, at, shown);
-    schedule.add(PLAIT_STAGE_tangents, layout.vertices(), plait_layout_params{layout.row},
-                 {&state.vertex_count, &shown, &tangent_});
+    const uint32_t first = tangents == Tangents::of_all ? 0 : layout.guides;
+    if (first < layout.strands())
+        schedule.add(PLAIT_STAGE_tangents, (layout.strands() - first) * layout.row,
+                     plait_tangents_params{layout.row, first},
+                     {&state.vertex_count, &shown, &tangent_});
 }
 
 uint64_t Display::device_bytes() const {

@@ -26,6 +26,9 @@ struct DisplayRules {
     bool keeps_last_frame = false;
 };
 
+// Where the model has written those of guides, with their positions, only follows are left.
+enum class Tangents { of_all, of_follows };
+
 class Display {
   public:
     static Result<Display> create(Device& device, const Groom& groom, const Layout& layout,
@@ -39,7 +42,8 @@ class Display {
     void append_frame_before(Schedule& schedule, const Layout& layout, const State& state) const;
     // What fills position and tangent; `remainder`: share of a step since the last one.
     // Colliders are where they are at the end of `at`.
-    void append(Schedule& schedule, const Substep& at, const Roots& roots, float remainder) const;
+    void append(Schedule& schedule, const Substep& at, const Roots& roots, float remainder,
+                Tangents tangents) const;
     // Follow strands are kept out of colliders.
     bool meets_colliders(const plait_sim_params& params) const {
         return turns_ && params.follow_contact != 0;

@@ -113,8 +113,9 @@ class Model {
     // Appends the stages of one substep, of the strands that take as many; `state.pose` is already
     // that of its end.
     virtual void substep(Schedule& schedule, const Substep& at) = 0;
-    // Appends what puts the model's own state into position and its history, at the end of a step.
-    virtual void publish(Schedule&, const Substep&) const {}
+    // Appends what puts the model's own state into position and its history, at the end of a step;
+    // and, if `tangent` is not null, what is shown beside positions: tangents and padding.
+    virtual void publish(Schedule&, const Substep&, const Buffer* /*tangent*/ = nullptr) const {}
     // Appends what takes them back after something else changed them.
     virtual void adopt(Schedule&, const Substep&) const {}
     // Has velocities of its own, which the inter-hair step can read and brake where they are kept.

@@ -205,7 +205,8 @@ class Sim {
     Substep first_group() const { return at({substeps_.front(), 0}, substeps_.front() - 1); }
     Status fixed_step(double end, uint32_t step, uint32_t steps);
     void append_dry_step();
-    void append_shown();
+    bool model_shows_guides() const;
+    void append_shown(Tangents tangents = Tangents::of_all);
     InterHair::Step grid_step(const plait_pose& head) const;
     bool grid_is_over_lanes() const;
     bool hair_is_over_lanes() const;

@@ -11,9 +11,10 @@
 //   pairs of strands                     which may meet
 //   solve                                                    the model
 //   grid over lanes                                                      brakes velocities
-//   publish                                                              positions
+//   publish                                                              positions,
+//                                                                        tangents
 //   grid                                                                 brakes velocities
-//   display           frame before     step before                                         positions,
+//   display           frame before     step before                                         follows,
 //                                                                                          tangents
 //
 // A phase appends dispatches and changes nothing else, so that the same list says which kernels a
@@ -202,9 +203,17 @@ void Sim::append_volume(const At& at) {
         grid_.append_volume(schedule_, grid_step(roots_.step_head()), *model_, first_group());
 }
 
+// What is shown of guides is what the last step of a call leaves, unless output is interpolated.
+bool Sim::model_shows_guides() const {
+    return model_->has_lanes() && !display_.interpolates() &&
+           !context_.replaced[PLAIT_STAGE_tangents];
+}
+
 void Sim::append_publish(const At& at) {
-    if (at.moment == Moment::step_ends)
-        model_->publish(schedule_, at.substep);
+    if (at.moment != Moment::step_ends)
+        return;
+    const bool shows = at.step + 1 == at.steps && model_shows_guides();
+    model_->publish(schedule_, at.substep, shows ? &display_.tangent() : nullptr);
 }
 
 void Sim::append_grid(const At& at) {
@@ -221,11 +230,12 @@ void Sim::append_display(const At& at) {
     if (at.moment == Moment::step_begins && at.step + 1 == at.steps)
         display_.append_step_before(schedule_, layout_, state_);
     if (at.moment == Moment::call_ends && (at.steps > 0 || display_.interpolates()))
-        append_shown();
+        append_shown(model_shows_guides() ? Tangents::of_follows : Tangents::of_all);
 }
 
-void Sim::append_shown() {
-    display_.append(schedule_, first_group(), roots_, static_cast<float>(clock_.remainder()));
+void Sim::append_shown(Tangents tangents) {
+    display_.append(schedule_, first_group(), roots_, static_cast<float>(clock_.remainder()),
+                    tangents);
 }
 
 Substep Sim::at(const Group& group, uint32_t substep) const {

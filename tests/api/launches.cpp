@@ -149,7 +149,7 @@ TEST_P(Launches, TheNewestAreKept) {
     EXPECT_EQ(count(), size_t{PLAIT_LAUNCHES_KEPT});
     const auto launches = many.take_launches();
     ASSERT_EQ(launches.size(), size_t{PLAIT_LAUNCHES_KEPT});
-    EXPECT_STREQ(launches.back().stage, "tangents") << "the last of a step";
+    EXPECT_STREQ(launches.back().stage, "lane_unpack") << "the last of a step";
 }
 
 TEST_P(Launches, AreRefusedWithoutProfiling) {

@@ -226,8 +226,8 @@ TEST_P(Lengths, AreSavedAndRestored) {
 
 TEST_P(Lengths, OfOneKindTakeTheStagesOfOne) {
     using Stages = std::vector<std::pair<std::string, uint64_t>>;
-    const Stages of_one = {{"roots", 3}, {"articulated", 3}, {"lane_unpack", 3}, {"tangents", 3}};
-    const Stages of_two = {{"roots", 3}, {"articulated", 6}, {"lane_unpack", 6}, {"tangents", 3}};
+    const Stages of_one = {{"roots", 3}, {"articulated", 3}, {"lane_unpack", 3}};
+    const Stages of_two = {{"roots", 3}, {"articulated", 6}, {"lane_unpack", 6}};
     const auto stages = [&](const Strands& groom) {
         plait::Sim sim(context, make_groom(groom));
         return stages_of(sim);

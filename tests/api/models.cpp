@@ -198,15 +198,15 @@ TEST_P(Models, NothingThatIsSeenMovesAtTheSwitch) {
 TEST_P(Models, ASimOfOneModelTakesTheStagesOfThatModel) {
     using Stages = std::vector<std::pair<std::string, uint64_t>>;
     plait::Sim sim(context, make_groom(tuft(6, 5)), desc_of(cosserat));
-    const Stages of_cosserat = {{"roots", 3}, {"cosserat", 3}, {"lane_unpack", 3}, {"tangents", 3}};
+    const Stages of_cosserat = {{"roots", 3}, {"cosserat", 3}, {"lane_unpack", 3}};
     EXPECT_EQ(stages_of(sim), of_cosserat);
     const uint64_t bytes = sim.stats().device_bytes;
     sim.set_models({cosserat, rod, chain, rod, chain, chain});
-    const Stages of_all = {{"roots", 3}, {"chain", 3},       {"cosserat", 3},
-                           {"rod", 3},   {"lane_unpack", 9}, {"tangents", 3}};
+    const Stages of_all = {
+        {"roots", 3}, {"chain", 3}, {"cosserat", 3}, {"rod", 3}, {"lane_unpack", 9}};
     EXPECT_EQ(stages_of(sim), of_all);
     sim.set_models(std::vector<plait_model>(6, rod));
-    const Stages of_rod = {{"roots", 3}, {"rod", 3}, {"lane_unpack", 3}, {"tangents", 3}};
+    const Stages of_rod = {{"roots", 3}, {"rod", 3}, {"lane_unpack", 3}};
     EXPECT_EQ(stages_of(sim), of_rod);
     EXPECT_EQ(sim.stats().device_bytes, bytes);
 }

@@ -78,4 +78,43 @@ TEST_P(Output, BoundsAreNotWritten) {
     EXPECT_EQ(plait_sim_write(sim, PLAIT_FIELD_BOUNDS, box.data(), 32), PLAIT_INVALID_ARGUMENT);
 }
 
+// The models over lanes write them with positions, where strands of several lengths, models and
+// numbers of substeps lie, in whatever order; those of written positions are the stage's. Bit for bit
+// where what is read and written are the device's floats; the reference has doubles.
+TEST_P(Output, TangentsOfTheModelAreThoseOfTheStage) {
+    Strands groom = tuft(70, 16);
+    for (size_t strand = 0; strand < groom.size(); strand += 3)
+        groom[strand].resize(3 + strand % 9);
+    for (const uint32_t follows : {0u, 2u}) {
+        auto desc = plait_sim_desc_defaults();
+        desc.follows_per_guide = follows;
+        plait::Sim sim(context, make_groom(groom), desc);
+        std::vector<plait_model> models(groom.size(), PLAIT_MODEL_ARTICULATED);
+        for (size_t strand = 0; strand < models.size(); ++strand)
+            if (strand % 5 < 3)
+                models[strand] = strand % 5 == 0   ? PLAIT_MODEL_CHAIN
+                                 : strand % 5 == 1 ? PLAIT_MODEL_COSSERAT
+                                                   : PLAIT_MODEL_ROD;
+        const auto of_guides = [&](const std::vector<float>& of_all) {
+            const auto guides = of_all.size() / (1 + follows);
+            return std::vector<float>(of_all.begin(), of_all.begin() + static_cast<long>(guides));
+        };
+        for (const bool several : {false, true}) {
+            if (several)
+                sim.set_models(models);
+            sim.set_roots(head_at({0.01f, 0.02f, 0}));
+            sim.step(several ? 0.05 : 0.02);
+            const auto positions = sim.read(PLAIT_FIELD_POSITION);
+            const auto tangents = sim.read(PLAIT_FIELD_TANGENT);
+            sim.write(PLAIT_FIELD_POSITION, of_guides(positions));
+            const float near = GetParam() == "opencl" ? 1e-30f : 1e-5f;
+            EXPECT_LT(largest_difference(sim.read(PLAIT_FIELD_POSITION), positions), near);
+            EXPECT_LT(largest_difference(sim.read(PLAIT_FIELD_TANGENT), tangents), near);
+            sim.set_roots(head_at({0, 0, 0.3f}));
+            sim.step(0.02);
+            EXPECT_GT(largest_difference(sim.read(PLAIT_FIELD_TANGENT), tangents), 1e-3f);
+        }
+    }
+}
+
 } // namespace

@@ -282,12 +282,11 @@ TEST_P(Settings, DifferentSubstepsAndConstraintsRefuseEachOther) {
 TEST_P(Settings, EachNumberOfSubstepsIsOneRoundOfItsStages) {
     using Stages = std::vector<std::pair<std::string, uint64_t>>;
     plait::Sim sim(context, make_groom(tuft(6, 5)));
-    const Stages alone = {{"roots", 3}, {"articulated", 3}, {"lane_unpack", 3}, {"tangents", 3}};
+    const Stages alone = {{"roots", 3}, {"articulated", 3}, {"lane_unpack", 3}};
     EXPECT_EQ(stages_of(sim), alone);
     const uint64_t bytes = sim.stats().device_bytes;
     sim.set_settings({make(articulated), make(articulated, 4), make(chain, 4)}, {0, 1, 2, 2, 1, 0});
-    const Stages of_two = {
-        {"roots", 15}, {"chain", 12}, {"articulated", 15}, {"lane_unpack", 9}, {"tangents", 3}};
+    const Stages of_two = {{"roots", 15}, {"chain", 12}, {"articulated", 15}, {"lane_unpack", 9}};
     EXPECT_EQ(stages_of(sim), of_two);
     sim.set_settings({make(articulated)});
     EXPECT_EQ(stages_of(sim), alone);

@@ -270,6 +270,9 @@ void fill(plait_lane_grid_params& p, const Shape& shape) {
     p.diffuse_floor = grid.diffuse_floor;
     p.history = 1;
 }
+void fill(plait_lane_unpack_params& p, const Shape& shape) {
+    p = {shape.vertices, shape.tile, shape.vertices, step, 1};
+}
 void fill(plait_lane_state_params& p, const Shape& shape) {
     p = {shape.vertices, shape.tile, shape.vertices, 0};
 }
@@ -288,6 +291,9 @@ void fill(plait_bounds_params& p, const Shape& shape) {
 }
 void fill(plait_output_params& p, const Shape& shape) {
     p = {shape.vertices, 0.5f};
+}
+void fill(plait_tangents_params& p, const Shape& shape) {
+    p = {shape.vertices, 0};
 }
 
 template <typename Params> std::vector<unsigned char> bytes_of(const Shape& shape) {

@@ -14,15 +14,16 @@ namespace {
 
 // uint that sizes buffers, or says where in one to begin
 constexpr std::string_view of_layout[] = {
-    "vertex_stride", "row_stride", "tile",   "collider_count", "collider_first", "guide_count",
-    "edge_count",    "capacity",   "share",  "boxes",          "components",     "axis",
-    "plane",         "words",      "begins", "mesh",           "least",          "most"};
+    "vertex_stride", "row_stride", "tile",     "collider_count", "collider_first",
+    "guide_count",   "edge_count", "capacity", "share",          "boxes",
+    "components",    "axis",       "plane",    "words",          "begins",
+    "mesh",          "least",      "most",     "strand_first"};
 // uint that takes one of two values
 constexpr std::string_view choices[] = {
     "per_root",     "accelerates", "pins",      "planes",  "history",      "bdf2",
     "shock_form",   "form",        "slot_hash", "tent",    "diffuse_rule", "field",
     "equal_masses", "pressure",    "moves",     "carried", "colour",       "reversed",
-    "turbulent",    "meshes",      "wet",       "soaked"};
+    "turbulent",    "meshes",      "wet",       "soaked",  "shown"};
 // float4 of which w is not used
 constexpr std::string_view vectors[] = {"head_from_t", "head_to_t", "t", "wind", "corner"};
 

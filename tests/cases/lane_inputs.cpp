@@ -432,7 +432,7 @@ Setup pinned(Setup setup, const LaneHair& lanes, bool bends) {
 
 Setup in_longer_rows(Setup setup, plait_stage stage, uint32_t more) {
     static constexpr std::string_view of_all_strands[] = {
-        "rest", "acceleration", "pin_from", "pin_to", "position", "position_prev"};
+        "rest", "acceleration", "pin_from", "pin_to", "position", "position_prev", "tangent"};
     const plait_stage_info& info = *plait_stage_describe(stage);
     plait_lane_tile_params params;
     std::memcpy(&params, setup.params.data(), sizeof params);

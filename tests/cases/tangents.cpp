@@ -20,7 +20,13 @@ Case tangents_case() {
         setup.items = hair.vertices();
         setup.buffers = {uints(hair.vertex_count), float4s(position),
                          unwritten_float4s(hair.vertices())};
-        result.setups.push_back(setup.with(plait_layout_params{size.stride}));
+        result.setups.push_back(setup.with(plait_tangents_params{size.stride, 0}));
+        // of all strands but the first two
+        if (size.strands > 2) {
+            setup.name += ", not of the first";
+            setup.items -= 2 * size.stride;
+            result.setups.push_back(setup.with(plait_tangents_params{size.stride, 2}));
+        }
     }
     return result;
 }

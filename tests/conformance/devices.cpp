@@ -137,15 +137,15 @@ TEST_P(Devices, side_by_side_do_not_meet) {
 
 TEST_P(Devices, refuse_a_dispatch_that_does_not_fit_its_stage) {
     const auto device = open();
-    const plait_layout_params params{32};
+    const plait_tangents_params params{32, 0};
     plait_buffer* const none[3] = {};
     plait_dispatch dispatch{PLAIT_STAGE_tangents, 1, 1, &params, sizeof params, 2, none, 0};
     EXPECT_EQ(device->submit({&dispatch, 1}).error().message,
               "stage tangents: 2 buffers, it has 3");
     dispatch.buffer_count = 3;
-    dispatch.params_size = 8;
+    dispatch.params_size = 4;
     EXPECT_EQ(device->submit({&dispatch, 1}).error().message,
-              "stage tangents: parameters of 8 bytes, plait_layout_params has 4");
+              "stage tangents: parameters of 4 bytes, plait_tangents_params has 8");
 }
 
 // ---- the caller's own context and queue ---------------------------------------------------------

@@ -143,7 +143,7 @@ TEST_F(Reference, ChecksWhatTheDataSay) {
     const uint32_t count = 5, guide = 3;
     plait_buffer* counts = make(PLAIT_ELEMENT_UINT, 1, &count);
     plait_buffer* rows = make(PLAIT_ELEMENT_FLOAT4, 8);
-    refused(submit(PLAIT_STAGE_tangents, 4, plait_layout_params{4}, {counts, rows, rows}),
+    refused(submit(PLAIT_STAGE_tangents, 4, plait_tangents_params{4, 0}, {counts, rows, rows}),
             {"tangents", "vertex_count[0] is 5", "2..4"});
     refused(submit(PLAIT_STAGE_follow, 4, plait_follow_params{4, 1, 0, 0},
                    {rows, rows, counts, make(PLAIT_ELEMENT_UINT, 1, &guide), rows, rows}),

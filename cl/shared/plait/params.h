@@ -116,8 +116,8 @@ typedef struct plait_roots_params {
     plait_u32 per_root; /* 0: root_from/root_to are null and not read */
 } plait_roots_params;
 
-/* skin, skin_mesh, reset, teleport, guide_turns, tangents, snapshot, last_frame, stats: stages that need only
- * the layout. */
+/* skin, skin_mesh, reset, teleport, guide_turns, snapshot, last_frame, stats: stages that need only the
+ * layout. */
 typedef struct plait_layout_params {
     plait_u32 vertex_stride; /* V: vertices per strand row, 2..256 */
 } plait_layout_params;
@@ -507,13 +507,22 @@ typedef struct plait_lane_tile_params {
     plait_u32 pressure; /* 1: lane_pressure is added; 0: it is null */
 } plait_lane_tile_params;
 
-/* lane_unpack, lane_orient. */
+/* lane_orient. */
 typedef struct plait_lane_layout_params {
     plait_u32 vertex_stride;
     plait_u32 tile;
     plait_u32 row_stride;
-    float h; /* s: position_prev = position - h v; the step before is h ago (lane_orient) */
+    float h; /* s: the step before is h ago */
 } plait_lane_layout_params;
+
+/* lane_unpack. */
+typedef struct plait_lane_unpack_params {
+    plait_u32 vertex_stride;
+    plait_u32 tile;
+    plait_u32 row_stride;
+    float h;         /* s: position_prev = position - h v */
+    plait_u32 shown; /* 1: tangent, and padding of it and of position, are written, too */
+} plait_lane_unpack_params;
 
 /* wetness. */
 typedef struct plait_wetness_params {
@@ -592,5 +601,11 @@ typedef struct plait_output_params {
     plait_u32 vertex_stride;
     float alpha; /* [0, 1]: 0 shows the step before the last, 1 the last */
 } plait_output_params;
+
+/* tangents. */
+typedef struct plait_tangents_params {
+    plait_u32 vertex_stride;
+    plait_u32 strand_first; /* of which item 0 is the root */
+} plait_tangents_params;
 
 #endif

@@ -1,9 +1,21 @@
-// lane_unpack: x_world = root + x, and the history a Verlet step would have, x - h v.
+// lane_unpack: x_world = root + x, the history a Verlet step would have, x - h v, and tangents.
 #include "backend/reference/lanes.hpp"
+#include "backend/reference/tangent.hpp"
 
 namespace plait::reference {
+namespace {
 
-void lane_unpack(uint32_t item_count, const plait_lane_layout_params& params,
+void show(const lane_unpack_args& args, size_t root, uint32_t count, uint32_t row) {
+    for (uint32_t i = 0; i < row; ++i) {
+        args.tangent[root + i] = with_w(tangent(args.position, root, i, count), 0);
+        if (i >= count)
+            args.position[root + i] = args.position[root + count - 1];
+    }
+}
+
+} // namespace
+
+void lane_unpack(uint32_t item_count, const plait_lane_unpack_params& params,
                  const lane_unpack_args& args) {
     for (size_t slot = 0; slot < item_count; ++slot) {
         const size_t strand = strand_of(args.lane_strand, slot);
@@ -18,6 +30,8 @@ void lane_unpack(uint32_t item_count, const plait_lane_layout_params& params,
             args.position[vertex] = with_w(x, inverse_mass);
             args.position_prev[vertex] = with_w(x - params.h * v, inverse_mass);
         }
+        if (params.shown)
+            show(args, strand * params.row_stride, count, params.row_stride);
     }
 }
 

@@ -65,6 +65,11 @@ void Shape::set_guides(size_t guides) {
     vertices_ = guides * stride_;
 }
 
+void Shape::set_first(size_t strand) {
+    strands_ += strand;
+    vertices_ += strand * stride_;
+}
+
 void Shape::set_tiles(size_t tile) {
     check_range("tile", tile, 1, max_tile);
     tiled_vertices_ = (strands_ + tile - 1) / tile * tile * stride_;
@@ -87,7 +92,7 @@ size_t Shape::elements(BufferName buffer) const {
     constexpr bool ALWAYS = true;
     const bool PER_ROOT = per_root_, HISTORY = history_, ACCELERATES = accelerates_, PINS = pins_,
                FIELD = field_, PLANES = planes_, PRESSURE = pressure_, CARRIED = carried_,
-               WET = wet_;
+               WET = wet_, SHOWN = shown_;
     const size_t ITEMS = items_, STRANDS = strands_, VERTICES = vertices_, TILED = tiled_vertices_,
                  FOLLOWERS = followers_, ROW = stride_, COLLIDERS = colliders_, VOXELS = voxels_,
                  SLOTS = capacity_, POINTS = points_;

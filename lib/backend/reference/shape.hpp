@@ -53,11 +53,15 @@ class Shape {
             carried_ = params.carried != 0;
         if constexpr (requires { params.wet; })
             wet_ = params.wet != 0;
+        if constexpr (requires { params.shown; })
+            shown_ = params.shown != 0;
         if constexpr (requires { params.boxes; })
             points_ = size_t{params.count} * (params.boxes ? 2 : 1);
         set_rows(space);
         if constexpr (requires { params.tile; })
             set_tiles(params.tile);
+        if constexpr (requires { params.strand_first; })
+            set_first(params.strand_first);
         if constexpr (requires { params.guide_count; })
             set_guides(params.guide_count);
         check_items(dispatch, space);
@@ -74,6 +78,7 @@ class Shape {
     void set_capacity(uint32_t capacity);
     void set_rows(plait_space space);
     void set_guides(size_t guides);
+    void set_first(size_t strand);
     void set_tiles(size_t tile);
     void check_items(const plait_dispatch& dispatch, plait_space space) const;
     static void check_positive(const char* name, double value);
@@ -93,7 +98,7 @@ class Shape {
     bool history_ = false;
     // where the parameters do not say
     bool accelerates_ = true, pins_ = true, field_ = true, pressure_ = true, carried_ = true,
-         wet_ = true;
+         wet_ = true, shown_ = true;
     bool planes_ = false; // mesh_contact makes them, and checks on access
 };
 

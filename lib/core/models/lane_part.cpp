@@ -395,10 +395,12 @@ void LanePart::substep(Schedule& schedule, const Substep& at, float mean_length)
                      lanes_.row);
 }
 
-void LanePart::publish(Schedule& schedule, const Substep& at) const {
-    schedule.add(PLAIT_STAGE_lane_unpack, lanes_.strands, layout_params(at),
+void LanePart::publish(Schedule& schedule, const Substep& at, const Buffer* tangent) const {
+    schedule.add(PLAIT_STAGE_lane_unpack, lanes_.strands,
+                 plait_lane_unpack_params{lanes_.row, lanes_.tile, source_.layout.row, at.h,
+                                          tangent ? 1u : 0u},
                  {&lane_strand_, &at.state.vertex_count, &x_, &v_, &at.state.position,
-                  &at.state.position_prev},
+                  &at.state.position_prev, tangent},
                  lanes_.row);
 }
 

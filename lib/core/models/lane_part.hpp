@@ -76,7 +76,7 @@ class LanePart {
     void accelerate(Schedule& schedule, const Substep& at) const;
     // `mean_length`: m, of all strands of the sim.
     void substep(Schedule& schedule, const Substep& at, float mean_length);
-    void publish(Schedule& schedule, const Substep& at) const;
+    void publish(Schedule& schedule, const Substep& at, const Buffer* tangent) const;
     void adopt(Schedule& schedule, const Substep& at) const;
     void splat(Schedule& schedule, const Substep& at, const LaneGrid& grid) const;
     void diffuse(Schedule& schedule, const Substep& at, const LaneGrid& grid) const;

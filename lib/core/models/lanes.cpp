@@ -66,7 +66,8 @@ class LaneModel final : public Model {
     Status keep_planes(Device& device, bool keep) override;
     void accelerate(Schedule& schedule, const Substep& at) const override;
     void substep(Schedule& schedule, const Substep& at) override;
-    void publish(Schedule& schedule, const Substep& at) const override;
+    void publish(Schedule& schedule, const Substep& at,
+                 const Buffer* tangent = nullptr) const override;
     void adopt(Schedule& schedule, const Substep& at) const override;
     bool has_lanes() const override { return true; }
     void splat(Schedule& schedule, const Substep& at, const LaneGrid& grid) const override;
@@ -283,9 +284,9 @@ void LaneModel::constrain(Schedule& schedule, const Substep& at) const {
     adopt(schedule, at);
 }
 
-void LaneModel::publish(Schedule& schedule, const Substep& at) const {
+void LaneModel::publish(Schedule& schedule, const Substep& at, const Buffer* tangent) const {
     for (const PartPtr& part : parts_)
-        part->publish(schedule, at);
+        part->publish(schedule, at, tangent);
 }
 
 void LaneModel::adopt(Schedule& schedule, const Substep& at) const {

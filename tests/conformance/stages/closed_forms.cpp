@@ -443,7 +443,7 @@ void follow_curl_is_a_helix(Bench& bench) {
 
 void tangents_point_to_the_tip(Bench& bench) {
     const auto out =
-        bench.run(PLAIT_STAGE_tangents, 4, 1, plait_layout_params{4},
+        bench.run(PLAIT_STAGE_tangents, 4, 1, plait_tangents_params{4, 0},
                   {uints({3}), float4s({0, 0, 0, 0, 2, 0, 0, 1, 2, 0, 3, 1, 7, 7, 7, 7}),
                    unwritten_float4s(4)});
     expect_near(out[2], {1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0});
@@ -453,12 +453,30 @@ void tangents_point_to_the_tip(Bench& bench) {
 // The direction of a segment of no length: from the root's side, else from the tip's, else +y.
 void tangents_are_never_zero(Bench& bench) {
     const auto of = [&](std::vector<float> x) {
-        return bench.run(PLAIT_STAGE_tangents, 3, 1, plait_layout_params{3},
+        return bench.run(PLAIT_STAGE_tangents, 3, 1, plait_tangents_params{3, 0},
                          {uints({3}), float4s(std::move(x)), unwritten_float4s(3)})[2];
     };
     expect_near(of({0, 0, 0, 0, 2, 0, 0, 1, 2, 0, 0, 1}), {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0});
     expect_near(of({0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 3, 1}), {0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0});
     expect_near(of({5, 0, 0, 0, 5, 0, 0, 1, 5, 0, 0, 1}), {0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0});
+}
+
+// The same three over lanes, and one of fewer vertices, whose padding repeats its tip.
+void lane_unpack_shows_tangents_that_are_never_zero(Bench& bench) {
+    const auto out =
+        bench.run(PLAIT_STAGE_lane_unpack, 4, 3, plait_lane_unpack_params{3, 1, 3, .5f, 1},
+                  {null_array(), uints({3, 3, 3, 2}),
+                   lane_floats({0, 0, 0, 2, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 3,
+                                5, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 4, 0, 9, 9, 9},
+                               3),
+                   lane_floats(std::vector<float>(36, 2), 3), unwritten_float4s(12),
+                   unwritten_float4s(12), unwritten_float4s(12)});
+    expect_near(out[4], {0, 0, 0, 0, 2, 0, 0, 1, 2, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 3, 1,
+                         5, 0, 0, 0, 5, 0, 0, 1, 5, 0, 0, 1, 1, 0, 0, 0, 1, 4, 0, 1, 1, 4, 0, 1});
+    expect_near(out[6], {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0,
+                         0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0});
+    for (size_t i = 0; i < 11; ++i) // of the last strand's padding there is no history
+        expect_near(floats({out[4].floats[4 * i] - out[5].floats[4 * i]}), {1});
 }
 
 void stats_measure_stretch(Bench& bench) {
@@ -518,6 +536,7 @@ const std::vector<ClosedForm>& strand_closed_forms() {
         PLAIT_CLOSED_FORM(follow_curl_is_a_helix),
         PLAIT_CLOSED_FORM(tangents_point_to_the_tip),
         PLAIT_CLOSED_FORM(tangents_are_never_zero),
+        PLAIT_CLOSED_FORM(lane_unpack_shows_tangents_that_are_never_zero),
         PLAIT_CLOSED_FORM(stats_measure_stretch),
     };
     return list;
