@@ -1,7 +1,8 @@
 /* follow_turns: strands that are at every segment turned as their guides are there.
  *
- * Items   follows: strand f here is row guide_count + f of position.
- * Reads   pose, guide_turn of the guides; follow_guides, follow_weight, follow_place, follow_rest.
+ * Items   follows, over lanes: follow f is row guide_count + f of position.
+ * Reads   lane_strand; pose, guide_turn of the guides; follow_guides, follow_weight, follow_place,
+ *         follow_rest, as lanes lie.
  * Writes  position of the follows; padding is a copy of the tip.
  * Source  Hsu et al. 2024 rebuild an interpolated hair from its own rest shape; here without their
  *         solve: x_0 = sum_g w_g (q_g p_0 + t_g), x_i = x_(i-1) + Q_i r_i,
@@ -12,61 +13,103 @@
  *         than half a turn beyond another is on the other side of it, not beside it.
  */
 #pragma OPENCL FP_CONTRACT OFF
-#include "common/pose.clh"
+#include "common/follow_rows.clh"
 
-/* Turn of a guide, whose row begins at `row`, between two of its segments. */
-static inline quat turn_at(__global const float4* guide_turn, uint row, uint stride, float place) {
-    const float held = clamp(place, 0.0f, (float)(stride - 1));
-    const uint a = min((uint)held, stride - 2u);
-    return nlerpq(guide_turn[row + a], guide_turn[row + a + 1], held - (float)a);
+#define GUIDES 4
+
+typedef struct {
+    mask row[GUIDES];   /* of each guide's turns */
+    real share[GUIDES]; /* with the sign that makes the pose of its root agree with the first's */
+    uint guides;        /* after which all shares are 0 */
+    vec3 root;
+} turns_strands;
+
+/* s / |q|, but for a q that vanishes. */
+static inline real turns_over(real s, quat q) {
+    const real square = dotq(q, q);
+    const mask good = square >= (real)(FLT_MIN);
+    return pick(good, s / sqrt(pick(good, square, (real)(1.0f))), (real)(0.0f));
 }
 
-/* A share of that guide, with the sign that makes the pose of its root agree with `first`. */
-static inline float signed_share(pose_t pose, quat first, float share) {
-    return dotq(pose.q, first) < 0.0f ? -share : share;
+/* Of the lanes, whose roots are `at` at rest. */
+static inline turns_strands turns_of(__global const float4* pose,
+                                     __global const uint* follow_guides,
+                                     __global const float4* follow_weight, mask lane, vec3 at) {
+    turns_strands strands;
+    strands.root = zero3();
+    strands.guides = 0;
+    const quat weights = lane_gather(follow_weight, lane);
+    const real weight[GUIDES] = {weights.x, weights.y, weights.z, weights.w};
+    quat first = identityq();
+    for (uint g = 0; g < GUIDES; ++g) {
+        mask guide;
+        for (uint k = 0; k < PLAIT_LANES; ++k)
+            LANE_OF_MASK(guide, k) = (int)follow_guides[GUIDES * LANE_OF_MASK(lane, k) + (int)g];
+        const quat q = lane_gather(pose, guide * PLAIT_POSE_STRIDE);
+        const quat t = lane_gather(pose, guide * PLAIT_POSE_STRIDE + 1);
+        if (g == 0)
+            first = q;
+        strands.root = axpy3(weight[g], add3(rotate3(q, at), vector_part(t)), strands.root);
+        strands.share[g] = pick(dotq(q, first) < (real)(0.0f), -weight[g], weight[g]);
+        strands.row[g] = guide * PLAIT_VERTICES;
+        strands.guides += any_lane(weight[g] != (real)(0.0f)) ? 1 : 0;
+    }
+    return strands;
 }
 
-/* Shares that are 0 come last. */
-static inline quat mean_turn(__global const float4* guide_turn, uint4 row, uint stride,
-                             float4 share, float4 place) {
-    quat sum = scaleq(turn_at(guide_turn, row.x, stride, place.x), share.x);
-    if (share.y != 0.0f)
-        sum = addq(sum, scaleq(turn_at(guide_turn, row.y, stride, place.y), share.y));
-    if (share.z != 0.0f)
-        sum = addq(sum, scaleq(turn_at(guide_turn, row.z, stride, place.z), share.z));
-    if (share.w != 0.0f)
-        sum = addq(sum, scaleq(turn_at(guide_turn, row.w, stride, place.w), share.w));
-    return normalizeq(sum);
+/* `sum` and a share of a guide's turn between two of its segments. */
+static inline quat turns_add(__global const float4* guide_turn, mask row, real share, real place,
+                             quat sum) {
+    const real held = clamp(place, (real)(0.0f), (real)(PLAIT_VERTICES - 1));
+    const mask a = min(LANE_INT(held), (mask)(PLAIT_VERTICES - 2));
+    const real t = held - LANE_REAL(a), zero = (real)(0.0f);
+    quat q = lane_gather(guide_turn, row + a);
+    if (any_lane(t > zero)) { /* where no guide has other segments than its follow there are none */
+        const quat b = lane_gather(guide_turn, row + a + 1);
+        q = addq(scaleq(q, (real)(1.0f) - t), scaleq(b, pick(dotq(q, b) < zero, -t, t)));
+        share = pick(t > zero, turns_over(share, q), share);
+    }
+    return addq(sum, scaleq(q, share));
+}
+
+static inline vec3 turns_segment(__global const float4* guide_turn, const turns_strands* strands,
+                                 quat place, vec3 segment) {
+    const real zero = (real)(0.0f);
+    const real places[GUIDES] = {place.x, place.y, place.z, place.w};
+    quat sum = quat_of(zero, zero, zero, zero);
+    for (uint g = 0; g < strands->guides; ++g)
+        sum = turns_add(guide_turn, strands->row[g], strands->share[g], places[g], sum);
+    const real size = turns_over((real)(1.0f), sum);
+    return rotate3(pickq(size > zero, scaleq(sum, size), identityq()), segment);
 }
 
 __kernel void plait_follow_turns(const uint item_count, const plait_follow_turns_params params,
-                                 __global const float4* pose, __global const float4* guide_turn,
+                                 __global const uint* lane_strand, __global const float4* pose,
+                                 __global const float4* guide_turn,
                                  __global const uint* follow_guides,
                                  __global const float4* follow_weight,
-                                 __global const float4* follow_place,
-                                 __global const float4* follow_rest, __global float4* position) {
-    const uint item = get_global_id(0), stride = params.vertex_stride;
-    if (item >= item_count)
+                                 __global const real* follow_place,
+                                 __global const real* follow_rest, __global float4* position) {
+    const lane_place place = lane_place_of(get_global_id(0));
+    if (!lane_place_used(place, item_count))
         return;
-    const uint4 guide = vload4(item, follow_guides);
-    const float4 weight = follow_weight[item];
-    const size_t from = (size_t)item * stride, to = from + (size_t)params.guide_count * stride;
-    const float4 start = follow_rest[from];
-    const vec3 at = unpack3(start);
-    const pose_t a = pose_load(pose, guide.x), b = pose_load(pose, guide.y);
-    const pose_t c = pose_load(pose, guide.z), d = pose_load(pose, guide.w);
-    vec3 root = scale3(pose_apply(a, at), weight.x);
-    root = axpy3(weight.y, pose_apply(b, at), root);
-    root = axpy3(weight.z, pose_apply(c, at), root);
-    root = axpy3(weight.w, pose_apply(d, at), root);
-    const float4 share = (float4)(weight.x, signed_share(b, a.q, weight.y),
-                                  signed_share(c, a.q, weight.z), signed_share(d, a.q, weight.w));
-    position[to] = pack3(root, start.w);
+    const mask lane = lane_numbers(place, item_count);
+    const turns_strands strands = turns_of(pose, follow_guides, follow_weight, lane,
+                                           vector_part(loadq(follow_rest, place, 0)));
+    const follow_pointers to = follow_pointers_of(position, params.guide_count, lane_strand, lane);
+    const uint lanes = lane_place_strands(place, item_count);
     vec3 way = zero3(); /* from the root: a sum of small numbers */
-    for (uint i = 1; i < stride; ++i) {
-        const float4 segment = follow_rest[from + i];
-        const quat q = mean_turn(guide_turn, guide * stride, stride, share, follow_place[from + i]);
-        way = add3(way, rotate3(q, unpack3(segment)));
-        position[to + i] = pack3(add3(root, way), segment.w);
+    for (uint first = 0; first < PLAIT_VERTICES; first += LINE_ROWS) {
+        const uint used = min((uint)LINE_ROWS, PLAIT_VERTICES - first);
+        lane_elements rows[LINE_ROWS];
+        for (uint j = 0; j < used; ++j) {
+            const quat rest = loadq(follow_rest, place, first + j);
+            if (first + j > 0)
+                way = add3(way,
+                           turns_segment(guide_turn, &strands,
+                                         loadq(follow_place, place, first + j), vector_part(rest)));
+            rows[j] = lane_to_elements(quat_of_parts(add3(strands.root, way), rest.w));
+        }
+        follow_write(&to, rows, first, used, lanes);
     }
 }

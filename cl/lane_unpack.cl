@@ -9,18 +9,8 @@
  *         does, which then has nothing left to read positions again for.
  */
 #pragma OPENCL FP_CONTRACT OFF
+#include "common/lane_rows.clh"
 #include "common/lane_step.clh"
-
-/* Past the cache, by whole lines of it: the lines of strands in another order would have to be
- * fetched first, which takes twice as long as all the rest. */
-#define UNPACK_ROWS 4 /* float4s of a line */
-#define STREAM(value, to) *(to) = value
-#ifdef __has_builtin
-#if __has_builtin(__builtin_nontemporal_store)
-#undef STREAM
-#define STREAM(value, to) __builtin_nontemporal_store(value, to)
-#endif
-#endif
 
 /* Where the strands in the lanes go. */
 typedef struct {
@@ -51,17 +41,17 @@ static inline float4 unpack_of(vec3 x, float w, uint lane) {
 /* Vertices `first` and on of all strands; `w` of all but the root, which has 0. */
 static inline void unpack_write(const unpack_strands* to, uint first, const vec3* rows, float w,
                                 __global float4* data) {
-    if (to->lanes == PLAIT_LANES && first + UNPACK_ROWS <= to->fewest) {
+    if (to->lanes == PLAIT_LANES && first + LINE_ROWS <= to->fewest) {
 #pragma unroll
         for (uint k = 0; k < PLAIT_LANES; ++k)
 #pragma unroll
-            for (uint j = 0; j < UNPACK_ROWS; ++j)
+            for (uint j = 0; j < LINE_ROWS; ++j)
                 STREAM(unpack_of(rows[j], first + j > 0 ? w : 0.0f, k),
                        data + to->vertex[k] + first + j);
         return;
     }
     for (uint k = 0; k < to->lanes; ++k)
-        for (uint j = 0; j < UNPACK_ROWS && first + j < (uint)LANE_OF_MASK(to->counts, k); ++j)
+        for (uint j = 0; j < LINE_ROWS && first + j < (uint)LANE_OF_MASK(to->counts, k); ++j)
             data[to->vertex[k] + first + j] = unpack_of(rows[j], first + j > 0 ? w : 0.0f, k);
 }
 
@@ -114,12 +104,12 @@ __kernel void plait_lane_unpack(const uint item_count, const plait_lane_unpack_p
     vec3 direction = zero3();
     if (params.shown)
         direction = unpack_first_direction(&to, lane_x, place, root);
-    for (uint first = 0; first < PLAIT_VERTICES; first += UNPACK_ROWS) {
-        vec3 now[UNPACK_ROWS + 1], rows[UNPACK_ROWS];
-        for (uint j = 0; j <= UNPACK_ROWS; ++j)
+    for (uint first = 0; first < PLAIT_VERTICES; first += LINE_ROWS) {
+        vec3 now[LINE_ROWS + 1], rows[LINE_ROWS];
+        for (uint j = 0; j <= LINE_ROWS; ++j)
             now[j] = unpack_position(lane_x, place, root, first + j);
         unpack_write(&to, first, now, 1.0f, position);
-        for (uint j = 0; j < UNPACK_ROWS; ++j) {
+        for (uint j = 0; j < LINE_ROWS; ++j) {
             const vec3 v = load3(lane_v, place, min(first + j, (uint)PLAIT_VERTICES - 1));
             rows[j] = vec3_of(now[j].x - params.h * v.x, now[j].y - params.h * v.y,
                               now[j].z - params.h * v.z);
@@ -127,7 +117,7 @@ __kernel void plait_lane_unpack(const uint item_count, const plait_lane_unpack_p
         unpack_write(&to, first, rows, 1.0f, position_prev);
         if (!params.shown)
             continue;
-        for (uint j = 0; j < UNPACK_ROWS; ++j) {
+        for (uint j = 0; j < LINE_ROWS; ++j) {
             direction = unpack_direction(now[j], now[j + 1], first + j, to.counts, direction);
             rows[j] = direction;
         }

@@ -25,25 +25,29 @@ Float4 follow_offset(const float* guide, const FollowRules& rules, uint64_t foll
     return {offset[0], offset[1], offset[2], 0};
 }
 
-// Of follow strands. Colliders that are no meshes come first, then those of form FIELD.
-void append_out_of_colliders(Schedule& schedule, const Substep& at, const Buffer& position) {
+// Of follow strands, over lanes in this order. Colliders that are no meshes come first, then those of form FIELD.
+void append_out_of_colliders(Schedule& schedule, const Substep& at, const Buffer& order,
+                             const Buffer& position) {
     plait_follow_collide_params params{at.layout.row, at.layout.guides, at.collider_count,
                                        at.collider_first};
-    const uint32_t follows = at.layout.follows;
+    const uint32_t follows = at.layout.follows, row = at.layout.row;
     if (params.collider_count > 0)
-        schedule.add(PLAIT_STAGE_follow_collide, follows, params, {&at.colliders, &position});
+        schedule.add(PLAIT_STAGE_follow_collide, follows, params,
+                     {&order, &at.colliders, &position}, row);
     params.collider_first += params.collider_count;
     params.collider_count = at.mesh_count;
     if (at.meshes)
-        schedule.add(
-            PLAIT_STAGE_follow_field, follows, params,
-            {&at.colliders, &at.meshes->grid, &at.meshes->nodes, &at.meshes->values, &position});
+        schedule.add(PLAIT_STAGE_follow_field, follows, params,
+                     {&order, &at.colliders, &at.meshes->grid, &at.meshes->nodes,
+                      &at.meshes->values, &position},
+                     row);
     params.collider_first += params.collider_count;
     params.collider_count = at.bending_count;
     if (const BendingBuffers* const m = at.bending)
         schedule.add(PLAIT_STAGE_follow_nearest, follows, params,
-                     {&at.colliders, &m->first, &m->box, &m->tree, &m->triangle, &m->ring, &m->from,
-                      &m->to, &m->bends, &position});
+                     {&order, &at.colliders, &m->first, &m->box, &m->tree, &m->triangle, &m->ring,
+                      &m->from, &m->to, &m->bends, &position},
+                     row);
 }
 
 } // namespace
@@ -92,7 +96,8 @@ Status Display::make_follows(Device& device, const Groom& groom, const Layout& l
 // As its guide, a strand's first: that with the greatest weight.
 Status Display::make_turns(Device& device, const Groom& groom, const Layout& layout,
                            const FollowRules& rules, std::pmr::memory_resource* memory) {
-    auto turns = FollowTurns::create(device, groom, *rules.map, layout, rules.pinned, memory);
+    auto turns =
+        FollowTurns::create(device, groom, *rules.map, layout, rules.pinned, rules.tile, memory);
     if (!turns)
         return turns.error();
     turns_ = std::move(*turns);
@@ -113,7 +118,8 @@ Result<std::pmr::vector<float>> Display::rest_of_all(Device& device, const Layou
     float* const follows = rest.data() + size_t{4} * layout.guide_vertices();
     const size_t row = size_t{4} * layout.row;
     if (turns_) {
-        PLAIT_TRY(device.read(turns_.rest(), follows));
+        PLAIT_TRY(turns_.read_rest(device, layout, std::span(follows, size_t{layout.follows} * row),
+                                   memory));
         for (size_t follow = 0; follow < layout.follows; ++follow)
             for (size_t i = 4; i < row; ++i)
                 follows[follow * row + i] += follows[follow * row + i - 4];
@@ -202,7 +208,7 @@ void Display::append(Schedule& schedule, const Substep& at, const Roots& roots, 
     if (wet_ && state.wetness) // of all that sets them apart, curl and frizz, too
         wet_.append(schedule, layout, pose, follow_guide_, shown, &state.wetness);
     if (meets_colliders(at.params))
-        append_out_of_colliders(schedule, at, shown);
+        append_out_of_colliders(schedule, at, turns_.order(), shown);
     const uint32_t first = tangents == Tangents::of_all ? 0 : layout.guides;
     if (first < layout.strands())
         schedule.add(PLAIT_STAGE_tangents, (layout.strands() - first) * layout.row,

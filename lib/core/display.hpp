@@ -19,6 +19,7 @@ struct FollowRules {
     uint64_t seed = 0;
     const FollowMap* map = nullptr;
     uint32_t pinned = 0; // vertices of a strand
+    uint32_t tile = 1;   // strands, of the lane layout
 };
 
 struct DisplayRules {

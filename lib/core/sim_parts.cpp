@@ -113,10 +113,11 @@ Result<SimParts> make_sim_parts(Context& context, const Groom& groom, const plai
     auto skin = Skin::create(device, groom);
     if (!skin)
         return skin.error();
-    auto display = Display::create(device, groom, layout,
-                                   {desc.follows_per_guide, desc.follow_radius, desc.seed,
-                                    strands.follows, (*model)->pinned_vertices()},
-                                   {interpolate, desc.keep_last_frame != 0}, &context.memory);
+    auto display =
+        Display::create(device, groom, layout,
+                        {desc.follows_per_guide, desc.follow_radius, desc.seed, strands.follows,
+                         (*model)->pinned_vertices(), context.info.tile},
+                        {interpolate, desc.keep_last_frame != 0}, &context.memory);
     if (!display)
         return display.error();
     return SimParts{layout,

@@ -205,10 +205,13 @@ TEST_P(Follows, CostNothingWhereThereAreNone) {
     EXPECT_EQ(more, calls(followed));
     constexpr uint64_t float4 = 16, word = 4, row = 8, follows = 12, guides = 4;
     const uint64_t of_guides = guides * row * float4; // guide_turn
-    const uint64_t of_vertices = 4 * float4;       // position, tangent, follow_place, follow_rest
-    const uint64_t of_strands = float4 + 6 * word; // weights; guides, the first again, the count
+    const uint64_t of_vertices = 2 * float4;          // position, tangent
+    const uint64_t of_strands = float4 + 7 * word; // weights; guides, the first again; count, lane
+    const uint64_t tile = context.describe().tile, lanes = (follows + tile - 1) / tile * tile;
     EXPECT_EQ(followed.describe().device_bytes - without.describe().device_bytes,
-              of_guides + follows * (row * of_vertices + of_strands));
+              of_guides + follows * (row * of_vertices + of_strands) +
+                  lanes * row * 2 * float4) // follow_place, follow_rest
+        << "in tiles of " << tile;
 }
 
 // ---- what is chosen -----------------------------------------------------------------------------

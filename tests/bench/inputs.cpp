@@ -92,7 +92,7 @@ void fill(plait_follow_params& p, const Shape& shape) {
     p = {shape.vertices, shape.strands, 0.5f, PLAIT_FOLLOW_ROTATING};
 }
 void fill(plait_follow_turns_params& p, const Shape& shape) {
-    p = {shape.vertices, shape.strands};
+    p = {shape.vertices, shape.tile, shape.strands};
 }
 void fill(plait_follow_clump_params& p, const Shape& shape) {
     p = {shape.vertices, shape.strands, {0, 0.3f, 0.7f, 0.9f}, 0};
@@ -507,29 +507,6 @@ Words three_guides(const Shape& shape) {
     return words;
 }
 
-// Half way between two turns of each guide.
-Words places(const Shape& shape) {
-    Words words;
-    for (size_t vertex = 0; vertex < shape.total(); ++vertex) {
-        const float place = static_cast<float>(vertex % shape.vertices) - 0.5f;
-        const float held = std::clamp(place, 0.0f, static_cast<float>(shape.vertices - 2));
-        append(words, held, held, held, 0);
-    }
-    return words;
-}
-
-// The root, and what leads from each vertex to the next.
-Words segments(const Shape& shape) {
-    Words words = strands(shape, 0);
-    const float length = strand_length / static_cast<float>(shape.vertices - 1);
-    for (size_t vertex = 0; vertex < shape.total(); ++vertex)
-        if (vertex % shape.vertices > 0) {
-            words[4 * vertex] = words[4 * vertex + 2] = word(0);
-            words[4 * vertex + 1] = word(-length);
-        }
-    return words;
-}
-
 // From the root, m.
 Words arcs(const Shape& shape) {
     Words words;
@@ -547,9 +524,11 @@ Words own_places(const Shape& shape) {
     return words;
 }
 
+// Follows are where guides are.
 Words with_follows(const Shape& shape) {
     Words words = strands(shape, 0);
     words.resize(2 * words.size());
+    std::copy_n(words.begin(), words.size() / 2, words.begin() + words.size() / 2);
     return words;
 }
 
@@ -561,6 +540,26 @@ Words in_lanes(const Shape& shape, const std::vector<float>& rows) {
         for (const float value : rows)
             words.insert(words.end(), shape.tile, word(value));
     return words;
+}
+
+// Half way between two turns of each guide.
+Words places(const Shape& shape) {
+    std::vector<float> rows;
+    for (uint32_t i = 0; i < shape.vertices; ++i) {
+        const float place = static_cast<float>(i) - 0.5f;
+        const float held = std::clamp(place, 0.0f, static_cast<float>(shape.vertices - 2));
+        rows.insert(rows.end(), {held, held, held, 0});
+    }
+    return in_lanes(shape, rows);
+}
+
+// A root, and what leads from each vertex to the next.
+Words segments(const Shape& shape) {
+    const float length = strand_length / static_cast<float>(shape.vertices - 1);
+    std::vector<float> rows;
+    for (uint32_t i = 0; i < shape.vertices; ++i)
+        rows.insert(rows.end(), {0, i == 0 ? head_radius : -length, 0, i == 0 ? 0.0f : 1.0f});
+    return in_lanes(shape, rows);
 }
 
 // A strand that hangs down, relative to its root.

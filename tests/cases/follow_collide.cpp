@@ -12,7 +12,8 @@ Setup make(const Size& size, std::vector<Collider> colliders) {
     const auto count = static_cast<uint32_t>(colliders.size());
     const std::vector<Collider> before(count, sphere); // of the substep before
     colliders.insert(colliders.begin(), before.begin(), before.end());
-    setup.buffers = {float4s(pack(colliders)), float4s(hair.position)};
+    setup.width = size.stride;
+    setup.buffers = {lanes_of(hair), float4s(pack(colliders)), float4s(hair.position)};
     return setup.with(out_params(size, count));
 }
 

@@ -18,8 +18,9 @@ Setup make(const Size& size) {
     setup.items = hair.follows;
     std::vector<float> rows(meshes.rows.size(), 0.5f); // of the substep before
     rows.insert(rows.end(), meshes.rows.begin(), meshes.rows.end());
-    setup.buffers = {float4s(rows), float4s(meshes.grid), uints(meshes.nodes),
-                     floats(meshes.values), float4s(hair.position)};
+    setup.width = size.stride;
+    setup.buffers = {lanes_of(hair),      float4s(rows),         float4s(meshes.grid),
+                     uints(meshes.nodes), floats(meshes.values), float4s(hair.position)};
     return setup.with(out_params(size, count));
 }
 

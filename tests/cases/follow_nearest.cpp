@@ -17,7 +17,8 @@ Setup make(const Size& size) {
     setup.items = hair.follows;
     std::vector<float> rows(meshes.rows.size(), 0.5f); // of the substep before
     rows.insert(rows.end(), meshes.rows.begin(), meshes.rows.end());
-    setup.buffers = {float4s(rows)};
+    setup.width = size.stride;
+    setup.buffers = {lanes_of(hair), float4s(rows)};
     auto of_meshes = meshes.buffers();
     of_meshes.pop_back(); // clearances, which are of guides
     setup.buffers.insert(setup.buffers.end(), of_meshes.begin(), of_meshes.end());

@@ -8,6 +8,10 @@ FollowHair hair_through_bodies(const Size& size, uint32_t seed) {
     return follow_hair(make_hair(size, seed));
 }
 
+Array lanes_of(const FollowHair& hair) {
+    return uints(other_order(hair.follows, hair.follows));
+}
+
 void add_body_row(std::vector<float>& rows, Random& random, const FollowHair& hair,
                   const Size& size, uint32_t follow, bool around_root, float share) {
     const size_t first = (size_t{size.strands} + follow) * size.stride;

@@ -1,4 +1,4 @@
-#include "inputs.hpp"
+#include "lane_inputs.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -75,14 +75,16 @@ Setup make(const Size& size, bool signs) {
     Setup setup;
     setup.name = name_of(size) + (signs ? ", of either sign" : "");
     setup.items = follows;
-    setup.buffers = {float4s(hair.pose),
+    setup.width = size.stride;
+    setup.buffers = {uints(other_order(follows, follows)),
+                     float4s(hair.pose),
                      float4s(turn),
                      uints(guide),
                      float4s(weight),
-                     float4s(place),
-                     float4s(rest),
+                     lane_floats(place, 4),
+                     lane_floats(rest, 4),
                      unwritten_float4s(size_t{size.strands + follows} * size.stride)};
-    return setup.with(plait_follow_turns_params{size.stride, size.strands});
+    return setup.with(plait_follow_turns_params{size.stride, 1, size.strands});
 }
 
 } // namespace

@@ -79,6 +79,18 @@ std::unique_ptr<StageBuffer> filled(StageDevice& device, const std::vector<Float
     return buffer;
 }
 
+// Of a follow alone: four components in the lane layout.
+std::unique_ptr<StageBuffer> in_first_lane(StageDevice& device, const std::vector<Float4>& rows,
+                                           uint32_t tile) {
+    std::vector<float> lanes(4 * rows.size() * tile);
+    for (size_t i = 0; i < rows.size(); ++i)
+        for (size_t c = 0; c < 4; ++c)
+            lanes[(4 * i + c) * tile] = rows[i][c];
+    auto buffer = device.floats(lanes.size());
+    buffer->write(lanes);
+    return buffer;
+}
+
 std::vector<Float4> turns_of(StageDevice& device, const Scene& scene) {
     const uint32_t row = scene.row();
     const auto rest = filled(device, rows_of(scene.guide_rest));
@@ -111,13 +123,16 @@ std::vector<Vec> follow_of(StageDevice& device, const Scene& scene,
     }
     const auto pose = filled(device, poses(scene)), turn = filled(device, turns);
     const auto weight = filled(device, {packed(Vec{scene.weight[0], scene.weight[1], 0})});
-    const auto place = filled(device, places), rest = filled(device, segments);
+    const uint32_t tile = device.describe().tile;
+    const auto place = in_first_lane(device, places, tile);
+    const auto rest = in_first_lane(device, segments, tile);
     const auto position = filled(device, rows_of(scene.guide, row));
     const auto guides = device.uints(4);
     guides->write(std::vector<uint32_t>{0, 1, 0, 0});
-    device.run(PLAIT_STAGE_follow_turns, 1, plait_follow_turns_params{row, 2},
-               {pose.get(), turn.get(), guides.get(), weight.get(), place.get(), rest.get(),
-                position.get()});
+    device.run(PLAIT_STAGE_follow_turns, 1, plait_follow_turns_params{row, tile, 2},
+               {nullptr, pose.get(), turn.get(), guides.get(), weight.get(), place.get(),
+                rest.get(), position.get()},
+               row);
     const auto rows = position->read<Float4>();
     std::vector<Vec> follow;
     for (size_t i = size_t{2} * row; i < rows.size(); ++i)

@@ -24,7 +24,7 @@ void expect_range(const WorkRange& range, size_t global, size_t local) {
 }
 
 TEST(Ranges, items_are_work_items_in_whole_groups) {
-    expect_range(spread(PLAIT_STAGE_follow_turns, 65, 1, {1024, 32, 32768}), 96, 32);
+    expect_range(spread(PLAIT_STAGE_guide_turns, 65, 1, {1024, 32, 32768}), 96, 32);
     expect_range(spread(PLAIT_STAGE_tangents, 65, 1, {1, 1, 32768}), 65, 1);
 }
 

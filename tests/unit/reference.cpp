@@ -149,8 +149,10 @@ TEST_F(Reference, ChecksWhatTheDataSay) {
                    {rows, rows, counts, make(PLAIT_ELEMENT_UINT, 1, &guide), rows, rows}),
             {"follow", "follow_guide[0] is 3"});
     const uint32_t guides[] = {0, 0, 7, 0};
-    refused(submit(PLAIT_STAGE_follow_turns, 1, plait_follow_turns_params{4, 1},
-                   {rows, rows, make(PLAIT_ELEMENT_UINT, 4, guides), rows, rows, rows, rows}),
+    refused(submit(PLAIT_STAGE_follow_turns, 1, plait_follow_turns_params{4, 1, 1},
+                   {nullptr, rows, rows, make(PLAIT_ELEMENT_UINT, 4, guides), rows,
+                    make(PLAIT_ELEMENT_FLOAT, 16), make(PLAIT_ELEMENT_FLOAT, 16), rows},
+                   4),
             {"follow_turns", "follow_guides[2] is 7", "1 guides"});
     plait_grid_params grid = {};
     grid.vertex_stride = 2;

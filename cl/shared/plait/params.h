@@ -227,6 +227,7 @@ typedef struct plait_follow_params {
 /* follow_turns: follow strands by the turns of their guides. */
 typedef struct plait_follow_turns_params {
     plait_u32 vertex_stride;
+    plait_u32 tile; /* strands per tile of the lane layout */
     plait_u32 guide_count;
 } plait_follow_turns_params;
 

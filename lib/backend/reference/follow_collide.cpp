@@ -8,7 +8,7 @@ void follow_collide(uint32_t item_count, const plait_follow_collide_params& para
                     const follow_collide_args& args) {
     for (size_t index = 0; index < params.collider_count; ++index) {
         const Collider collider = collider_at(args.collider, params.collider_first + index);
-        leave_all(item_count, params, args.position, [&](const Vec3& x, double) {
+        leave_all(item_count, params, args.lane_strand, args.position, [&](const Vec3& x, double) {
             const Surface at = collider.surface(x);
             return std::optional(FollowGap{at.distance, at.normal});
         });

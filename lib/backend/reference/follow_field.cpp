@@ -16,7 +16,7 @@ void follow_field(uint32_t item_count, const plait_follow_collide_params& params
                 return {};
             return FollowGap{sample.distance, motion.pose.q * sample.gradient->normalized()};
         };
-        leave_all(item_count, params, args.position, gap_at);
+        leave_all(item_count, params, args.lane_strand, args.position, gap_at);
     }
 }
 

@@ -18,7 +18,7 @@ void follow_nearest(uint32_t item_count, const plait_follow_collide_params& para
                 return {};
             return FollowGap{sample->distance, motion.pose.q * sample->normal};
         };
-        leave_all(item_count, params, args.position, gap_at);
+        leave_all(item_count, params, args.lane_strand, args.position, gap_at);
     }
 }
 

@@ -5,7 +5,7 @@
 // Ours.
 #pragma once
 
-#include "backend/reference/stages.hpp"
+#include "backend/reference/lanes.hpp"
 
 #include <plait/constants.h>
 
@@ -60,9 +60,11 @@ void leave(const View<Vec4>& position, size_t row, size_t stride, const GapAt& g
 
 template <typename GapAt>
 void leave_all(uint32_t follows, const plait_follow_collide_params& params,
-               const View<Vec4>& position, const GapAt& gap_at) {
-    for (size_t follow = 0; follow < follows; ++follow)
-        leave(position, (params.guide_count + follow) * params.vertex_stride, params.vertex_stride,
+               const View<const uint32_t>& lane_strand, const View<Vec4>& position,
+               const GapAt& gap_at) {
+    const size_t stride = params.vertex_stride;
+    for (size_t lane = 0; lane < follows; ++lane)
+        leave(position, (params.guide_count + strand_of(lane_strand, lane)) * stride, stride,
               gap_at);
 }
 

@@ -3,7 +3,7 @@
 // segments, along the shorter way; guides count with the sign that brings the poses of their roots
 // to the first one's side, for turns are made from these, step by step. The root goes with the poses'
 // weighted mean place.
-#include "backend/reference/stages.hpp"
+#include "backend/reference/lanes.hpp"
 
 #include <algorithm>
 #include <array>
@@ -33,16 +33,16 @@ Vec4 turn_at(const View<const Vec4>& turns, size_t row, uint32_t stride, double 
     return between(turns[row + a], turns[row + a + 1], held - static_cast<double>(a));
 }
 
-Guides guides_of(size_t follow, const plait_follow_turns_params& params,
+Guides guides_of(size_t lane, const plait_follow_turns_params& params,
                  const follow_turns_args& args) {
     Guides guides;
-    const Vec4 weight = args.follow_weight[follow];
+    const Vec4 weight = args.follow_weight[lane];
     Quat first;
     for (size_t k = 0; k < guides.size(); ++k) {
-        const uint32_t guide = args.follow_guides[4 * follow + k];
+        const uint32_t guide = args.follow_guides[4 * lane + k];
         if (guide >= params.guide_count)
-            throw BadDispatch(format("follow_guides[%zu] is %u, there are %u guides",
-                                     4 * follow + k, guide, params.guide_count));
+            throw BadDispatch(format("follow_guides[%zu] is %u, there are %u guides", 4 * lane + k,
+                                     guide, params.guide_count));
         const Quat q = pose_of(args.pose, guide).q;
         if (k == 0)
             first = q;
@@ -69,19 +69,26 @@ Quat mean_turn(const Guides& guides, const Vec4& place, const follow_turns_args&
     return unit(sum);
 }
 
+Vec4 four_of(const Lane& lane, const View<const double>& data, size_t row) {
+    return {data[lane.index(row, 0, 4)], data[lane.index(row, 1, 4)], data[lane.index(row, 2, 4)],
+            data[lane.index(row, 3, 4)]};
+}
+
 } // namespace
 
 void follow_turns(uint32_t item_count, const plait_follow_turns_params& params,
                   const follow_turns_args& args) {
     const uint32_t stride = params.vertex_stride;
-    for (size_t follow = 0; follow < item_count; ++follow) {
-        const Guides guides = guides_of(follow, params, args);
-        const size_t from = follow * stride, to = (size_t{params.guide_count} + follow) * stride;
-        Vec3 x = root_of(guides, xyz(args.follow_rest[from]), args, stride);
-        args.position[to] = with_w(x, args.follow_rest[from].w());
+    for (size_t slot = 0; slot < item_count; ++slot) {
+        const Lane lane(slot, stride, params.tile);
+        const Guides guides = guides_of(slot, params, args);
+        const size_t to = (params.guide_count + strand_of(args.lane_strand, slot)) * stride;
+        Vec3 x = root_of(guides, xyz(four_of(lane, args.follow_rest, 0)), args, stride);
+        args.position[to] = with_w(x, four_of(lane, args.follow_rest, 0).w());
         for (size_t i = 1; i < stride; ++i) {
-            const Vec4 segment = args.follow_rest[from + i];
-            x += mean_turn(guides, args.follow_place[from + i], args, stride) * xyz(segment);
+            const Vec4 segment = four_of(lane, args.follow_rest, i);
+            const Vec4 place = four_of(lane, args.follow_place, i);
+            x += mean_turn(guides, place, args, stride) * xyz(segment);
             args.position[to + i] = with_w(x, segment.w());
         }
     }

@@ -383,13 +383,14 @@ void guide_turns_go_on_beyond_half_a_turn(Bench& bench) {
 void follow_turns_by_the_mean(Bench& bench) {
     const auto place = [&](const std::vector<float>& weights, float sign) {
         const auto out = bench.run(
-            PLAIT_STAGE_follow_turns, 1, 1, plait_follow_turns_params{3, 2},
-            {float4s({0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, sign, 0, 0, 2, 0}),
+            PLAIT_STAGE_follow_turns, 1, 3, plait_follow_turns_params{3, 1, 2},
+            {null_array(), float4s({0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, sign, 0, 0, 2, 0}),
              float4s({0, 0, 0, 1,    0, 0, 0,          1,           0, 0, 0,          1,
                       0, 0, 0, sign, 0, 0, sign * s45, -sign * s45, 0, 0, sign * s45, -sign * s45}),
-             uints({0, 1, 0, 0}), float4s(weights), float4s({0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0}),
-             float4s({5, 0, 0, 0, 1, 0, 0, 1, 0, 0, 0, 1}), unwritten_float4s(9)});
-        return floats({out[6].floats.begin() + 24, out[6].floats.end()});
+             uints({0, 1, 0, 0}), float4s(weights),
+             lane_floats({0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0}, 4),
+             lane_floats({5, 0, 0, 0, 1, 0, 0, 1, 0, 0, 0, 1}, 4), unwritten_float4s(9)});
+        return floats({out[7].floats.begin() + 24, out[7].floats.end()});
     };
     for (const float sign : {1.0f, -1.0f})
         expect_near(place({.5f, .5f, 0, 0}, sign),
@@ -414,15 +415,15 @@ void follow_clump_leans_to_the_centre(Bench& bench) {
 // by so much, and the third lies on it.
 void follow_collide_lies_on_a_floor(Bench& bench) {
     const auto out =
-        bench.run(PLAIT_STAGE_follow_collide, 1, 1, plait_follow_collide_params{4, 1, 1, 0},
-                  {float4s({0, 0, 0, 0, 0, 1,
-                            0, 0, 0, 0, 0, 0,
-                            0, 1, 0, 0, //
-                            0, 0, 0, 1, 0, PLAIT_KIND_PLANE,
-                            0, 0}),
+        bench.run(PLAIT_STAGE_follow_collide, 1, 4, plait_follow_collide_params{4, 1, 1, 0},
+                  {null_array(), float4s({0, 0, 0, 0, 0, 1,
+                                          0, 0, 0, 0, 0, 0,
+                                          0, 1, 0, 0, //
+                                          0, 0, 0, 1, 0, PLAIT_KIND_PLANE,
+                                          0, 0}),
                    float4s({9, 9, 9, 9, 9,   9,   9, 9, 9,    9,    9, 9, 9,    9,     9, 9, //
                             0, 1, 0, 0, .6f, .2f, 0, 1, 1.2f, -.6f, 0, 1, 1.8f, -1.4f, 0, 1})});
-    const std::vector<float> follow(out[1].floats.begin() + 16, out[1].floats.end());
+    const std::vector<float> follow(out[2].floats.begin() + 16, out[2].floats.end());
     expect_near(floats(follow),
                 {0, 1, 0, 0, .6f, .2f, 0, 1, 1.5797959f, 0, 0, 1, 2.5797959f, 0, 0, 1});
 }
