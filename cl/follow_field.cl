@@ -7,6 +7,7 @@
  * Source  common/follow_out.clh; distances as in mesh_contact.
  */
 #pragma OPENCL FP_CONTRACT OFF
+#include "common/lane_rows.clh"
 #include "common/mesh_field.clh"
 #include "plait/constants.h"
 
@@ -20,6 +21,21 @@ typedef struct {
     vec3 normal;   /* in the world, unit; 0: there is no telling */
 } follow_distance;
 
+/* The cells that begin at these nodes. Of four edges along x two at a time are an element. */
+static inline mesh_cells follow_cells(const mesh_field* field, mask first) {
+    const size_t along_y = (size_t)field->nodes.x, along_z = along_y * (size_t)field->nodes.y;
+    lane_elements low, high;
+#pragma unroll
+    for (uint k = 0; k < PLAIT_LANES; ++k) {
+        __global const float* v = field->value + LANE_OF_MASK(first, k);
+        low.at[k] = (float4)(vload2(0, v), vload2(0, v + along_y));
+        high.at[k] = (float4)(vload2(0, v + along_z), vload2(0, v + along_z + along_y));
+    }
+    const quat a = lane_of_elements(&low), b = lane_of_elements(&high);
+    const mesh_cells cells = {first, {a.x, a.z, b.x, b.z}, {a.y, a.w, b.y, b.w}};
+    return cells;
+}
+
 LANES_INLINE follow_distance follow_gap(const follow_body* body, vec3 x, real bound, mask on) {
     const real none = (real)(0.0f);
     const vec3 own = mesh_own(&body->motion, x);
@@ -27,8 +43,9 @@ LANES_INLINE follow_distance follow_gap(const follow_body* body, vec3 x, real bo
     const mask near = on & (gap.distance <= none);
     if (!any_lane(near))
         return gap;
-    mesh_cells cells;
-    const mesh_sample sample = mesh_field_sample_on(&body->field, own, mesh_no_cells(&cells), near);
+    const mesh_cell cell = mesh_cell_of(&body->field, own);
+    const mesh_cells cells = follow_cells(&body->field, pick_mask(near, cell.first, (mask)(0)));
+    const mesh_sample sample = mesh_cell_sample(&body->field, &cell, &cells);
     const real slope = length3(sample.gradient);
     const mask some = slope > (real)(PLAIT_MESH_MIN_SLOPE);
     /* of a distance above 0 nothing is said of what is around */

@@ -63,13 +63,12 @@ static inline quat turns_add(__global const float4* guide_turn, mask row, real s
     const real held = clamp(place, (real)(0.0f), (real)(PLAIT_VERTICES - 1));
     const mask a = min(LANE_INT(held), (mask)(PLAIT_VERTICES - 2));
     const real t = held - LANE_REAL(a), zero = (real)(0.0f);
-    quat q = lane_gather(guide_turn, row + a);
-    if (any_lane(t > zero)) { /* where no guide has other segments than its follow there are none */
-        const quat b = lane_gather(guide_turn, row + a + 1);
-        q = addq(scaleq(q, (real)(1.0f) - t), scaleq(b, pick(dotq(q, b) < zero, -t, t)));
-        share = pick(t > zero, turns_over(share, q), share);
-    }
-    return addq(sum, scaleq(q, share));
+    if (!any_lane(t > zero)) /* no follow has other segments than its guide */
+        return addq(sum, scaleq(lane_gather(guide_turn, row + a), share));
+    quat q, b;
+    lane_gather_two(guide_turn, row + a, &q, &b);
+    q = addq(scaleq(q, (real)(1.0f) - t), scaleq(b, pick(dotq(q, b) < zero, -t, t)));
+    return addq(sum, scaleq(q, pick(t > zero, turns_over(share, q), share)));
 }
 
 static inline vec3 turns_segment(__global const float4* guide_turn, const turns_strands* strands,

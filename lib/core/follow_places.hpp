@@ -22,7 +22,7 @@ struct Middles {
 
 Middles middles_of(const StrandSet& strands, std::pmr::memory_resource* memory);
 
-// a + t: `share` is t of the way from the middle of segment a to that of a + 1.
+// a + t: `share` is t of the way from the middle of segment a to that of a + 1. Beside a middle t is 0.
 float place_in(std::span<const double> middles, double share);
 
 } // namespace plait
