@@ -28,8 +28,9 @@ static inline mesh_cells follow_cells(const mesh_field* field, mask first) {
 #pragma unroll
     for (uint k = 0; k < PLAIT_LANES; ++k) {
         __global const float* v = field->value + LANE_OF_MASK(first, k);
-        low.at[k] = (float4)(vload2(0, v), vload2(0, v + along_y));
-        high.at[k] = (float4)(vload2(0, v + along_z), vload2(0, v + along_z + along_y));
+        __global const float* w = v + along_z;
+        low.at[k] = (float4)(v[0], v[1], v[along_y], v[along_y + 1]);
+        high.at[k] = (float4)(w[0], w[1], w[along_y], w[along_y + 1]);
     }
     const quat a = lane_of_elements(&low), b = lane_of_elements(&high);
     const mesh_cells cells = {first, {a.x, a.z, b.x, b.z}, {a.y, a.w, b.y, b.w}};

@@ -41,6 +41,9 @@ static inline turns_strands turns_of(__global const float4* pose,
     const quat weights = lane_gather(follow_weight, lane);
     const real weight[GUIDES] = {weights.x, weights.y, weights.z, weights.w};
     quat first = identityq();
+#if PLAIT_LANES == 1 /* what loops choose among would lie in private memory */
+#pragma unroll
+#endif
     for (uint g = 0; g < GUIDES; ++g) {
         mask guide;
         for (uint k = 0; k < PLAIT_LANES; ++k)
@@ -76,7 +79,10 @@ static inline vec3 turns_segment(__global const float4* guide_turn, const turns_
     const real zero = (real)(0.0f);
     const real places[GUIDES] = {place.x, place.y, place.z, place.w};
     quat sum = quat_of(zero, zero, zero, zero);
-    for (uint g = 0; g < strands->guides; ++g)
+#if PLAIT_LANES == 1
+#pragma unroll
+#endif
+    for (uint g = 0; g < GUIDES && g < strands->guides; ++g)
         sum = turns_add(guide_turn, strands->row[g], strands->share[g], places[g], sum);
     const real size = turns_over((real)(1.0f), sum);
     return rotate3(pickq(size > zero, scaleq(sum, size), identityq()), segment);
@@ -98,9 +104,9 @@ __kernel void plait_follow_turns(const uint item_count, const plait_follow_turns
     const follow_pointers to = follow_pointers_of(position, params.guide_count, lane_strand, lane);
     const uint lanes = lane_place_strands(place, item_count);
     vec3 way = zero3(); /* from the root: a sum of small numbers */
-    for (uint first = 0; first < PLAIT_VERTICES; first += LINE_ROWS) {
-        const uint used = min((uint)LINE_ROWS, PLAIT_VERTICES - first);
-        lane_elements rows[LINE_ROWS];
+    for (uint first = 0; first < PLAIT_VERTICES; first += FOLLOW_ROWS) {
+        const uint used = min((uint)FOLLOW_ROWS, PLAIT_VERTICES - first);
+        lane_elements rows[FOLLOW_ROWS];
         for (uint j = 0; j < used; ++j) {
             const quat rest = loadq(follow_rest, place, first + j);
             if (first + j > 0)
