@@ -27,30 +27,45 @@ typedef struct {
     __global const float* pair_offset;
 } contact_state;
 
-/* Takes the pairs of the segment that begins at `first`, of which `vertex` is one end. */
-static inline void contact_of_segment(const contact_state* state, uint first, uint vertex,
-                                      contact_plane* deepest) {
+static inline contact_plane contact_none(void) {
+    const contact_plane plane = {zero3(), zero3(), 0.0f, MAXFLOAT};
+    return plane;
+}
+
+static inline vec3 contact_goes(const contact_state* state, uint vertex) {
+    return sub3(unpack3(state->position[vertex]), unpack3(state->before[vertex]));
+}
+
+/* Of a vertex with so much of the contact point. */
+static inline void contact_take(contact_plane plane, float share, vec3 goes,
+                                contact_plane* deepest) {
+    plane.height = plane.gap + dot3(plane.normal, sub3(goes, plane.moves));
+    if (share > PLAIT_PAIR_SHARE && plane.height < deepest->height)
+        *deepest = plane;
+}
+
+/* Takes the pairs of the segment that begins at `first` for both of its ends. */
+static inline void contact_of_segment(const contact_state* state, uint first, contact_plane* begin,
+                                      contact_plane* end) {
     const segment own = segment_at(state->position, first);
-    const vec3 goes = sub3(unpack3(state->position[vertex]), unpack3(state->before[vertex]));
+    const segment_motion motion = segment_motion_at(state->position, state->before, first);
+    const vec3 begin_goes = contact_goes(state, first), end_goes = contact_goes(state, first + 1u);
     for (uint k = 0; k < PLAIT_PAIR_COUNT; ++k) {
         const size_t at = (size_t)PLAIT_PAIR_COUNT * first + k;
         const uint other = state->pair_segment[at];
         if (other == PLAIT_PAIR_NONE)
             break;
         const segment_foot foot = segment_nearest(own, segment_at(state->position, other));
-        const float share = vertex == first ? 1.0f - foot.s : foot.s;
         const float distance = length3(foot.apart);
-        if (!(share > PLAIT_PAIR_SHARE) || !(distance > PLAIT_PAIR_LEAST))
+        if (!(distance > PLAIT_PAIR_LEAST))
             continue;
+        const segment_motion its = segment_motion_at(state->position, state->before, other);
         contact_plane plane;
         plane.normal = div3(foot.apart, distance);
-        const vec3 own_moves = segment_moves(state->position, state->before, first, foot.s);
-        const vec3 its_moves = segment_moves(state->position, state->before, other, foot.t);
-        plane.moves = scale3(add3(own_moves, its_moves), 0.5f);
+        plane.moves = scale3(add3(segment_moves(motion, foot.s), segment_moves(its, foot.t)), 0.5f);
         plane.gap = 0.5f * (distance - state->pair_offset[at]);
-        plane.height = plane.gap + dot3(plane.normal, sub3(goes, plane.moves));
-        if (plane.height < deepest->height)
-            *deepest = plane;
+        contact_take(plane, 1.0f - foot.s, begin_goes, begin);
+        contact_take(plane, foot.s, end_goes, end);
     }
 }
 
@@ -92,24 +107,30 @@ static inline void contact_store(const contact_strand* strand, uint i, vec3 begi
     *contact_plane_at(strand, i, PLAIT_LANE_PLANE_FRICTION) = friction;
 }
 
+/* Keeps of what is found for vertex i and of the plane of a mesh there the deeper one. Is there any? */
+static inline bool contact_keep(const contact_strand* strand, const contact_state* state, uint i,
+                                bool mesh_there, float friction, const contact_plane* found) {
+    const vec3 begin = add3(load3(strand->x, strand->place, i), strand->shift);
+    const vec3 goes = contact_goes(state, strand->first + i);
+    const float mesh = mesh_there ? contact_mesh_height(strand, i, begin, goes) : MAXFLOAT;
+    if (found->height < mesh || !(mesh < MAXFLOAT))
+        contact_store(strand, i, begin, friction, found);
+    return fmin(found->height, mesh) < MAXFLOAT;
+}
+
 static inline void contact_of_strand(const contact_strand* strand, const contact_state* state,
                                      const plait_strand_contact_params* params) {
     __global float* last = contact_plane_at(strand, 0, PLAIT_LANE_PLANE_LAST);
     const uint meshes_to = params->meshes ? (uint)*last : 0u;
     uint planes_to = 0u;
-    for (uint i = 1u; i <= strand->last; ++i) {
-        const uint vertex = strand->first + i;
-        contact_plane deepest = {zero3(), zero3(), 0.0f, MAXFLOAT};
-        contact_of_segment(state, vertex - 1u, vertex, &deepest);
+    contact_plane here = contact_none(); /* of the root, which has none */
+    for (uint i = 0u; i <= strand->last; ++i) {
+        contact_plane next = contact_none();
         if (i < strand->last)
-            contact_of_segment(state, vertex, vertex, &deepest);
-        const vec3 begin = add3(load3(strand->x, strand->place, i), strand->shift);
-        const vec3 goes = sub3(unpack3(state->position[vertex]), unpack3(state->before[vertex]));
-        const float mesh = i <= meshes_to ? contact_mesh_height(strand, i, begin, goes) : MAXFLOAT;
-        if (deepest.height < mesh || !(mesh < MAXFLOAT))
-            contact_store(strand, i, begin, params->friction, &deepest);
-        if (fmin(deepest.height, mesh) < MAXFLOAT)
+            contact_of_segment(state, strand->first + i, &here, &next);
+        if (i > 0u && contact_keep(strand, state, i, i <= meshes_to, params->friction, &here))
             planes_to = i;
+        here = next;
     }
     *last = (float)planes_to;
 }

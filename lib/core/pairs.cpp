@@ -1,6 +1,7 @@
 #include "core/pairs.hpp"
 
 #include <algorithm>
+#include <vector>
 
 namespace plait {
 namespace {
@@ -8,9 +9,14 @@ namespace {
 // Cells each way. They repeat: far segments in one of them are looked at and left out.
 constexpr uint32_t edge_count = 32;
 constexpr uint32_t cells = edge_count * edge_count * edge_count;
+constexpr uint32_t cells_of_block = PLAIT_PAIR_BLOCK * PLAIT_PAIR_BLOCK * PLAIT_PAIR_BLOCK;
 
-// Strands stretch under load, and by float32; a segment must fit two cells.
+// Strands stretch under load, and by float32.
 constexpr float stretched = 1.1f;
+
+// Edge of a cell over the longest segment. In larger ones more segments are looked at that are far, in
+// smaller ones there are more cells; between 0.7 and 1 the time is the same.
+constexpr float cell_edge = 0.8f;
 
 // Longest segments by which two may come nearer in a fixed step without one passing unseen.
 constexpr float room = 0.5f;
@@ -39,7 +45,11 @@ Result<Pairs> Pairs::create(Device& device, const plait_sim_params& params, cons
     PairBuffers& b = pairs.buffers_;
     PLAIT_TRY(device.create(b.cell_count, u32, cells, "cell_count"));
     PLAIT_TRY(device.create(b.cell_end, u32, cells, "cell_end"));
+    PLAIT_TRY(device.create(b.cell_moves, u32, cells / cells_of_block, "cell_moves"));
     PLAIT_TRY(device.create(b.cell_segment, u32, vertices, "cell_segment"));
+    const std::vector<float> lines(PLAIT_PAIR_COMPONENTS * (vertices + PLAIT_PAIR_PADDING));
+    PLAIT_TRY(device.create(b.cell_line, PLAIT_ELEMENT_FLOAT, lines.size(), "cell_line"));
+    PLAIT_TRY(device.write(b.cell_line, lines.data()));
     PLAIT_TRY(device.create(b.segment, u32, kept, "pair_segment"));
     PLAIT_TRY(device.create(b.offset, PLAIT_ELEMENT_FLOAT, kept, "pair_offset"));
     PLAIT_TRY(device.create(b.dropped, u32, 1, "pair_dropped"));
@@ -54,21 +64,25 @@ void Pairs::append(Schedule& schedule, const Step& step) const {
     const uint32_t vertices = step.layout.guide_vertices();
     const plait_pair_params search{step.layout.row,
                                    edge_count,
-                                   0.5f * stretched * longest_segment_,
+                                   cell_edge * longest_segment_,
+                                   stretched * longest_segment_,
                                    2 * step.params.strand_radius,
                                    room * longest_segment_,
                                    static_cast<float>(step.substeps)};
     clear(schedule, b.cell_count);
+    clear(schedule, b.cell_moves);
     clear(schedule, b.dropped);
-    schedule.add(PLAIT_STAGE_pair_count, vertices, search,
-                 {&state.vertex_count, &state.position, &b.cell_count});
+    schedule.add(
+        PLAIT_STAGE_pair_count, vertices, search,
+        {&state.vertex_count, &state.position, &state.position_prev, &b.cell_count, &b.cell_moves});
     schedule.add(PLAIT_STAGE_pair_scan, 1, plait_pair_scan_params{edge_count},
                  {&b.cell_count, &b.cell_end}, group_width(step.device));
     schedule.add(PLAIT_STAGE_pair_fill, vertices, search,
-                 {&state.vertex_count, &state.position, &b.cell_end, &b.cell_segment});
+                 {&state.vertex_count, &state.position, &state.position_prev, &b.cell_end,
+                  &b.cell_segment, &b.cell_line});
     schedule.add(PLAIT_STAGE_pair_find, vertices, search,
-                 {&state.vertex_count, &state.rest, &state.position, &state.position_prev,
-                  &b.cell_end, &b.cell_segment, &b.segment, &b.offset, &b.dropped});
+                 {&state.vertex_count, &state.rest, &b.cell_end, &b.cell_segment, &b.cell_line,
+                  &b.cell_moves, &b.segment, &b.offset, &b.dropped});
 }
 
 } // namespace plait

@@ -9,14 +9,16 @@ namespace plait {
 struct PairBuffers {
     Buffer cell_count;   // uint [cells]
     Buffer cell_end;     // uint [cells]
+    Buffer cell_moves;   // uint [blocks of cells], bits of floats, m
     Buffer cell_segment; // uint [guides*V]
+    Buffer cell_line;    // float [PLAIT_PAIR_COMPONENTS*(guides*V + PLAIT_PAIR_PADDING)]
     Buffer segment;      // uint [PLAIT_PAIR_COUNT*guides*V]
     Buffer offset;       // float [PLAIT_PAIR_COUNT*guides*V], m
     Buffer dropped;      // uint [1]
 
     uint64_t bytes() const {
-        return cell_count.bytes() + cell_end.bytes() + cell_segment.bytes() + segment.bytes() +
-               offset.bytes() + dropped.bytes();
+        return cell_count.bytes() + cell_end.bytes() + cell_moves.bytes() + cell_segment.bytes() +
+               cell_line.bytes() + segment.bytes() + offset.bytes() + dropped.bytes();
     }
 };
 

@@ -160,7 +160,7 @@ void fill(plait_lane_params& p, const Shape& shape) {
 }
 void fill(plait_pair_params& p, const Shape& shape) {
     const float length = strand_length / static_cast<float>(shape.vertices - 1);
-    p = {shape.vertices, pair_cells, 0.55f * length, 0.004f, 0.5f * length, 1};
+    p = {shape.vertices, pair_cells, 0.8f * length, 1.1f * length, 0.004f, 0.5f * length, 1};
 }
 void fill(plait_pair_scan_params& p, const Shape&) {
     p.edge_count = pair_cells;
@@ -647,7 +647,7 @@ Words skin_mesh(float turn) {
 
 // The segments of strands that hang, in the cells of their middles, and which may meet: those beside.
 struct Cells {
-    Words end, segments;
+    Words end, segments, lines;
 };
 
 Cells cells_of(const Shape& shape) {
@@ -673,6 +673,19 @@ Cells cells_of(const Shape& shape) {
         sorted.segments.insert(sorted.segments.end(), cell.begin(), cell.end());
         sorted.end.push_back(static_cast<uint32_t>(sorted.segments.size()));
     }
+    const size_t stride = shape.total() + PLAIT_PAIR_PADDING, in_cells = sorted.segments.size();
+    sorted.lines.resize(PLAIT_PAIR_COMPONENTS * stride);
+    for (size_t i = 0; i < in_cells; ++i)
+        for (size_t k = 0; k < 3; ++k) {
+            const size_t first = 4 * size_t{sorted.segments[i]} + k;
+            const auto at = [&](size_t word) { return std::bit_cast<float>(words[word]); };
+            const float from = at(first), way = at(first + 4) - from;
+            sorted.lines[(PLAIT_PAIR_MIDDLE + k) * stride + i] = word(from + way / 2);
+            sorted.lines[(PLAIT_PAIR_HALF + k) * stride + i] = word(std::abs(way) / 2);
+            sorted.lines[(PLAIT_PAIR_FROM + k) * stride + i] = word(from);
+            sorted.lines[(PLAIT_PAIR_WAY + k) * stride + i] = word(way);
+            sorted.lines[(PLAIT_PAIR_MOVES + k) * stride + i] = word(k == 0 ? 0.001f : 0.0f);
+        }
     sorted.segments.resize(shape.total());
     return sorted;
 }
@@ -769,6 +782,12 @@ const std::map<std::string, Maker>& makers() {
         {"cell_count", [](const Shape&) { return Words(pair_cells * pair_cells * pair_cells); }},
         {"cell_end", [](const Shape& s) { return cells_of(s).end; }},
         {"cell_segment", [](const Shape& s) { return cells_of(s).segments; }},
+        {"cell_line", [](const Shape& s) { return cells_of(s).lines; }},
+        {"cell_moves",
+         [](const Shape&) {
+             const size_t blocks = pair_cells / PLAIT_PAIR_BLOCK;
+             return Words(blocks * blocks * blocks, word(0.001f));
+         }},
         {"pair_segment", pairs},
         {"pair_offset",
          [](const Shape& s) { return Words(PLAIT_PAIR_COUNT * s.total(), word(0.004f)); }},

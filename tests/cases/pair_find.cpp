@@ -11,10 +11,10 @@ namespace {
 enum Buffers {
     vertex_count,
     rest,
-    position,
-    position_prev,
     cell_end,
     cell_segment,
+    cell_line,
+    cell_moves,
     pair_segment,
     pair_offset
 };
@@ -24,8 +24,22 @@ std::string complain(const char* what, size_t pair, double found, double expecte
            " mm, expected " + std::to_string(1e3 * expected) + " mm";
 }
 
+// float4 of the vertices of segments, as they lie in the cells.
+std::vector<float> positions(const Setup& setup) {
+    const std::vector<float>& line = setup.buffers[cell_line].floats;
+    const size_t stride = size_t{setup.items} + PLAIT_PAIR_PADDING;
+    std::vector<float> list(4 * size_t{setup.items});
+    for (size_t i = 0; i < setup.buffers[cell_end].words.back(); ++i)
+        for (size_t k = 0; k < 3; ++k) {
+            const size_t first = 4 * size_t{setup.buffers[cell_segment].words[i]} + k;
+            list[first] = line[(PLAIT_PAIR_FROM + k) * stride + i];
+            list[first + 4] = list[first] + line[(PLAIT_PAIR_WAY + k) * stride + i];
+        }
+    return list;
+}
+
 std::string compare_pairs(const Setup& setup, const Outputs& expected, const Outputs& got) {
-    const std::vector<float>& x = setup.buffers[position].floats;
+    const std::vector<float> x = positions(setup);
     for (size_t i = 0; i < got[pair_segment].words.size(); ++i) {
         const uint32_t other = got[pair_segment].words[i], right = expected[pair_segment].words[i];
         if (other == right)
@@ -69,24 +83,26 @@ Case pair_find_case() {
     Case result = {PLAIT_STAGE_pair_find,
                    {},
                    {},
-                   {"position.w", "position_prev.w"},
+                   {},
                    {{"pair_segment", compare_pairs}, {"pair_offset", compare_offsets}}};
+    result.decides = {"longest"}; // where it looks, not what it finds
     for (const PairHair& hair : make_pair_hair()) {
         const PairCells cells = make_pair_cells(hair);
         const size_t pairs = size_t{PLAIT_PAIR_COUNT} * hair.vertices();
         Setup setup = hair.setup();
         setup.buffers = {uints(hair.hair.vertex_count),
                          float4s(hair.hair.rest),
-                         float4s(hair.hair.position),
-                         float4s(hair.hair.position_prev),
                          uints(cells.end),
                          uints(cells.segments),
+                         floats(make_pair_lines(hair, cells.segments)),
+                         uints(make_pair_moves(hair)),
                          uints(std::vector<uint32_t>(pairs, 5)),
                          unwritten_floats(pairs),
                          uints({3})};
         result.setups.push_back(setup);
         setup.name += ", in another order";
         setup.buffers[cell_segment] = uints(turned(cells));
+        setup.buffers[cell_line] = floats(make_pair_lines(hair, turned(cells)));
         result.setups.push_back(setup);
     }
     return result;

@@ -1,6 +1,8 @@
 #include "pair_inputs.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 
 namespace plait::cases {
@@ -73,16 +75,19 @@ Setup PairHair::setup() const {
 
 std::vector<PairHair> make_pair_hair() {
     std::vector<PairHair> list;
-    const auto add = [&](const Size& size, uint32_t cells, double side, const Point& at) {
+    // `steps`: of 1 to 2 mm 8 are about the room, and 2 much less than it
+    const auto add = [&](const Size& size, uint32_t cells, double side, const Point& at,
+                         float steps = 8, float edge = 0.0125f) {
         PairHair one{make_hair(size, 71), {}};
         Random random(72 + cells);
         crowd(one.hair, random, side, at);
-        // `steps`: 8 of 1 to 2 mm are about the room
-        one.params = {size.stride, cells, 0.0125f, 0.004f, 0.011f, 8};
+        one.params = {size.stride, cells, edge, 0.024f, 0.004f, 0.011f, steps};
         list.push_back(one);
     };
     add({150, 9}, 32, 0.2, {-0.1, -0.1, -0.1});
+    add({70, 8}, 32, 0.18, {-0.2, -0.1, 0.05}, 2, 0.006f);
     add({30, 16}, 8, 0.15, {2.9, -2.7, 2.4});
+    add({20, 6}, 8, 0.14, {0.3, 0.4, -0.5}, 1);
     add({2, 5}, 4, 0.02, {-0.3, 0.2, 0.1});
     add({1, 2}, 1, 0.02, {0, 0, 0});
     return list;
@@ -126,6 +131,55 @@ PairCells make_pair_cells(const PairHair& one) {
         cells.end.push_back(sum);
     }
     return cells;
+}
+
+std::vector<float> make_pair_lines(const PairHair& one, const std::vector<uint32_t>& segments) {
+    const size_t stride = one.vertices() + PLAIT_PAIR_PADDING;
+    std::vector<float> lines(PLAIT_PAIR_COMPONENTS * stride);
+    const size_t in_cells = segment_cells(one).size();
+    const auto put = [&](size_t component, size_t i, double value) {
+        lines[component * stride + i] = static_cast<float>(value);
+    };
+    for (size_t i = 0; i < in_cells; ++i) {
+        double square = 0;
+        for (size_t k = 0; k < 3; ++k) {
+            const size_t first = 4 * size_t{segments[i]} + k, second = first + 4;
+            const auto now = [&](size_t at) { return double(one.hair.position[at]); };
+            const auto moves = [&](size_t at) {
+                return now(at) - double(one.hair.position_prev[at]);
+            };
+            const double change = moves(second) - moves(first);
+            put(PLAIT_PAIR_MIDDLE + k, i, (now(first) + now(second)) / 2);
+            put(PLAIT_PAIR_HALF + k, i, std::abs(now(second) - now(first)) / 2);
+            put(PLAIT_PAIR_FROM + k, i, now(first));
+            put(PLAIT_PAIR_WAY + k, i, now(second) - now(first));
+            put(PLAIT_PAIR_MOVES + k, i, (moves(first) + moves(second)) / 2);
+            put(PLAIT_PAIR_CHANGE + k, i, change);
+            square += change * change;
+        }
+        put(PLAIT_PAIR_SPREAD, i, std::sqrt(square) / 2);
+    }
+    return lines;
+}
+
+std::vector<uint32_t> make_pair_moves(const PairHair& one) {
+    const uint32_t n = one.params.edge_count, blocks = std::max(n / PLAIT_PAIR_BLOCK, 1u);
+    std::vector<uint32_t> moves(size_t{blocks} * blocks * blocks);
+    for (const SegmentCell& segment : segment_cells(one)) {
+        const auto block = [&](uint32_t cell) { return cell / PLAIT_PAIR_BLOCK % blocks; };
+        const uint32_t at =
+            (block(segment.cell / n / n) * blocks + block(segment.cell / n % n)) * blocks +
+            block(segment.cell % n);
+        for (const size_t row : {4 * size_t{segment.segment}, 4 * size_t{segment.segment} + 4}) {
+            std::array<double, 3> way{};
+            for (size_t k = 0; k < 3; ++k)
+                way[k] =
+                    double(one.hair.position[row + k]) - double(one.hair.position_prev[row + k]);
+            const auto far = static_cast<float>(std::hypot(way[0], way[1], way[2]));
+            moves[at] = std::max(moves[at], std::bit_cast<uint32_t>(far));
+        }
+    }
+    return moves;
 }
 
 } // namespace plait::cases

@@ -29,6 +29,12 @@ struct PairCells {
 };
 PairCells make_pair_cells(const PairHair& hair);
 
+// By definition: cell_line of segments in this order.
+std::vector<float> make_pair_lines(const PairHair& hair, const std::vector<uint32_t>& segments);
+
+// By definition: cell_moves.
+std::vector<uint32_t> make_pair_moves(const PairHair& hair);
+
 // m, of two segments of float4 positions.
 double segment_distance(const std::vector<float>& positions, uint32_t one, uint32_t other);
 

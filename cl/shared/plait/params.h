@@ -28,6 +28,21 @@ typedef uint32_t plait_u32;
 #define PLAIT_PAIR_COUNT 4u
 #define PLAIT_PAIR_NONE 0xffffffffu
 
+/* cell_line: segments in the order of cell_segment, a component of all of them after the other, with
+ * room behind each, as CPUs read several at a time. */
+#define PLAIT_PAIR_MIDDLE 0u  /* x y z, m: of the box around it */
+#define PLAIT_PAIR_HALF 3u    /* x y z, m: half the edges of that */
+#define PLAIT_PAIR_MOVES 6u   /* x y z, m: what its middle has moved by in a substep */
+#define PLAIT_PAIR_SPREAD 9u  /* m: the most by which another point of it has moved otherwise */
+#define PLAIT_PAIR_FROM 10u   /* x y z, m: its first vertex */
+#define PLAIT_PAIR_WAY 13u    /* x y z, m: from there to its second */
+#define PLAIT_PAIR_CHANGE 16u /* x y z, m: what its second vertex has moved by, less its first */
+#define PLAIT_PAIR_COMPONENTS 19u
+#define PLAIT_PAIR_PADDING 16u
+
+/* cell_moves: one for so many cells each way. */
+#define PLAIT_PAIR_BLOCK 4u
+
 /* A slot of the voxel grid that holds no vertex. */
 #define PLAIT_SLOT_EMPTY 0xffffffffu
 
@@ -329,12 +344,13 @@ typedef struct plait_lane_params {
                               mesh_nearest not read */
 } plait_lane_params;
 
-/* pair_count, pair_fill, pair_find: no segment is longer than two cells. */
+/* pair_count, pair_fill, pair_find. */
 typedef struct plait_pair_params {
     plait_u32 vertex_stride;
     plait_u32 edge_count; /* cells each way, a power of two up to 64 */
     float voxel_edge;     /* m, of a cell */
-    float diameter;       /* m: how far apart strands stay (this and the rest: pair_find) */
+    float longest;        /* m: no segment is longer (this and the rest: pair_find) */
+    float diameter;       /* m: how far apart strands stay */
     float room;           /* m: a pair that comes nearer by more may be missed */
     float steps; /* how often strands move on by position - position_prev until the next search */
 } plait_pair_params;

@@ -17,8 +17,10 @@ namespace {
 
 class Search {
   public:
-    Search(const plait_pair_params& params, const pair_find_args& args, uint32_t item)
-        : params_(params), args_(args), item_(item), own_(segment_at(args.position, item)) {}
+    // For the segment at this place in the cells. `stride`: from one component of cell_line to the next.
+    Search(const plait_pair_params& params, const pair_find_args& args, size_t place, size_t stride)
+        : params_(params), args_(args), stride_(stride), item_(args.cell_segment[place]),
+          own_(line_at(place)), moves_(moves_at(place)) {}
 
     // Distance and number of all that are near.
     std::vector<std::pair<double, uint32_t>> all() const {
@@ -27,8 +29,8 @@ class Search {
             for (size_t k = cell > 0 ? args_.cell_end[cell - 1] : 0; k < args_.cell_end[cell];
                  ++k) {
                 const uint32_t other = args_.cell_segment[k];
-                if (other != item_ && !is_beside(other))
-                    if (const auto [distance, most] = distance_to(other); distance <= most)
+                if (other != item_ && !is_beside(other, line_at(k)))
+                    if (const auto [distance, most] = distance_to(k); distance <= most)
                         list.emplace_back(distance, other);
             }
         std::ranges::sort(list);
@@ -36,10 +38,10 @@ class Search {
     }
 
   private:
-    // In which the middle of a segment of two cells' length may lie that comes near.
+    // In which the middle of a segment may lie that comes near.
     std::set<size_t> cells() const {
         const double reach = PLAIT_PAIR_NEAR * double(params_.diameter) + double(params_.room) +
-                             double(params_.voxel_edge);
+                             double(params_.longest) / 2;
         const Cell low = cell_of(params_, own_.from.cwiseMin(own_.to) - Vec3::Constant(reach));
         const Cell high = cell_of(params_, own_.from.cwiseMax(own_.to) + Vec3::Constant(reach));
         const auto end = [&](size_t k) {
@@ -49,45 +51,60 @@ class Search {
         for (int64_t z = low[2]; z <= end(2); ++z)
             for (int64_t y = low[1]; y <= end(1); ++y)
                 for (int64_t x = low[0]; x <= end(0); ++x)
-                    list.insert(number_of(params_, {x, y, z}));
+                    list.insert(number_of({x, y, z}, params_.edge_count));
         return list;
     }
 
-    bool is_beside(uint32_t other) const {
+    Vec3 read(size_t component, size_t k) const {
+        const size_t i = component * stride_ + k;
+        return {args_.cell_line[i], args_.cell_line[i + stride_], args_.cell_line[i + 2 * stride_]};
+    }
+    // Of the segment at place k in the cells.
+    Segment line_at(size_t k) const {
+        const Vec3 from = read(PLAIT_PAIR_FROM, k);
+        return {from, from + read(PLAIT_PAIR_WAY, k)};
+    }
+    // What its points move by.
+    Segment moves_at(size_t k) const {
+        const Vec3 middle = read(PLAIT_PAIR_MOVES, k), change = read(PLAIT_PAIR_CHANGE, k);
+        return {middle - change / 2, middle + change / 2};
+    }
+
+    bool is_beside(uint32_t other, const Segment& its) const {
         if (item_ / params_.vertex_stride != other / params_.vertex_stride)
             return false;
         const double between = std::abs(double(item_) - double(other)) - 1;
-        const double length = (own_.length() + segment_at(args_.position, other).length()) / 2;
+        const double length = (own_.length() + its.length()) / 2;
         return between * length < PLAIT_PAIR_ARC * double(params_.diameter);
     }
 
-    std::pair<double, double> distance_to(uint32_t other) const {
-        const Foot foot = nearest(own_, segment_at(args_.position, other));
-        const Vec3 moves = moves_of(args_.position, args_.position_prev, item_).at(foot.s) -
-                           moves_of(args_.position, args_.position_prev, other).at(foot.t);
+    std::pair<double, double> distance_to(size_t k) const {
+        const Foot foot = nearest(own_, line_at(k));
+        const Vec3 moves = moves_.at(foot.s) - moves_at(k).at(foot.t);
         const double ahead = std::min(double(params_.steps) * moves.norm(), double(params_.room));
         return {foot.apart.norm(), PLAIT_PAIR_NEAR * double(params_.diameter) + ahead};
     }
 
     const plait_pair_params& params_;
     const pair_find_args& args_;
+    size_t stride_;
     uint32_t item_;
-    Segment own_;
+    Segment own_, moves_;
 };
 
 } // namespace
 
 void pair_find(uint32_t item_count, const plait_pair_params& params, const pair_find_args& args) {
-    for (uint32_t item = 0; item < item_count; ++item) {
-        std::vector<std::pair<double, uint32_t>> list;
-        if (has_segment(args.vertex_count, item, params.vertex_stride))
-            list = Search(params, args, item).all();
-        for (size_t k = 0; k < PLAIT_PAIR_COUNT; ++k) {
+    for (size_t pair = 0; pair < size_t{item_count} * PLAIT_PAIR_COUNT; ++pair) {
+        args.pair_segment[pair] = PLAIT_PAIR_NONE;
+        args.pair_offset[pair] = 0;
+    }
+    const size_t cells = size_t{params.edge_count} * params.edge_count * params.edge_count;
+    for (uint32_t place = 0; item_count > 0 && place < args.cell_end[cells - 1]; ++place) {
+        const auto list = Search(params, args, place, line_stride(item_count)).all();
+        const uint32_t item = args.cell_segment[place];
+        for (size_t k = 0; k < std::min<size_t>(list.size(), PLAIT_PAIR_COUNT); ++k) {
             const size_t at = size_t{item} * PLAIT_PAIR_COUNT + k;
-            args.pair_segment[at] = PLAIT_PAIR_NONE;
-            args.pair_offset[at] = 0;
-            if (k >= list.size())
-                continue;
             const uint32_t other = list[k].second;
             const Foot rest = nearest(segment_at(args.rest, item), segment_at(args.rest, other));
             args.pair_segment[at] = other;
