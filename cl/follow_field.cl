@@ -7,7 +7,6 @@
  * Source  common/follow_out.clh; distances as in mesh_contact.
  */
 #pragma OPENCL FP_CONTRACT OFF
-#include "common/lane_rows.clh"
 #include "common/mesh_field.clh"
 #include "plait/constants.h"
 
@@ -21,22 +20,6 @@ typedef struct {
     vec3 normal;   /* in the world, unit; 0: there is no telling */
 } follow_distance;
 
-/* The cells that begin at these nodes. Of four edges along x two at a time are an element. */
-static inline mesh_cells follow_cells(const mesh_field* field, mask first) {
-    const size_t along_y = (size_t)field->nodes.x, along_z = along_y * (size_t)field->nodes.y;
-    lane_elements low, high;
-#pragma unroll
-    for (uint k = 0; k < PLAIT_LANES; ++k) {
-        __global const float* v = field->value + LANE_OF_MASK(first, k);
-        __global const float* w = v + along_z;
-        low.at[k] = (float4)(v[0], v[1], v[along_y], v[along_y + 1]);
-        high.at[k] = (float4)(w[0], w[1], w[along_y], w[along_y + 1]);
-    }
-    const quat a = lane_of_elements(&low), b = lane_of_elements(&high);
-    const mesh_cells cells = {first, {a.x, a.z, b.x, b.z}, {a.y, a.w, b.y, b.w}};
-    return cells;
-}
-
 LANES_INLINE follow_distance follow_gap(const follow_body* body, vec3 x, real bound, mask on) {
     const real none = (real)(0.0f);
     const vec3 own = mesh_own(&body->motion, x);
@@ -45,7 +28,7 @@ LANES_INLINE follow_distance follow_gap(const follow_body* body, vec3 x, real bo
     if (!any_lane(near))
         return gap;
     const mesh_cell cell = mesh_cell_of(&body->field, own);
-    const mesh_cells cells = follow_cells(&body->field, pick_mask(near, cell.first, (mask)(0)));
+    const mesh_cells cells = mesh_cells_of(&body->field, pick_mask(near, cell.first, (mask)(0)));
     const mesh_sample sample = mesh_cell_sample(&body->field, &cell, &cells);
     const real slope = length3(sample.gradient);
     const mask some = slope > (real)(PLAIT_MESH_MIN_SLOPE);

@@ -59,8 +59,7 @@ static inline mesh_touch mesh_meet(const mesh_body* body, mesh_vertex* vertex) {
     const vec3 from = mesh_own(&body->motion, add3(vertex->root, touch.anchor));
     const vec3 to = mesh_own(&body->motion, add3(vertex->root, vertex->end));
     mesh_cells cells;
-    cells.first = (mask)(-1);
-    const mesh_sample first = mesh_field_sample(&body->field, from, &cells);
+    const mesh_sample first = mesh_field_first_sample(&body->field, from, &cells);
     touch.start = first.distance - vertex->offset;
     touch.some = !(touch.start > mesh_length(sub3(to, from)) + (real)(2.0f * body->field.edge));
     mesh_plane plane =
@@ -79,10 +78,9 @@ static inline mesh_touch mesh_meet(const mesh_body* body, mesh_vertex* vertex) {
 static inline void mesh_find(const mesh_body* body, const mesh_ways* ways, const mesh_list* list,
                              mesh_planes* planes) {
     mesh_cells cells;
-    cells.first = (mask)(-1);
-    planes->depth =
-        mesh_field_sample(&body->field, mesh_own(&body->motion, ways->step->pose.root), &cells)
-            .distance;
+    planes->depth = mesh_field_first_sample(&body->field,
+                                            mesh_own(&body->motion, ways->step->pose.root), &cells)
+                        .distance;
     for (uint first = 0; first < list->count; first += PLAIT_LANES) {
         const uint count = min(list->count - first, (uint)PLAIT_LANES);
         mesh_vertex vertex = mesh_gather(ways, planes, &list->at[first], count);
@@ -108,8 +106,6 @@ __kernel void plait_mesh_contact(const uint item_count, const plait_lane_params 
     /* which lane_predict_vertex() does not write */
     const lane_buffers state = {(__global real*)lane_x, (__global real*)lane_v,
                                 (__global real*)lane_x_before, (__global real*)lane_v_before};
-    mesh_ways ways;
-    mesh_ways_of(&ways, &step, &params, state);
     mask last = (mask)(0);
     mesh_planes planes;
     planes.params = &params;
@@ -117,6 +113,9 @@ __kernel void plait_mesh_contact(const uint item_count, const plait_lane_params 
     planes.strands = lane_strands_of(lane_strand, step.place, item_count);
     planes.last = &last;
     planes.lane_plane = lane_plane;
+    mesh_fetch_clearance(&planes);
+    mesh_ways ways;
+    mesh_ways_of(&ways, &step, &params, state);
     mesh_list list;
     for (uint mesh = 0; mesh < params.collider_count; ++mesh) {
         const mesh_body body = {mesh_field_at(mesh_grid, mesh_nodes, mesh_values, mesh),

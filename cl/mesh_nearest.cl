@@ -276,8 +276,6 @@ __kernel void plait_mesh_nearest(const uint item_count, const plait_lane_params 
     /* which lane_predict_vertex() does not write */
     const lane_buffers state = {(__global real*)lane_x, (__global real*)lane_v,
                                 (__global real*)lane_x_before, (__global real*)lane_v_before};
-    mesh_ways ways;
-    mesh_ways_of(&ways, &step, &params, state);
     const size_t head =
         lane_index(step.place, PLAIT_LANE_PLANE_COMPONENTS, 0, PLAIT_LANE_PLANE_LAST);
     mask last = params.planes ? LANE_INT(lane_plane[head]) : (mask)(0);
@@ -287,6 +285,9 @@ __kernel void plait_mesh_nearest(const uint item_count, const plait_lane_params 
     planes.strands = lane_strands_of(lane_strand, step.place, item_count);
     planes.last = &last;
     planes.lane_plane = lane_plane;
+    mesh_fetch_clearance(&planes);
+    mesh_ways ways;
+    mesh_ways_of(&ways, &step, &params, state);
     for (uint mesh = 0; mesh < params.collider_count; ++mesh) {
         const near_body body =
             near_body_at(collider, params.collider_first + mesh,
