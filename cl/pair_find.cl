@@ -183,9 +183,9 @@ static inline pair_part pair_near_cells(pair_part part, const pair_axis* axis, r
     const real per_way = (real)(1.0f / axis->way), from = (real)(axis->from);
     const real low = number * (real)(axis->edge) - from;
     const real one = (low - reach) * per_way, other = (low + (real)(axis->edge) + reach) * per_way;
-    part.first = fmax(part.first, fmin(one, other));
-    part.last = fmin(part.last, fmax(one, other));
-    return part;
+    /* not written into the argument: Mesa's compiler would write into the caller's */
+    const pair_part near = {fmax(part.first, fmin(one, other)), fmin(part.last, fmax(one, other))};
+    return near;
 }
 
 /* Cells within reach of that part, none twice. */
