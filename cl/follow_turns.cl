@@ -104,9 +104,9 @@ __kernel void plait_follow_turns(const uint item_count, const plait_follow_turns
     const follow_pointers to = follow_pointers_of(position, params.guide_count, lane_strand, lane);
     const uint lanes = lane_place_strands(place, item_count);
     vec3 way = zero3(); /* from the root: a sum of small numbers */
-    for (uint first = 0; first < PLAIT_VERTICES; first += FOLLOW_ROWS) {
-        const uint used = min((uint)FOLLOW_ROWS, PLAIT_VERTICES - first);
-        lane_elements rows[FOLLOW_ROWS];
+    for (uint first = 0; first < PLAIT_VERTICES; first += LINE_ROWS) {
+        const uint used = min((uint)LINE_ROWS, PLAIT_VERTICES - first);
+        lane_elements rows[LINE_ROWS];
         for (uint j = 0; j < used; ++j) {
             const quat rest = loadq(follow_rest, place, first + j);
             if (first + j > 0)

@@ -51,8 +51,10 @@ static inline void unpack_write(const unpack_strands* to, uint first, const vec3
         return;
     }
     for (uint k = 0; k < to->lanes; ++k)
-        for (uint j = 0; j < LINE_ROWS && first + j < (uint)LANE_OF_MASK(to->counts, k); ++j)
-            data[to->vertex[k] + first + j] = unpack_of(rows[j], first + j > 0 ? w : 0.0f, k);
+#pragma unroll
+        for (uint j = 0; j < LINE_ROWS; ++j)
+            if (first + j < (uint)LANE_OF_MASK(to->counts, k))
+                data[to->vertex[k] + first + j] = unpack_of(rows[j], first + j > 0 ? w : 0.0f, k);
 }
 
 static inline vec3 unpack_position(__global const real* lane_x, lane_place place, vec3 root,
@@ -106,9 +108,11 @@ __kernel void plait_lane_unpack(const uint item_count, const plait_lane_unpack_p
         direction = unpack_first_direction(&to, lane_x, place, root);
     for (uint first = 0; first < PLAIT_VERTICES; first += LINE_ROWS) {
         vec3 now[LINE_ROWS + 1], rows[LINE_ROWS];
+#pragma unroll
         for (uint j = 0; j <= LINE_ROWS; ++j)
             now[j] = unpack_position(lane_x, place, root, first + j);
         unpack_write(&to, first, now, 1.0f, position);
+#pragma unroll
         for (uint j = 0; j < LINE_ROWS; ++j) {
             const vec3 v = load3(lane_v, place, min(first + j, (uint)PLAIT_VERTICES - 1));
             rows[j] = vec3_of(now[j].x - params.h * v.x, now[j].y - params.h * v.y,
@@ -117,6 +121,7 @@ __kernel void plait_lane_unpack(const uint item_count, const plait_lane_unpack_p
         unpack_write(&to, first, rows, 1.0f, position_prev);
         if (!params.shown)
             continue;
+#pragma unroll
         for (uint j = 0; j < LINE_ROWS; ++j) {
             direction = unpack_direction(now[j], now[j + 1], first + j, to.counts, direction);
             rows[j] = direction;
