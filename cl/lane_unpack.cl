@@ -50,10 +50,10 @@ static inline void unpack_write(const unpack_strands* to, uint first, const vec3
                        data + to->vertex[k] + first + j);
         return;
     }
-    for (uint k = 0; k < to->lanes; ++k)
+    for (uint k = 0; k < PLAIT_LANES; ++k) /* known here: else `vertex` lies in private memory */
 #pragma unroll
         for (uint j = 0; j < LINE_ROWS; ++j)
-            if (first + j < (uint)LANE_OF_MASK(to->counts, k))
+            if (k < to->lanes && first + j < (uint)LANE_OF_MASK(to->counts, k))
                 data[to->vertex[k] + first + j] = unpack_of(rows[j], first + j > 0 ? w : 0.0f, k);
 }
 
@@ -84,10 +84,10 @@ static inline vec3 unpack_first_direction(const unpack_strands* to, __global con
 
 static inline void unpack_padding(const unpack_strands* to, uint row_stride,
                                   __global float4* data) {
-    for (uint k = 0; k < to->lanes; ++k) {
+    for (uint k = 0; k < PLAIT_LANES; ++k) {
         __global float4* row = data + to->vertex[k];
         const uint count = (uint)LANE_OF_MASK(to->counts, k);
-        for (uint i = count; i < row_stride; ++i)
+        for (uint i = count; k < to->lanes && i < row_stride; ++i)
             row[i] = row[count - 1u];
     }
 }
