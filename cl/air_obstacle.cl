@@ -2,8 +2,8 @@
  * groom.
  *
  * Items   voxels.
- * Reads   grid_density, collider.
- * Writes  air_extinction, 1/m; PLAIT_AIR_SOLID in a collider.
+ * Reads   grid_density, collider, mesh_solid.
+ * Writes  air_extinction, 1/m; PLAIT_AIR_SOLID in a collider or mesh.
  * Source  Cionco 1965: in a canopy u du/dx = -C a u^2/2, so u falls as e^(-sigma x), sigma = C a/2, a
  *         the frontal area of what stands in a volume. Here that of hairs in all directions.
  */
@@ -21,13 +21,15 @@ static inline int is_solid(__global const float4* collider, const plait_air_obst
 
 __kernel void plait_air_obstacle(const uint item_count, const plait_air_obstacle_params params,
                                  __global const float* grid_density,
-                                 __global const float4* collider, __global float* air_extinction) {
+                                 __global const float4* collider, __global const float4* mesh_solid,
+                                 __global float* air_extinction) {
     const uint item = get_global_id(0);
     if (item >= item_count)
         return;
     const uint n = params.edge_count;
     const grid_frame grid = grid_at(params.q, params.t, params.voxel_edge, n);
     const vec3 x = grid_centre(&grid, item, params.voxel_edge);
-    air_extinction[item] =
-        is_solid(collider, &params, x) ? PLAIT_AIR_SOLID : params.extinction * grid_density[item];
+    const int solid =
+        (params.meshes && mesh_solid[item].w > 0.0f) || is_solid(collider, &params, x);
+    air_extinction[item] = solid ? PLAIT_AIR_SOLID : params.extinction * grid_density[item];
 }

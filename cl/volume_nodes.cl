@@ -1,7 +1,7 @@
 /* volume_nodes: sums to densities and velocities, and which nodes lie inside colliders.
  *
  * Items   voxels, whose centres are the nodes.
- * Reads   grid_sum, collider.
+ * Reads   grid_sum, collider, mesh_solid.
  * Writes  grid_density; grid_velocity: the mean along the grid's axes and, in w, its size;
  *         volume_rest: the mean density at rest of the hair that is there; volume_solid: the
  *         collider's velocity along the grid's axes, and 1 inside of one, else 0.
@@ -12,10 +12,10 @@
 #include "common/grid.clh"
 #include "common/sum.clh"
 
-/* Inside of several the last counts. */
+/* Inside of several the last counts; `mesh` of meshes. */
 static inline float4 solid_at(const plait_volume_nodes_params* params, const grid_frame* grid,
-                              __global const float4* collider, vec3 x) {
-    float4 solid = (float4)(0.0f);
+                              __global const float4* collider, float4 mesh, vec3 x) {
+    float4 solid = mesh;
     for (uint i = 0u; i < params->collider_count; ++i) {
         const uint index = params->collider_first + i;
         if (!(collider_gap(collider, index, x).distance < 0.0f))
@@ -29,15 +29,17 @@ static inline float4 solid_at(const plait_volume_nodes_params* params, const gri
 
 __kernel void plait_volume_nodes(const uint item_count, const plait_volume_nodes_params params,
                                  __global const uint* grid_sum, __global const float4* collider,
-                                 __global float* grid_density, __global float4* grid_velocity,
-                                 __global float* volume_rest, __global float4* volume_solid) {
+                                 __global const float4* mesh_solid, __global float* grid_density,
+                                 __global float4* grid_velocity, __global float* volume_rest,
+                                 __global float4* volume_solid) {
     const uint voxel = get_global_id(0);
     if (voxel >= item_count)
         return;
     const uint n = params.edge_count;
     const grid_frame grid = grid_at(params.q, params.t, params.voxel_edge, n);
     const vec3 x = grid_centre(&grid, voxel, params.voxel_edge);
-    volume_solid[voxel] = solid_at(&params, &grid, collider, x);
+    const float4 mesh = params.meshes ? mesh_solid[voxel] : (float4)(0.0f);
+    volume_solid[voxel] = solid_at(&params, &grid, collider, mesh, x);
     __global const uint* words = grid_sum + (size_t)voxel * PLAIT_SUM_STRIDE;
     const float density = convert_float(sum_read(words)) / PLAIT_SUM_DENSITY_SCALE;
     const vec3 sum = vec3_of(convert_float(sum_read(words + 2)), convert_float(sum_read(words + 4)),

@@ -39,6 +39,10 @@ Result<AirGrid> AirGrid::create(Device& device, bool eddies, bool sheltered) {
     if (!hair)
         return hair.error();
     grid.hair_ = std::move(*hair);
+    auto meshes = MeshSolid::create(device, nodes);
+    if (!meshes)
+        return meshes.error();
+    grid.meshes_ = std::move(*meshes);
     return grid;
 }
 
@@ -57,8 +61,13 @@ void AirGrid::append_obstacle(Schedule& schedule, const Substep& at, float extin
     params.extinction = extinction / (voxel_edge_ * voxel_edge_ * voxel_edge_);
     params.collider_count = at.collider_count;
     params.collider_first = at.collider_first;
+    NodeGridPlace place{nodes, voxel_edge_, {}, {}};
+    std::ranges::copy(params.q, place.q);
+    std::ranges::copy(params.t, place.t);
+    const Buffer* meshes = meshes_.append(schedule, place, at);
+    params.meshes = meshes ? 1 : 0;
     schedule.add(PLAIT_STAGE_air_obstacle, count, params,
-                 {&hair_.density(), &at.colliders, &extinction_});
+                 {&hair_.density(), &at.colliders, meshes, &extinction_});
 }
 
 // Plane by plane as the wind goes against the hair, across the axis along which it goes most.

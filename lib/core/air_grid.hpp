@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/interhair.hpp"
+#include "core/mesh_solid.hpp"
 #include "core/pose.hpp"
 #include "core/schedule.hpp"
 
@@ -27,7 +28,8 @@ class AirGrid {
     bool is_sheltered() const { return sheltered_; }
     const Buffer* velocity() const { return velocity_ ? &velocity_ : nullptr; }
     uint64_t device_bytes() const {
-        return velocity_.bytes() + extinction_.bytes() + depth_.bytes() + hair_.device_bytes();
+        return velocity_.bytes() + extinction_.bytes() + depth_.bytes() + hair_.device_bytes() +
+               meshes_.device_bytes();
     }
 
     // Puts the grid around the groom, whose head is at `head`.
@@ -52,6 +54,7 @@ class AirGrid {
     float voxel_edge_ = 1;
     plait_sim_params params_{}; // of `hair_`
     InterHair hair_;            // its density and velocity here; brakes nothing
+    MeshSolid meshes_;          // that stop the wind
     Buffer velocity_;           // float4 [nodes^3]: m/s, in the world; w: share of the wind
     Buffer extinction_;         // float [nodes^3], 1/m
     Buffer depth_;              // float [nodes^3]

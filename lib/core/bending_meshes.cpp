@@ -172,6 +172,8 @@ Status BendingMeshes::make(Device& device, std::span<Entry> entries, BendingBuff
         entry.target = std::move(target);
     }
     for (Entry& entry : entries) {
+        const size_t triangles = entry.two_sided ? 0 : entry.surface.triangles.size();
+        to.insides.push_back(static_cast<uint32_t>(triangles));
         entry.fitted = false;
         entry.places = Places(memory);
     }
@@ -209,7 +211,7 @@ Status BendingMeshes::add(Device& device, Entry&& entry) {
     PLAIT_TRY(pull(device));
     const auto after = std::ranges::upper_bound(entries_, entry.slot, {}, &Entry::slot);
     const auto place = entries_.insert(after, std::move(entry));
-    BendingBuffers made;
+    BendingBuffers made(entries_.get_allocator().resource());
     Status status = make(device, entries_, made);
     if (status)
         buffers_ = std::move(made);
@@ -225,7 +227,7 @@ Status BendingMeshes::remove(Device& device, uint32_t slot) {
     PLAIT_TRY(pull(device));
     Entry entry = std::move(*place);
     entries_.erase(place);
-    BendingBuffers made;
+    BendingBuffers made(entries_.get_allocator().resource());
     Status status = make(device, entries_, made);
     if (status)
         buffers_ = std::move(made);
@@ -236,7 +238,7 @@ Status BendingMeshes::remove(Device& device, uint32_t slot) {
 }
 
 Status BendingMeshes::assign(Device& device, Entries&& entries) {
-    BendingBuffers made;
+    BendingBuffers made(entries_.get_allocator().resource());
     PLAIT_TRY(make(device, entries, made));
     entries_ = std::move(entries);
     buffers_ = std::move(made);

@@ -14,16 +14,19 @@ namespace plait {
 
 // Of all of them, in the order of their slots.
 struct BendingBuffers {
-    Buffer first;     // uint [PLAIT_MESH_FIRST_STRIDE*meshes]
-    Buffer box;       // float4 [2*nodes]
-    Buffer way;       // float [nodes], m
-    Buffer tree;      // uint [2*nodes]
-    Buffer under;     // uint [PLAIT_MESH_UNDER_STRIDE*nodes]
-    Buffer triangle;  // uint [PLAIT_MESH_TRIANGLE_STRIDE*triangles]
-    Buffer ring;      // uint, per mesh [vertices + 1 + 3*triangles]
-    Buffer from, to;  // float4 [vertices], m
-    Buffer bends;     // float [meshes], m
-    Buffer clearance; // float [vertices of the hair][meshes], m
+    explicit BendingBuffers(std::pmr::memory_resource* memory) : insides(memory) {}
+
+    Buffer first;                       // uint [PLAIT_MESH_FIRST_STRIDE*meshes]
+    Buffer box;                         // float4 [2*nodes]
+    Buffer way;                         // float [nodes], m
+    Buffer tree;                        // uint [2*nodes]
+    Buffer under;                       // uint [PLAIT_MESH_UNDER_STRIDE*nodes]
+    Buffer triangle;                    // uint [PLAIT_MESH_TRIANGLE_STRIDE*triangles]
+    Buffer ring;                        // uint, per mesh [vertices + 1 + 3*triangles]
+    Buffer from, to;                    // float4 [vertices], m
+    Buffer bends;                       // float [meshes], m
+    Buffer clearance;                   // float [vertices of the hair][meshes], m
+    std::pmr::vector<uint32_t> insides; // triangles of each; 0 of a sheet, which has no inside
 
     uint64_t bytes() const {
         uint64_t sum = 0;
@@ -66,7 +69,8 @@ class BendingMeshes {
     };
     using Entries = std::pmr::vector<Entry>;
 
-    explicit BendingMeshes(std::pmr::memory_resource* memory) : entries_(memory) {}
+    explicit BendingMeshes(std::pmr::memory_resource* memory)
+        : entries_(memory), buffers_(memory) {}
 
     // Null: there are none.
     const BendingBuffers* buffers() const { return entries_.empty() ? nullptr : &buffers_; }

@@ -30,6 +30,13 @@ plait_volume_nodes_params nodes_params(const plait_grid_params& grid, const Subs
     return params;
 }
 
+NodeGridPlace place_of(const plait_grid_params& grid) {
+    NodeGridPlace place{grid.edge_count, grid.voxel_edge, {}, {}};
+    std::ranges::copy(grid.q, place.q);
+    std::ranges::copy(grid.t, place.t);
+    return place;
+}
+
 // What h of gravity does to a velocity, along the grid's axes.
 std::array<float, 3> fall_of(const plait_sim_params& p, const plait_grid_params& grid, float h) {
     plait_pose back = identity_pose;
@@ -79,6 +86,10 @@ Result<Volume> Volume::create(Device& device, const plait_sim_params& params) {
     PLAIT_TRY(device.create(volume.link_, four, n, "volume_link"));
     PLAIT_TRY(device.create(volume.node_, four, n, "volume_node"));
     PLAIT_TRY(device.create(volume.pull_, four, 2 * n, "volume_pull"));
+    auto meshes = MeshSolid::create(device, params.grid_edge_count);
+    if (!meshes)
+        return meshes.error();
+    volume.meshes_ = std::move(*meshes);
     return volume;
 }
 
@@ -108,10 +119,15 @@ void Volume::splat_into(Schedule& schedule, const VolumeGrid& grid, const Model&
     lanes.soaked = soaked;
     model.splat_volume(schedule, at, lanes);
     plait_volume_nodes_params nodes = nodes_params(grid.params, at);
+    const Buffer* meshes = nullptr;
     if (soaked)
         nodes.collider_count = 0; // where colliders are is found with the rest
-    schedule.add(PLAIT_STAGE_volume_nodes, voxels(grid.params), nodes,
-                 {&grid.sums, &at.colliders, &grid.density, &grid.velocity, &rest, &solid_});
+    else
+        meshes = meshes_.append(schedule, place_of(grid.params), at);
+    nodes.meshes = meshes ? 1 : 0;
+    schedule.add(
+        PLAIT_STAGE_volume_nodes, voxels(grid.params), nodes,
+        {&grid.sums, &at.colliders, meshes, &grid.density, &grid.velocity, &rest, &solid_});
 }
 
 void Volume::solve(Schedule& schedule, const VolumeGrid& grid, const Substep& at,
@@ -158,7 +174,7 @@ void Volume::carry() noexcept {
 }
 
 uint64_t Volume::device_bytes() const {
-    uint64_t bytes = 0;
+    uint64_t bytes = meshes_.device_bytes();
     for (const Buffer* buffer :
          {&potential_, &next_, &wetness_, &pressure_, &rest_, &solid_, &link_, &node_, &pull_})
         bytes += buffer->bytes();

@@ -1,6 +1,7 @@
 // Volume: a one-sided pressure on the nodes of the inter-hair grid, carried from step to step.
 #pragma once
 
+#include "core/mesh_solid.hpp"
 #include "core/model.hpp"
 #include "core/schedule.hpp"
 
@@ -54,6 +55,7 @@ class Volume {
     Buffer potential_, next_; // float [nv^3*2]: p over density, density; last step, this one
     Buffer wetness_;          // float [nv^3], where strands may be wet
     Buffer pressure_, rest_, solid_, link_, node_, pull_;
+    MeshSolid meshes_; // which `solid_` takes over
 };
 
 } // namespace plait

@@ -1,5 +1,6 @@
 // plait_sim_set_wind: hair in a stream of air, held to closed forms of a slender cylinder's drag, what
 // goes on over snapshots, and what it costs where it is off.
+#include "mesh_shapes.hpp"
 #include "support.hpp"
 
 #include <algorithm>
@@ -369,24 +370,53 @@ TEST_P(WindOf, HairIsShelteredByHair) {
         }
 }
 
+// Degrees by which a hair leans in wind along x, beside a body that `add` makes around a place.
+template <typename Add> double lean_beside(const plait::Context& context, float x, const Add& add) {
+    plait::Sim sim(context, make_groom({straight({0, -1, 0}, 12, 0.15f)}));
+    add(sim, Point{x, -0.075f, 0});
+    auto wind = blowing({1, 0, 0});
+    wind.shelter = 1;
+    sim.set_wind(wind);
+    run(sim, 120);
+    return lean_of(sim.read(PLAIT_FIELD_POSITION), 0);
+}
+
+constexpr float body_radius = 0.09f;
+
 // Behind a sphere the wind does not blow.
 TEST_P(WindOf, HairIsShelteredByColliders) {
-    for (const float x : {-0.12f, 0.12f}) {
-        plait::Sim sim(context, make_groom({straight({0, -1, 0}, 12, 0.15f)}));
+    const auto add_sphere = [](plait::Sim& sim, const Point& at) {
         auto collider = plait_collider_desc_defaults();
-        collider.a[0] = collider.b[0] = x;
-        collider.a[1] = collider.b[1] = -0.075f;
-        collider.radius_a = collider.radius_b = 0.09f;
+        std::copy(at.begin(), at.end(), collider.a);
+        std::copy(at.begin(), at.end(), collider.b);
+        collider.radius_a = collider.radius_b = body_radius;
         sim.create_collider(collider);
-        auto wind = blowing({1, 0, 0});
-        wind.shelter = 1;
-        sim.set_wind(wind);
-        run(sim, 120);
-        const double lean = lean_of(sim.read(PLAIT_FIELD_POSITION), 0);
-        if (x < 0)
-            EXPECT_LT(std::abs(lean), 1);
-        else
-            EXPECT_GT(lean, 10) << "and against the sphere";
+    };
+    EXPECT_LT(std::abs(lean_beside(context, -0.12f, add_sphere)), 1);
+    EXPECT_GT(lean_beside(context, 0.12f, add_sphere), 10) << "and against the sphere";
+}
+
+// Nor behind one of triangles, whichever way hair meets it; one that bends has grown to that size.
+TEST_P(WindOf, HairIsShelteredByMeshes) {
+    for (const plait_mesh_form form : {PLAIT_MESH_FORM_FIELD, PLAIT_MESH_FORM_NEAREST}) {
+        const auto add_ball = [&](plait::Sim& sim, const Point& at) {
+            const bool grows = form == PLAIT_MESH_FORM_NEAREST;
+            const double radius = double(body_radius);
+            const ShapeMesh ball = ellipsoid_mesh(radius, radius, radius, 24, 12);
+            const double small = grows ? 0.1 * radius : radius;
+            const ShapeMesh begin = ellipsoid_mesh(small, small, small, 24, 12);
+            auto given = plait_mesh_desc_defaults();
+            given.positions = {begin.positions.data(), begin.positions.size(), 0};
+            given.triangles = {begin.triangles.data(), begin.triangles.size(), 0};
+            auto desc = plait_collider_mesh_desc_defaults();
+            desc.form = form;
+            std::copy(at.begin(), at.end(), desc.pose.t);
+            const auto id = sim.create_collider(plait::Mesh(given), desc);
+            if (grows)
+                sim.set_collider_positions(id, {ball.positions.data(), ball.positions.size(), 0});
+        };
+        EXPECT_LT(std::abs(lean_beside(context, -0.12f, add_ball)), 1) << "form " << form;
+        EXPECT_GT(lean_beside(context, 0.12f, add_ball), 10) << "form " << form;
     }
 }
 

@@ -53,6 +53,30 @@ Collider long_prism() {
     return prism;
 }
 
+// Of every third node; how meshes move there is nothing to the wind.
+Array in_meshes(uint32_t nodes) {
+    std::vector<float> list;
+    for (uint32_t node = 0; node < nodes; ++node)
+        list.insert(list.end(), {1, 2, 3, node % 3 == 1 ? 1.0f : 0.0f});
+    return float4s(std::move(list));
+}
+
+Setup make(uint32_t edge_count, std::vector<Collider> colliders, bool meshes) {
+    const auto count = static_cast<uint32_t>(colliders.size());
+    if (count > 0)
+        colliders.insert(colliders.begin(), sphere); // of the substep before
+    Setup setup;
+    setup.name = std::to_string(edge_count) + " voxels, " + std::to_string(count) + " colliders" +
+                 (meshes ? ", meshes" : "");
+    setup.items = edge_count * edge_count * edge_count;
+    setup.buffers = {floats(densities(setup.items)),
+                     count > 0 ? float4s(pack(colliders)) : null_array(),
+                     meshes ? in_meshes(setup.items) : null_array(), unwritten_floats(setup.items)};
+    auto params = params_of(edge_count, count);
+    params.meshes = meshes ? 1 : 0;
+    return setup.with(params);
+}
+
 } // namespace
 
 // A node is in a collider or not: shells of thousands of them notice where a collider ends.
@@ -60,24 +84,16 @@ Case air_obstacle_case() {
     Case result = {PLAIT_STAGE_air_obstacle,
                    {},
                    {{"air_extinction", 1e-4}},
-                   {"collider.begin.a", "collider.turn", "collider.friction"}};
-    result.flags.push_back("collider.kind");
+                   {"collider.begin.a", "collider.turn", "collider.friction", "mesh_solid.x",
+                    "mesh_solid.y", "mesh_solid.z"}};
+    result.flags.insert(result.flags.end(), {"collider.kind", "mesh_solid.inside"});
     const std::vector<Collider> list[] = {
         {}, crowd(), {box}, {plane}, {sharp_box, tapered, box}, {long_prism()}};
     for (const uint32_t edge_count : {1u, 5u, 31u})
-        for (std::vector<Collider> colliders : list) {
-            const auto count = static_cast<uint32_t>(colliders.size());
-            if (count > 0)
-                colliders.insert(colliders.begin(), sphere); // of the substep before
-            Setup setup;
-            setup.name =
-                std::to_string(edge_count) + " voxels, " + std::to_string(count) + " colliders";
-            setup.items = edge_count * edge_count * edge_count;
-            setup.buffers = {floats(densities(setup.items)),
-                             count > 0 ? float4s(pack(colliders)) : null_array(),
-                             unwritten_floats(setup.items)};
-            result.setups.push_back(setup.with(params_of(edge_count, count)));
-        }
+        for (const std::vector<Collider>& colliders : list)
+            result.setups.push_back(make(edge_count, colliders, false));
+    for (const std::vector<Collider>& colliders : {std::vector<Collider>{}, crowd()})
+        result.setups.push_back(make(31, colliders, true));
     return result;
 }
 

@@ -25,7 +25,20 @@ std::vector<uint32_t> sums(uint32_t nodes) {
     return words;
 }
 
-Setup make(uint32_t edge_count, bool colliders) {
+// Of two in five nodes.
+Array in_meshes(uint32_t nodes) {
+    Random random(nodes + 1);
+    std::vector<float> list;
+    for (uint32_t node = 0; node < nodes; ++node) {
+        const bool inside = node % 5 < 2;
+        for (int axis = 0; axis < 3; ++axis)
+            list.push_back(inside ? static_cast<float>(random.uniform(-2, 2)) : 0.0f);
+        list.push_back(inside ? 1.0f : 0.0f);
+    }
+    return float4s(std::move(list));
+}
+
+Setup make(uint32_t edge_count, bool colliders, bool meshes) {
     plait_volume_nodes_params params{};
     params.edge_count = edge_count;
     params.voxel_edge = 1.1f / static_cast<float>(edge_count);
@@ -36,14 +49,20 @@ Setup make(uint32_t edge_count, bool colliders) {
     std::copy(corner.begin(), corner.end(), params.t);
     params.collider_count = colliders ? 4 : 0;
     params.collider_first = 1;
+    params.meshes = meshes ? 1 : 0;
     params.h = 1.0f / 30;
     Setup setup;
     const uint32_t nodes = edge_count * edge_count * edge_count;
-    setup.name = std::to_string(edge_count) + " nodes" + (colliders ? ", colliders" : "");
+    setup.name = std::to_string(edge_count) + " nodes" + (colliders ? ", colliders" : "") +
+                 (meshes ? ", meshes" : "");
     setup.items = nodes;
-    setup.buffers = {uints(sums(nodes)),      float4s(colliders_among_nodes()),
-                     unwritten_floats(nodes), unwritten_float4s(nodes),
-                     unwritten_floats(nodes), unwritten_float4s(nodes)};
+    setup.buffers = {uints(sums(nodes)),
+                     float4s(colliders_among_nodes()),
+                     meshes ? in_meshes(nodes) : null_array(),
+                     unwritten_floats(nodes),
+                     unwritten_float4s(nodes),
+                     unwritten_floats(nodes),
+                     unwritten_float4s(nodes)};
     return setup.with(params);
 }
 
@@ -60,10 +79,11 @@ Case volume_nodes_case() {
                     {"volume_solid", 1e-4}},
                    unread_of_colliders()};
     result.unread.push_back("collider.friction");
-    result.flags.push_back("collider.kind");
+    result.flags.insert(result.flags.end(), {"collider.kind", "mesh_solid.inside"});
     for (const uint32_t edge_count : {1u, 3u, 7u, 20u}) {
-        result.setups.push_back(make(edge_count, true));
-        result.setups.push_back(make(edge_count, false));
+        for (const bool colliders : {true, false})
+            for (const bool meshes : {false, true})
+                result.setups.push_back(make(edge_count, colliders, meshes));
     }
     return result;
 }

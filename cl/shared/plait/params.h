@@ -402,6 +402,39 @@ typedef struct plait_air_field_params {
     plait_u32 seed;
 } plait_air_field_params;
 
+/* solid_field: which nodes of a grid, its voxels' centres, lie in meshes of form FIELD. */
+typedef struct plait_solid_field_params {
+    plait_u32 edge_count; /* voxels per edge n */
+    float voxel_edge;     /* m */
+    float q[4];           /* grid orientation */
+    float t[4];           /* world position of the grid's corner (w unused) */
+    plait_u32 collider_count;
+    plait_u32 collider_first; /* where in `collider` those meshes begin */
+    float h;                  /* s, of their substep */
+} plait_solid_field_params;
+
+/* solid_cross: where a mesh of form NEAREST passes between nodes of the same grid. */
+typedef struct plait_solid_cross_params {
+    plait_u32 edge_count;
+    float voxel_edge;
+    float q[4];
+    float t[4];
+    plait_u32 mesh;           /* of mesh_first */
+    plait_u32 collider_count; /* 1 */
+    plait_u32 collider_first; /* where in `collider` the mesh is */
+} plait_solid_cross_params;
+
+/* solid_fill: which nodes lie in it. */
+typedef struct plait_solid_fill_params {
+    plait_u32 edge_count;
+    float q[4];
+    plait_u32 mesh;
+    plait_u32 collider_count;
+    plait_u32 collider_first;
+    float h;          /* s, of the substep */
+    plait_u32 others; /* 1: mesh_solid holds other meshes; 0: it is not read */
+} plait_solid_fill_params;
+
 /* air_obstacle: extinction of wind at the nodes of a grid, its voxels' centres. */
 typedef struct plait_air_obstacle_params {
     plait_u32 edge_count; /* voxels per edge n */
@@ -411,6 +444,7 @@ typedef struct plait_air_obstacle_params {
     float extinction;     /* 1/m, of a density of 1 */
     plait_u32 collider_count;
     plait_u32 collider_first; /* where in `collider` those of the substep begin */
+    plait_u32 meshes;         /* 1: mesh_solid says which nodes lie in meshes; 0: it is null */
 } plait_air_obstacle_params;
 
 /* air_shelter: one plane of nodes of the same grid; planes go one after the other as the wind does. */
@@ -473,6 +507,7 @@ typedef struct plait_volume_nodes_params {
     float t[4]; /* world position of the grid's corner (w unused) */
     plait_u32 collider_count;
     plait_u32 collider_first; /* where in `collider` those of the substep begin */
+    plait_u32 meshes;         /* 1: mesh_solid says which nodes lie in meshes; 0: it is null */
     float h;                  /* s, of that substep */
 } plait_volume_nodes_params;
 

@@ -18,6 +18,8 @@ void air_obstacle(uint32_t item_count, const plait_air_obstacle_params& params,
         for (size_t index = 0; index < params.collider_count; ++index)
             if (collider_at(args.collider, params.collider_first + index).surface(x).distance < 0)
                 extinction = PLAIT_AIR_SOLID;
+        if (params.meshes && args.mesh_solid[item].w() > 0)
+            extinction = PLAIT_AIR_SOLID;
         args.air_extinction[item] = extinction;
     }
 }

@@ -36,6 +36,7 @@ struct MeshMotion {
         end = row(PLAIT_COLLIDER_END).w();
     }
     Vec3 carried(const Vec3& x) const { return pose.t + turn * (x - from); }
+    Vec3 carried_from(const Vec3& x) const { return from + turn.conjugate() * (x - pose.t); }
 };
 
 // Where a strand's vertices are at the substep's begin, and where inertia and pins alone put them,

@@ -51,6 +51,10 @@ class Shape {
             pressure_ = params.pressure != 0;
         if constexpr (requires { params.carried; })
             carried_ = params.carried != 0;
+        if constexpr (requires { params.meshes; })
+            meshes_ = params.meshes != 0;
+        if constexpr (requires { params.meshes; })
+            meshes_ = params.meshes != 0;
         if constexpr (requires { params.wet; })
             wet_ = params.wet != 0;
         if constexpr (requires { params.shown; })
@@ -98,7 +102,7 @@ class Shape {
     bool history_ = false;
     // where the parameters do not say
     bool accelerates_ = true, pins_ = true, field_ = true, pressure_ = true, carried_ = true,
-         wet_ = true, shown_ = true;
+         wet_ = true, shown_ = true, meshes_ = true;
     bool planes_ = false; // mesh_contact makes them, and checks on access
 };
 

@@ -19,6 +19,11 @@ class NodeGrid {
     std::array<size_t, 3> cell(size_t node) const {
         return {node % count_, node / (count_ * count_), node / count_ % count_};
     }
+    // In voxels, from the grid's corner.
+    Vec3 centre(size_t node) const {
+        const auto at = cell(node);
+        return Vec3(double(at[0]), double(at[1]), double(at[2])) + Vec3::Constant(0.5);
+    }
     // The neighbour on a side, -1 or 1, along an axis.
     std::optional<size_t> neighbour(size_t node, size_t axis, int side) const {
         auto at = cell(node);

@@ -1,5 +1,5 @@
 // volume_nodes: means of what volume_splat has summed up, and the rigid motion of the collider that
-// holds a node.
+// holds a node, which of a mesh is known.
 #include "backend/reference/collider.hpp"
 #include "backend/reference/grid_sum.hpp"
 #include "backend/reference/volume.hpp"
@@ -11,12 +11,8 @@ void volume_nodes(uint32_t item_count, const plait_volume_nodes_params& params,
     const NodeGrid grid(params.edge_count);
     const Pose pose{quat(params.q), vec3(params.t)};
     for (size_t node = 0; node < item_count; ++node) {
-        const auto cell = grid.cell(node);
-        const Vec3 centre =
-            double(params.voxel_edge) *
-            Vec3(double(cell[0]) + 0.5, double(cell[1]) + 0.5, double(cell[2]) + 0.5);
-        const Vec3 x = pose.q * centre + pose.t;
-        args.volume_solid[node] = Vec4::Zero();
+        const Vec3 x = pose.apply(double(params.voxel_edge) * grid.centre(node));
+        args.volume_solid[node] = params.meshes ? args.mesh_solid[node] : Vec4(Vec4::Zero());
         for (size_t i = 0; i < params.collider_count; ++i) {
             const Collider collider = collider_at(args.collider, params.collider_first + i);
             if (collider.surface(x).distance >= 0)

@@ -1,6 +1,6 @@
 #include "inputs.hpp"
 
-#include "ball.hpp"
+#include "stage_sizes.hpp"
 
 #include <algorithm>
 #include <array>
@@ -15,296 +15,6 @@
 
 namespace bench {
 namespace {
-
-constexpr uint32_t grid_edge_count = 8; // as in Ugurca 2015
-constexpr uint32_t slot_capacity = 1024;
-constexpr uint32_t colliders = 4;
-constexpr uint32_t bones = 64, skin_vertices = 3000;
-constexpr uint32_t pair_cells = 32;  // each way
-constexpr uint32_t most_runs = 1024; // of bounds
-constexpr uint32_t slots_in_parallel = 64;
-constexpr float step = 1.0f / 60.0f; // s
-constexpr float grid_size = 4 * (head_radius + strand_length);
-
-constexpr uint32_t voxels = grid_edge_count * grid_edge_count * grid_edge_count;
-
-// ---- parameters -------------------------------------------------------------------------------
-
-// Structs of nothing else than the layout and the step; any other without an overload below does not
-// compile.
-template <typename Params> void fill(Params& p, const Shape& shape) {
-    constexpr bool tiled = requires {
-        p.tile;
-    }
-    , rows = requires {
-        p.row_stride;
-    }
-    , steps = requires {
-        p.h;
-    };
-    static_assert(sizeof(Params) == 4 * (1 + tiled + rows + steps), "other fields need values");
-    p.vertex_stride = shape.vertices;
-    if constexpr (tiled)
-        p.tile = shape.tile;
-    if constexpr (rows)
-        p.row_stride = shape.vertices;
-    if constexpr (steps)
-        p.h = step;
-}
-void fill(plait_roots_params& p, const Shape&) {
-    p.head_from_q[3] = p.head_to_q[3] = 1;
-    p.head_to_t[0] = 0.01f;
-    p.alpha = 1;
-    p.per_root = 1;
-}
-void fill(plait_integrate_params& p, const Shape& shape) {
-    p = {shape.vertices, step, 0.08f, 0.4f, 0.3f, {0, -9.81f, 0}, 0};
-}
-void fill(plait_global_shape_params& p, const Shape& shape) {
-    p = {shape.vertices, 0.4f, 0.3f};
-}
-void fill(plait_strand_data_params& p, const Shape& shape) {
-    p = {shape.vertices, 0.8f, 1.4f, PLAIT_SHOCK_THRESHOLD};
-}
-void fill(plait_local_shape_params& p, const Shape& shape) {
-    p = {shape.vertices, 0.9f, 2};
-}
-void fill(plait_wind_params& p, const Shape& shape) {
-    p.vertex_stride = shape.vertices;
-    p.h = step;
-    p.form = PLAIT_WIND_DRAG;
-    p.drag = 1;
-    p.wind[0] = 5;
-}
-void fill(plait_length_params& p, const Shape& shape) {
-    p = {shape.vertices, 2};
-}
-void fill(plait_collide_params& p, const Shape& shape) {
-    p = {shape.vertices, colliders, 0};
-}
-void fill(plait_clamp_params& p, const Shape& shape) {
-    p = {shape.vertices, 0.01f};
-}
-void fill(plait_attach_params& p, const Shape& shape) {
-    p = {shape.vertices, 1};
-}
-void fill(plait_follow_params& p, const Shape& shape) {
-    p = {shape.vertices, shape.strands, 0.5f, PLAIT_FOLLOW_ROTATING};
-}
-void fill(plait_follow_turns_params& p, const Shape& shape) {
-    p = {shape.vertices, shape.tile, shape.strands};
-}
-void fill(plait_follow_clump_params& p, const Shape& shape) {
-    p = {shape.vertices, shape.strands, {0, 0.3f, 0.7f, 0.9f}, 0};
-}
-void fill(plait_follow_collide_params& p, const Shape& shape) {
-    p = {shape.vertices, shape.strands, colliders, 0};
-}
-void fill(plait_follow_curl_params& p, const Shape& shape) {
-    p = {shape.vertices,
-         shape.strands,
-         {0, 0.002f, 0.004f, 0.005f},
-         0.02f,
-         1,
-         {0, 1e-3f, 2e-3f, 2e-3f},
-         0.01f,
-         1};
-}
-void fill(plait_wetness_params& p, const Shape&) {
-    p.left = 0.5f;
-}
-void fill(plait_grid_clear_params& p, const Shape&) {
-    p.value = PLAIT_SLOT_EMPTY;
-}
-void fill(plait_mesh_take_params& p, const Shape&) {
-    p = {4};
-}
-void fill(plait_mesh_pose_params& p, const Shape&) {
-    p = {0, 0.5f};
-}
-void fill(plait_mesh_fit_params& p, const Shape&) {
-    p = {0, 0, 32}; // the launch that has most to do
-}
-void fill(plait_grid_params& p, const Shape& shape) {
-    p.vertex_stride = shape.vertices;
-    p.edge_count = grid_edge_count;
-    p.capacity = slot_capacity;
-    p.voxel_edge = grid_size / grid_edge_count;
-    p.q[3] = 1;
-    p.t[0] = p.t[1] = p.t[2] = -grid_size / 2;
-    p.h = step;
-    p.slot_hash = PLAIT_SLOT_HASH_PCG;
-    p.tent = PLAIT_TENT_TRILINEAR;
-    p.diffuse_rule = PLAIT_DIFFUSE_FLOORED;
-    p.diffuse_ratio = 2;
-    p.diffuse_factor = 0.9f;
-    p.diffuse_floor = 0.5f;
-}
-void fill(plait_lane_params& p, const Shape& shape) {
-    p = {shape.vertices,
-         shape.tile,
-         shape.vertices,
-         step,
-         3,
-         0,
-         1,
-         {0, -9.81f, 0},
-         {0, 0, 0},
-         0,
-         0,
-         3e6f,
-         1e-6f,
-         0,
-         0,
-         0};
-}
-void fill(plait_pair_params& p, const Shape& shape) {
-    const float length = strand_length / static_cast<float>(shape.vertices - 1);
-    p = {shape.vertices, pair_cells, 0.8f * length, 1.1f * length, 0.004f, 0.5f * length, 1};
-}
-void fill(plait_pair_scan_params& p, const Shape&) {
-    p.edge_count = pair_cells;
-}
-void fill(plait_strand_contact_params& p, const Shape& shape) {
-    p = {shape.vertices, shape.tile, shape.vertices, 0, 0.3f};
-}
-void fill(plait_accelerate_params& p, const Shape& shape) {
-    p = {shape.vertices, step, 0, {}};
-}
-void fill(plait_pins_params& p, const Shape& shape) {
-    p = {shape.vertices, 0.5f};
-}
-void fill(plait_lane_pin_params& p, const Shape& shape) {
-    p = {shape.vertices, shape.tile, shape.vertices, 0.5f, 1e4f, 1e5f, step, 300};
-}
-void fill(plait_lane_tile_params& p, const Shape& shape) {
-    p = {shape.vertices, shape.tile, shape.vertices, 0};
-}
-void fill(plait_air_field_params& p, const Shape&) {
-    p.edge_count = grid_edge_count;
-    p.voxel_edge = grid_size / grid_edge_count / 0.5f;
-    p.q[3] = 1;
-    p.amplitude = 1;
-    p.octaves = 3;
-    p.gain = 0.5f;
-}
-void fill(plait_air_obstacle_params& p, const Shape&) {
-    p.edge_count = grid_edge_count;
-    p.voxel_edge = grid_size / grid_edge_count;
-    p.q[3] = 1;
-    p.t[0] = p.t[1] = p.t[2] = -grid_size / 2;
-    p.extinction = 0.1f;
-    p.collider_count = colliders;
-}
-void fill(plait_air_shelter_params& p, const Shape&) {
-    p.edge_count = grid_edge_count;
-    p.voxel_edge = grid_size / grid_edge_count;
-    p.q[3] = 1;
-    p.plane = 1;
-    p.foot[0] = p.foot[1] = 0.3f;
-    p.way = 1.1f * p.voxel_edge;
-    p.turbulent = 1;
-    p.air[0] = 3;
-}
-void fill(plait_lane_air_params& p, const Shape& shape) {
-    p.vertex_stride = p.row_stride = shape.vertices;
-    p.tile = shape.tile;
-    p.h = step;
-    p.bdf2 = 1;
-    p.drag = 4.2e-5f;
-    p.viscous = 3.6f;
-    p.tangential = 0.3f;
-    p.air[0] = 3;
-    p.field = 1;
-    p.edge_count = grid_edge_count;
-    p.voxel_edge = grid_size / grid_edge_count;
-    p.q[3] = 1;
-    p.t[0] = p.t[1] = p.t[2] = -grid_size / 2;
-}
-void fill(plait_lane_volume_params& p, const Shape& shape) {
-    p.vertex_stride = shape.vertices;
-    p.tile = shape.tile;
-    p.edge_count = grid_edge_count;
-    p.voxel_edge = grid_size / grid_edge_count;
-    p.q[3] = 1;
-    p.t[0] = p.t[1] = p.t[2] = -grid_size / 2;
-    p.blend = 0.08f;
-    p.moves = 1;
-}
-void fill(plait_volume_nodes_params& p, const Shape&) {
-    p.edge_count = grid_edge_count;
-    p.voxel_edge = grid_size / grid_edge_count;
-    p.q[3] = 1;
-    p.t[0] = p.t[1] = p.t[2] = -grid_size / 2;
-    p.collider_count = colliders;
-    p.h = step;
-}
-void fill(plait_volume_params& p, const Shape&) {
-    p.edge_count = grid_edge_count;
-    p.voxel_edge = grid_size / grid_edge_count;
-    p.h = step;
-    p.share = 1;
-    p.recovery = 0.2f;
-    p.most_recovery = 0.08f;
-    p.carried = 1;
-}
-void fill(plait_volume_sweep_params& p, const Shape&) {
-    p.edge_count = grid_edge_count;
-}
-void fill(plait_volume_impulse_params& p, const Shape&) {
-    p = {grid_edge_count, grid_size / grid_edge_count, step, 0.08f};
-}
-void fill(plait_lane_grid_params& p, const Shape& shape) {
-    plait_grid_params grid{};
-    fill(grid, shape);
-    p.vertex_stride = shape.vertices;
-    p.tile = shape.tile;
-    p.edge_count = grid.edge_count;
-    p.voxel_edge = grid.voxel_edge;
-    std::copy_n(grid.q, 4, p.q);
-    std::copy_n(grid.t, 4, p.t);
-    p.tent = grid.tent;
-    p.diffuse_rule = grid.diffuse_rule;
-    p.diffuse_ratio = grid.diffuse_ratio;
-    p.diffuse_factor = grid.diffuse_factor;
-    p.diffuse_floor = grid.diffuse_floor;
-    p.history = 1;
-}
-void fill(plait_lane_unpack_params& p, const Shape& shape) {
-    p = {shape.vertices, shape.tile, shape.vertices, step, 1};
-}
-void fill(plait_lane_state_params& p, const Shape& shape) {
-    p = {shape.vertices, shape.tile, shape.vertices, 0};
-}
-void fill(plait_lane_move_params& p, const Shape& shape) {
-    p = {shape.vertices, shape.tile, 3};
-}
-void fill(plait_lane_fit_params& p, const Shape& shape) {
-    p = {shape.vertices, shape.tile, step, 1, 1};
-}
-void fill(plait_lane_history_params& p, const Shape& shape) {
-    p = {shape.vertices, shape.tile, shape.vertices, step, 1};
-}
-void fill(plait_bounds_params& p, const Shape& shape) {
-    const auto vertices = static_cast<uint32_t>(shape.total());
-    p = {vertices, (vertices - 1) / most_runs + 1, 0};
-}
-void fill(plait_output_params& p, const Shape& shape) {
-    p = {shape.vertices, 0.5f};
-}
-void fill(plait_tangents_params& p, const Shape& shape) {
-    p = {shape.vertices, 0};
-}
-
-template <typename Params> std::vector<unsigned char> bytes_of(const Shape& shape) {
-    Params params{};
-    fill(params, shape);
-    std::vector<unsigned char> bytes(sizeof params);
-    std::memcpy(bytes.data(), &params, sizeof params);
-    return bytes;
-}
-
-// ---- buffers ------------------------------------------------------------------------------------
 
 using Words = std::vector<uint32_t>;
 
@@ -428,25 +138,11 @@ Words mesh_row() {
 constexpr float mesh_edge = 2.4f * head_radius / (mesh_nodes - 1); // m
 constexpr float mesh_origin = -1.2f * head_radius;
 
-// The same ball as 2,048 triangles.
-const Ball& ball() {
-    static const Ball made = make_ball(head_radius, 4);
-    return made;
-}
-
 Words words_of(const std::vector<float>& floats) {
     Words words(floats.size());
     std::transform(floats.begin(), floats.end(), words.begin(),
                    [](float value) { return std::bit_cast<uint32_t>(value); });
     return words;
-}
-
-bool follows_meet_meshes(plait_stage stage) {
-    return stage == PLAIT_STAGE_follow_field || stage == PLAIT_STAGE_follow_nearest;
-}
-
-bool finds_planes(plait_stage stage) {
-    return stage == PLAIT_STAGE_mesh_contact || stage == PLAIT_STAGE_mesh_nearest;
 }
 
 Words mesh_values() {
@@ -652,7 +348,8 @@ struct Cells {
 
 Cells cells_of(const Shape& shape) {
     plait_pair_params params{};
-    fill(params, shape);
+    const auto bytes = typical_params(PLAIT_STAGE_pair_count, shape);
+    std::memcpy(&params, bytes.data(), sizeof params);
     const Words words = strands(shape, 0);
     std::vector<Words> cells(size_t{pair_cells} * pair_cells * pair_cells);
     for (uint32_t vertex = 0; vertex < shape.total(); ++vertex) {
@@ -847,71 +544,6 @@ const std::map<std::string, Maker>& makers() {
     return table;
 }
 
-} // namespace
-
-std::vector<unsigned char> typical_params(plait_stage stage, const Shape& shape) {
-    if (follows_meet_meshes(stage)) { // of one
-        plait_follow_collide_params params{};
-        fill(params, shape);
-        params.collider_count = 1;
-        const auto* const bytes = reinterpret_cast<const unsigned char*>(&params);
-        return {bytes, bytes + sizeof params};
-    }
-    if (finds_planes(stage)) { // of one mesh
-        plait_lane_params params{};
-        fill(params, shape);
-        params.collider_count = 1;
-        const auto* const bytes = reinterpret_cast<const unsigned char*>(&params);
-        return {bytes, bytes + sizeof params};
-    }
-    switch (stage) {
-#define PLAIT_STAGE(name, space, params, summary)                                                  \
-    case PLAIT_STAGE_##name:                                                                       \
-        return bytes_of<params>(shape);
-#include <plait/stages.def>
-    default:
-        throw std::runtime_error("no such stage");
-    }
-}
-
-uint32_t item_count(plait_stage stage, const Shape& shape) {
-    if (stage == PLAIT_STAGE_pair_scan)
-        return 1;
-    if (stage == PLAIT_STAGE_bounds) {
-        plait_bounds_params params{};
-        fill(params, shape);
-        return (params.count - 1) / params.share + 1;
-    }
-    if (stage == PLAIT_STAGE_mesh_take || stage == PLAIT_STAGE_mesh_pose)
-        return static_cast<uint32_t>(ball().vertices.size() / 4);
-    if (stage == PLAIT_STAGE_mesh_fit)
-        return static_cast<uint32_t>(ball().tree.size() / 2);
-    switch (plait_stage_describe(stage)->space) {
-    case PLAIT_SPACE_VERTEX:
-        return static_cast<uint32_t>(shape.total());
-    case PLAIT_SPACE_WORD:
-        return voxels * slot_capacity;
-    case PLAIT_SPACE_VOXEL:
-    case PLAIT_SPACE_VOXEL_GROUP:
-        return voxels;
-    default:
-        return shape.strands;
-    }
-}
-
-uint32_t item_width(plait_stage stage, const Shape& shape) {
-    switch (plait_stage_describe(stage)->space) {
-    case PLAIT_SPACE_STRAND_GROUP:
-    case PLAIT_SPACE_LANES:
-        return shape.vertices;
-    case PLAIT_SPACE_VOXEL_GROUP:
-        return slots_in_parallel;
-    default:
-        return 1;
-    }
-}
-
-namespace {
 bool places_follows(plait_stage stage) {
     return stage == PLAIT_STAGE_follow || stage == PLAIT_STAGE_follow_turns ||
            stage == PLAIT_STAGE_follow_clump || stage == PLAIT_STAGE_follow_curl ||
@@ -947,7 +579,11 @@ std::vector<uint32_t> typical_buffer(const plait_stage_info& stage, const plait_
     if (!finds_planes(stage.stage) && stage.stage != PLAIT_STAGE_strand_contact &&
         name == "lane_plane")
         return {}; // and that is near no mesh
-    if ((finds_planes(stage.stage) || follows_meet_meshes(stage.stage)) && name == "collider")
+    if (name == "mesh_solid" && arg.access == PLAIT_ACCESS_READ)
+        return {}; // a grid without meshes
+    if ((finds_planes(stage.stage) || finds_solids(stage.stage) ||
+         follows_meet_meshes(stage.stage)) &&
+        name == "collider")
         return mesh_row();
     if (finds_planes(stage.stage) && name == "rest")
         return strands_from(roots_side_by_side(shape.strands), shape, 0);
