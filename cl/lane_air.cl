@@ -57,6 +57,25 @@ static inline lane_step step_of(const plait_lane_air_params* params, lane_place 
     return step;
 }
 
+/* Asks for what comes next. */
+static inline void fetch_row(const lane_step* step, lane_buffers state,
+                             __global const real* lane_push, __global const real* lane_spring,
+                             size_t row) {
+    const lane_place place = step->place;
+    lane_fetch(state.x, place, 3, row);
+    lane_fetch(state.v, place, 3, row);
+    if (step->bdf2) {
+        lane_fetch(state.x_before, place, 3, row);
+        lane_fetch(state.v_before, place, 3, row);
+    }
+    PLAIT_FETCH(step->material +
+                lane_index(place, PLAIT_LANE_MATERIAL_COMPONENTS, row, PLAIT_LANE_LENGTH));
+    PLAIT_FETCH(step->material +
+                lane_index(place, PLAIT_LANE_MATERIAL_COMPONENTS, row, PLAIT_LANE_MASS));
+    lane_fetch(lane_push, place, 3, row);
+    lane_fetch(lane_spring, place, 4, row);
+}
+
 /* A pin of stiffness `stiff` at `target` beside the one that is there: they are one spring. */
 static inline quat with_spring(quat pin, vec3 target, real stiff) {
     const real both = pin.w + stiff;
@@ -95,6 +114,7 @@ __kernel void plait_lane_air(const uint item_count, const plait_lane_air_params 
     store3(lane_push, place, 0, zero);
     storeq(lane_spring, place, 0, none);
     for (int i = 1; i <= step.segments; ++i) {
+        fetch_row(&step, state, lane_push, lane_spring, (size_t)i + PLAIT_ROWS_AHEAD);
         const mask there = (mask)(i) < counts;
         const vec3 v = load3(lane_v, place, i);
         quat air = quat_of((real)(params.air[0]), (real)(params.air[1]), (real)(params.air[2]),

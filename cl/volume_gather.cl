@@ -28,6 +28,9 @@ __kernel void plait_volume_gather(const uint item_count, const plait_lane_volume
     const vec3 zero = vec3_of((real)(0.0f), (real)(0.0f), (real)(0.0f));
     store3(lane_pressure, place, 0, zero);
     for (int i = 1; i < (int)params.vertex_stride; ++i) {
+        lane_fetch(lane_x, place, 3, (size_t)i + PLAIT_ROWS_AHEAD);
+        lane_fetch(lane_v, place, 3, (size_t)i + PLAIT_ROWS_AHEAD);
+        lane_fetch(lane_pressure, place, 3, (size_t)i + PLAIT_ROWS_AHEAD);
         const vec3 g = grid_coordinates(&grid, add3(root, load3(lane_x, place, i)));
         const mask inside = ((mask)(i) < counts) & grid_contains(&grid, g);
         const grid_cell cell = grid_cell_of(&grid, g, inside, PLAIT_TENT_TRILINEAR);

@@ -46,7 +46,7 @@ SUMS_INLINE uint splat_item(uint item_count, const plait_lane_volume_params* par
         for (uint j = 0; j < taken; ++j) {
             const splat_row row =
                 splat_row_of(&grid, strands + j, i, PLAIT_TENT_TRILINEAR, lane_x, lane_v);
-            splat_fetch(lane_share, strands[j].place, PLAIT_LANE_SHARE_COMPONENTS, i);
+            lane_fetch(lane_share, strands[j].place, PLAIT_LANE_SHARE_COMPONENTS, (size_t)i + 1u);
             const real hair = lane_share[lane_index(strands[j].place, PLAIT_LANE_SHARE_COMPONENTS,
                                                     (size_t)i, PLAIT_LANE_SHARE_HAIR)];
             real rest = lane_share[lane_index(strands[j].place, PLAIT_LANE_SHARE_COMPONENTS,
