@@ -21,14 +21,15 @@
 #include "common/lane_air.clh"
 
 /* Of the strand at vertex i: from the vertex before to the one behind, or at the tip to the tip. */
-static inline vec3 direction_at(lane_place place, __global const real* lane_x, int i, mask counts) {
+static inline lane_direction direction_at(lane_place place, __global const real* lane_x, int i,
+                                          mask counts) {
     const vec3 zero = vec3_of((real)(0.0f), (real)(0.0f), (real)(0.0f));
     const vec3 own = load3(lane_x, place, i);
     const vec3 before = i > 1 ? load3(lane_x, place, i - 1) : zero;
     vec3 ahead = own;
     if (i + 1 < PLAIT_VERTICES)
         ahead = pick3((mask)(i + 1) < counts, load3(lane_x, place, i + 1), own);
-    return unit3(sub3(ahead, before), zero);
+    return lane_direction_of(sub3(ahead, before));
 }
 
 /* m of hair that the mass of vertex i is of. */
@@ -56,6 +57,25 @@ static inline lane_step step_of(const plait_lane_air_params* params, lane_place 
     return step;
 }
 
+/* Asks for what comes next. */
+static inline void fetch_row(const lane_step* step, lane_buffers state,
+                             __global const real* lane_push, __global const real* lane_spring,
+                             size_t row) {
+    const lane_place place = step->place;
+    lane_fetch(state.x, place, 3, row);
+    lane_fetch(state.v, place, 3, row);
+    if (step->bdf2) {
+        lane_fetch(state.x_before, place, 3, row);
+        lane_fetch(state.v_before, place, 3, row);
+    }
+    PLAIT_FETCH(step->material +
+                lane_index(place, PLAIT_LANE_MATERIAL_COMPONENTS, row, PLAIT_LANE_LENGTH));
+    PLAIT_FETCH(step->material +
+                lane_index(place, PLAIT_LANE_MATERIAL_COMPONENTS, row, PLAIT_LANE_MASS));
+    lane_fetch(lane_push, place, 3, row);
+    lane_fetch(lane_spring, place, 4, row);
+}
+
 /* A pin of stiffness `stiff` at `target` beside the one that is there: they are one spring. */
 static inline quat with_spring(quat pin, vec3 target, real stiff) {
     const real both = pin.w + stiff;
@@ -79,6 +99,7 @@ __kernel void plait_lane_air(const uint item_count, const plait_lane_air_params 
     const lane_strands strands = lane_strands_of(lane_strand, place, item_count);
     const mask counts = lane_counts(vertex_count, &strands);
     const lane_pose root = lane_load_pose(rest, pose, &strands, params.row_stride);
+    lane_fetch_next(lane_strand, rest, pose, place, item_count, params.row_stride);
     const lane_step step = step_of(&params, place, root, lane_material);
     /* only read here */
     const lane_buffers state = {(__global real*)lane_x, (__global real*)lane_v,
@@ -93,6 +114,7 @@ __kernel void plait_lane_air(const uint item_count, const plait_lane_air_params 
     store3(lane_push, place, 0, zero);
     storeq(lane_spring, place, 0, none);
     for (int i = 1; i <= step.segments; ++i) {
+        fetch_row(&step, state, lane_push, lane_spring, (size_t)i + PLAIT_ROWS_AHEAD);
         const mask there = (mask)(i) < counts;
         const vec3 v = load3(lane_v, place, i);
         quat air = quat_of((real)(params.air[0]), (real)(params.air[1]), (real)(params.air[2]),
@@ -103,7 +125,7 @@ __kernel void plait_lane_air(const uint item_count, const plait_lane_air_params 
         else
             air.w = (real)(1.0f);
         const vec3 wind = vec3_of(air.x, air.y, air.z), u = sub3(wind, v);
-        const vec3 along = direction_at(place, lane_x, i, counts);
+        const lane_direction along = direction_at(place, lane_x, i, counts);
         const real mass = lane_material_at(&step, i, PLAIT_LANE_MASS);
         const real share = step.drag * length_at(&step, i, params.equal_masses) / mass;
         const lane_drag drag = lane_drag_of(&params, u, along, share, most);
@@ -111,9 +133,7 @@ __kernel void plait_lane_air(const uint item_count, const plait_lane_air_params 
         if (step.bdf2) {
             const vec3 u_before = sub3(axpy3(-air.w, jump, wind), load3(lane_v_before, place, i));
             const lane_drag before = lane_drag_of(&params, u_before, along, share, most);
-            const vec3 change =
-                sub3(lane_drag_change(drag, params.h), lane_drag_change(before, params.h));
-            push = axpy3((real)(0.5f / params.h), change, push);
+            push = axpy3((real)(0.5f / params.h), lane_drag_gain(drag, before, params.h), push);
         }
         if (params.accelerates)
             push = add3(push, allowed_acceleration(
@@ -123,8 +143,9 @@ __kernel void plait_lane_air(const uint item_count, const plait_lane_air_params 
         store3(lane_push, place, i, pick3(there, push, zero));
         const vec3 target =
             axpy3((real)(step.h), v, add3(lane_history_position(&step, state, i), shift));
-        const quat pin = params.pins ? loadq(lane_spring, place, i) : none;
-        const quat spring = with_spring(pin, target, mass * drag.rate / step.h);
+        const real stiff = mass * drag.rate * (1.0f / step.h);
+        const quat spring = params.pins ? with_spring(loadq(lane_spring, place, i), target, stiff)
+                                        : quat_of(target.x, target.y, target.z, stiff);
         storeq(lane_spring, place, i, pickq(there, spring, none));
     }
 }

@@ -26,23 +26,16 @@ SUMS_INLINE uint splat_item(uint item_count, const plait_lane_grid_params* param
         return 0u;
     const grid_frame grid = grid_at(params->q, params->t, params->voxel_edge, params->edge_count);
     splat_t splat;
-    splat_around around;
-    splat_begin(&splat, &around);
+    splat_begin(&splat);
     uint outside = 0u;
     for (int i = 0; i < (int)params->vertex_stride; ++i)
         for (uint j = 0; j < taken; ++j) {
             const splat_row row = splat_row_of(&grid, strands + j, i, params->tent, lane_x, lane_v);
             outside += splat_outside(&row);
-            for (uint k = 0; k < PLAIT_LANES; ++k) {
-                if (!LANE_OF_MASK(row.inside, k))
-                    continue;
-                const float3 v = splat_velocity(&row, k);
-                const float energy = v.x * v.x + v.y * v.y + v.z * v.z;
-                const float8 moments = (float8)(v.x, v.y, v.z, 1.0f, energy, 0.0f, 0.0f, 0.0f);
-                splat_vertex(&splat, &around, &grid, &row, k, params->tent, moments, sums);
-            }
+            const splat_share share = {row.v, (real)(1.0f), dot3(row.v, row.v)};
+            splat_vertices(&splat, &grid, &row, params->tent, &share, sums);
         }
-    splat_end(&splat, &around, &grid, sums);
+    splat_end(&splat, &grid, sums);
     return outside;
 }
 

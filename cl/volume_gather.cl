@@ -10,37 +10,8 @@
  *         in place of as much of its own.
  */
 #pragma OPENCL FP_CONTRACT OFF
-#include "common/grid.clh"
+#include "common/lane_nodes.clh"
 #include "common/lane_step.clh"
-
-/* Along the grid's axes. */
-typedef struct {
-    vec3 change; /* m/s */
-    vec3 push;   /* m/s^2 */
-} node_pull;
-
-static inline node_pull pull_at(const grid_frame* grid, grid_cell cell,
-                                __global const float4* volume_pull) {
-    node_pull at;
-    const mask low = grid_voxel_of(grid, cell);
-    const grid_weights weights = grid_weights_of(&cell);
-    for (uint k = 0; k < PLAIT_LANES; ++k) {
-        float8 pull = (float8)(0.0f); /* both at once: they lie together */
-#pragma unroll
-        for (uint corner = 0u; corner < 8u; ++corner) {
-            const uint node = (uint)LANE_OF_MASK(low, k) + grid_corner(grid, corner);
-            const float weight = LANE(weights.of[corner], k);
-            pull += weight * vload8(node, (__global const float*)volume_pull);
-        }
-        LANE(at.change.x, k) = pull.s0;
-        LANE(at.change.y, k) = pull.s1;
-        LANE(at.change.z, k) = pull.s2;
-        LANE(at.push.x, k) = pull.s4;
-        LANE(at.push.y, k) = pull.s5;
-        LANE(at.push.z, k) = pull.s6;
-    }
-    return at;
-}
 
 __kernel void plait_volume_gather(const uint item_count, const plait_lane_volume_params params,
                                   __global const uint* lane_strand,
@@ -57,15 +28,20 @@ __kernel void plait_volume_gather(const uint item_count, const plait_lane_volume
     const vec3 zero = vec3_of((real)(0.0f), (real)(0.0f), (real)(0.0f));
     store3(lane_pressure, place, 0, zero);
     for (int i = 1; i < (int)params.vertex_stride; ++i) {
+        lane_fetch(lane_x, place, 3, (size_t)i + PLAIT_ROWS_AHEAD);
+        lane_fetch(lane_v, place, 3, (size_t)i + PLAIT_ROWS_AHEAD);
+        lane_fetch(lane_pressure, place, 3, (size_t)i + PLAIT_ROWS_AHEAD);
         const vec3 g = grid_coordinates(&grid, add3(root, load3(lane_x, place, i)));
         const mask inside = ((mask)(i) < counts) & grid_contains(&grid, g);
         const grid_cell cell = grid_cell_of(&grid, g, inside, PLAIT_TENT_TRILINEAR);
-        const node_pull at = pull_at(&grid, cell, volume_pull);
-        store3(lane_pressure, place, i, pick3(inside, grid_world(&grid, at.push), zero));
+        quat change_at, push_at; /* m/s and m/s^2, along the grid's axes */
+        lane_two_at(&grid, &cell, volume_pull, &change_at, &push_at);
+        const vec3 push = grid_world(&grid, vec3_of(push_at.x, push_at.y, push_at.z));
+        store3(lane_pressure, place, i, pick3(inside, push, zero));
         if (!params.moves)
             continue;
         const vec3 before = load3(lane_v, place, i);
-        const vec3 change = grid_world(&grid, at.change);
+        const vec3 change = grid_world(&grid, vec3_of(change_at.x, change_at.y, change_at.z));
         const vec3 gained = pick3(inside, axpy3((real)(-params.blend), before, change), zero);
         store3(lane_v, place, i, add3(before, gained));
         if (params.history)

@@ -35,8 +35,7 @@ SUMS_INLINE uint splat_item(uint item_count, const plait_lane_volume_params* par
         return 0u;
     const grid_frame grid = grid_at(params->q, params->t, params->voxel_edge, params->edge_count);
     splat_t splat;
-    splat_around around;
-    splat_begin(&splat, &around);
+    splat_begin(&splat);
     real wetness[SPLAT_RUN];
     for (uint j = 0; j < taken; ++j)
         wetness[j] = params->wet
@@ -47,6 +46,7 @@ SUMS_INLINE uint splat_item(uint item_count, const plait_lane_volume_params* par
         for (uint j = 0; j < taken; ++j) {
             const splat_row row =
                 splat_row_of(&grid, strands + j, i, PLAIT_TENT_TRILINEAR, lane_x, lane_v);
+            lane_fetch(lane_share, strands[j].place, PLAIT_LANE_SHARE_COMPONENTS, (size_t)i + 1u);
             const real hair = lane_share[lane_index(strands[j].place, PLAIT_LANE_SHARE_COMPONENTS,
                                                     (size_t)i, PLAIT_LANE_SHARE_HAIR)];
             real rest = lane_share[lane_index(strands[j].place, PLAIT_LANE_SHARE_COMPONENTS,
@@ -55,17 +55,10 @@ SUMS_INLINE uint splat_item(uint item_count, const plait_lane_volume_params* par
                 rest =
                     params->soaked ? wetness[j] : rest * (1.0f + PLAIT_WET_CLOSENESS * wetness[j]);
             outside += splat_outside(&row);
-            for (uint k = 0; k < PLAIT_LANES; ++k) {
-                if (!LANE_OF_MASK(row.inside, k))
-                    continue;
-                const float3 v = splat_velocity(&row, k);
-                const float8 moments =
-                    (float8)(v.x, v.y, v.z, 1.0f, LANE(rest, k), 0.0f, 0.0f, 0.0f);
-                splat_vertex(&splat, &around, &grid, &row, k, PLAIT_TENT_TRILINEAR,
-                             LANE(hair, k) * moments, sums);
-            }
+            const splat_share share = {scale3(row.v, hair), hair, hair * rest};
+            splat_vertices(&splat, &grid, &row, PLAIT_TENT_TRILINEAR, &share, sums);
         }
-    splat_end(&splat, &around, &grid, sums);
+    splat_end(&splat, &grid, sums);
     return outside;
 }
 

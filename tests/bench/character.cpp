@@ -7,7 +7,6 @@
 
 #include <generator/generator.hpp>
 
-#include <cmath>
 #include <map>
 #include <vector>
 
@@ -16,8 +15,7 @@ namespace {
 
 constexpr uint32_t strand_counts[] = {3000, 30000};
 constexpr uint32_t few_strands = 100;
-constexpr uint32_t settling = 30;       // frames before those that count
-constexpr uint32_t frames_of_turn = 60; // there and back
+constexpr uint32_t settling = 30; // frames before those that count
 constexpr const char* scenes[] = {"alone", "bodies", "everything"};
 
 struct Crowd {
@@ -72,10 +70,8 @@ Character::Character(plait_context* context, plait_groom* groom, plait_model mod
 }
 
 void Character::aim() {
-    const float turn = static_cast<float>(number_++ % frames_of_turn) / frames_of_turn;
-    const float half = 0.25f * std::sin(6.2831853f * turn); // rad, about y
     plait_roots roots = plait_roots_defaults();
-    roots.head = {{0, std::sin(half), 0, std::cos(half)}, {0, 0, 0}};
+    roots.head = turned_head(number_++);
     check(plait_sim_set_roots(sim_.get(), &roots));
     for (const plait_collider_id collider : on_head_)
         check(plait_collider_set_pose(sim_.get(), collider, &roots.head));
@@ -126,19 +122,6 @@ std::string row_name(uint32_t device, const std::string& group, uint32_t strands
 
 // Grooms, grown by the first row that is run.
 using Grooms = std::map<uint32_t, Groom>;
-
-Groom long_hair(uint32_t strands) {
-    plait_generator::Style style = plait_generator::make_style(plait_generator::Hairstyle::Long);
-    style.strands = strands;
-    style.vertices = model_vertices;
-    const plait_generator::Strands hair = plait_generator::make_groom(style);
-    plait_groom_desc desc = plait_groom_desc_defaults();
-    desc.positions = {hair.positions.data(), hair.positions.size() / 3, 0};
-    desc.vertices_per_strand = model_vertices;
-    plait_groom* groom = nullptr;
-    check(plait_groom_create(&desc, nullptr, &groom));
-    return Groom(groom);
-}
 
 // Seconds of a frame, a mean over whole turns, since what touches changes with the turn.
 double measure_turns(benchmark::State& state, Stage& stage) {

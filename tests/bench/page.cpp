@@ -1,4 +1,5 @@
 #include "page.hpp"
+#include "sim.hpp"
 
 #include <plait/plait_backend.h>
 
@@ -202,6 +203,34 @@ std::string character_table(const DeviceResults& results) {
            rows;
 }
 
+std::string extra_table(const DeviceResults& results) {
+    if (results.extra_seconds.empty())
+        return "";
+    std::string rows;
+    for (const NamedModel& named : models) {
+        const auto alone = results.extra_seconds.find({named.name, 0});
+        if (alone == results.extra_seconds.end())
+            continue;
+        rows += text("| %s | %.3g |", named.name, 1e3 * alone->second);
+        for (size_t extra = 1; extra < std::size(extra_names); ++extra) {
+            const auto found = results.extra_seconds.find({named.name, extra});
+            rows += found == results.extra_seconds.end()
+                        ? " - |"
+                        : text(" %.2f |", found->second / alone->second);
+        }
+        rows += "\n";
+    }
+    return text("\n## The grid, volume and wind\n\nThe same hair, %u strands, without colliders: "
+                "milliseconds of a frame, and in times of that, of one with the grid between "
+                "strands "
+                "(exact sums), with volume in its place, by 16 and 32 nodes along an edge, and "
+                "with wind of 3 m/s in the open, with shelter, and with shelter and eddies.\n\n"
+                "| model | alone, ms | + grid | + volume, 16 | + volume, 32 | + wind | with "
+                "shelter | and eddies |\n|---|---:|---:|---:|---:|---:|---:|---:|\n",
+                extra_strands) +
+           rows;
+}
+
 // Over one sim of as many strands; 0: not measured.
 double over_one(const DeviceResults& results, const CrowdKey& key, double seconds) {
     const auto one =
@@ -258,6 +287,9 @@ std::string csv(const Options& options, const DeviceResults& results) {
         rows += text("sims:%u%s %s %s,%u,%u,%.9g,,\n", key.sims, key.together ? "" : " apart",
                      key.model.c_str(), scenes[static_cast<int>(key.scene)], key.strands,
                      model_vertices, seconds);
+    for (const auto& [key, seconds] : results.extra_seconds)
+        rows += text("extra %s %s,%u,%u,%.9g,,\n", key.first.c_str(), extra_names[key.second],
+                     extra_strands, model_vertices, seconds);
     return rows;
 }
 
@@ -276,14 +308,16 @@ void write_pages(const Results& results) {
     std::filesystem::create_directories(folder);
     for (const auto& [index, device] : results.devices) {
         if (device.stages.empty() && device.step_seconds.empty() && device.model_seconds.empty() &&
-            device.character_seconds.empty() && device.crowd_seconds.empty())
+            device.character_seconds.empty() && device.crowd_seconds.empty() &&
+            device.extra_seconds.empty())
             continue; // filtered out
         const std::string name = "bench-" + slug(device.device);
         write_file(folder / (name + ".csv"), csv(results.options, device));
         write_file(folder / (name + ".md"),
                    header(results.options, device.device) + ceilings(device) +
                        stage_table(results.options, device) + step_table(results.options, device) +
-                       model_table(device) + character_table(device) + crowd_table(device));
+                       model_table(device) + character_table(device) + extra_table(device) +
+                       crowd_table(device));
     }
 }
 

@@ -41,6 +41,13 @@ struct SceneKey {
     auto operator<=>(const SceneKey&) const = default;
 };
 
+// What a step of a model may have besides: the grid between strands, volume in its place with so many
+// nodes along an edge, and wind in the open, with shelter, with shelter and eddies.
+enum class Extra { none, grid, volume_16, volume_32, wind, shelter, eddies };
+constexpr const char* extra_names[] = {"alone", "grid",    "volume:16", "volume:32",
+                                       "wind",  "shelter", "eddies"};
+constexpr uint32_t extra_strands = 10000;
+
 // So many sims on one context, each with so many strands, in one call or in one for each.
 struct CrowdKey {
     uint32_t sims, strands;
@@ -56,9 +63,10 @@ struct DeviceResults {
     std::map<std::pair<uint32_t, Interhair>, double> step_seconds;    // of tressfx, by strands
     std::map<std::pair<uint32_t, std::string>, double> model_seconds; // by strands and model
     std::map<SceneKey, double> character_seconds;
-    std::map<CrowdKey, double> crowd_seconds; // of a frame of all of them
-    double copy_rate = 0;                     // bytes/s, read and written; 0: not measured
-    double flop_rate = 0;                     // of multiply-adds, two each
+    std::map<CrowdKey, double> crowd_seconds;                       // of a frame of all of them
+    std::map<std::pair<std::string, size_t>, double> extra_seconds; // by model and Extra
+    double copy_rate = 0; // bytes/s, read and written; 0: not measured
+    double flop_rate = 0; // of multiply-adds, two each
 };
 
 struct Results {

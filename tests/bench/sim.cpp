@@ -1,5 +1,10 @@
 #include "sim.hpp"
 
+#include "results.hpp"
+
+#include <generator/generator.hpp>
+
+#include <cmath>
 #include <stdexcept>
 
 namespace bench {
@@ -22,6 +27,25 @@ Sim make_sim(plait_context* context, plait_groom* groom, const plait_sim_desc& d
     plait_sim* sim = nullptr;
     check(plait_sim_create(context, groom, &desc, &sim));
     return Sim(sim);
+}
+
+Groom long_hair(uint32_t strands) {
+    plait_generator::Style style = plait_generator::make_style(plait_generator::Hairstyle::Long);
+    style.strands = strands;
+    style.vertices = model_vertices;
+    const plait_generator::Strands hair = plait_generator::make_groom(style);
+    plait_groom_desc desc = plait_groom_desc_defaults();
+    desc.positions = {hair.positions.data(), hair.positions.size() / 3, 0};
+    desc.vertices_per_strand = model_vertices;
+    plait_groom* groom = nullptr;
+    check(plait_groom_create(&desc, nullptr, &groom));
+    return Groom(groom);
+}
+
+plait_pose turned_head(uint32_t number) {
+    const float turn = static_cast<float>(number % frames_of_turn) / frames_of_turn;
+    const float half = 0.25f * std::sin(6.2831853f * turn); // rad, about y
+    return {{0, std::sin(half), 0, std::cos(half)}, {0, 0, 0}};
 }
 
 } // namespace bench

@@ -19,6 +19,11 @@ using Sim = std::unique_ptr<plait_sim, Destroy<plait_sim_destroy>>;
 Context make_context(const plait_device_info& device);
 Sim make_sim(plait_context* context, plait_groom* groom, const plait_sim_desc& desc);
 
+Groom long_hair(uint32_t strands); // of model_vertices, on the mannequin
+
+constexpr uint32_t frames_of_turn = 60;  // there and back
+plait_pose turned_head(uint32_t number); // where that frame ends
+
 struct NamedModel {
     plait_model model;
     const char* name;
