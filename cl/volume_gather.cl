@@ -6,8 +6,8 @@
  * Writes  lane_pressure: the acceleration by pressure, in the world, for the step to come; 0 of a
  *         root, past the tip and outside the grid.
  * Source  a vertex keeps its own velocity and takes the nodes' change of it: Brackbill & Ruppel
- *         1986 (FLIP); of the nodes' velocity it takes the share `blend`, which is in volume_pull,
- *         in place of as much of its own.
+ *         1986 (FLIP); a share of the nodes' velocity, which is in their change, takes the place of
+ *         as much of its own.
  */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/grid.clh"
@@ -16,6 +16,7 @@
 /* Along the grid's axes. */
 typedef struct {
     vec3 change; /* m/s */
+    real share;  /* of the vertex' own velocity that goes */
     vec3 push;   /* m/s^2 */
 } node_pull;
 
@@ -35,6 +36,7 @@ static inline node_pull pull_at(const grid_frame* grid, grid_cell cell,
         LANE(at.change.x, k) = pull.s0;
         LANE(at.change.y, k) = pull.s1;
         LANE(at.change.z, k) = pull.s2;
+        LANE(at.share, k) = pull.s3;
         LANE(at.push.x, k) = pull.s4;
         LANE(at.push.y, k) = pull.s5;
         LANE(at.push.z, k) = pull.s6;
@@ -66,7 +68,7 @@ __kernel void plait_volume_gather(const uint item_count, const plait_lane_volume
             continue;
         const vec3 before = load3(lane_v, place, i);
         const vec3 change = grid_world(&grid, at.change);
-        const vec3 gained = pick3(inside, axpy3((real)(-params.blend), before, change), zero);
+        const vec3 gained = pick3(inside, axpy3(-at.share, before, change), zero);
         store3(lane_v, place, i, add3(before, gained));
         if (params.history)
             store3(lane_v_before, place, i, add3(load3(lane_v_before, place, i), gained));
