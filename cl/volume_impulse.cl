@@ -71,7 +71,7 @@ __kernel void plait_volume_impulse(const uint item_count, const plait_volume_imp
     const float density = grid_density[node];
     const float potential = density > 0.0f ? volume_pressure[node] / density : 0.0f;
     vstore2((float2)(potential, density), (size_t)node, volume_potential);
-    float next[3], previous[3], change[3] = {0.0f, 0.0f, 0.0f}, push[3] = {0.0f, 0.0f, 0.0f};
+    float next[3], previous[3], change[3], push[3];
     bool open = false;
 #pragma unroll
     for (int axis = 0; axis < 3; ++axis) {
@@ -81,9 +81,16 @@ __kernel void plait_volume_impulse(const uint item_count, const plait_volume_imp
             volume_has_previous(&place, axis) ? volume_link_of(volume_link, before, axis) : 0.0f;
         open |= next[axis] > 0.0f || previous[axis] > 0.0f;
     }
+    const vec3 velocity = unpack3(grid_velocity[node]);
+    if (!open) {
+        const float loose = friction_of(&params, 0.0f);
+        volume_pull[2 * node] = pack3(scale3(velocity, loose), loose);
+        volume_pull[2 * node + 1] = (float4)(0.0f);
+        return;
+    }
     vec3 drag = zero3();
 #pragma unroll
-    for (int axis = 0; axis < 3 && open; ++axis) {
+    for (int axis = 0; axis < 3; ++axis) {
         const int stride = volume_stride(place.count, axis);
         face_pull sum = {0.0f, 0.0f};
         int closed = 0;
@@ -111,6 +118,6 @@ __kernel void plait_volume_impulse(const uint item_count, const plait_volume_imp
     const vec3 pushed = vec3_of(push[0], push[1], push[2]);
     const float share = friction_of(&params, length3(pushed));
     const vec3 changed = add3(vec3_of(change[0], change[1], change[2]), drag);
-    volume_pull[2 * node] = pack3(axpy3(share, unpack3(grid_velocity[node]), changed), share);
+    volume_pull[2 * node] = pack3(axpy3(share, velocity, changed), share);
     volume_pull[2 * node + 1] = pack3(pushed, 0.0f);
 }

@@ -137,7 +137,7 @@ INSTANTIATE_TEST_SUITE_P(Few, Ball,
                                          Use{PLAIT_MODEL_ARTICULATED, 120, 2000, 1.5e-4f}));
 // `chain` does not come to rest on the ball without volume, either.
 INSTANTIATE_TEST_SUITE_P(Many, Ball,
-                         testing::Values(Use{PLAIT_MODEL_CHAIN, 60, 10000, 5e-4f},
+                         testing::Values(Use{PLAIT_MODEL_CHAIN, 60, 10000, 4e-4f},
                                          Use{PLAIT_MODEL_COSSERAT, 60, 10000, 1e-4f},
                                          Use{PLAIT_MODEL_ROD, 60, 10000, 1e-4f},
                                          Use{PLAIT_MODEL_ARTICULATED, 60, 10000, 1e-4f}));
