@@ -13,7 +13,7 @@
  *     0 <= p - least,   h div v' - s >= 0,   and one of both 0,
  *     v' = v - h (d_b - d_a)/(density e)  at open faces,
  *     s = 1 - R/r where there is room, else the lesser of most_recovery and
- *         recovery max(0, 1 - R/r - slack).
+ *         recovery c^2/(c + onset), c = max(0, 1 - R/r - slack).
  * Divided by (h/e)^2 that is one row of the matrix whose off-diagonals are the links, 1/density, and
  * `wanted` what is left for p = 0. `least` is minus R times the cohesion, to which wetness w adds its
  * own times w. Nodes with hardly any hair, and the outermost ones, are air, p = 0.
@@ -69,7 +69,9 @@ static inline float room_of(const plait_volume_params* params, volume_hair hair)
     const float excess = 1.0f - hair.rest / hair.density;
     if (excess <= 0.0f)
         return excess;
-    return fmin(params->recovery * fmax(excess - params->slack, 0.0f), params->most_recovery);
+    const float beyond = fmax(excess - params->slack, 0.0f);
+    const float eased = beyond * beyond / (beyond + params->onset);
+    return fmin(params->recovery * eased, params->most_recovery);
 }
 
 /* Pressure of the step before, of the hair that is still there. */

@@ -6,8 +6,8 @@
  * Writes  lane_pressure: the acceleration by pressure, in the world, for the step to come; 0 of a
  *         root, past the tip and outside the grid.
  * Source  a vertex keeps its own velocity and takes the nodes' change of it: Brackbill & Ruppel
- *         1986 (FLIP); of the nodes' velocity it takes the share `blend`, which is in volume_pull,
- *         in place of as much of its own.
+ *         1986 (FLIP); a share of the nodes' velocity, which is in their change, takes the place of
+ *         as much of its own.
  */
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/lane_nodes.clh"
@@ -34,7 +34,8 @@ __kernel void plait_volume_gather(const uint item_count, const plait_lane_volume
         const vec3 g = grid_coordinates(&grid, add3(root, load3(lane_x, place, i)));
         const mask inside = ((mask)(i) < counts) & grid_contains(&grid, g);
         const grid_cell cell = grid_cell_of(&grid, g, inside, PLAIT_TENT_TRILINEAR);
-        quat change_at, push_at; /* m/s and m/s^2, along the grid's axes */
+        /* m/s and, in w, the share of its own velocity that goes; m/s^2; along the grid's axes */
+        quat change_at, push_at;
         lane_two_at(&grid, &cell, volume_pull, &change_at, &push_at);
         const vec3 push = grid_world(&grid, vec3_of(push_at.x, push_at.y, push_at.z));
         store3(lane_pressure, place, i, pick3(inside, push, zero));
@@ -42,7 +43,7 @@ __kernel void plait_volume_gather(const uint item_count, const plait_lane_volume
             continue;
         const vec3 before = load3(lane_v, place, i);
         const vec3 change = grid_world(&grid, vec3_of(change_at.x, change_at.y, change_at.z));
-        const vec3 gained = pick3(inside, axpy3((real)(-params.blend), before, change), zero);
+        const vec3 gained = pick3(inside, axpy3(-change_at.w, before, change), zero);
         store3(lane_v, place, i, add3(before, gained));
         if (params.history)
             store3(lane_v_before, place, i, add3(load3(lane_v_before, place, i), gained));

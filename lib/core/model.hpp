@@ -65,8 +65,7 @@ struct LaneGrid {
 struct LaneVolume {
     plait_grid_params params;
     const Buffer &sums, &outside, &pull;
-    float blend; // [0, 1]
-    bool moves;  // velocities change, too
+    bool moves; // velocities change, too
     // Of strands, or null; `soaked`: the sums are of it, in place of the density at rest.
     const Buffer* wetness = nullptr;
     bool soaked = false;

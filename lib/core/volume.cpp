@@ -9,10 +9,10 @@ namespace plait {
 namespace {
 
 constexpr uint32_t first_sweeps = 200; // once, for layers of 16 voxels
-// What pushes back every excess keeps hair at rest in motion; with this it settles, a few per cent
-// fuller than in the groom.
-constexpr float slack = 0.05f;
-constexpr double parting = 13.4; // 1/s, of what is too dense: a fifth in a sixtieth of a second
+// Hair parts by a pressure that is carried on, which adds up where hair cannot part as it is told, and
+// swings it. So what is hardly too dense is told little.
+constexpr float slack = 0.035f, onset = 0.15f;
+constexpr double parting = 13.4; // 1/s, of what is far too dense: a fifth in a sixtieth of a second
 
 uint32_t voxels(const plait_grid_params& grid) {
     return grid.edge_count * grid.edge_count * grid.edge_count;
@@ -57,16 +57,12 @@ plait_volume_params faces_params(const plait_sim_params& p, const VolumeGrid& gr
     params.h = grid.step;
     params.share = p.volume_share;
     params.slack = slack;
+    params.onset = onset;
     params.recovery = static_cast<float>(1 - std::exp(-parting * double(grid.step)));
     params.most_recovery = grid.step * p.volume_rate;
     params.cohesion = p.cohesion;
     params.wet_cohesion = p.wet_cohesion;
     return params;
-}
-
-// Share of the nodes' velocity that hair takes in a step.
-float blend_of(const plait_sim_params& p, float step) {
-    return static_cast<float>(-std::expm1(-double(step) * double(p.volume_viscosity)));
 }
 
 } // namespace
@@ -147,7 +143,7 @@ void Volume::solve(Schedule& schedule, const VolumeGrid& grid, const Substep& at
                          plait_volume_sweep_params{n, colour}, {&link_, &node_, &pressure_});
     schedule.add(PLAIT_STAGE_volume_impulse, voxels(grid.params),
                  plait_volume_impulse_params{n, grid.params.voxel_edge, grid.step,
-                                             blend_of(at.params, grid.step)},
+                                             at.params.volume_viscosity},
                  {&grid.density, &grid.velocity, &link_, &pressure_, &potential, &pull_});
 }
 
@@ -163,7 +159,6 @@ void Volume::append_step(Schedule& schedule, const VolumeGrid& grid, const Model
     splat(schedule, grid, model, at);
     solve(schedule, grid, at, &potential_, next_, at.params.volume_sweeps);
     LaneVolume lanes = lanes_of(grid);
-    lanes.blend = blend_of(at.params, grid.step);
     lanes.moves = true;
     model.gather_volume(schedule, at, lanes);
 }

@@ -49,7 +49,7 @@ class Volume {
     void solve(Schedule& schedule, const VolumeGrid& grid, const Substep& at, const Buffer* before,
                const Buffer& potential, uint32_t sweeps) const;
     LaneVolume lanes_of(const VolumeGrid& grid) const {
-        return {grid.params, grid.sums, grid.outside, pull_, 0, false, grid.wetness};
+        return {grid.params, grid.sums, grid.outside, pull_, false, grid.wetness};
     }
 
     Buffer potential_, next_; // float [nv^3*2]: p over density, density; last step, this one

@@ -225,7 +225,6 @@ void fill(plait_lane_volume_params& p, const Shape& shape) {
     p.voxel_edge = grid_size / grid_edge_count;
     p.q[3] = 1;
     p.t[0] = p.t[1] = p.t[2] = -grid_size / 2;
-    p.blend = 0.08f;
     p.moves = 1;
 }
 void fill(plait_volume_nodes_params& p, const Shape&) {
@@ -241,6 +240,8 @@ void fill(plait_volume_params& p, const Shape&) {
     p.voxel_edge = grid_size / grid_edge_count;
     p.h = step;
     p.share = 1;
+    p.slack = 0.035f;
+    p.onset = 0.15f;
     p.recovery = 0.2f;
     p.most_recovery = 0.08f;
     p.carried = 1;
@@ -249,7 +250,7 @@ void fill(plait_volume_sweep_params& p, const Shape&) {
     p.edge_count = grid_edge_count;
 }
 void fill(plait_volume_impulse_params& p, const Shape&) {
-    p = {grid_edge_count, grid_size / grid_edge_count, step, 0.08f};
+    p = {grid_edge_count, grid_size / grid_edge_count, step, 5};
 }
 void fill(plait_lane_grid_params& p, const Shape& shape) {
     plait_grid_params grid{};

@@ -21,8 +21,9 @@ Case volume_faces_case() {
             params.fall[2] = 0.1f;
             params.share = 0.9f;
             params.slack = 0.05f;
+            params.onset = 0.1f;
             params.recovery = 0.2f;
-            params.most_recovery = 0.08f;
+            params.most_recovery = 0.05f;
             params.cohesion = 0.6f;
             params.wet_cohesion = 0.4f;
             params.carried = carried;

@@ -4,15 +4,15 @@
 namespace plait::cases {
 namespace {
 
-// Of a node a change of velocity and an acceleration.
+// Of a node a change of velocity and a share, and an acceleration.
 std::vector<float> pulls(uint32_t nodes) {
-    Random random(nodes);
+    Random random(nodes), shares(nodes + 1);
     std::vector<float> values;
     for (uint32_t node = 0; node < nodes; ++node)
         for (const double most : {.5, 9.}) {
             for (int axis = 0; axis < 3; ++axis)
                 values.push_back(static_cast<float>(random.uniform(-most, most)));
-            values.push_back(0);
+            values.push_back(most < 1 ? static_cast<float>(shares.uniform(.2, .4)) : 0);
         }
     return values;
 }

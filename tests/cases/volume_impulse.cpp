@@ -6,7 +6,7 @@ namespace plait::cases {
 
 namespace {
 
-// Of a node the change of velocity, m/s, and the acceleration, m/s^2.
+// Of a node the change of velocity, m/s, with a share, and the acceleration, m/s^2.
 std::string compare(const Setup&, const Outputs& expected, const Outputs& got) {
     const std::vector<float>&a = got[5].floats, &b = expected[5].floats;
     for (size_t i = 0; i < b.size(); ++i)
@@ -37,7 +37,7 @@ Case volume_impulse_case() {
                          unwritten_floats(2 * nodes.count()),
                          unwritten_float4s(2 * nodes.count())};
         result.setups.push_back(
-            setup.with(plait_volume_impulse_params{edge_count, 0.02f, 1.0f / 60, 0.3f}));
+            setup.with(plait_volume_impulse_params{edge_count, 0.02f, 1.0f / 60, 15}));
     }
     return result;
 }

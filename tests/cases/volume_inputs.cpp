@@ -61,7 +61,6 @@ plait_lane_volume_params volume_params_of(const plait_lane_grid_params& grid) {
     params.voxel_edge = grid.voxel_edge;
     std::copy_n(grid.q, 4, params.q);
     std::copy_n(grid.t, 4, params.t);
-    params.blend = 0.3f;
     params.moves = 1;
     params.history = grid.history;
     return params;

@@ -202,6 +202,10 @@
 #define PLAIT_VOLUME_COHESIVE PLAIT_NUMBER(0.3)
 /* Overrelaxation of the sweeps: layers of hair are a few voxels deep. Ours. */
 #define PLAIT_VOLUME_RELAXATION PLAIT_NUMBER(1.5)
+/* By how much more viscous than loose hair is hair that its weight presses, and what weight is,
+ * m/s^2: friction of hair on hair. Ours. */
+#define PLAIT_VOLUME_FRICTION PLAIT_NUMBER(4.0)
+#define PLAIT_VOLUME_WEIGHT PLAIT_NUMBER(10.0)
 
 /* ---- wetness -----------------------------------------------------------------------------------
  */

@@ -493,7 +493,6 @@ typedef struct plait_lane_volume_params {
     float voxel_edge;
     float q[4];
     float t[4];
-    float blend;       /* as in plait_volume_impulse_params (volume_gather) */
     plait_u32 moves;   /* 1: velocities change; 0: lane_pressure alone is written (volume_gather) */
     plait_u32 history; /* 1: BDF2's step before is kept; 0: lane_v_before is null (volume_gather) */
     plait_u32 wet;     /* 1: strands have a wetness; 0: strand_wetness is null (volume_splat) */
@@ -518,7 +517,8 @@ typedef struct plait_volume_params {
     float fall[3];       /* m/s, along the grid's axes, added to the velocity of hair */
     float share;         /* density to keep, over that at rest */
     float slack;         /* [0, 1): share of its room by which hair may be too dense */
-    float recovery;      /* [0, 1]: share of what is denser that parts in a step */
+    float recovery;      /* [0, 1]: share of what is far denser that parts in a step */
+    float onset;         /* what is denser by this parts at half that rate; > 0 with a slack */
     float most_recovery; /* and at most this share of the volume */
     float cohesion;      /* m^2/s^2: what hair bears in tension, over its density at rest */
     float wet_cohesion;  /* m^2/s^2: what wetness 1 adds to it */
@@ -535,7 +535,7 @@ typedef struct plait_volume_impulse_params {
     plait_u32 edge_count;
     float voxel_edge; /* m */
     float h;          /* s, of the fixed step */
-    float blend;      /* [0, 1]: share of the nodes' velocity that hair takes */
+    float viscosity;  /* 1/s: hair takes the velocity of the hair around it at this rate */
 } plait_volume_impulse_params;
 
 /* lane_share: per vertex. */

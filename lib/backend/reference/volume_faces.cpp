@@ -72,7 +72,8 @@ class Equations {
     double part(size_t node) const {
         const double excess = 1 - kept(node) / density(node);
         const double beyond = std::max(0.0, excess - double(params_.slack));
-        return excess > 0 ? std::min(params_.recovery * beyond, double(params_.most_recovery))
+        const double eased = beyond * beyond / (beyond + double(params_.onset));
+        return excess > 0 ? std::min(params_.recovery * eased, double(params_.most_recovery))
                           : excess;
     }
 

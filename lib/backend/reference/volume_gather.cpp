@@ -20,16 +20,18 @@ void volume_gather(uint32_t item_count, const plait_lane_volume_params& params,
             if (nodes.count == 0)
                 continue;
             Vec3 change = Vec3::Zero(), push = Vec3::Zero();
+            double share = 0;
             for (size_t k = 0; k < nodes.count; ++k) {
                 const auto [node, weight] = nodes.node[k];
                 change += weight * xyz(args.volume_pull[2 * node]);
+                share += weight * args.volume_pull[2 * node].w();
                 push += weight * xyz(args.volume_pull[2 * node + 1]);
             }
             lane.store(args.lane_pressure, i, grid.to_world(push));
             if (!params.moves)
                 continue;
             const Vec3 v = lane.vector(args.lane_v, i);
-            const Vec3 gained = grid.to_world(change) - double(params.blend) * v;
+            const Vec3 gained = grid.to_world(change) - share * v;
             lane.store(args.lane_v, i, Vec3(v + gained));
             if (params.history)
                 lane.store(args.lane_v_before, i,

@@ -1,6 +1,12 @@
 // volume_impulse: -grad p/rho at nodes, the mean of the faces before and behind along each axis; that
-// of one alone where the other is closed by a collider. Beyond the grid there is no pull.
+// of one alone where the other is closed by a collider. Beyond the grid there is no pull. And friction:
+// the exchange of momentum over open faces, and the share of a vertex' own velocity that goes.
 #include "backend/reference/volume.hpp"
+
+#include <plait/constants.h>
+
+#include <algorithm>
+#include <cmath>
 
 namespace plait::reference {
 namespace {
@@ -32,6 +38,34 @@ Pull pull_of(const plait_volume_impulse_params& params, const volume_impulse_arg
     return {};
 }
 
+// Of a difference of velocities, by an implicit step; `pull`: m/s^2, of the pressure.
+double friction(const plait_volume_impulse_params& params, double pull) {
+    const double pressed = std::min(1.0, std::abs(pull) / PLAIT_VOLUME_WEIGHT);
+    const double rate = params.viscosity * (1 + PLAIT_VOLUME_FRICTION * pressed);
+    return 1 - 1 / (1 + params.h * rate);
+}
+
+// m/s: a node's share of the momenta that it exchanges with those around it, a sixth of what would
+// make both as fast, times the friction at the face.
+Vec4 exchanged(const plait_volume_impulse_params& params, const volume_impulse_args& args,
+               const NodeGrid& grid, size_t node) {
+    Vec4 sum = Vec4::Zero();
+    for (size_t axis = 0; axis < 3; ++axis)
+        for (const int side : {-1, 1}) {
+            const auto other = grid.neighbour(node, axis, side);
+            const double link = other ? link_between(args.volume_link, node, *other, axis) : 0.0;
+            const double own = args.grid_density[node];
+            const double there = other ? args.grid_density[*other] : 0.0;
+            if (link <= 0 || own + there <= 0)
+                continue;
+            const double pull = link / double(params.voxel_edge) *
+                                (args.volume_pressure[*other] - args.volume_pressure[node]);
+            sum += friction(params, pull) / 6 * there / (own + there) *
+                   (args.grid_velocity[*other] - args.grid_velocity[node]);
+        }
+    return sum;
+}
+
 } // namespace
 
 void volume_impulse(uint32_t item_count, const plait_volume_impulse_params& params,
@@ -44,8 +78,9 @@ void volume_impulse(uint32_t item_count, const plait_volume_impulse_params& para
             change[static_cast<Eigen::Index>(axis)] = double(params.h) * (pull.now - pull.before);
             push[static_cast<Eigen::Index>(axis)] = pull.now;
         }
-        change += double(params.blend) * args.grid_velocity[node];
-        change[3] = 0;
+        const double share = friction(params, push.norm());
+        change += exchanged(params, args, grid, node) + share * args.grid_velocity[node];
+        change[3] = share;
         const double density = args.grid_density[node];
         args.volume_potential[2 * node] = density > 0 ? args.volume_pressure[node] / density : 0;
         args.volume_potential[2 * node + 1] = density;

@@ -448,7 +448,6 @@ plait_lane_volume_params LanePart::volume_params(const LaneVolume& volume) const
     params.voxel_edge = volume.params.voxel_edge;
     std::ranges::copy(volume.params.q, params.q);
     std::ranges::copy(volume.params.t, params.t);
-    params.blend = volume.blend;
     params.moves = volume.moves ? 1 : 0;
     params.history = history_.v ? 1 : 0;
     params.wet = volume.wetness ? 1 : 0;

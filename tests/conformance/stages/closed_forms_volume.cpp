@@ -47,14 +47,16 @@ struct Solved {
 
     double v(const State& state, uint32_t node, size_t axis) const {
         return double(state.velocity[4 * size_t{node} + axis]) +
-               double(change[4 * size_t{node} + axis]);
+               double(change[4 * size_t{node} + axis]) -
+               double(change[4 * size_t{node} + 3]) *
+                   double(state.velocity[4 * size_t{node} + axis]);
     }
 };
 
 // `before`: potentials that are carried, if any.
-// `wetness`: of all hair, which has its share of the cohesion of it.
+// `wetness`: of all hair, which has its share of the cohesion of it; `viscosity`, 1/s.
 Solved solve(Bench& bench, const State& state, uint32_t sweeps, float cohesion = 0,
-             const std::vector<float>& before = {}, float wetness = 0) {
+             const std::vector<float>& before = {}, float wetness = 0, float viscosity = 0) {
     plait_volume_params params{};
     params.edge_count = state.n;
     params.voxel_edge = edge;
@@ -83,7 +85,7 @@ Solved solve(Bench& bench, const State& state, uint32_t sweeps, float cohesion =
                           plait_volume_sweep_params{state.n, colour}, {link, node, pressure})[2];
     const auto out =
         bench.run(PLAIT_STAGE_volume_impulse, state.count(), 1,
-                  plait_volume_impulse_params{state.n, edge, h, 0},
+                  plait_volume_impulse_params{state.n, edge, h, viscosity},
                   {floats(state.density), float4s(state.velocity), link, pressure,
                    unwritten_floats(2 * state.count()), unwritten_float4s(2 * state.count())});
     Solved solved{pressure.floats, {}, {}, out[4].floats};
@@ -280,6 +282,40 @@ void pressure_keeps_momentum(Bench& bench) {
                 expect_momentum_kept(bench, seed, share, carried);
 }
 
+// With pressures of all sizes, so that friction is another at every face, on hair that then moves as
+// one: what it takes is no momentum, and energy.
+void friction_keeps_momentum_and_takes_energy(Bench& bench) {
+    for (const uint32_t seed : {10u, 11u, 12u}) {
+        const State state = cloud(seed, 1, false);
+        const Solved bare = solve(bench, state, 10), rubbed = solve(bench, state, 10, 0, {}, 0, 30);
+        ASSERT_EQ(bare.pressure, rubbed.pressure);
+        double before = 0, after = 0;
+        for (size_t axis = 0; axis < 3; ++axis) {
+            double sum = 0, size = 0;
+            for (uint32_t node = 0; node < state.count(); ++node) {
+                const double density = double(state.density[node]);
+                const double v = double(state.velocity[4 * size_t{node} + axis]);
+                const double gained = rubbed.v(state, node, axis) - bare.v(state, node, axis);
+                sum += density * gained;
+                size += std::abs(density * gained);
+                before += density * v * v;
+                after += density * (v + gained) * (v + gained);
+            }
+            EXPECT_GT(size, 1);
+            EXPECT_LT(std::abs(sum), 1e-6 * size) << "seed " << seed << ", axis " << axis;
+        }
+        EXPECT_LT(after, 0.9 * before) << "seed " << seed;
+        float least = 1, most = 0; // as much as pressure asks for
+        for (uint32_t node = 0; node < state.count(); ++node)
+            if (state.density[node] > 0) {
+                least = std::min(least, rubbed.change[4 * size_t{node} + 3]);
+                most = std::max(most, rubbed.change[4 * size_t{node} + 3]);
+            }
+        EXPECT_GE(least, 0.999f / 3) << "30/60 loose: 0.5/1.5";
+        EXPECT_NEAR(most, 2.5f / 3.5f, 1e-5f) << "five times that, pressed";
+    }
+}
+
 void pressure_adds_no_energy_to_hair_that_is_as_dense_as_at_rest(Bench& bench) {
     for (const uint32_t seed : {4u, 5u, 6u}) {
         const State state = cloud(seed, 1, false);
@@ -308,6 +344,7 @@ const std::vector<ClosedForm>& volume_closed_forms() {
         PLAIT_CLOSED_FORM(column_hangs_by_its_cohesion),
         PLAIT_CLOSED_FORM(parting_hair_is_left_alone),
         PLAIT_CLOSED_FORM(pressure_keeps_momentum),
+        PLAIT_CLOSED_FORM(friction_keeps_momentum_and_takes_energy),
         PLAIT_CLOSED_FORM(pressure_adds_no_energy_to_hair_that_is_as_dense_as_at_rest)};
     return list;
 }
