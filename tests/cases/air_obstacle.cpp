@@ -89,11 +89,11 @@ Case air_obstacle_case() {
     result.flags.insert(result.flags.end(), {"collider.kind", "mesh_solid.inside"});
     const std::vector<Collider> list[] = {
         {}, crowd(), {box}, {plane}, {sharp_box, tapered, box}, {long_prism()}};
+    for (const std::vector<Collider>& colliders : {std::vector<Collider>{}, crowd()})
+        result.setups.push_back(make(31, colliders, true));
     for (const uint32_t edge_count : {1u, 5u, 31u})
         for (const std::vector<Collider>& colliders : list)
             result.setups.push_back(make(edge_count, colliders, false));
-    for (const std::vector<Collider>& colliders : {std::vector<Collider>{}, crowd()})
-        result.setups.push_back(make(31, colliders, true));
     return result;
 }
 
