@@ -53,8 +53,6 @@ class Shape {
             carried_ = params.carried != 0;
         if constexpr (requires { params.meshes; })
             meshes_ = params.meshes != 0;
-        if constexpr (requires { params.meshes; })
-            meshes_ = params.meshes != 0;
         if constexpr (requires { params.wet; })
             wet_ = params.wet != 0;
         if constexpr (requires { params.shown; })
