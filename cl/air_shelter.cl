@@ -14,7 +14,7 @@
  */
 #pragma OPENCL FP_CONTRACT OFF
 #define PLAIT_LANES PLAIT_DEVICE_LANES
-#include "common/quat.clh"
+#include "common/lane_rows.clh"
 #include "plait/params.h"
 
 /* From a node to the next: from plane to plane, and along the two other axes in their order. */
@@ -68,17 +68,6 @@ static inline shelter_foot foot_at(uint n, node_steps steps, uint before, real a
     return foot;
 }
 
-/* The first three numbers of a node's four. */
-static inline vec3 node_vector(__global const float4* data, mask node) {
-    vec3 v;
-    for (uint k = 0; k < PLAIT_LANES; ++k) {
-        const float4 element = data[LANE_OF_MASK(node, k)];
-        LANE(v.x, k) = element.x;
-        LANE(v.y, k) = element.y;
-        LANE(v.z, k) = element.z;
-    }
-    return v;
-}
 static inline real node_number(__global const float* data, mask node) {
     real number;
     for (uint k = 0; k < PLAIT_LANES; ++k)
@@ -115,12 +104,12 @@ __kernel void plait_air_shelter(const uint item_count, const plait_air_shelter_p
     const real open = exp(-tau);
     vec3 wind = spread3(vload3(0, params.air));
     if (params.turbulent)
-        wind = add3(wind, node_vector(air_velocity, node));
+        wind = add3(wind, vector_part(lane_gather(air_velocity, node)));
     const quat turn =
         quat_of((real)(params.q[0]), (real)(params.q[1]), (real)(params.q[2]), (real)(params.q[3]));
-    const vec3 hair =
-        pick3(node_number(grid_density, node) > (real)(0.0f),
-              rotate3(turn, node_vector(grid_velocity, node)), spread3(vload3(0, params.still)));
+    const vec3 hair = pick3(node_number(grid_density, node) > (real)(0.0f),
+                            rotate3(turn, vector_part(lane_gather(grid_velocity, node))),
+                            spread3(vload3(0, params.still)));
     const vec3 air = axpy3(open, wind, scale3(hair, (real)(1.0f) - open));
     for (uint k = 0; k < min((uint)PLAIT_LANES, nodes - item); ++k) {
         const int at = LANE_OF_MASK(node, k);

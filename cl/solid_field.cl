@@ -6,30 +6,26 @@
  * Source  distances as in mesh_contact; nodes passed over as Hart 1996 passes over empty space: ours.
  */
 #pragma OPENCL FP_CONTRACT OFF
+#include "common/collider.clh"
 #include "common/grid.clh"
 #include "common/mesh_field.clh"
 
 typedef struct {
     mesh_field field;
     mesh_motion motion;
+    uint row; /* in `collider` */
 } solid_body;
 
 /* Nodes behind one at `distance` that surely lie on the same side. No distance changes by more than the
- * way; that between nodes of the field is off by less than a cell. */
+ * way; what is read between nodes of the field is off by less than a cell, here and there. */
 static inline uint solid_alike(const solid_body* body, float distance, float voxel_edge) {
     const float way = fabs(distance) - 2.0f * body->field.edge;
     return way > 0.0f ? (uint)fmin(way / voxel_edge, 4096.0f) : 0u;
 }
 
-/* Where a point of the mesh at the substep's end was at its begin. */
-static inline vec3 solid_carried_back(const mesh_motion* motion, vec3 x) {
-    const float4 back = (float4)(-motion->turn.xyz, motion->turn.w);
-    const vec3 arm = sub3(x, motion->to);
-    return add3(motion->from, add3(arm, mesh_turn(back, arm)));
-}
-
 static inline void solid_row(const plait_solid_field_params* params, const grid_frame* grid,
-                             const solid_body* body, uint first, __global float4* mesh_solid) {
+                             const solid_body* body, __global const float4* collider, uint first,
+                             __global float4* mesh_solid) {
     const uint n = params->edge_count;
     for (uint i = 0u; i < n;) {
         const vec3 x = grid_centre(grid, first + i, params->voxel_edge);
@@ -40,7 +36,7 @@ static inline void solid_row(const plait_solid_field_params* params, const grid_
         const uint end = min(i + 1u + alike, n);
         for (uint node = i; distance < 0.0f && node < end; ++node) {
             const vec3 at = grid_centre(grid, first + node, params->voxel_edge);
-            const vec3 way = sub3(at, solid_carried_back(&body->motion, at));
+            const vec3 way = sub3(at, collider_carry_back(collider, body->row, at));
             mesh_solid[first + node] =
                 pack3(grid_components(grid, scale3(way, 1.0f / params->h)), 1.0f);
         }
@@ -60,8 +56,9 @@ __kernel void plait_solid_field(const uint item_count, const plait_solid_field_p
     for (uint i = 0u; i < n; ++i)
         mesh_solid[first + i] = (float4)(0.0f);
     for (uint mesh = 0u; mesh < params.collider_count; ++mesh) {
+        const uint row = params.collider_first + mesh;
         const solid_body body = {mesh_field_at(mesh_grid, mesh_nodes, mesh_values, mesh),
-                                 mesh_motion_at(collider, params.collider_first + mesh)};
-        solid_row(&params, &grid, &body, first, mesh_solid);
+                                 mesh_motion_at(collider, row), row};
+        solid_row(&params, &grid, &body, collider, first, mesh_solid);
     }
 }

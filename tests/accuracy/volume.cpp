@@ -174,7 +174,7 @@ TEST_P(Ball, keeps_its_volume_and_height_for_ten_seconds_and_rests) {
 
 // Nodes in a mesh are closed, too: else hair is pushed into it, and thrown out again.
 TEST(BallOfTriangles, is_a_ball) {
-    const Use use{PLAIT_MODEL_ARTICULATED, 60, 2000, 2e-4f};
+    const Use use{PLAIT_MODEL_ARTICULATED, 60, 2000, 0};
     const Outcome on_sphere = after(3, use, true);
     for (const Body body : {Body::field, Body::nearest}) {
         const Outcome got = after(3, use, true, body);
