@@ -12,6 +12,12 @@ static inline void carry(__global real* x, lane_place place, int row, vec3 root,
     store3(x, place, row, lane_carried(row, root, turn, load3(x, place, row)));
 }
 
+/* Where the root was a substep ago, as it moves on by the turned velocity. */
+static inline vec3 root_before(__global const real* x, __global const real* x_before,
+                               lane_place place, vec3 root, quat turn) {
+    return add3(root, rotate3(turn, sub3(load3(x_before, place, 0), load3(x, place, 0))));
+}
+
 __kernel void plait_lane_teleport(const uint item_count, const plait_lane_state_params params,
                                   __global const uint* lane_strand, __global const float4* rest,
                                   __global const float4* pose_from, __global const float4* pose_to,
@@ -25,13 +31,16 @@ __kernel void plait_lane_teleport(const uint item_count, const plait_lane_state_
     const lane_pose from = lane_load_pose(rest, pose_from, &strands, params.row_stride);
     const lane_pose to = lane_load_pose(rest, pose_to, &strands, params.row_stride);
     const quat turn = mulq(to.q, conjq(from.q));
+    vec3 before = to.root;
+    if (params.history)
+        before = root_before(lane_x, lane_x_before, place, to.root, turn);
     for (int i = 0; i < (int)params.vertex_stride; ++i) {
         carry(lane_x, place, i, to.root, turn);
         store3(lane_v, place, i, rotate3(turn, load3(lane_v, place, i)));
         storeq(lane_q, place, i, mulq(turn, loadq(lane_q, place, i)));
         storeq(lane_q_before, place, i, mulq(turn, loadq(lane_q_before, place, i)));
         if (params.history) {
-            carry(lane_x_before, place, i, to.root, turn);
+            carry(lane_x_before, place, i, before, turn);
             store3(lane_v_before, place, i, rotate3(turn, load3(lane_v_before, place, i)));
         }
     }

@@ -712,7 +712,10 @@ typedef struct plait_sim_desc {
     float step;        /* fixed step, s, [1e-5, 1], default 1/60 */
     uint32_t substeps; /* per fixed step, [1, 1000], default 1 */
     uint32_t max_steps_per_call; /* [1, 1000]; time beyond is dropped and counted, default 8 */
-    uint32_t interpolate_output; /* 1: positions follow dt, one fixed step late; default 0 */
+    /* What is shown where a frame ends between two fixed steps: 0: the last step, as it was; 1: hair
+       between the last two steps, which is one step late at most, on the head as it is now; 2, the
+       default: 0 while frames end where steps do, and 1 from the first frame on that does not */
+    uint32_t interpolate_output;
     uint32_t keep_last_frame;    /* 1: POSITION_LAST_FRAME exists; default 0 */
     uint32_t accelerations;      /* 1: ACCELERATION exists and acts; default 0 */
     uint32_t pins;               /* 1: vertices may be pinned, PIN exists; all but tressfx, which
@@ -757,8 +760,8 @@ PLAIT_API plait_result plait_sim_create(plait_context* context, const plait_groo
                                         const plait_sim_desc* desc, plait_sim** out);
 PLAIT_API void plait_sim_destroy(plait_sim* sim);
 
-/* Sets every vertex to its rest position at the present roots, and velocities, clock and
- * accumulator to 0. Does not wait. */
+/* Sets every vertex to its rest position at the present roots, at rest relative to the head, whose
+ * motion it takes on in the next step; clock and accumulator to 0. Does not wait. */
 PLAIT_API plait_result plait_sim_reset(plait_sim* sim);
 
 /* What a sim is, what it has done, and the result of its sag-free start. */
@@ -869,7 +872,10 @@ typedef struct plait_roots {
 } plait_roots;
 
 PLAIT_API void plait_roots_init(plait_roots* roots, size_t size);
-/* Copies; checks that counts are the guides' and at least the skin's bones, rotations of length 1
+/* The first call before any step says where the hair is, and that of later ones where it goes. A head
+ * that is moving when its sim begins takes its hair along from the first step whose way is known; below
+ * 0.9 m/s it is taken to start from rest. A jump that no head makes is warned of in the log, once.
+ * Copies; checks that counts are the guides' and at least the skin's bones, rotations of length 1
  * within 1e-3, translations within 1e6 m, that bones are finite and map to more than a line. A call
  * that fails changes nothing. */
 PLAIT_API plait_result plait_sim_set_roots(plait_sim* sim, const plait_roots* roots);
@@ -894,12 +900,47 @@ typedef struct plait_root_place {
 PLAIT_API plait_result plait_sim_bind_roots(plait_sim* sim, const plait_mesh* mesh,
                                             plait_root_place* dst, size_t count);
 
-/* Carry the hair rigidly to new roots, at once, without dynamics. Checked as in set_roots. Colliders are
- * at once where their poses were last set: set those that go along before. */
+/* Carry the hair rigidly to new roots, at once, without dynamics: its motion relative to the head stays.
+ * Where the head moves on as before, turned as the teleport turns it, hair does not notice; where the
+ * next step moves it otherwise, by 0.9 m/s or more, hair takes that motion on, too. Checked as in
+ * set_roots. Colliders are at once where their poses were last set: set those that go along before. */
 PLAIT_API plait_result plait_sim_teleport(plait_sim* sim, const plait_roots* roots);
 
-/* Advance by dt seconds, [0, 10]: enqueues the fixed steps that fit; the rest waits for the next
- * call. Returns before the device is done (docs/threading.md).
+/* What the air of a frame does, in which the hair's drag and a wind are. */
+typedef enum plait_frame_air {
+    PLAIT_FRAME_AIR_UNFELT = 0, /* it moves with the part of the frame's motion that is not felt */
+    PLAIT_FRAME_AIR_FRAME = 1,  /* it moves with the frame: a closed cabin */
+    PLAIT_FRAME_AIR_WORLD = 2,  /* it stands in the world: an open car */
+    PLAIT_FRAME_AIR_FORCE_32 = 0x7fffffff
+} plait_frame_air;
+
+/* A frame of reference that carries the hair: a vehicle, a lift, a horse, the root of an animation. Hair
+ * feels a share of its motion; the rest takes hair, roots and bodies along as if it had not been. */
+typedef struct plait_frame_desc {
+    uint32_t struct_size;
+    plait_pose pose;        /* in the world, where it will be at the end of the next plait_sim_step */
+    float felt_translation; /* share of its way that hair feels, [0, 1], default 0 */
+    float felt_rotation;    /* share of its turn about its origin, likewise, default 0 */
+    plait_frame_air air;    /* default UNFELT */
+} plait_frame_desc;
+
+PLAIT_API void plait_frame_desc_init(plait_frame_desc* desc, size_t size);
+
+/* Where the frame will be, once per frame, beside plait_sim_set_roots: on the way it interpolates as
+ * roots do. The first call, and the first after NULL, puts it there at once; NULL: no frame. Roots,
+ * colliders, pins and winds stay what they are without a frame: places in the world, whether they go
+ * along with it or not. Gravity keeps its direction. With shares of 1 and air UNFELT each step gives the
+ * same bits as without a frame; with shares of 0 hair moves as if the frame stood still. A teleport
+ * and a step of 0 s move the frame at once, too. Snapshots hold it. See docs/concepts.md.
+ * @errors INVALID_ARGUMENT: a pose that is none, a share or an enum outside its range. A call that
+ *         fails changes nothing. */
+PLAIT_API plait_result plait_sim_set_frame(plait_sim* sim, const plait_frame_desc* desc);
+
+/* Advance by dt seconds, [0, 1e9]: enqueues the fixed steps that fit; the rest waits for the next
+ * call. Time beyond max_steps_per_call is dropped and counted (plait_sim_info.steps_dropped): hair is
+ * carried along with its head over it. What is below 0 by less than a microsecond is taken as 0. A step
+ * of 0 s takes hair along with a head that was moved meanwhile, as plait_sim_teleport does.
+ * Returns before the device is done (docs/threading.md).
  * Failures of the device may come with a later call, at the latest with one that waits. */
 PLAIT_API plait_result plait_sim_step(plait_sim* sim, double dt);
 
@@ -1355,6 +1396,7 @@ PLAIT_DEFAULTS(plait_sim_info)
 PLAIT_DEFAULTS(plait_sim_stats)
 PLAIT_DEFAULTS(plait_launch)
 PLAIT_DEFAULTS(plait_roots)
+PLAIT_DEFAULTS(plait_frame_desc)
 PLAIT_DEFAULTS(plait_wind_desc)
 PLAIT_DEFAULTS(plait_detail_desc)
 PLAIT_DEFAULTS(plait_collider_desc)

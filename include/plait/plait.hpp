@@ -293,6 +293,8 @@ class Sim : public detail::Owner<plait_sim, plait_sim_destroy> {
         check(plait_sim_set_pins(get(), pins.data(), pins.size()));
     }
 
+    void set_frame(const plait_frame_desc& desc) { check(plait_sim_set_frame(get(), &desc)); }
+    void no_frame() { check(plait_sim_set_frame(get(), nullptr)); }
     void set_wind(const plait_wind_desc& desc) { check(plait_sim_set_wind(get(), &desc)); }
     void stop_wind() { check(plait_sim_set_wind(get(), nullptr)); }
 

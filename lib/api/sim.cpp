@@ -224,6 +224,26 @@ plait_result plait_sim_set_wind(plait_sim* sim, const plait_wind_desc* desc) {
     });
 }
 
+void plait_frame_desc_init(plait_frame_desc* desc, size_t size) {
+    api::init_struct(desc, size, default_frame_desc());
+}
+
+plait_result plait_sim_set_frame(plait_sim* sim, const plait_frame_desc* desc) {
+    return api::with_sim(__func__, sim, [&](Sim& s) -> Status {
+        if (!desc) {
+            s.set_frame(nullptr);
+            return {};
+        }
+        plait_frame_desc given = default_frame_desc();
+        PLAIT_TRY(api::read_struct(desc, given, "desc"));
+        const auto checked = checked_frame(given);
+        if (!checked)
+            return checked.error();
+        s.set_frame(&*checked);
+        return {};
+    });
+}
+
 void plait_detail_desc_init(plait_detail_desc* desc, size_t size) {
     api::init_struct(desc, size, default_detail_desc());
 }
@@ -358,9 +378,8 @@ plait_result plait_sim_teleport(plait_sim* sim, const plait_roots* roots) {
 
 plait_result plait_sim_step(plait_sim* sim, double dt) {
     return api::with_sim(__func__, sim, [&](Sim& s) -> Status {
-        if (!(dt >= 0 && dt <= 10))
-            return api::invalid(format("dt is %g, range is [0, 10] s", dt));
-        return s.step(dt);
+        const auto time = api::checked_dt(dt);
+        return time ? s.step(*time) : Status(time.error());
     });
 }
 

@@ -34,10 +34,11 @@ extern "C" plait_result plait_context_step(plait_context* context, plait_sim* co
         PLAIT_TRY(api::need(context, "context"));
         if (count > 0)
             PLAIT_TRY(api::need(sims, "sims"));
-        if (!(dt >= 0 && dt <= 10))
-            return api::invalid(format("dt is %g, range is [0, 10] s", dt));
+        const auto time = api::checked_dt(dt);
+        if (!time)
+            return time.error();
         PLAIT_TRY(api::check_sims(*context, sims, count));
         return step_together(
-            context->context, count, [&](size_t i) -> Sim& { return sims[i]->sim; }, dt);
+            context->context, count, [&](size_t i) -> Sim& { return sims[i]->sim; }, *time);
     });
 }

@@ -4,6 +4,7 @@
 #include "base/format.hpp"
 #include "base/result.hpp"
 
+#include <algorithm>
 #include <exception>
 #include <new>
 
@@ -30,6 +31,14 @@ template <typename Body> plait_result guard(const char* function, const Body& bo
 
 inline Error invalid(const std::string& text) {
     return {PLAIT_INVALID_ARGUMENT, text};
+}
+
+// s; differences of clocks that round below 0 are 0.
+inline Result<double> checked_dt(double dt) {
+    constexpr double rounding = -1e-6, most = 1e9;
+    if (!(dt > rounding && dt <= most))
+        return invalid(format("dt is %g, range is [0, 1e9] s", dt));
+    return std::max(dt, 0.0);
 }
 
 inline Status need(const void* pointer, const char* name) {

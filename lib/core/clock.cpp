@@ -16,8 +16,8 @@ constexpr double tolerance = 1e-6; // of a step: sums of dt that miss a whole st
 
 } // namespace
 
-double Tick::end_of(uint32_t k) const {
-    const double end = span * (k + 1) - behind;
+double Tick::share(double steps_done) const {
+    const double end = step * steps_done - behind;
     return dt > 0 ? std::clamp(end / dt, 0.0, 1.0) : 1.0;
 }
 
@@ -30,14 +30,16 @@ double Clock::remainder() const {
 
 Tick Clock::advance(double dt) {
     const double exact = step_ * snap(dt / step_);
-    Tick tick{exact, waiting, step_, 0};
+    Tick tick;
+    tick.dt = exact;
+    tick.behind = waiting;
+    tick.step = step_;
     waiting += exact;
     const auto due = static_cast<uint64_t>(std::max(std::floor(waiting / step_ + tolerance), 0.0));
     tick.steps = static_cast<uint32_t>(std::min<uint64_t>(due, max_steps_));
     waiting -= double(due) * step_;
-    dropped += due - tick.steps;
-    if (tick.steps > 0)
-        tick.span = step_ * double(due) / tick.steps;
+    tick.dropped = due - tick.steps;
+    dropped += tick.dropped;
     return tick;
 }
 

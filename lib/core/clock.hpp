@@ -7,14 +7,20 @@ namespace plait {
 
 // What one call of plait_sim_step is to do.
 struct Tick {
-    double dt = 0;     // s, the call
-    double behind = 0; // s, time already waiting when the call began
-    double span = 0;   // s, covered by each step; more than one step's worth when some are dropped
+    double dt = 0;        // s, the call
+    double behind = 0;    // s, time already waiting when the call began
+    double step = 0;      // s
+    uint64_t dropped = 0; // steps that are left out, before the others
     uint32_t steps = 0;
 
     // Where in the call fixed step k (0-based) ends, [0, 1]. The step that straddles the call's
     // beginning started on the path of the call before.
-    double end_of(uint32_t k) const;
+    double end_of(uint32_t k) const { return share(double(dropped) + k + 1); }
+    // Where time that is left out ends, and the first step begins.
+    double end_of_dropped() const { return share(double(dropped)); }
+
+  private:
+    double share(double steps_done) const;
 };
 
 class Clock {

@@ -33,10 +33,6 @@ void take_shape(Colliders::Slot& slot, const plait_collider_desc& desc) {
     std::copy_n(desc.orientation, 4, slot.orientation);
 }
 
-bool same(const plait_pose& a, const plait_pose& b) {
-    return std::ranges::equal(a.q, b.q) && std::ranges::equal(a.t, b.t);
-}
-
 void pack_capsule(const Colliders::Slot& slot, const plait_pose& pose, float* out) {
     transform(pose, slot.a, out);
     out[3] = slot.radius_a;
@@ -174,7 +170,7 @@ Colliders::Slot& Colliders::take_slot(const plait_pose& pose) {
     faces_.resize(slots_.size());
     slot->generation += 1;
     slot->alive = 1;
-    slot->at = slot->target = slot->from = slot->to = pose;
+    slot->at = slot->target = slot->before = slot->from = slot->to = pose;
     ++count_;
     uploaded_ = false;
     return *slot;
@@ -288,12 +284,19 @@ Status Colliders::destroy(plait_collider_id id) {
     return {};
 }
 
-Status Colliders::advance(Device& device, double end) {
+plait_pose Colliders::on_path(const Slot& slot, double share) const {
+    return bends_ ? on_parabola(slot.before, slot.from, slot.to, share)
+                  : interpolate(slot.from, slot.to, share);
+}
+
+Status Colliders::advance(Device& device, double end, bool bends) {
+    bends_ = bends;
     for (Slot& slot : slots_) {
-        const bool rested = same(slot.from, slot.to);
+        const bool rested = same_pose(slot.from, slot.to) && same_pose(slot.before, slot.to);
+        slot.before = slot.from;
         slot.from = slot.to;
         slot.to = interpolate(slot.at, slot.target, end);
-        uploaded_ = uploaded_ && (!slot.alive || (rested && same(slot.from, slot.to)));
+        uploaded_ = uploaded_ && (!slot.alive || (rested && same_pose(slot.from, slot.to)));
     }
     return upload(device);
 }
@@ -307,8 +310,7 @@ Status Colliders::upload(Device& device) {
         for (const int order : {0, 1, 2})
             for (const Slot& slot : slots_)
                 if (slot.alive && order_of(slot) == order)
-                    out = pack(slot, interpolate(slot.from, slot.to, first),
-                               interpolate(slot.from, slot.to, last),
+                    out = pack(slot, on_path(slot, first), on_path(slot, last),
                                {static_cast<float>(first), static_cast<float>(last)}, out);
     };
     for (const uint32_t substeps : substeps_)
@@ -347,7 +349,20 @@ void Colliders::arrive() {
 
 void Colliders::stop() {
     for (Slot& slot : slots_)
-        slot.from = slot.to = slot.at;
+        slot.before = slot.from = slot.to = slot.at;
+    uploaded_ = false;
+}
+
+void Colliders::jump(double end) {
+    for (Slot& slot : slots_)
+        slot.before = slot.from = slot.to = interpolate(slot.at, slot.target, end);
+    uploaded_ = false;
+}
+
+void Colliders::carry(const plait_pose& motion) {
+    for (Slot& slot : slots_)
+        for (plait_pose* pose : {&slot.before, &slot.from, &slot.to})
+            *pose = carried(*pose, identity_pose, motion);
     uploaded_ = false;
 }
 

@@ -40,12 +40,19 @@ class Colliders {
     // meshes last, and of these those of form NEAREST; then the faces of all hulls
     const Buffer& buffer() const { return buffer_; }
 
-    // As Roots: the step's path ends at share `end` of the call's. Uploads what moved.
-    Status advance(Device& device, double end);
+    // As Roots: the step's path ends at share `end` of the call's, and `bends` if theirs does. Uploads
+    // what moved.
+    Status advance(Device& device, double end, bool bends);
     // The path as it is, where the device does not have it yet.
     Status upload(Device& device);
     void arrive();
-    void stop(); // no path: every collider is where it is now
+    void stop();   // no path: every collider is where it is now
+    void place() { // at once where it was aimed at
+        arrive();
+        stop();
+    }
+    void jump(double end);                // no path to share `end` of the call's
+    void carry(const plait_pose& motion); // the step's path so far, as Roots
 
     struct Slot {
         uint32_t generation = 0;
@@ -64,6 +71,7 @@ class Colliders {
         float orientation[4] = {};
         plait_pose at = identity_pose, target = identity_pose; // of the call
         plait_pose from = identity_pose, to = identity_pose;   // of the step
+        plait_pose before = identity_pose; // where the step before began: the path bends through it
     };
     static bool bends(const Slot& slot) {
         return is_mesh(slot) && slot.form == PLAIT_MESH_FORM_NEAREST;
@@ -84,6 +92,7 @@ class Colliders {
   private:
     Slot& take_slot(const plait_pose& pose);
     Status reserve(Device& device, size_t count, size_t faces);
+    plait_pose on_path(const Slot& slot, double share) const;
     void pack_faces(float* out);
     size_t rows(size_t count) const; // of their paths
 
@@ -93,6 +102,7 @@ class Colliders {
     std::pmr::vector<float> packed_; // scratch for uploads
     uint32_t count_ = 0, meshes_ = 0, bending_ = 0;
     size_t face_count_ = 0; // of all hulls
+    bool bends_ = false;    // the step's path, as that of the roots
     bool uploaded_ = false; // the buffer holds the step's path
     Buffer buffer_;
 };

@@ -61,16 +61,43 @@ Result<Display> Display::create(Device& device, const Groom& groom, const Layout
     if (rules.keeps_last_frame)
         PLAIT_TRY(device.create(display.last_frame_, f4, layout.vertices(), "position_last_frame"));
     if (rules.interpolates) {
-        const size_t guides = layout.guide_vertices();
-        PLAIT_TRY(device.create(display.position_local_, f4, guides, "position_local"));
         PLAIT_TRY(device.create(display.position_out_, f4, layout.vertices(), "position_out"));
-        PLAIT_TRY(device.create(display.pose_now_, f4, size_t{2} * layout.guides, "pose_now"));
+        PLAIT_TRY(display.make_between(device, layout));
     }
     if (layout.follows > 0 && follows.map)
         PLAIT_TRY(display.make_turns(device, groom, layout, follows, memory));
     else if (layout.follows > 0)
         PLAIT_TRY(display.make_follows(device, groom, layout, follows, memory));
     return display;
+}
+
+Status Display::make_between(Device& device, const Layout& layout) {
+    PLAIT_TRY(device.create(position_local_, PLAIT_ELEMENT_FLOAT4, layout.guide_vertices(),
+                            "position_local"));
+    return device.create(pose_now_, PLAIT_ELEMENT_FLOAT4, size_t{2} * layout.guides, "pose_now");
+}
+
+Status Display::interpolate(Device& device, Schedule& schedule, const Layout& layout,
+                            State& state) {
+    Buffer position;
+    PLAIT_TRY(device.create(position, PLAIT_ELEMENT_FLOAT4, layout.guide_vertices(), "position"));
+    PLAIT_TRY(make_between(device, layout));
+    position_out_ = std::move(state.position);
+    state.position = std::move(position);
+    schedule.add(PLAIT_STAGE_last_frame, layout.guide_vertices(), plait_layout_params{layout.row},
+                 {&position_out_, &state.position});
+    append_step_before(schedule, layout, state);
+    return {};
+}
+
+void Display::append_interpolation(Schedule& schedule, const Layout& layout,
+                                   const State& state) const {
+    schedule.add(PLAIT_STAGE_last_frame, layout.guide_vertices(), plait_layout_params{layout.row},
+                 {&state.position, &state.position_prev});
+    schedule.add(PLAIT_STAGE_snapshot, layout.guide_vertices(), plait_layout_params{layout.row},
+                 {&state.pose, &state.position, &state.position_prev});
+    schedule.add(PLAIT_STAGE_output, layout.guide_vertices(), plait_output_params{layout.row, 1},
+                 {&state.rest, &state.position, &state.pose, &state.pose, &state.position_prev});
 }
 
 Status Display::make_follows(Device& device, const Groom& groom, const Layout& layout,

@@ -37,6 +37,11 @@ class Display {
                                   std::pmr::memory_resource* memory);
 
     bool interpolates() const { return static_cast<bool>(position_out_); }
+    // From now on it does: what was shown stays the buffer that is shown, and the state gets one of its
+    // own. Fails without an effect.
+    Status interpolate(Device& device, Schedule& schedule, const Layout& layout, State& state);
+    // The stages that this takes later, in any buffers.
+    void append_interpolation(Schedule& schedule, const Layout& layout, const State& state) const;
     // What keeps the present step as the one before the last.
     void append_step_before(Schedule& schedule, const Layout& layout, const State& state) const;
     // What keeps what is shown as the frame before, if that is asked for.
@@ -69,6 +74,7 @@ class Display {
     uint64_t device_bytes() const;
 
   private:
+    Status make_between(Device& device, const Layout& layout);
     Status make_follows(Device& device, const Groom& groom, const Layout& layout,
                         const FollowRules& rules, std::pmr::memory_resource* memory);
     Status make_turns(Device& device, const Groom& groom, const Layout& layout,

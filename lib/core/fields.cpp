@@ -161,6 +161,32 @@ Status Sim::write_velocity(const float* src) {
     return {};
 }
 
+// w is kept.
+Status Sim::write_places(const Buffer& to, const float* src) {
+    const size_t vertices = layout_.guide_vertices();
+    std::pmr::vector<Float4> merged(vertices, &context_.memory);
+    PLAIT_TRY(device().read(to, 0, vertices, merged.data()));
+    for (size_t i = 0; i < vertices; ++i)
+        std::copy_n(src + 4 * i, 3, merged[i].begin());
+    return device().write(to, 0, vertices, merged.data());
+}
+
+// Hair that is put elsewhere keeps its velocity.
+Status Sim::move_histories(const float* src) {
+    const size_t count = size_t{4} * layout_.guide_vertices();
+    std::pmr::vector<float> now(count, &context_.memory), history(count, &context_.memory);
+    PLAIT_TRY(device().read(state_.position, 0, layout_.guide_vertices(), now.data()));
+    for (const Buffer* to : {&state_.position_prev, &state_.position_prev2}) {
+        if (!*to)
+            continue;
+        PLAIT_TRY(device().read(*to, history.data()));
+        for (size_t i = 0; i < count; ++i)
+            history[i] += i % 4 == 3 || src[i] == now[i] ? 0 : src[i] - now[i];
+        PLAIT_TRY(device().write(*to, history.data()));
+    }
+    return {};
+}
+
 Status Sim::write_acceleration(std::span<const float> src) {
     const auto buffer = field_buffer(PLAIT_FIELD_ACCELERATION);
     if (!buffer)
@@ -232,12 +258,10 @@ Status Sim::write(plait_field field, const void* src) {
         model_->adopt(schedule_, present());
         return submit();
     }
-    const Buffer& to = field == PLAIT_FIELD_POSITION ? state_.position : state_.position_prev;
-    std::pmr::vector<Float4> merged(vertices, &context_.memory);
-    PLAIT_TRY(device().read(to, 0, vertices, merged.data()));
-    for (size_t i = 0; i < vertices; ++i)
-        std::copy_n(values + 4 * i, 3, merged[i].begin()); // w is kept
-    PLAIT_TRY(device().write(to, 0, vertices, merged.data()));
+    if (field == PLAIT_FIELD_POSITION)
+        PLAIT_TRY(move_histories(values));
+    PLAIT_TRY(write_places(field == PLAIT_FIELD_POSITION ? state_.position : state_.position_prev,
+                           values));
     schedule_.clear();
     model_->adopt(schedule_, present());
     append_shown();

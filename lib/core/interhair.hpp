@@ -14,6 +14,10 @@ namespace plait {
 struct GridCube {
     float origin[3]; // corner, m
     float edge;      // whole, m
+
+    std::array<float, 3> middle() const {
+        return {origin[0] + 0.5f * edge, origin[1] + 0.5f * edge, origin[2] + 0.5f * edge};
+    }
 };
 GridCube cube_around(const Groom& groom);
 

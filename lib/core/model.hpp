@@ -7,6 +7,7 @@
 #include "core/mesh_colliders.hpp"
 #include "core/models/sag_report.hpp"
 #include "core/pairs.hpp"
+#include "core/pose.hpp"
 #include "core/schedule.hpp"
 #include "core/settings.hpp"
 #include "core/state.hpp"
@@ -127,6 +128,12 @@ class Model {
     virtual void reset(Schedule& schedule, const Substep& at) = 0;
     // Appends carrying the state from state.pose to `pose`.
     virtual void teleport(Schedule& schedule, const Substep& at, const Buffer& pose) = 0;
+    // Appends giving strands the motion of a substep from state.pose to `next` in place of that from
+    // `before` to state.pose, unless they differ by less than `jump`, m/s.
+    virtual void set_off(Schedule& schedule, const Substep& at, const Buffer& before,
+                         const Buffer& next, float jump) = 0;
+    // Appends the motion p -> q*p + t of all of the state.
+    virtual void carry(Schedule& schedule, const Substep& at, const plait_pose& motion) = 0;
 
     // How the rest shape was found, where it was looked for.
     virtual SagReport sag() const { return {}; }
@@ -149,6 +156,7 @@ struct ModelInput {
     std::span<const float> stiffness; // scale of each guide's, or empty
     StrandMaterialsPtr materials;
     uint32_t tile; // strands per tile of the lane layout
+    double step;   // s, the fixed one
     plait_sag_free sag_free;
     bool accelerates; // state.acceleration is there
     bool pins;        // state.pin is there

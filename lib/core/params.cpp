@@ -134,6 +134,7 @@ plait_sim_desc default_sim_desc() {
     desc.step = 1.0f / 60;
     desc.substeps = 1;
     desc.max_steps_per_call = 8;
+    desc.interpolate_output = 2;
     desc.follow_radius = 0.003f;
     desc.params = default_params();
     return desc;
@@ -173,7 +174,7 @@ Status check_sim_desc(const plait_sim_desc& s) {
     PLAIT_RANGE(step, 1e-5f, 1);
     PLAIT_RANGE(substeps, 1, 1000);
     PLAIT_RANGE(max_steps_per_call, 1, 1000);
-    PLAIT_RANGE(interpolate_output, 0, 1);
+    PLAIT_RANGE(interpolate_output, 0, 2);
     PLAIT_RANGE(keep_last_frame, 0, 1);
     PLAIT_RANGE(accelerations, 0, 1);
     PLAIT_RANGE(pins, 0, 1);

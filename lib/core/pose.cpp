@@ -8,6 +8,10 @@
 
 namespace plait {
 
+bool same_pose(const plait_pose& a, const plait_pose& b) {
+    return std::equal(a.q, a.q + 4, b.q) && std::equal(a.t, a.t + 3, b.t);
+}
+
 Result<plait_pose> checked_pose(const plait_pose& pose, const char* name) {
     for (const float t : pose.t)
         if (!std::isfinite(t) || std::abs(t) > 1e6f)
@@ -46,6 +50,56 @@ plait_pose interpolate(const plait_pose& from, const plait_pose& to, double shar
     for (size_t i = 0; i < 4; ++i)
         pose.q[i] = static_cast<float>(q[i] / norm);
     return pose;
+}
+
+plait_pose on_parabola(const plait_pose& before, const plait_pose& from, const plait_pose& to,
+                       double share) {
+    if (share <= 0 || share >= 1)
+        return share <= 0 ? from : to;
+    const plait_pose* const poses[] = {&before, &from, &to};
+    const double weights[] = {0.5 * share * (share - 1), 1 - share * share,
+                              0.5 * share * (share + 1)};
+    double q[4] = {}, t[3] = {};
+    for (size_t k = 0; k < 3; ++k) {
+        double dot = 0;
+        for (size_t i = 0; i < 4; ++i)
+            dot += double(from.q[i]) * poses[k]->q[i];
+        for (size_t i = 0; i < 4; ++i)
+            q[i] += (dot < 0 ? -weights[k] : weights[k]) * poses[k]->q[i];
+        for (size_t i = 0; i < 3; ++i)
+            t[i] += weights[k] * poses[k]->t[i];
+    }
+    const double norm = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+    plait_pose pose = from;
+    for (size_t i = 0; i < 3; ++i)
+        pose.t[i] = static_cast<float>(t[i]);
+    if (std::equal(from.q, from.q + 4, to.q) && std::equal(from.q, from.q + 4, before.q))
+        return pose; // normalised again it would turn by a rounding
+    for (size_t i = 0; i < 4; ++i)
+        pose.q[i] = static_cast<float>(q[i] / norm);
+    return pose;
+}
+
+plait_pose carried(const plait_pose& pose, const plait_pose& from, const plait_pose& to) {
+    plait_pose moved = pose;
+    float turned[4], offset[3];
+    turn(from, to, turned);
+    const plait_pose by = {{turned[0], turned[1], turned[2], turned[3]}, {}};
+    rotation_product(by, pose, moved.q);
+    const float way[3] = {pose.t[0] - from.t[0], pose.t[1] - from.t[1], pose.t[2] - from.t[2]};
+    transform(by, way, offset);
+    for (size_t i = 0; i < 3; ++i)
+        moved.t[i] = to.t[i] + offset[i];
+    return moved;
+}
+
+plait_carry_params carry_params(const plait_pose& motion, uint32_t row, uint32_t tile,
+                                bool history) {
+    plait_carry_params params{row, tile, history ? 1u : 0u, 0, {}, {}};
+    params.turns = std::equal(motion.q, motion.q + 4, identity_pose.q) ? 0 : 1;
+    std::copy_n(motion.q, 4, params.q);
+    std::copy_n(motion.t, 3, params.t);
+    return params;
 }
 
 void rotation_product(const plait_pose& after, const plait_pose& first, float out[4]) {

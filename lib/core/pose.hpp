@@ -3,11 +3,14 @@
 
 #include "base/result.hpp"
 
+#include <plait/params.h>
 #include <plait/plait.h>
 
 namespace plait {
 
 inline constexpr plait_pose identity_pose = {{0, 0, 0, 1}, {0, 0, 0}};
+
+bool same_pose(const plait_pose& a, const plait_pose& b);
 
 // A finite pose with its quaternion normalised. INVALID_ARGUMENT if |q| is off 1 by over 1e-3;
 // `name` says which pose it is.
@@ -16,12 +19,24 @@ Result<plait_pose> checked_pose(const plait_pose& pose, const char* name);
 // Normalised linear blend of the rotations along the shorter arc, linear blend of translations.
 plait_pose interpolate(const plait_pose& from, const plait_pose& to, double share);
 
+// At `share` of the way from `from` to `to` on the parabola through `before`, which lies as long ago as
+// the way takes; rotations are blended likewise and normalised.
+plait_pose on_parabola(const plait_pose& before, const plait_pose& from, const plait_pose& to,
+                       double share);
+
+// `pose` after the rigid motion that takes `from` to `to`.
+plait_pose carried(const plait_pose& pose, const plait_pose& from, const plait_pose& to);
+
 // The unit quaternion, x y z w, that turns the orientation of `from` into that of `to`; exactly
 // the identity for equal ones.
 void turn(const plait_pose& from, const plait_pose& to, float out[4]);
 
 // The rotation of `after` after that of `first`, a unit quaternion, x y z w.
 void rotation_product(const plait_pose& after, const plait_pose& first, float out[4]);
+
+// Of the stages carry and lane_carry.
+plait_carry_params carry_params(const plait_pose& motion, uint32_t row, uint32_t tile,
+                                bool history);
 
 // q*p + t
 void transform(const plait_pose& pose, const float p[3], float out[3]);

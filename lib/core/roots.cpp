@@ -18,14 +18,23 @@ void copy_head(const plait_pose& head, float q[4], float t[4]) {
     t[3] = 0;
 }
 
-plait_roots_params roots_params(const plait_pose& from, const plait_pose& to, float alpha,
-                                bool own) {
+plait_roots_params roots_params(const plait_pose* before, const plait_pose& from,
+                                const plait_pose& to, float alpha, bool own) {
     plait_roots_params params{};
+    copy_head(before ? *before : from, params.head_before_q, params.head_before_t);
+    params.bends = before ? 1 : 0;
     copy_head(from, params.head_from_q, params.head_from_t);
     copy_head(to, params.head_to_q, params.head_to_t);
     params.alpha = alpha;
     params.per_root = own;
     return params;
+}
+
+std::array<float, 3> way_of(const plait_pose& from, const plait_pose& to, const float p[3]) {
+    std::array<float, 3> begin{}, end{};
+    transform(from, p, begin.data());
+    transform(to, p, end.data());
+    return {end[0] - begin[0], end[1] - begin[1], end[2] - begin[2]};
 }
 
 } // namespace
@@ -34,7 +43,7 @@ Status Roots::make_buffers(Device& device) {
     if (at_.poses)
         return {};
     const std::pmr::vector<PackedPose> identities(layout_.guides, pack(identity_pose), memory_);
-    std::array<Buffer, 4> made;
+    std::array<Buffer, 5> made;
     for (Buffer& buffer : made) {
         PLAIT_TRY(
             device.create(buffer, PLAIT_ELEMENT_FLOAT4, size_t{2} * layout_.guides, "root_poses"));
@@ -78,15 +87,19 @@ void Roots::aim_at_target_poses(const plait_pose& head) {
     aimed = true;
 }
 
-void Roots::add(Schedule& schedule, const Poses& from, const Poses& to, float alpha,
-                const Buffer& pose) const {
-    const bool own = from.own || to.own;
-    schedule.add(PLAIT_STAGE_roots, layout_.guides, roots_params(from.head, to.head, alpha, own),
-                 {own ? &from.poses : nullptr, own ? &to.poses : nullptr, &pose});
+void Roots::add(Schedule& schedule, const Poses* before, const Poses& from, const Poses& to,
+                float alpha, const Buffer& pose) const {
+    const bool own = from.own || to.own || (before && before->own);
+    schedule.add(PLAIT_STAGE_roots, layout_.guides,
+                 roots_params(before ? &before->head : nullptr, from.head, to.head, alpha, own),
+                 {own && before ? &before->poses : nullptr, own ? &from.poses : nullptr,
+                  own ? &to.poses : nullptr, &pose});
 }
 
 void Roots::advance(double end) {
+    std::swap(before_, from_);
     std::swap(from_, to_);
+    samples_ = std::min(samples_ + 1, 2u);
     to_.head = interpolate(at_.head, goal().head, end);
     const bool was_own = to_.own;
     to_.own = at_.own || goal().own;
@@ -97,12 +110,23 @@ void Roots::advance(double end) {
 void Roots::append_path(Schedule& schedule) const {
     if (fill_)
         schedule.add(PLAIT_STAGE_roots, layout_.guides,
-                     roots_params(identity_pose, identity_pose, end_, true),
-                     {&at_.poses, &goal().poses, &to_.poses});
+                     roots_params(nullptr, identity_pose, identity_pose, end_, true),
+                     {nullptr, &at_.poses, &goal().poses, &to_.poses});
 }
 
 void Roots::append_poses(Schedule& schedule, float alpha, const Buffer& pose) const {
-    add(schedule, from_, to_, alpha, pose);
+    const bool bend = bends() && alpha < 1; // it ends where the straight one does
+    add(schedule, bend ? &before_ : nullptr, from_, to_, alpha, pose);
+}
+
+void Roots::append_poses_before(Schedule& schedule, float alpha, const Buffer& pose) const {
+    add(schedule, nullptr, before_, from_, alpha, pose);
+}
+
+void Roots::append_poses_of(Schedule& schedule, const plait_pose& head, const Buffer& pose) const {
+    const Buffer* own = from_.own ? &from_.poses : nullptr;
+    schedule.add(PLAIT_STAGE_roots, layout_.guides, roots_params(nullptr, head, head, 1, from_.own),
+                 {nullptr, own, own, &pose});
 }
 
 void Roots::arrive() {
@@ -112,21 +136,30 @@ void Roots::arrive() {
 }
 
 void Roots::append_poses_now(Schedule& schedule, const Buffer& pose) const {
-    add(schedule, at_, at_, 1, pose);
+    add(schedule, nullptr, at_, at_, 1, pose);
 }
 
 std::array<float, 3> Roots::head_moves(const float p[3]) const {
-    std::array<float, 3> from{}, to{};
-    transform(from_.head, p, from.data());
-    transform(to_.head, p, to.data());
-    return {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
+    return way_of(from_.head, to_.head, p);
 }
 
-void Roots::stop(Schedule& schedule) {
-    for (int end = 0; end < 2; ++end) { // of the path: its begin is the end of the one before
-        advance(0);
+std::array<float, 3> Roots::call_moves(const float p[3]) const {
+    return way_of(at_.head, goal().head, p);
+}
+
+void Roots::jump(Schedule& schedule, double end) {
+    const plait_pose from = from_.head, to = to_.head;
+    for (int k = 0; k < 2; ++k) { // the path's begin is the end of the one before
+        advance(end);
         append_path(schedule);
     }
+    from_.head = carried(from, to, to_.head);
+    samples_ = 0;
+}
+
+void Roots::carry(const plait_pose& motion) {
+    for (Poses* poses : {&before_, &from_, &to_})
+        poses->head = carried(poses->head, identity_pose, motion);
 }
 
 } // namespace plait

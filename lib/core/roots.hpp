@@ -3,8 +3,8 @@
 // Two paths are kept. The call's path leads from where the roots were when the call of
 // plait_sim_step began (`at_`) to where they shall be at its end (`target_`). The step's path leads
 // from the sample at the end of the fixed step before (`from_`) to the sample at the end of this
-// one (`to_`). The stage `roots` interpolates the second for the substeps, and takes the samples of
-// the first when roots have poses of their own.
+// one (`to_`), on the parabola through the one before both (`before_`). The stage `roots` gives the
+// second to the substeps, and takes the samples of the first when roots have poses of their own.
 #pragma once
 
 #include "backend/device.hpp"
@@ -12,6 +12,7 @@
 #include "core/pose.hpp"
 #include "core/schedule.hpp"
 
+#include <algorithm>
 #include <array>
 #include <memory_resource>
 
@@ -38,11 +39,27 @@ class Roots {
     void arrive();
     // Poses where the roots are between calls.
     void append_poses_now(Schedule& schedule, const Buffer& pose) const;
+    // Poses at share `alpha` of the step before this one.
+    void append_poses_before(Schedule& schedule, float alpha, const Buffer& pose) const;
+    // The head at share `share` of the step before, and poses where it is `head` and what roots have of
+    // their own is as at the step's begin.
+    plait_pose before(double share) const { return interpolate(before_.head, from_.head, share); }
+    void append_poses_of(Schedule& schedule, const plait_pose& head, const Buffer& pose) const;
     // No path: the step begins and ends where the roots are now.
-    void stop(Schedule& schedule);
+    void stop(Schedule& schedule) { jump(schedule, 0); }
+    // The same, at share `end` of the call, but that the head has come there as it moved before.
+    void jump(Schedule& schedule, double end);
+    // The head has not moved before, as far as anybody knows.
+    void forget() { from_.head = to_.head; }
+    // The step's path is straight, whatever was before it.
+    void straighten() { samples_ = std::min(samples_, 1u); }
+    // The step's path so far, as it lies in a frame that moves by `motion`.
+    void carry(const plait_pose& motion);
 
     // How far the step's path takes the point `p` (m, at rest) of the head.
     std::array<float, 3> head_moves(const float p[3]) const;
+    // The same for the call's path.
+    std::array<float, 3> call_moves(const float p[3]) const;
     // Head at the begin and at the end of the last fixed step.
     const plait_pose& step_begin() const { return from_.head; }
     const plait_pose& step_head() const { return to_.head; }
@@ -54,22 +71,32 @@ class Roots {
         bool own = false; // false: the buffer, if there is one, holds identities
         Buffer poses;     // float4 [2*guides]
     };
-    std::array<const Poses*, 4> all_poses() const { return {&at_, &target_, &from_, &to_}; }
-    std::array<Poses*, 4> all_poses() { return {&at_, &target_, &from_, &to_}; }
+    std::array<const Poses*, 5> all_poses() const {
+        return {&at_, &target_, &from_, &to_, &before_};
+    }
+    std::array<Poses*, 5> all_poses() { return {&at_, &target_, &from_, &to_, &before_}; }
+    // Ends of steps, up to 2, since the path began anew; with 2 it bends.
+    uint32_t samples() const { return samples_; }
+    bool bends() const { return samples_ == 2; }
+    void restore_samples(uint32_t samples) { samples_ = samples; }
     Status make_buffers(Device& device);  // with identities; nothing if they are there
     Status clear_buffers(Device& device); // to identities
     bool aimed = false;                   // target_ is not where the roots are
+    bool moves() const {                  // as far as the host can tell
+        return aimed && (target_.own || at_.own || !same_pose(at_.head, target_.head));
+    }
 
   private:
-    void add(Schedule& schedule, const Poses& from, const Poses& to, float alpha,
-             const Buffer& pose) const;
+    void add(Schedule& schedule, const Poses* before, const Poses& from, const Poses& to,
+             float alpha, const Buffer& pose) const;
     const Poses& goal() const { return aimed ? target_ : at_; }
 
     Layout layout_;
     std::pmr::memory_resource* memory_;
     float end_ = 0;     // of the step's path, in the call
     bool fill_ = false; // the poses at its end, on the device, are not those yet
-    Poses at_, target_, from_, to_;
+    uint32_t samples_ = 0;
+    Poses at_, target_, before_, from_, to_;
 };
 
 } // namespace plait

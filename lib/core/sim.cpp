@@ -5,6 +5,7 @@
 #include "core/params.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace plait {
 namespace {
@@ -91,7 +92,10 @@ Status Sim::prepare_calls() {
     display_.append_step_before(schedule_, layout_, state_);
     display_.append_frame_before(schedule_, layout_, state_);
     append_shown();
+    if (desc_.interpolate_output == 2)
+        display_.append_interpolation(schedule_, layout_, state_);
     model_->teleport(schedule_, present(), state_.pose);
+    model_->set_off(schedule_, present(), state_.pose, state_.pose, 0);
     skin_.append(schedule_, layout_, state_, state_.pose);
     binding_.append(schedule_, layout_, state_, state_.pose);
     add_stats();
@@ -307,7 +311,7 @@ Status Sim::bind_roots(const Mesh* mesh, std::span<plait_root_place> places) {
     return {};
 }
 
-Status Sim::set_roots(const RootsInput& input) {
+Status Sim::aim(const RootsInput& input) {
     if (!input.own.empty() && input.own.size() != layout_.guides)
         return Error{PLAIT_INVALID_ARGUMENT,
                      format("root_poses.count is %zu, the sim has %u guides", input.own.size(),
@@ -328,11 +332,24 @@ Status Sim::set_roots(const RootsInput& input) {
     return {};
 }
 
-Status Sim::prepare_teleport() {
-    if (pose_spare_)
+// The first aim is where the hair is.
+Status Sim::aimed() {
+    told_ = begun_;
+    if (std::exchange(begun_, true))
         return {};
-    return device().create(pose_spare_, PLAIT_ELEMENT_FLOAT4, size_t{2} * layout_.guides,
-                           "pose_spare");
+    first_aim_ = true;
+    return place_head();
+}
+
+Status Sim::set_roots(const RootsInput& input) {
+    PLAIT_TRY(aim(input));
+    return aimed();
+}
+
+Status Sim::make_poses(Buffer& to, const char* name) {
+    if (to)
+        return {};
+    return device().create(to, PLAIT_ELEMENT_FLOAT4, size_t{2} * layout_.guides, name);
 }
 
 // Where the last step left them, for strands that follow and are shown before the next one. Nothing moves
@@ -344,22 +361,48 @@ Status Sim::place_colliders() {
     return colliders_.upload(device());
 }
 
-Status Sim::teleport(const RootsInput& input) {
+// The roots are where they were aimed at, and hair is carried along.
+Status Sim::place_head() {
     schedule_.clear();
-    PLAIT_TRY(prepare_teleport());
-    PLAIT_TRY(set_roots(input));
+    PLAIT_TRY(make_poses(pose_spare_, "pose_spare"));
     roots_.arrive();
     roots_.stop(schedule_);
-    colliders_.arrive(); // what goes along has come no way either
-    colliders_.stop();
+    roots_.append_poses_now(schedule_, pose_spare_);
+    append_placed();
+    return show_at_once();
+}
+
+void Sim::append_placed() {
+    grid_.volume().carries = false;
+    model_->teleport(schedule_, present(), pose_spare_);
+    std::swap(state_.pose, pose_spare_);
+    motion_ = Motion::as_before;
+    told_ = waited_ = knows_velocity_ = false;
+}
+
+// The same with all that goes along with the head, which has come no way either.
+Status Sim::place() {
+    PLAIT_TRY(make_poses(pose_spare_, "pose_spare"));
+    roots_.arrive();
+    roots_.stop(schedule_);
+    frame_.arrive();
+    frame_.stop();
+    colliders_.place();
     bending_.arrive();
     bending_.stop(schedule_);
     roots_.append_poses_now(schedule_, pose_spare_);
     PLAIT_TRY(place_colliders());
     append_stopped_pins(schedule_, layout_, state_);
-    grid_.volume().carries = false;
-    model_->teleport(schedule_, present(), pose_spare_);
-    std::swap(state_.pose, pose_spare_);
+    append_placed();
+    return {};
+}
+
+Status Sim::teleport(const RootsInput& input) {
+    PLAIT_TRY(make_poses(pose_spare_, "pose_spare"));
+    PLAIT_TRY(aim(input));
+    schedule_.clear();
+    begun_ = true;
+    PLAIT_TRY(place());
     return show_at_once();
 }
 
@@ -368,7 +411,11 @@ Status Sim::reset() {
     clock_.reset();
     wind_.reset();
     grid_.volume().carries = false;
+    motion_ = Motion::unknown;
+    told_ = waited_ = false;
     roots_.stop(schedule_);
+    roots_.forget();
+    frame_.stop();
     colliders_.stop();
     bending_.stop(schedule_);
     PLAIT_TRY(place_colliders());

@@ -7,6 +7,7 @@
 #include "core/colliders.hpp"
 #include "core/context.hpp"
 #include "core/display.hpp"
+#include "core/frame.hpp"
 #include "core/interhair.hpp"
 #include "core/mesh_colliders.hpp"
 #include "core/model.hpp"
@@ -84,6 +85,11 @@ class Sim {
     Status bind_roots(const Mesh* mesh, std::span<plait_root_place> places);
     Status set_roots(const RootsInput& input);
     Status teleport(const RootsInput& input);
+    // Null: none.
+    void set_frame(const plait_frame_desc* desc) {
+        if (frame_.aim(desc) && motion_ == Motion::known)
+            motion_ = Motion::framed;
+    }
     // Null: none. INVALID_STATE: the model takes none. What fails changes nothing.
     Status set_wind(const plait_wind_desc* desc);
     // Null: none. INVALID_STATE: there are no follows. What fails changes nothing.
@@ -204,6 +210,12 @@ class Sim {
     // The last substep of some strands: colliders are there at the end of the step.
     Substep first_group() const { return at({substeps_.front(), 0}, substeps_.front() - 1); }
     Status fixed_step(double end, uint32_t step, uint32_t steps);
+    void append_carried(double end);
+    Status append_set_off();
+    void append_reframed();
+    Status skip(double end);
+    bool ends_between_steps(double dt) const;
+    void warn_of_jump(double dt);
     void append_dry_step();
     bool model_shows_guides() const;
     void append_shown(Tangents tangents = Tangents::of_all);
@@ -212,7 +224,12 @@ class Sim {
     bool hair_is_over_lanes() const;
 
     Status show_at_once();
-    Status prepare_teleport();
+    Status aim(const RootsInput& input);
+    Status aimed();
+    Status place();
+    Status place_head();
+    void append_placed();
+    Status make_poses(Buffer& to, const char* name);
     Status place_colliders();
     // What was made, once its stages are built; else it is destroyed.
     Result<plait_collider_id> if_built(Result<plait_collider_id> made);
@@ -245,6 +262,8 @@ class Sim {
     void log_warnings(const plait_sim_params& before, const std::string& said) const;
     Status read_velocity(std::span<float> dst);
     Status write_velocity(const float* src);
+    Status write_places(const Buffer& to, const float* src);
+    Status move_histories(const float* src);
     Status write_acceleration(std::span<const float> src);
     Status write_pins(std::span<const float> src);
     Status check_gets_wet() const;
@@ -297,7 +316,19 @@ class Sim {
     InterHair grid_;
     Pairs pairs_;
     Display display_;
+    // What is known of the head's motion, that hair goes along with: after a teleport, how it moved
+    // before; after a reset, or a step without an aim after either, nothing; of a frame whose share has
+    // changed, all but that the step before had another part of it.
+    enum class Motion : uint32_t { known, as_before, unknown, framed };
+    Motion motion_ = Motion::as_before;
+    bool told_ = false;                     // since then, where the head goes
+    bool waited_ = false;                   // since then, for a step without an aim
+    bool begun_ = false;                    // roots have been set, or time has passed
+    std::array<double, 3> call_velocity_{}; // m/s, of the head in the last call
+    bool knows_velocity_ = false, said_jump_ = false;
+    bool first_aim_ = false; // it has placed the head, and no step has been since
     Roots roots_;
+    Frame frame_;
     Colliders colliders_;
     MeshColliders meshes_; // of those colliders that are, by form
     BendingMeshes bending_;
@@ -305,12 +336,13 @@ class Sim {
     Clock clock_;
     Schedule schedule_;
     Wind wind_;
-    Wetness wetness_;     // where state_.wetness is there
-    Buffer taken_;        // float, from the first vertices on that are taken on the device
-    PinTable pin_table_;  // filled by the first set_pins
-    Buffer pose_spare_;   // float4 [2*guides], from the first teleport on
-    Buffer strand_stats_; // float4 [guides], from the first measurement on
-    Buffer boxes_, box_;  // float4 [2*runs], [2], from the first time on that bounds are asked for
+    Wetness wetness_;    // where state_.wetness is there
+    Buffer taken_;       // float, from the first vertices on that are taken on the device
+    PinTable pin_table_; // filled by the first set_pins
+    Buffer pose_spare_;  // float4 [2*guides], from the first teleport on
+    Buffer pose_before_, pose_next_; // the same, from the first step after one on
+    Buffer strand_stats_;            // float4 [guides], from the first measurement on
+    Buffer boxes_, box_; // float4 [2*runs], [2], from the first time on that bounds are asked for
     std::array<plait_stage_cost, PLAIT_STAGE_COUNT> costs_{};
     Launches launches_;
 };

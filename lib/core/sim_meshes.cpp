@@ -168,7 +168,7 @@ Status Sim::take_root_positions(const plait_pose& head, uint32_t words) {
     PLAIT_TRY(binding_.take(device(), schedule_, layout_, state_, {taken_, words}, **poses));
     PLAIT_TRY(submit());
     roots_.aim_at_target_poses(head);
-    return {};
+    return aimed();
 }
 
 Status Sim::destroy_collider(plait_collider_id id) {

@@ -1,5 +1,6 @@
 // How a sim is made: everything that may fail, before there is a Sim.
 #include "base/format.hpp"
+#include "core/clock.hpp"
 #include "core/polyline.hpp"
 #include "core/sim.hpp"
 
@@ -84,10 +85,10 @@ Result<SimParts> make_sim_parts(Context& context, const Groom& groom, const plai
     PLAIT_TRY(check_size(context, groom, desc, strands.follows));
     const Layout layout = make_layout(groom, desc, strands.follows);
     Device& device = context.device;
-    auto model =
-        make_model({desc.model, desc.substeps},
-                   {layout, groom, strands.stiffness, strands.materials, context.info.tile,
-                    desc.sag_free, desc.accelerations != 0, desc.pins != 0, &context.memory});
+    auto model = make_model({desc.model, desc.substeps},
+                            {layout, groom, strands.stiffness, strands.materials, context.info.tile,
+                             Clock(desc.step, 1).step(), desc.sag_free, desc.accelerations != 0,
+                             desc.pins != 0, &context.memory});
     if (!model)
         return model.error();
     PLAIT_TRY((*model)->prepare(device, desc.params));
@@ -97,7 +98,7 @@ Result<SimParts> make_sim_parts(Context& context, const Groom& groom, const plai
     if (!pairs)
         return pairs.error();
     PLAIT_TRY((*model)->keep_planes(device, bool(pairs->buffers())));
-    const bool interpolate = desc.interpolate_output != 0;
+    const bool interpolate = desc.interpolate_output == 1;
     const StateNeeds needs{interpolate ? layout.guides : layout.strands(),
                            (*model)->pinned_vertices(),
                            (*model)->keeps_two_steps(),

@@ -21,12 +21,22 @@
 // sim needs before its first step. What the host keeps (paths of roots, pins and colliders, the
 // wind's grid and time, how much of the wetness is left) moves on by advance() and place(), once a
 // fixed step, and by arrive(), at the end of a call.
+#include "base/format.hpp"
 #include "core/pins.hpp"
 #include "core/sim.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace plait {
+namespace {
+
+// m/s: a head that is placed and then moves on otherwise than before by less has set off by itself;
+// none does so by more in a step, and hair goes along with it.
+constexpr float least_jump = 0.9f;
+
+} // namespace
 
 // In the order in which they act at one moment.
 constexpr Sim::Phase Sim::phases[] = {
@@ -43,27 +53,98 @@ void Sim::append_phases(const At& at) {
         (this->*phase)(at);
 }
 
+// A head that moves in no time has been put elsewhere.
 Status Sim::step(double dt) {
     schedule_.clear(); // what a failed call may have left
+    if (ends_between_steps(dt))
+        PLAIT_TRY(display_.interpolate(device(), schedule_, layout_, state_));
+    warn_of_jump(dt);
     const Tick tick = clock_.advance(dt);
-    if (tick.steps == 0)
-        PLAIT_TRY(place_colliders());
+    begun_ = begun_ || dt > 0;
     append_phases({Moment::call_begins, present(), 0, tick.steps});
+    const bool jumps = dt == 0 && roots_.moves();
+    if (jumps)
+        PLAIT_TRY(place());
+    else if (tick.steps == 0)
+        PLAIT_TRY(place_colliders());
+    if (tick.dropped > 0)
+        PLAIT_TRY(skip(tick.end_of_dropped()));
     for (uint32_t k = 0; k < tick.steps; ++k)
         PLAIT_TRY(fixed_step(tick.end_of(k), k, tick.steps));
     roots_.arrive();
+    frame_.arrive();
     colliders_.arrive();
     bending_.arrive();
     append_phases({Moment::call_ends, present(), tick.steps, tick.steps});
+    if (jumps && !display_.interpolates())
+        append_shown();
+    return submit();
+}
+
+// A head speeds up by some m/s in a frame when it is hit. Said once.
+void Sim::warn_of_jump(double dt) {
+    constexpr double fastest = 20; // m/s
+    if (!context_.log.callback || said_jump_ || dt == 0 || !told_)
+        return;
+    const auto middle = cube_.middle();
+    const auto way = roots_.call_moves(middle.data());
+    double square = 0, far = 0;
+    for (size_t i = 0; i < 3; ++i) {
+        const double velocity = double(way[i]) / dt;
+        square += (velocity - call_velocity_[i]) * (velocity - call_velocity_[i]);
+        far += double(way[i]) * double(way[i]);
+        call_velocity_[i] = velocity;
+    }
+    said_jump_ = std::sqrt(square) > fastest && knows_velocity_;
+    knows_velocity_ = true;
+    if (said_jump_)
+        context_.log(
+            PLAIT_LOG_LEVEL_WARNING,
+            format("sim: the head moves by %.3g m in a call of %.3g s, %.3g m/s faster than "
+                   "before, and hair is dragged along: if it has been put elsewhere, "
+                   "plait_sim_teleport takes hair along",
+                   std::sqrt(far), dt, std::sqrt(square)));
+}
+
+// Whether it is the first call to do so that is to show hair between them.
+bool Sim::ends_between_steps(double dt) const {
+    if (desc_.interpolate_output != 2 || display_.interpolates())
+        return false;
+    Clock clock = clock_;
+    clock.advance(dt);
+    constexpr double least = 1e-3; // of a step: less is what sums of frames round to
+    const double after = clock.remainder();
+    return after > least && after < 1 - least;
+}
+
+// Time that is dropped takes hair along with the head, and bodies where they are by then.
+Status Sim::skip(double end) {
+    PLAIT_TRY(make_poses(pose_spare_, "pose_spare"));
+    roots_.jump(schedule_, end);
+    frame_.jump(end);
+    colliders_.jump(end);
+    for (int k = 0; k < 2; ++k) { // the path's begin is the end of the one before
+        bending_.advance(end);
+        bending_.append(schedule_, false);
+        advance_pins(state_);
+        append_pin_targets(schedule_, layout_, state_, static_cast<float>(end));
+    }
+    roots_.append_poses(schedule_, 1, pose_spare_);
+    append_placed();
+    told_ = true;
     return submit();
 }
 
 Status Sim::fixed_step(double end, uint32_t step, uint32_t steps) {
+    append_carried(end);
+    if (std::exchange(first_aim_, false) && !told_)
+        colliders_.place(); // with the head
     roots_.advance(end);
+    PLAIT_TRY(append_set_off());
     advance_pins(state_);
     dry();
     wind_.place(cube_, roots_.step_begin());
-    PLAIT_TRY(colliders_.advance(device(), end));
+    PLAIT_TRY(colliders_.advance(device(), end, roots_.bends()));
     bending_.advance(end);
     append_phases({Moment::step_begins, present(), step, steps, static_cast<float>(end)});
     const auto substeps = [&](const Group& group) -> Status {
@@ -82,6 +163,60 @@ Status Sim::fixed_step(double end, uint32_t step, uint32_t steps) {
         wind_.advance(clock_.step());
     ++clock_.steps;
     return {};
+}
+
+// What hair does not feel of its frame's motion takes all along that hair knows of: its state, and the
+// paths on which it was moved and touched so far. The rest of the step is then as it is felt.
+void Sim::append_carried(double end) {
+    frame_.advance(end);
+    const plait_pose motion = frame_.unfelt();
+    if (same_pose(motion, identity_pose))
+        return;
+    roots_.carry(motion);
+    colliders_.carry(motion);
+    model_->carry(schedule_, present(), motion);
+    roots_.append_poses(schedule_, 1, state_.pose);
+}
+
+// The first step whose way is known since the head was placed says how it moves. A step without an aim
+// says nothing: the call that placed the head may have stood for the aim.
+Status Sim::append_set_off() {
+    if (motion_ == Motion::known)
+        return {};
+    PLAIT_TRY(make_poses(pose_before_, "pose_before"));
+    PLAIT_TRY(make_poses(pose_next_, "pose_next"));
+    if (motion_ == Motion::framed) {
+        append_reframed();
+        return {};
+    }
+    roots_.straighten();
+    const bool unknown = motion_ == Motion::unknown || !told_;
+    const float jump = unknown ? 0.0f : least_jump;
+    roots_.append_path(schedule_);
+    (void)for_each_group([&](const Group& group) {
+        const float part = 1.0f / static_cast<float>(group.substeps);
+        roots_.append_poses_before(schedule_, 1 - part, pose_before_);
+        roots_.append_poses(schedule_, part, pose_next_);
+        model_->set_off(schedule_, at(group, 0), pose_before_, pose_next_, jump);
+        return Status{};
+    });
+    motion_ = told_ || std::exchange(waited_, true) ? Motion::known : Motion::unknown;
+    return {};
+}
+
+// Hair has had the head's motion of the step before less what was not felt then, and gets it less what
+// is not felt now.
+void Sim::append_reframed() {
+    const plait_pose& now = roots_.step_begin();
+    (void)for_each_group([&](const Group& group) {
+        const plait_pose was = roots_.before(1 - 1.0 / group.substeps);
+        const plait_pose is = carried(was, frame_.unfelt_before(), frame_.unfelt());
+        roots_.append_poses_of(schedule_, was, pose_before_);
+        roots_.append_poses_of(schedule_, carried(now, is, now), pose_next_);
+        model_->set_off(schedule_, at(group, 0), pose_before_, pose_next_, 0);
+        return Status{};
+    });
+    motion_ = Motion::known;
 }
 
 // Of a fixed step in which nothing moves: its first substep stands for all of a group's.
@@ -262,19 +397,19 @@ Substep Sim::at(const Group& group, uint32_t substep) const {
 std::array<float, 3> Sim::air() const {
     const plait_sim_params& p = desc_.params;
     std::array<float, 3> air{p.wind[0], p.wind[1], p.wind[2]};
-    if (p.air_with_head == 0)
-        return air;
+    const auto middle = cube_.middle();
+    float place[3];
+    transform(roots_.step_begin(), middle.data(), place);
+    const auto frame = frame_.air(place, clock_.step());
     const auto head = head_velocity();
     for (size_t i = 0; i < 3; ++i)
-        air[i] += p.air_with_head * head[i];
+        air[i] += frame[i] + (p.air_with_head != 0 ? p.air_with_head * head[i] : 0.0f);
     return air;
 }
 
 std::array<float, 3> Sim::head_velocity() const {
-    float middle[3];
-    for (size_t i = 0; i < 3; ++i)
-        middle[i] = cube_.origin[i] + 0.5f * cube_.edge;
-    auto velocity = roots_.head_moves(middle);
+    const auto middle = cube_.middle();
+    auto velocity = roots_.head_moves(middle.data());
     for (float& v : velocity)
         v /= static_cast<float>(clock_.step());
     return velocity;

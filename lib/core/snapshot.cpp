@@ -23,8 +23,8 @@ namespace {
 
 constexpr float most_potential = 1e30f;
 
-std::array<bool, 4> owned(const SnapshotHeader& h) {
-    return {h.own[0] != 0, h.own[1] != 0, h.own[2] != 0, h.own[3] != 0};
+std::array<bool, 5> owned(const SnapshotHeader& h) {
+    return {h.own[0] != 0, h.own[1] != 0, h.own[2] != 0, h.own[3] != 0, h.own[4] != 0};
 }
 
 } // namespace
@@ -121,6 +121,12 @@ SnapshotHeader Sim::snapshot_header() {
     h.wet = state_.wetness ? 1 : 0;
     h.dried = state_.wetness ? wetness_.dried() : 0;
     h.volume = grid_.volume().carries ? desc_.params.grid_edge_count : 0;
+    h.bends = roots_.samples();
+    h.motion = static_cast<uint32_t>(motion_);
+    h.told = told_;
+    h.waited = waited_;
+    h.first_aim = first_aim_;
+    h.frame = frame_.state();
     const auto strands = settings();
     h.switched = std::ranges::any_of(
         strands, [&](const Settings& s) { return s != own_settings(desc_.model); });
@@ -306,6 +312,13 @@ Status Sim::restore_roots(const SnapshotHeader& h) {
         all[i]->own = own[i];
     }
     roots_.aimed = h.aimed != 0;
+    roots_.restore_samples(h.bends);
+    motion_ = static_cast<Motion>(h.motion);
+    told_ = h.told != 0;
+    waited_ = h.waited != 0;
+    first_aim_ = h.first_aim != 0;
+    begun_ = true;
+    frame_.restore(h.frame);
     return roots_.clear_buffers(device());
 }
 
@@ -397,8 +410,12 @@ Status Sim::restore(std::span<const unsigned char> src) {
         close_wetness();
     else if (!state_.wetness)
         PLAIT_TRY(open_wetness());
-    const auto list = blocks(h);
     schedule_.clear();
+    if (h.kept && desc_.interpolate_output == 2 && !display_.interpolates()) {
+        PLAIT_TRY(display_.interpolate(device(), schedule_, layout_, state_));
+        PLAIT_TRY(submit());
+    }
+    const auto list = blocks(h);
     PLAIT_TRY(take_meshes(std::move(*meshes), std::move(*bending)));
     PLAIT_TRY(colliders_.assign(device(), *slots, std::move(*faces)));
     PLAIT_TRY(restore_roots(h));

@@ -146,10 +146,22 @@ Status check_whole(const SnapshotHeader& h, std::span<const unsigned char> bytes
     return {};
 }
 
+static Status check_frame(const Frame::State& frame) {
+    for (const plait_pose* pose : {&frame.at, &frame.target, &frame.from, &frame.to, &frame.unfelt})
+        PLAIT_TRY(check_pose(*pose, "frame"));
+    if (frame.aims > 2 || frame.air > PLAIT_FRAME_AIR_WORLD)
+        return malformed(
+            format("frame.aims is %u, frame.air is %u, range is [0, 2]", frame.aims, frame.air));
+    for (const float share : {frame.felt_translation, frame.felt_rotation})
+        if (!(share >= 0 && share <= 1))
+            return malformed(format("the frame is felt by %g, range is [0, 1]", double(share)));
+    return {};
+}
+
 Status check_header(const SnapshotHeader& h) {
     if (!(std::abs(h.waiting) <= 2))
         return malformed(format("%g s wait for a step, range is [-2, 2]", h.waiting));
-    for (size_t i = 0; i < 4; ++i) {
+    for (size_t i = 0; i < std::size(h.heads); ++i) {
         PLAIT_TRY(check_pose(h.heads[i], "head"));
         if (h.own[i] > 1)
             return malformed(format("own[%zu] is %u, range is [0, 1]", i, h.own[i]));
@@ -165,9 +177,15 @@ Status check_header(const SnapshotHeader& h) {
         return malformed(format("volume is %u nodes, range is [0, 64]", h.volume));
     if (!(h.dried >= 0 && h.dried <= 1e12))
         return malformed(format("dried is %g, range is [0, 1e12]", h.dried));
-    if (h.wet > 1 || h.none != 0)
-        return malformed(
-            format("wet is %u, range is [0, 1], and %u after it is not 0", h.wet, h.none));
+    if (h.wet > 1 || h.told > 1 || h.waited > 1 || h.first_aim > 1)
+        return malformed(format("wet is %u, told is %u, waited is %u, first_aim is %u, range is "
+                                "[0, 1]",
+                                h.wet, h.told, h.waited, h.first_aim));
+    if (h.bends > 2 || h.motion > 3 || h.none != 0)
+        return malformed(format(
+            "bends is %u, motion is %u, ranges are [0, 2] and [0, 3], and %u after them is not 0",
+            h.bends, h.motion, h.none));
+    PLAIT_TRY(check_frame(h.frame));
     if (h.aimed > 1 || h.kept > 1 || h.switched > 1 || h.pins > 1)
         return malformed(
             format("aimed is %u, kept is %u, switched is %u, pins is %u, range is [0, 1]", h.aimed,

@@ -41,8 +41,8 @@ struct SnapshotHeader {
     double waiting;
     uint64_t steps;
     uint64_t dropped;
-    plait_pose heads[4]; // at, target, from, to
-    uint32_t own[4];
+    plait_pose heads[5]; // at, target, from, to, before
+    uint32_t own[5];
     uint32_t aimed;
     uint32_t kept;
     uint32_t switched; // 1: strands have settings of their own
@@ -53,16 +53,21 @@ struct SnapshotHeader {
     uint32_t volume; // nodes per edge of the grid whose pressure is carried; 0: none
     double dried;    // Wetness::dried()
     uint32_t wet;    // 1: strands may be
-    uint32_t none;   // 0
+    uint32_t bends;  // Roots::samples()
+    uint32_t motion; // Sim::Motion
+    uint32_t told, waited;
+    uint32_t first_aim;
+    Frame::State frame;
+    uint32_t none; // 0
 };
-static_assert(sizeof(SnapshotHeader) == 72 + 112 + 32 + 48 + 16);
-static_assert(sizeof(Colliders::Slot) == sizeof(float) * (2 + 22 + 28),
+static_assert(sizeof(SnapshotHeader) == 72 + 140 + 36 + 48 + 16 + 16 + 156 + 4);
+static_assert(sizeof(Colliders::Slot) == sizeof(float) * (2 + 22 + 35),
               "no padding: slots are saved as bytes");
 
 namespace snapshots {
 
 constexpr uint32_t magic = 0x74696c70; // "plit"
-constexpr uint32_t version = 9;
+constexpr uint32_t version = 10;
 
 // BAD_DATA.
 Error malformed(const std::string& what);

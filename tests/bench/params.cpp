@@ -29,10 +29,16 @@ template <typename Params> void fill(Params& p, const Shape& shape) {
         p.h = step;
 }
 void fill(plait_roots_params& p, const Shape&) {
-    p.head_from_q[3] = p.head_to_q[3] = 1;
+    p.head_before_q[3] = p.head_from_q[3] = p.head_to_q[3] = 1;
     p.head_to_t[0] = 0.01f;
     p.alpha = 1;
     p.per_root = 1;
+}
+void fill(plait_set_off_params& p, const Shape& shape) {
+    p = {shape.vertices, shape.tile, shape.vertices, 1, step, 0};
+}
+void fill(plait_carry_params& p, const Shape& shape) {
+    p = {shape.vertices, shape.tile, 1, 1, {0, 0, 0, 1}, {0.5f, 0, 0, 0}};
 }
 void fill(plait_integrate_params& p, const Shape& shape) {
     p = {shape.vertices, step, 0.08f, 0.4f, 0.3f, {0, -9.81f, 0}, 0};

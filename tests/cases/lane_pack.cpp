@@ -6,7 +6,10 @@ namespace plait::cases {
 Case lane_pack_case() {
     Case result = {PLAIT_STAGE_lane_pack,
                    {},
-                   {{"lane_x", 1e-6}, {"lane_v", 6e-5}, {"lane_v_before", 6e-5}},
+                   {{"lane_x", 1e-6},
+                    {"lane_v", 6e-5},
+                    {"lane_x_before", 2e-6},
+                    {"lane_v_before", 6e-5}},
                    {"position.w", "lane_x"}}; // pinned or not; written but for the root
     for (const Size& size : sizes()) {
         const LaneHair lanes = make_lane_hair(size, 37);
@@ -19,6 +22,7 @@ Case lane_pack_case() {
                          float4s(lanes.hair.position_prev),
                          lane_floats(lanes.x, 3),
                          lane_floats(lanes.v, 3),
+                         lane_floats(lanes.x_before, 3),
                          lane_floats(lanes.v_before, 3)};
         result.setups.push_back(
             setup.with(plait_lane_history_params{size.stride, 1, size.stride, 1.0f / 60, 1}));

@@ -251,4 +251,10 @@
 /* Of a length: lane_fit leaves a segment that is off by less, float32's rounding. Ours. */
 #define PLAIT_LANE_FIT_TOLERANCE PLAIT_NUMBER(1e-5)
 
+/* ---- set_off and lane_set_off ------------------------------------------------------------------
+ */
+
+/* m: a turn counts as the speed it has so far from its axis, about a head's radius. Ours. */
+#define PLAIT_SET_OFF_REACH PLAIT_NUMBER(0.1)
+
 #endif

@@ -120,15 +120,19 @@ typedef uint32_t plait_u32;
 #define PLAIT_DIFFUSE_FLOORED 1u /* |v_c| > ratio * max(|mean_c|, floor * rms) */
 
 /* roots: pose of every strand at fraction `alpha` of a step.
- * The head pose is interpolated from -> to (nlerp, shorter arc; translation linearly); with
- * per_root != 0 each strand's own pose, interpolated likewise, comes first (pose = head * root). */
+ * The head pose is interpolated from -> to (nlerp, shorter arc; translation linearly), or with `bends`
+ * by the parabola through before, from and to; with per_root != 0 each strand's own pose, interpolated
+ * likewise, comes first (pose = head * root). */
 typedef struct plait_roots_params {
+    float head_before_q[4];
+    float head_before_t[4];
     float head_from_q[4];
     float head_from_t[4];
     float head_to_q[4];
     float head_to_t[4];
     float alpha;        /* [0, 1] */
-    plait_u32 per_root; /* 0: root_from/root_to are null and not read */
+    plait_u32 per_root; /* 0: root_before, root_from and root_to are null and not read */
+    plait_u32 bends;    /* 0: the path is straight, and `before` is not read */
 } plait_roots_params;
 
 /* skin, skin_mesh, reset, teleport, guide_turns, snapshot, last_frame, stats: stages that need only the
@@ -136,6 +140,26 @@ typedef struct plait_roots_params {
 typedef struct plait_layout_params {
     plait_u32 vertex_stride; /* V: vertices per strand row, 2..256 */
 } plait_layout_params;
+
+/* set_off, lane_set_off: the motion of a head whose motion was not known. */
+typedef struct plait_set_off_params {
+    plait_u32 vertex_stride;
+    plait_u32 tile;       /* lane_set_off; 1 in set_off */
+    plait_u32 row_stride; /* V of `rest` */
+    plait_u32 history;    /* 1: BDF2's step before is kept; 0: lane_x_before, lane_v_before are null */
+    float h;              /* s, the substep */
+    float jump; /* m/s: strands whose root moves on as before but for less than this are left alone */
+} plait_set_off_params;
+
+/* carry, lane_carry: the rigid motion p -> q*p + t, of all strands. */
+typedef struct plait_carry_params {
+    plait_u32 vertex_stride;
+    plait_u32 tile;    /* lane_carry; 1 in carry */
+    plait_u32 history; /* 1: BDF2's step before is kept; 0: lane_x_before, lane_v_before are null */
+    plait_u32 turns;   /* 0: q is the identity, and only what is a place in the world changes */
+    float q[4];
+    float t[4];
+} plait_carry_params;
 
 /* mesh_take: vertices of a mesh from a buffer of the caller's. */
 typedef struct plait_mesh_take_params {

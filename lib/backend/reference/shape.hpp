@@ -27,6 +27,8 @@ class Shape {
             check_positive("h", params.h);
         if constexpr (requires { params.per_root; })
             per_root_ = params.per_root != 0;
+        if constexpr (requires { params.bends; })
+            bends_ = params.per_root != 0 && params.bends != 0;
         if constexpr (requires { params.collider_count; })
             colliders_ = size_t{params.collider_first} + params.collider_count;
         if constexpr (requires { params.voxel_edge; })
@@ -97,6 +99,7 @@ class Shape {
     size_t capacity_ = 0;
     size_t tiled_vertices_ = 0; // of whole tiles of strands
     bool per_root_ = false;
+    bool bends_ = false;
     bool history_ = false;
     // where the parameters do not say
     bool accelerates_ = true, pins_ = true, field_ = true, pressure_ = true, carried_ = true,

@@ -48,7 +48,7 @@ float contact_slip(float h, float length) {
 } // namespace
 
 LaneSource::LaneSource(const ModelInput& input)
-    : layout(input.layout), tile(input.tile), sag_free(input.sag_free),
+    : layout(input.layout), tile(input.tile), step(input.step), sag_free(input.sag_free),
       accelerates(input.accelerates), pins(input.pins),
       memory(input.memory), strands{{input.groom.strands.positions, input.memory},
                                     {input.groom.strands.vertex_counts, input.memory},
@@ -181,8 +181,8 @@ void LanePart::soak(Schedule& schedule, const Substep& at) const {
                  {&lane_strand_, &at.state.wetness_held, &fill_.material, &fill_.wet}, lanes_.row);
 }
 
-// As if the strands had been where they are. At creation, where the state is not filled yet, reset
-// fills both.
+// As if strands had moved as they move now: x - h v, relative to the root, whose own are row 0. At
+// creation, where the state is not filled yet, reset fills both.
 Status LanePart::prepare_history(Device& device, const plait_sim_params& params) {
     const bool needed = settings_.bdf2_of(params) != 0;
     has_next_history_ = bool(history_.x) != needed;
@@ -190,11 +190,20 @@ Status LanePart::prepare_history(Device& device, const plait_sim_params& params)
         return {};
     PLAIT_TRY(make(device, next_history_.x, 3, "lane_x_before"));
     PLAIT_TRY(make(device, next_history_.v, 3, "lane_v_before"));
-    std::pmr::vector<float> state(x_.count(), source_.memory);
-    PLAIT_TRY(device.read(x_, state.data()));
-    PLAIT_TRY(device.write(next_history_.x, state.data()));
-    PLAIT_TRY(device.read(v_, state.data()));
-    return device.write(next_history_.v, state.data());
+    std::pmr::vector<float> x(x_.count(), source_.memory), v(v_.count(), source_.memory);
+    PLAIT_TRY(device.read(x_, x.data()));
+    PLAIT_TRY(device.read(v_, v.data()));
+    const auto h = static_cast<float>(source_.step / settings_.substeps);
+    for (size_t lane = 0; lane < lanes_.padded_strands(); ++lane)
+        for (size_t component = 0; component < 3; ++component) {
+            const float root = v[lanes_.index(lane, 0, component, 3)];
+            for (size_t row = 0; row < lanes_.row; ++row) {
+                const size_t i = lanes_.index(lane, row, component, 3);
+                x[i] -= h * (row > 0 ? v[i] - root : root);
+            }
+        }
+    PLAIT_TRY(device.write(next_history_.x, x.data()));
+    return device.write(next_history_.v, v.data());
 }
 
 // Lanes past the last strand repeat it, as lane_strand has them; rows past a tip hold no hair.
@@ -407,7 +416,7 @@ void LanePart::publish(Schedule& schedule, const Substep& at, const Buffer* tang
 void LanePart::adopt(Schedule& schedule, const Substep& at) const {
     schedule.add(PLAIT_STAGE_lane_pack, lanes_.strands * lanes_.row, history_params(at),
                  {&lane_strand_, &at.state.vertex_count, &at.state.position,
-                  &at.state.position_prev, &x_, &v_, &history_.v});
+                  &at.state.position_prev, &x_, &v_, &history_.x, &history_.v});
 }
 
 plait_lane_grid_params LanePart::grid_params(const plait_grid_params& grid) const {
@@ -483,6 +492,22 @@ void LanePart::teleport(Schedule& schedule, const Substep& at, const Buffer& pos
                  {&lane_strand_, &at.state.rest, &at.state.pose, &pose, &x_, &v_, &q_, &q_before_,
                   &history_.x, &history_.v},
                  lanes_.row);
+}
+
+void LanePart::set_off(Schedule& schedule, const Substep& at, const Buffer& before,
+                       const Buffer& next, float jump) const {
+    schedule.add(PLAIT_STAGE_lane_set_off, lanes_.strands,
+                 plait_set_off_params{lanes_.row, lanes_.tile, source_.layout.row,
+                                      history_.x ? 1u : 0u, at.h, jump},
+                 {&lane_strand_, &at.state.rest, &before, &at.state.pose, &next, &x_, &v_,
+                  &q_before_, &history_.x, &history_.v},
+                 lanes_.row);
+}
+
+void LanePart::carry(Schedule& schedule, const plait_pose& motion) const {
+    schedule.add(PLAIT_STAGE_lane_carry, lanes_.strands,
+                 carry_params(motion, lanes_.row, lanes_.tile, bool(history_.x)),
+                 {&x_, &v_, &q_, &q_before_, &history_.x, &history_.v}, lanes_.row);
 }
 
 void LanePart::add_dynamic(std::pmr::vector<LaneBuffer>& to) const {

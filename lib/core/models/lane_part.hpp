@@ -22,6 +22,7 @@ struct LaneSource {
 
     Layout layout; // of the whole sim
     uint32_t tile;
+    double step; // s, the fixed one
     plait_sag_free sag_free;
     bool accelerates, pins;
     bool wind = false;
@@ -84,6 +85,9 @@ class LanePart {
     void gather_volume(Schedule& schedule, const Substep& at, const LaneVolume& volume) const;
     void reset(Schedule& schedule, const Substep& at);
     void teleport(Schedule& schedule, const Substep& at, const Buffer& pose);
+    void set_off(Schedule& schedule, const Substep& at, const Buffer& before, const Buffer& next,
+                 float jump) const;
+    void carry(Schedule& schedule, const plait_pose& motion) const;
 
     // Instead of prepare, for a part that takes its strands from others (lane_switch.cpp): copies
     // their state. `from`: [guides]. Leaves the others as they are.

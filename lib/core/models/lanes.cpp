@@ -78,6 +78,9 @@ class LaneModel final : public Model {
                        const LaneVolume& volume) const override;
     void reset(Schedule& schedule, const Substep& at) override;
     void teleport(Schedule& schedule, const Substep& at, const Buffer& pose) override;
+    void set_off(Schedule& schedule, const Substep& at, const Buffer& before, const Buffer& next,
+                 float jump) override;
+    void carry(Schedule& schedule, const Substep& at, const plait_pose& motion) override;
     SagReport sag() const override;
     void read_settings(std::span<Settings> settings) const override;
     void list_parts(std::span<const Settings> settings,
@@ -325,6 +328,19 @@ void LaneModel::reset(Schedule& schedule, const Substep& at) {
 void LaneModel::teleport(Schedule& schedule, const Substep& at, const Buffer& pose) {
     for (const PartPtr& part : parts_)
         part->teleport(schedule, at, pose);
+    publish(schedule, at);
+}
+
+void LaneModel::set_off(Schedule& schedule, const Substep& at, const Buffer& before,
+                        const Buffer& next, float jump) {
+    for (const PartPtr& part : parts_)
+        if (part->settings().substeps == at.substeps)
+            part->set_off(schedule, at, before, next, jump);
+}
+
+void LaneModel::carry(Schedule& schedule, const Substep& at, const plait_pose& motion) {
+    for (const PartPtr& part : parts_)
+        part->carry(schedule, motion);
     publish(schedule, at);
 }
 

@@ -35,6 +35,9 @@ class TressFx final : public Model {
     void substep(Schedule& schedule, const Substep& at) override;
     void reset(Schedule& schedule, const Substep& at) override;
     void teleport(Schedule& schedule, const Substep& at, const Buffer& pose) override;
+    void set_off(Schedule& schedule, const Substep& at, const Buffer& before, const Buffer& next,
+                 float jump) override;
+    void carry(Schedule& schedule, const Substep& at, const plait_pose& motion) override;
     uint64_t device_bytes() const override { return strand_motion_.bytes(); }
 
   private:
@@ -138,6 +141,21 @@ void TressFx::teleport(Schedule& schedule, const Substep& at, const Buffer& pose
     const State& s = at.state;
     schedule.add(PLAIT_STAGE_teleport, layout_.guide_vertices(), plait_layout_params{layout_.row},
                  {&s.pose, &pose, &s.position, &s.position_prev, &s.position_prev2});
+}
+
+void TressFx::set_off(Schedule& schedule, const Substep& at, const Buffer& before,
+                      const Buffer& next, float jump) {
+    const State& s = at.state;
+    schedule.add(PLAIT_STAGE_set_off, layout_.guide_vertices(),
+                 plait_set_off_params{layout_.row, 1, layout_.row, 1, at.h, jump},
+                 {&s.rest, &before, &s.pose, &next, &s.position_prev, &s.position_prev2});
+}
+
+void TressFx::carry(Schedule& schedule, const Substep& at, const plait_pose& motion) {
+    const State& s = at.state;
+    schedule.add(PLAIT_STAGE_carry, layout_.guide_vertices(),
+                 carry_params(motion, layout_.row, 1, true),
+                 {&s.position, &s.position_prev, &s.position_prev2});
 }
 
 void TressFx::substep(Schedule& schedule, const Substep& at) {
