@@ -235,8 +235,13 @@ Status Sim::write(plait_field field, const void* src) {
     const Buffer& to = field == PLAIT_FIELD_POSITION ? state_.position : state_.position_prev;
     std::pmr::vector<Float4> merged(vertices, &context_.memory);
     PLAIT_TRY(device().read(to, 0, vertices, merged.data()));
-    for (size_t i = 0; i < vertices; ++i)
+    std::pmr::vector<unsigned char> moved(vertices, &context_.memory);
+    for (size_t i = 0; i < vertices; ++i) {
+        moved[i] = !std::equal(values + 4 * i, values + 4 * i + 3, merged[i].begin());
         std::copy_n(values + 4 * i, 3, merged[i].begin()); // w is kept
+    }
+    if (field == PLAIT_FIELD_POSITION)
+        PLAIT_TRY(bending_.forget_sides(device(), moved));
     PLAIT_TRY(device().write(to, 0, vertices, merged.data()));
     schedule_.clear();
     model_->adopt(schedule_, present());

@@ -23,6 +23,10 @@ void turn(const plait_pose& from, const plait_pose& to, float out[4]);
 // The rotation of `after` after that of `first`, a unit quaternion, x y z w.
 void rotation_product(const plait_pose& after, const plait_pose& first, float out[4]);
 
+// Whether a body lies to the head after a jump as it did before, but for rounding.
+bool goes_along(const plait_pose& head_before, const plait_pose& body_before,
+                const plait_pose& head_after, const plait_pose& body_after);
+
 // q*p + t
 void transform(const plait_pose& pose, const float p[3], float out[3]);
 

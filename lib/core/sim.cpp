@@ -344,9 +344,21 @@ Status Sim::place_colliders() {
     return colliders_.upload(device());
 }
 
+// Of sheets that do not come along with the head.
+Status Sim::forget_sides_at_teleport(const plait_pose& head) {
+    const plait_pose before = roots_.step_head();
+    for (const BendingMeshes::Entry& mesh : bending_.entries()) {
+        const Colliders::Slot& slot = colliders_.slots()[mesh.slot];
+        if (mesh.two_sided && !goes_along(before, slot.to, head, slot.target))
+            PLAIT_TRY(bending_.forget_sides(device(), mesh.slot));
+    }
+    return {};
+}
+
 Status Sim::teleport(const RootsInput& input) {
     schedule_.clear();
     PLAIT_TRY(prepare_teleport());
+    PLAIT_TRY(forget_sides_at_teleport(input.head));
     PLAIT_TRY(set_roots(input));
     roots_.arrive();
     roots_.stop(schedule_);
@@ -371,6 +383,7 @@ Status Sim::reset() {
     roots_.stop(schedule_);
     colliders_.stop();
     bending_.stop(schedule_);
+    PLAIT_TRY(bending_.forget_sides(device()));
     PLAIT_TRY(place_colliders());
     append_stopped_pins(schedule_, layout_, state_);
     roots_.append_poses_now(schedule_, state_.pose);

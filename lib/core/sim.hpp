@@ -97,6 +97,7 @@ class Sim {
     Status set_collider_pose(plait_collider_id id, const plait_pose& pose) {
         return colliders_.set_pose(id, pose);
     }
+    Status place_collider(plait_collider_id id, const plait_pose& pose); // sim_meshes.cpp
     Status set_collider_shape(plait_collider_id id, const plait_collider_desc& desc) {
         return colliders_.set_shape(id, desc);
     }
@@ -213,6 +214,7 @@ class Sim {
 
     Status show_at_once();
     Status prepare_teleport();
+    Status forget_sides_at_teleport(const plait_pose& head);
     Status place_colliders();
     // What was made, once its stages are built; else it is destroyed.
     Result<plait_collider_id> if_built(Result<plait_collider_id> made);

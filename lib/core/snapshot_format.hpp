@@ -22,7 +22,7 @@ struct SavedMesh {
 
 // The same of one of form NEAREST; then come its vertices as it was made, where they have been moved
 // also where they were at the begin and are to be at the end of the call and of the last step, its
-// triangles, and the clearance.
+// triangles, the clearance, and of a sheet four numbers of every vertex, PLAIT_MESH_SIDE_....
 struct SavedBendingMesh {
     uint32_t vertices, triangles, two_sided, posed;
 };
@@ -62,7 +62,7 @@ static_assert(sizeof(Colliders::Slot) == sizeof(float) * (2 + 22 + 28),
 namespace snapshots {
 
 constexpr uint32_t magic = 0x74696c70; // "plit"
-constexpr uint32_t version = 9;
+constexpr uint32_t version = 10;
 
 // BAD_DATA.
 Error malformed(const std::string& what);
