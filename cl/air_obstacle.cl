@@ -14,7 +14,9 @@
 static inline int is_solid(__global const float4* collider, const plait_air_obstacle_params* params,
                            vec3 x) {
     for (uint index = 0u; index < params->collider_count; ++index)
-        if (collider_gap(collider, params->collider_first + index, x).distance < 0.0f)
+        if (!lane_collider_is_inward(
+                lane_collider_kind(collider, params->collider_first + index)) &&
+            collider_gap(collider, params->collider_first + index, x).distance < 0.0f)
             return 1;
     return 0;
 }

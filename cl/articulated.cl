@@ -8,16 +8,6 @@
 #pragma OPENCL FP_CONTRACT ON
 #include "common/articulated.clh"
 
-/* Lanes with a vertex deeper than PLAIT_ARTICULATED_DEEP, unless it is pushed out softly. */
-static inline mask articulated_deep(const rod_problem* rod, const rod_state* s) {
-    mask deep = (real)(0.0f) > (real)(0.0f);
-    for (int i = 1; i <= rod->step->segments; ++i)
-        deep |= contact_excess(rod->contacts, i, s->x[i]) >
-                (PLAIT_ARTICULATED_DEEP - PLAIT_CONTACT_MAX_PENETRATION) *
-                    articulated_length(rod, i - 1);
-    return deep;
-}
-
 /* Lanes with a vertex that its pin, far stiffer than its inertia, has not got to. */
 static inline mask articulated_unpinned(const rod_problem* rod, const rod_state* s) {
     mask off = (real)(0.0f) > (real)(0.0f);
@@ -42,8 +32,10 @@ static inline mask articulated_wants(const rod_problem* rod, const rod_state* s,
         wants = articulated_unpinned(rod, s);
     if (!rod->contacts || k >= PLAIT_ARTICULATED_DEEP_STEPS || !any_lane(rod->contacts->lanes))
         return wants;
-    const mask restless = k < PLAIT_ARTICULATED_CONTACT_STEPS ? moved | rod->contacts->changed
-                                                              : articulated_deep(rod, s);
+    const mask restless =
+        k < PLAIT_ARTICULATED_CONTACT_STEPS
+            ? moved | rod->contacts->changed
+            : articulated_deeper(rod, s, PLAIT_ARTICULATED_DEEP - PLAIT_CONTACT_MAX_PENETRATION);
     return wants | (rod->contacts->lanes & restless);
 }
 

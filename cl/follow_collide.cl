@@ -13,11 +13,15 @@
 typedef struct {
     float kind;
     lane_collider collider;
+    __global const float4* colliders;
+    uint index;
 } follow_body;
 
 typedef lane_gap follow_distance;
 
 LANES_INLINE follow_distance follow_gap(const follow_body* body, vec3 x, real bound, mask on) {
+    if (lane_collider_is_inward(body->kind))
+        return lane_inward_gap(body->kind, body->colliders, body->index, zero3(), x);
     if (body->kind != PLAIT_KIND_CAPSULE)
         return lane_collider_gap(body->kind, &body->collider, zero3(), x);
     /* that to the capsule with the greater radius all along takes no division */
@@ -57,6 +61,8 @@ static inline follow_boxes follow_boxes_of(const follow_rows* rows) {
 /* May they hold any of the collider? As lane_collider_meets. */
 static inline mask follow_boxes_meet(const follow_boxes* box, __global const float4* row) {
     const float4 a = row[PLAIT_COLLIDER_END], b = row[PLAIT_COLLIDER_END + 1];
+    if (lane_collider_is_inward(row[PLAIT_COLLIDER_FRICTION].y))
+        return box->low.x == box->low.x;
     if (row[PLAIT_COLLIDER_FRICTION].y == PLAIT_KIND_PLANE) {
         const real half_of = (real)(0.5f);
         const vec3 middle = scale3(add3(box->low, box->high), half_of);
@@ -76,8 +82,13 @@ static inline mask follow_inside(const follow_body* body, const follow_rows* row
     mask inside = (mask)(0);
     *first = PLAIT_VERTICES;
     for (uint i = PLAIT_VERTICES; i-- > 0;) {
-        const mask held = on & !lane_collider_beyond(body->kind, &body->collider, zero3(),
-                                                     follow_row(rows, i), (real)(0.0f));
+        const vec3 x = follow_row(rows, i);
+        const mask beyond =
+            lane_collider_is_inward(body->kind)
+                ? lane_inward_gap(body->kind, body->colliders, body->index, zero3(), x).distance >=
+                      (real)(0.0f)
+                : lane_collider_beyond(body->kind, &body->collider, zero3(), x, (real)(0.0f));
+        const mask held = on & !beyond;
         if (any_lane(held))
             *first = i;
         inside |= held;
@@ -104,6 +115,8 @@ __kernel void plait_follow_collide(const uint item_count, const plait_follow_col
         follow_body body;
         body.kind = lane_collider_kind(collider, index);
         body.collider = lane_collider_at(body.kind, collider, index);
+        body.colliders = collider;
+        body.index = index;
         uint first;
         const mask inside = follow_inside(&body, &rows, meets, &first);
         if (!any_lane(inside))

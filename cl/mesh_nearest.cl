@@ -5,7 +5,7 @@
  * Reads   lane_strand, rest, pose, lane_material, collider, mesh_first, mesh_box, mesh_tree,
  *         mesh_triangle, mesh_ring, mesh_from, mesh_to, mesh_bends, mesh_clearance,
  *         lane_acceleration, lane_pin, lane_x, lane_v, and the steps before.
- * Writes  lane_plane, which holds planes of other meshes where params.planes is 1.
+ * Writes  lane_plane, which holds planes of other meshes where params.planes is 1; mesh_side of sheets.
  * Source  Ericson 2005, 5.1.5; Baerentzen & Aanaes 2005; ours: the way as in mesh_contact, carried
  *         by the nearest triangle.
  */
@@ -100,6 +100,114 @@ static inline vec3 near_carried(const near_body* body, const near_found* found, 
     return carried;
 }
 
+/* ---- sides of a sheet ----------------------------------------------------------------------- */
+
+/* What mesh_side holds of the vertices of a row. */
+typedef struct {
+    vec3 from;
+    real side;
+} near_side;
+
+static inline size_t near_side_at(const mesh_planes* planes, int i, uint k) {
+    const size_t row = (size_t)planes->strands.at[k] * planes->params->row_stride + (uint)i;
+    return row * planes->params->collider_count + planes->mesh;
+}
+
+static inline near_side near_side_load(const mesh_planes* planes, __global const float4* sides,
+                                       int i) {
+    near_side last;
+    for (uint k = 0; k < PLAIT_LANES; ++k) {
+        const float4 was = sides[near_side_at(planes, i, k)];
+        LANE(last.from.x, k) = was.x;
+        LANE(last.from.y, k) = was.y;
+        LANE(last.from.z, k) = was.z;
+        LANE(last.side, k) = was.w;
+    }
+    return last;
+}
+
+/* Forgets what is out of reach; most has nothing to forget. Lanes past the last strand repeat its name,
+ * and not its state. */
+static inline void near_side_store(const mesh_planes* planes, __global float4* sides, int i,
+                                   const near_side* last, const near_side* now) {
+    for (uint k = 0; k < planes->lanes; ++k) {
+        const float side = LANE(now->side, k);
+        if (side != 0.0f)
+            sides[near_side_at(planes, i, k)] =
+                (float4)(LANE(now->from.x, k), LANE(now->from.y, k), LANE(now->from.z, k), side);
+        else if (LANE(last->side, k) != 0.0f)
+            sides[near_side_at(planes, i, k)] = (float4)(0.0f, 0.0f, 0.0f, 0.0f);
+    }
+}
+
+static inline void near_side_forget(const mesh_planes* planes, __global float4* sides, int i) {
+    for (uint k = 0; k < planes->lanes; ++k) {
+        const size_t at = near_side_at(planes, i, k);
+        if (sides[at].w != 0.0f)
+            sides[at] = (float4)(0.0f, 0.0f, 0.0f, 0.0f);
+    }
+}
+
+/* Does the way from a to b pass through a triangle? Also by its edges. */
+static inline int near_pierced(const near_mesh* mesh, uint triangle, float share, float3 a,
+                               float3 b) {
+    __global const uint* corner = mesh->triangle + PLAIT_MESH_TRIANGLE_STRIDE * (size_t)triangle;
+    const float3 o = near_vertex(mesh, corner[0], share),
+                 u = near_vertex(mesh, corner[1], share) - o,
+                 v = near_vertex(mesh, corner[2], share) - o;
+    const float3 way = b - a, n = cross(u, v), out = a - o;
+    const float down = -dot(way, n), height = dot(out, n);
+    if (down == 0.0f || height * down < 0.0f || fabs(height) > fabs(down))
+        return 0;
+    const float3 e = cross(out, way);
+    const float p = dot(v, e) / down, q = -dot(u, e) / down;
+    return p >= -PLAIT_MESH_EDGE && q >= -PLAIT_MESH_EDGE && p + q <= 1.0f + PLAIT_MESH_EDGE;
+}
+
+/* And through any of a mesh? */
+static inline int near_passes(const near_mesh* mesh, float share, float3 a, float3 b) {
+    const float3 low = fmin(a, b), high = fmax(a, b);
+    uint left[PLAIT_MESH_TREE_DEPTH];
+    uint depth = 0, node = 0;
+    for (;;) {
+        const float3 from = mesh->box[2 * (size_t)node].xyz,
+                     to = mesh->box[2 * (size_t)node + 1].xyz;
+        const int meets = all(low <= to) && all(high >= from);
+        const uint first = mesh->tree[2 * (size_t)node], number = mesh->tree[2 * (size_t)node + 1];
+        if (meets && number == 0 && depth < PLAIT_MESH_TREE_DEPTH) {
+            left[depth++] = first;
+            ++node;
+            continue;
+        }
+        for (uint i = 0; meets && i < number; ++i)
+            if (near_pierced(mesh, first + i, share, a, b))
+                return 1;
+        if (depth == 0)
+            return 0;
+        node = left[--depth];
+    }
+}
+
+/* The side of a sheet to which a vertex belongs that is on side `own` of it, `at` in its frame at the
+ * substep's begin: the one it was on, unless it went round a rim. */
+static inline real near_side_of(const near_body* body, const near_side* last, real own, vec3 at,
+                                mask some) {
+    const real one = (real)(1.0f), zero = (real)(0.0f);
+    const mask known = last->side != zero;
+    const real was = pick(last->side < zero, -one, one);
+    const mask astray = fabs(last->side) > (real)(0.75f * PLAIT_MESH_SIDE_ASTRAY);
+    real side = pick(known, was, own);
+    const mask crossed = some & known & (!astray) & (own != was);
+    for (uint k = 0; any_lane(crossed) && k < PLAIT_LANES; ++k)
+        if (LANE_OF_MASK(crossed, k) &&
+            !near_passes(
+                &body->mesh, body->begin,
+                (float3)(LANE(last->from.x, k), LANE(last->from.y, k), LANE(last->from.z, k)),
+                (float3)(LANE(at.x, k), LANE(at.y, k), LANE(at.z, k))))
+            LANE(side, k) = LANE(own, k);
+    return side;
+}
+
 /* From the mesh's own frame to the world, less its origin. */
 static inline vec3 near_turned(const mesh_motion* motion, vec3 x) {
     return add3(x, mesh_turn(motion->orientation, x));
@@ -166,9 +274,11 @@ static inline real near_rounding(vec3 x) {
     return (real)(1e-5f) + 1e-6f * mesh_length(x);
 }
 
-/* Of a row, in the lanes `near`. `there`: at the end of the way. */
+/* Of a row, in the lanes `near`. `there`: at the end of the way; `last`: of sheets, what was known of
+ * their sides, and what is from now on. */
 static inline mesh_touch near_meet(const near_body* body, const near_way* at,
-                                   const near_sample* there, real offset, real gap, mask near) {
+                                   const near_sample* there, real offset, real gap, mask near,
+                                   near_side* last) {
     mesh_touch touch;
     /* m: f at the end of the way, from where no place is farther off the mesh than it is from there */
     const real nearest = fabs(there->distance) + near_rounding(at->to);
@@ -189,6 +299,15 @@ static inline mesh_touch near_meet(const near_body* body, const near_way* at,
                                    fmin(room + fmax(offset, (real)(0.0f)), nearest + way), near),
                        body->end, from);
     real side = pick(first.distance < (real)(0.0f), (real)(-1.0f), (real)(1.0f));
+    if (body->mesh.two_sided) {
+        const real own = side;
+        side = near_side_of(body, last, own, at->rigid, first.some & !first.rim);
+        side = pick(first.rim, own, side);
+        last->from = from;
+        const mask known = first.some & (fabs(first.distance) <= room);
+        last->side =
+            pick(known, pick(side == own, side, PLAIT_MESH_SIDE_ASTRAY * side), (real)(0.0f));
+    }
     mesh_plane plane = near_plane(body, &first, from, offset, &side);
     touch.start = plane.height;
     touch.some = first.some & (touch.start <= room);
@@ -223,7 +342,8 @@ static inline real near_depth(const near_body* body, const mesh_ways* ways) {
 
 /* Row by row, root to tip: a search from where a way ends tells whether anything is near there, and
  * how far it is no nearer, so that rows are passed over that are nearer to each other than the mesh is. */
-static inline void near_find(const near_body* body, const mesh_ways* ways, mesh_planes* planes) {
+static inline void near_find(const near_body* body, const mesh_ways* ways, mesh_planes* planes,
+                             __global float4* sides) {
     const vec3 root = ways->step->pose.root;
     const real arm = mesh_arm(&body->motion, root);
     real least = (real)(-1.0f); /* m: the distance of the vertex before is no less */
@@ -234,41 +354,55 @@ static inline void near_find(const near_body* body, const mesh_ways* ways, mesh_
         const real size = mesh_length(sub3(ways->end[i], mesh_begin(ways, i)));
         least -= chord;
         along += chord;
-        const real meets = size + near_reach(body, arm + along + size);
+        real meets = size + near_reach(body, arm + along + size);
+        if (body->mesh.two_sided) /* what begins near and goes off is remembered */
+            meets *= 2.0f;
         const mask need = (!(least > meets)) &
                           (lane_material_at(ways->step, i - 1, PLAIT_LANE_LENGTH) > (real)(0.0f));
-        if (!any_lane(need))
+        if (!any_lane(need)) {
+            if (body->mesh.two_sided)
+                near_side_forget(planes, sides, i);
             continue;
+        }
         const near_way at = near_way_of(body, ways, i);
         const near_found last = near_search(&body->mesh, body->end, at.to, meets, need);
         const mask near = need & (last.triangle >= 0);
         least = pick(near, sqrt(fmax(last.squared, (real)(0.0f))), fmax(least, meets));
-        if (!any_lane(near))
+        if (!any_lane(near)) {
+            if (body->mesh.two_sided)
+                near_side_forget(planes, sides, i);
             continue;
+        }
         const near_sample there = near_sample_of(&body->mesh, last, body->end, at.to);
         if (!deep)
             planes->depth = near_depth(body, ways);
         deep = 1;
         const mesh_vertex vertex = mesh_row(ways, planes, i);
-        mesh_touch touch = near_meet(body, &at, &there, vertex.offset, vertex.gap, near);
+        near_side was = {vertex.begin, (real)(0.0f)};
+        if (body->mesh.two_sided)
+            was = near_side_load(planes, sides, i);
+        near_side now = was;
+        mesh_touch touch = near_meet(body, &at, &there, vertex.offset, vertex.gap, near, &now);
         touch.some &= near;
+        if (body->mesh.two_sided) {
+            now.side = pick(near, now.side, (real)(0.0f));
+            near_side_store(planes, sides, i, &was, &now);
+        }
         mesh_scatter_row(ways, planes, i, body->motion.friction, &touch);
     }
 }
 
-__kernel void plait_mesh_nearest(const uint item_count, const plait_lane_params params,
-                                 __global const uint* lane_strand, __global const float4* rest,
-                                 __global const float4* pose, __global const real* lane_material,
-                                 __global const float4* collider, __global const uint* mesh_first,
-                                 __global const float4* mesh_box, __global const uint* mesh_tree,
-                                 __global const uint* mesh_triangle, __global const uint* mesh_ring,
-                                 __global const float4* mesh_from, __global const float4* mesh_to,
-                                 __global const float* mesh_bends,
-                                 __global const float* mesh_clearance,
-                                 __global const real* lane_acceleration,
-                                 __global const real* lane_pin, __global const real* lane_x,
-                                 __global const real* lane_v, __global const real* lane_x_before,
-                                 __global const real* lane_v_before, __global real* lane_plane) {
+__kernel void plait_mesh_nearest(
+    const uint item_count, const plait_lane_params params, __global const uint* lane_strand,
+    __global const float4* rest, __global const float4* pose, __global const real* lane_material,
+    __global const float4* collider, __global const uint* mesh_first,
+    __global const float4* mesh_box, __global const uint* mesh_tree,
+    __global const uint* mesh_triangle, __global const uint* mesh_ring,
+    __global const float4* mesh_from, __global const float4* mesh_to,
+    __global const float* mesh_bends, __global const float* mesh_clearance,
+    __global const real* lane_acceleration, __global const real* lane_pin,
+    __global const real* lane_x, __global const real* lane_v, __global const real* lane_x_before,
+    __global const real* lane_v_before, __global real* lane_plane, __global float4* mesh_side) {
     lane_step step;
     if (!lane_begin(&step, item_count, &params, lane_strand, rest, pose, lane_material,
                     lane_acceleration, lane_pin))
@@ -283,6 +417,8 @@ __kernel void plait_mesh_nearest(const uint item_count, const plait_lane_params 
     planes.params = &params;
     planes.clearance = mesh_clearance;
     planes.strands = lane_strands_of(lane_strand, step.place, item_count);
+    planes.lanes = min((uint)PLAIT_LANES, item_count - (uint)(step.place.tile * PLAIT_TILE +
+                                                              step.place.part * PLAIT_LANES));
     planes.last = &last;
     planes.lane_plane = lane_plane;
     mesh_fetch_clearance(&planes);
@@ -295,7 +431,7 @@ __kernel void plait_mesh_nearest(const uint item_count, const plait_lane_params 
                                       mesh_from, mesh_to, mesh_bends, mesh));
         planes.mesh = mesh;
         planes.others = mesh > 0 || params.planes;
-        near_find(&body, &ways, &planes);
+        near_find(&body, &ways, &planes, mesh_side);
     }
     lane_plane[head] = LANE_REAL(last);
 }

@@ -18,7 +18,8 @@ static inline float4 solid_at(const plait_volume_nodes_params* params, const gri
     float4 solid = mesh;
     for (uint i = 0u; i < params->collider_count; ++i) {
         const uint index = params->collider_first + i;
-        if (!(collider_gap(collider, index, x).distance < 0.0f))
+        if (lane_collider_is_inward(lane_collider_kind(collider, index)) ||
+            !(collider_gap(collider, index, x).distance < 0.0f))
             continue;
         const vec3 way = sub3(x, collider_carry_back(collider, index, x));
         const vec3 v = grid_components(grid, scale3(way, 1.0f / params->h));

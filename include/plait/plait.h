@@ -1258,6 +1258,8 @@ typedef struct plait_collider_desc {
                               sphere, in two: a capsule */
     float rounding;        /* box: all within this of it belongs to it, [0, 1e3] */
     float orientation[4];  /* box: a unit quaternion, x y z w, from its edges to the own frame */
+    uint32_t inward; /* capsule, box: 1: hair stays inside of it, as in a hood or a sleeve; 0, the
+                              default: outside. Wind, volume and shelter do not see one that is 1 */
 } plait_collider_desc;
 
 PLAIT_API void plait_collider_desc_init(plait_collider_desc* desc, size_t size);
@@ -1302,7 +1304,8 @@ typedef struct plait_collider_mesh_desc {
        and the mesh being where they are now; 0: all are */
     uint32_t clearance;
     /* 0: the mesh is closed, and hair stays outside. 1: it is a sheet, closed or not: hair stays, by
-       FIELD a cell's edge, by NEAREST the margin from it on the side where it is */
+       FIELD a cell's edge, by NEAREST the margin from it on the side where it is. By NEAREST a vertex
+       belongs to the side where it was first, until it goes round a rim */
     uint32_t two_sided;
     plait_pose pose; /* at creation */
 
@@ -1330,6 +1333,8 @@ typedef struct plait_collider_hull_desc {
     float tolerance; /* of the mesh's size: how far it may be from convex, and triangles of one
                         face from its plane, [1e-6, 0.1], default 1e-4. The hull holds all of it */
     plait_pose pose; /* at creation */
+    uint32_t inward; /* 1: hair stays inside, the margin from its faces; 0, the default: outside.
+                        Wind, volume and shelter do not see one that is 1 */
 } plait_collider_hull_desc;
 
 PLAIT_API void plait_collider_hull_desc_init(plait_collider_hull_desc* desc, size_t size);
@@ -1344,6 +1349,12 @@ PLAIT_API plait_result plait_collider_create_hull(plait_sim* sim, const plait_me
  * @errors NOT_FOUND (not of this sim, or destroyed) */
 PLAIT_API plait_result plait_collider_set_pose(plait_sim* sim, plait_collider_id collider,
                                                const plait_pose* pose);
+/* Puts it elsewhere at once: it was there all the time, takes no way from where it was, and sweeps no
+ * hair along. Positions that were set for a mesh of form NEAREST are where it is now, too. Hair that is
+ * inside then is let out, and hair is on that side of a sheet where it is. Waits for the device only
+ * of a sheet of form NEAREST. @errors NOT_FOUND, INVALID_ARGUMENT (the pose) */
+PLAIT_API plait_result plait_collider_place(plait_sim* sim, plait_collider_id collider,
+                                            const plait_pose* pose);
 /* Where the vertices of a mesh of form NEAREST, PLAIT_MESH_FIELD_POSITIONS, will be at the end of
  * the next plait_sim_step, in the collider's own frame: float[3], m, each [-1e6, 1e6], as many as
  * there are; interpolated from where they are. Kept until it is called again. Hair on it goes along

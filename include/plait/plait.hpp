@@ -401,6 +401,9 @@ class Sim : public detail::Owner<plait_sim, plait_sim_destroy> {
     void set_collider_pose(plait_collider_id id, const plait_pose& pose) {
         check(plait_collider_set_pose(get(), id, &pose));
     }
+    void place_collider(plait_collider_id id, const plait_pose& pose) {
+        check(plait_collider_place(get(), id, &pose));
+    }
     void set_collider_positions(plait_collider_id id, const plait_view& positions) {
         check(plait_collider_set_positions(get(), id, &positions));
     }

@@ -154,6 +154,18 @@ plait_result plait_collider_set_pose(plait_sim* sim, plait_collider_id collider,
     });
 }
 
+plait_result plait_collider_place(plait_sim* sim, plait_collider_id collider,
+                                  const plait_pose* pose) {
+    return api::guard(__func__, [&]() -> Status {
+        PLAIT_TRY(api::need(sim, "sim"));
+        PLAIT_TRY(api::need(pose, "pose"));
+        const auto checked = checked_pose(*pose, "pose");
+        if (!checked)
+            return checked.error();
+        return sim->sim.place_collider(collider, *checked);
+    });
+}
+
 plait_result plait_collider_set_positions(plait_sim* sim, plait_collider_id collider,
                                           const plait_view* positions) {
     return api::guard(__func__, [&]() -> Status {

@@ -109,8 +109,8 @@ constexpr uint32_t fit_ratio = 32;
 } // namespace
 
 BendingMeshes::Entry::Entry(uint32_t of, bool sheet, std::pmr::memory_resource* memory)
-    : slot(of), two_sided(sheet), surface(memory), clearance(memory), tree(memory), places(memory) {
-}
+    : slot(of), two_sided(sheet), surface(memory), clearance(memory), tree(memory), sides(memory),
+      places(memory) {}
 
 void BendingMeshes::Entry::begin() {
     tree.build(surface);
@@ -151,6 +151,13 @@ Status BendingMeshes::make(Device& device, std::span<Entry> entries, BendingBuff
     PLAIT_TRY(put(device, to.triangle, PLAIT_ELEMENT_UINT, "mesh_triangle", fixed.triangle));
     PLAIT_TRY(put(device, to.ring, PLAIT_ELEMENT_UINT, "mesh_ring", fixed.ring));
     PLAIT_TRY(put(device, to.clearance, PLAIT_ELEMENT_FLOAT, "mesh_clearance", clearance));
+    const bool sheets = std::ranges::any_of(entries, &Entry::two_sided);
+    std::pmr::vector<float> sides(sheets ? 4 * clearance.size() : 4, 0.0f, memory);
+    for (size_t m = 0; m < entries.size(); ++m)
+        for (size_t i = 0; i < entries[m].sides.size(); ++i)
+            sides[(i / 4 * entries.size() + m) * 4 + i % 4] = entries[m].sides[i];
+    PLAIT_TRY(device.create(to.side, PLAIT_ELEMENT_FLOAT4, sides.size() / 4, "mesh_side"));
+    PLAIT_TRY(device.write(to.side, sides.data()));
     PLAIT_TRY(device.create(to.box, PLAIT_ELEMENT_FLOAT4, fixed.tree.size(), "mesh_box"));
     PLAIT_TRY(device.create(to.way, PLAIT_ELEMENT_FLOAT, fixed.tree.size() / 2, "mesh_way"));
     PLAIT_TRY(device.create(to.from, PLAIT_ELEMENT_FLOAT4, fixed.vertices, "mesh_from"));
@@ -176,6 +183,7 @@ Status BendingMeshes::make(Device& device, std::span<Entry> entries, BendingBuff
         to.insides.push_back(static_cast<uint32_t>(triangles));
         entry.fitted = false;
         entry.places = Places(memory);
+        entry.sides.clear();
     }
     return {};
 }
@@ -187,8 +195,61 @@ Status BendingMeshes::pull(Device& device) {
         if (!places)
             return places.error();
         entries_[m].places = std::move(*places);
+        auto sides = read_sides(device, m);
+        if (!sides)
+            return sides.error();
+        entries_[m].sides = std::move(*sides);
     }
     return {};
+}
+
+bool BendingMeshes::has_sheets() const {
+    return std::ranges::any_of(entries_, &Entry::two_sided);
+}
+
+Result<std::pmr::vector<float>> BendingMeshes::read_sides(Device& device, size_t index) const {
+    std::pmr::vector<float> sides(entries_.get_allocator().resource());
+    if (!entries_[index].two_sided)
+        return sides;
+    std::pmr::vector<float> all(4 * buffers_.side.count(), sides.get_allocator());
+    PLAIT_TRY(device.read(buffers_.side, all.data()));
+    sides.resize(all.size() / entries_.size());
+    for (size_t i = 0; i < sides.size(); ++i)
+        sides[i] = all[(i / 4 * entries_.size() + index) * 4 + i % 4];
+    return sides;
+}
+
+// By vertex and mesh.
+template <typename Forgets>
+Status BendingMeshes::forget_where(Device& device, const Forgets& forgets) {
+    std::pmr::vector<float> all(4 * buffers_.side.count(), entries_.get_allocator().resource());
+    PLAIT_TRY(device.read(buffers_.side, all.data()));
+    for (size_t i = 0; i < buffers_.side.count(); ++i)
+        if (forgets(i / entries_.size(), i % entries_.size()))
+            std::fill_n(&all[4 * i], 4, 0.0f);
+    return device.upload(buffers_.side, all.data());
+}
+
+Status BendingMeshes::forget_sides(Device& device, uint32_t slot) {
+    const auto entry = std::ranges::find(entries_, slot, &Entry::slot);
+    if (entry == entries_.end() || !entry->two_sided)
+        return {};
+    const auto index = static_cast<size_t>(entry - entries_.begin());
+    return forget_where(device, [&](size_t, size_t mesh) { return mesh == index; });
+}
+
+Status BendingMeshes::forget_sides(Device& device, std::span<const unsigned char> moved) {
+    if (!has_sheets())
+        return {};
+    return forget_where(device, [&](size_t vertex, size_t) { return moved[vertex] != 0; });
+}
+
+Status BendingMeshes::forget_sides(Device& device) {
+    if (!has_sheets())
+        return {};
+    const std::pmr::vector<float> none(4 * buffers_.side.count(), 0.0f,
+                                       entries_.get_allocator().resource());
+    return device.upload(buffers_.side, none.data());
 }
 
 Result<BendingMeshes::Places> BendingMeshes::read(Device& device, size_t index) const {
@@ -351,6 +412,21 @@ void BendingMeshes::stop(Schedule& schedule) {
             append_fit(schedule, entry, static_cast<uint32_t>(m));
         entry.there = entry.still = entry.fitted = true;
         first += entry.vertices();
+    }
+}
+
+void BendingMeshes::place(Schedule& schedule, uint32_t slot) {
+    size_t first = 0;
+    for (size_t m = 0; m < entries_.size(); first += entries_[m].vertices(), ++m) {
+        Entry& entry = entries_[m];
+        if (entry.slot != slot)
+            continue;
+        if (std::exchange(entry.aimed, false))
+            entry.at.swap(entry.target);
+        for (int end = 0; end < 2; ++end) // of the path
+            append_pose(schedule, entry, first, entry.at, 1);
+        append_fit(schedule, entry, static_cast<uint32_t>(m));
+        entry.there = entry.still = entry.fitted = true;
     }
 }
 

@@ -16,22 +16,23 @@ namespace plait {
 struct BendingBuffers {
     explicit BendingBuffers(std::pmr::memory_resource* memory) : insides(memory) {}
 
-    Buffer first;                       // uint [PLAIT_MESH_FIRST_STRIDE*meshes]
-    Buffer box;                         // float4 [2*nodes]
-    Buffer way;                         // float [nodes], m
-    Buffer tree;                        // uint [2*nodes]
-    Buffer under;                       // uint [PLAIT_MESH_UNDER_STRIDE*nodes]
-    Buffer triangle;                    // uint [PLAIT_MESH_TRIANGLE_STRIDE*triangles]
-    Buffer ring;                        // uint, per mesh [vertices + 1 + 3*triangles]
-    Buffer from, to;                    // float4 [vertices], m
-    Buffer bends;                       // float [meshes], m
-    Buffer clearance;                   // float [vertices of the hair][meshes], m
+    Buffer first;     // uint [PLAIT_MESH_FIRST_STRIDE*meshes]
+    Buffer box;       // float4 [2*nodes]
+    Buffer way;       // float [nodes], m
+    Buffer tree;      // uint [2*nodes]
+    Buffer under;     // uint [PLAIT_MESH_UNDER_STRIDE*nodes]
+    Buffer triangle;  // uint [PLAIT_MESH_TRIANGLE_STRIDE*triangles]
+    Buffer ring;      // uint, per mesh [vertices + 1 + 3*triangles]
+    Buffer from, to;  // float4 [vertices], m
+    Buffer bends;     // float [meshes], m
+    Buffer clearance; // float [vertices of the hair][meshes], m
+    Buffer side;      // float4 [vertices of the hair][meshes]; 1 where none is a sheet
     std::pmr::vector<uint32_t> insides; // triangles of each; 0 of a sheet, which has no inside
 
     uint64_t bytes() const {
         uint64_t sum = 0;
-        for (const Buffer* each :
-             {&first, &box, &way, &tree, &under, &triangle, &ring, &from, &to, &bends, &clearance})
+        for (const Buffer* each : {&first, &box, &way, &tree, &under, &triangle, &ring, &from, &to,
+                                   &bends, &clearance, &side})
             sum += each->bytes();
         return sum;
     }
@@ -58,6 +59,8 @@ class BendingMeshes {
         TriangleSet surface;               // as it was made
         std::pmr::vector<float> clearance; // [guides][V]
         MeshTree tree;
+        // Of a sheet, [guides][V][4], on the way to the device: which side each vertex is on; else empty.
+        std::pmr::vector<float> sides;
         Places places;     // on the way to the device, and from one set of buffers to the next
         Buffer at, target; // float4 [vertices]
 
@@ -84,6 +87,15 @@ class BendingMeshes {
     // Where vertices are; waits.
     Result<Places> read(Device& device, size_t index) const;
 
+    // Of a sheet, on which side vertices are; waits.
+    Result<std::pmr::vector<float>> read_sides(Device& device, size_t index) const;
+    bool has_sheets() const;
+    // Vertices are on the side where they are: all of one sheet, of all sheets, or those of all that are
+    // `moved` [guides][V].
+    Status forget_sides(Device& device, uint32_t slot);
+    Status forget_sides(Device& device);
+    Status forget_sides(Device& device, std::span<const unsigned char> moved);
+
     // INVALID_ARGUMENT: not as many as the mesh has.
     Status check_count(uint32_t slot, size_t count) const;
     // m, of all of a mesh: where its vertices will be.
@@ -96,6 +108,8 @@ class BendingMeshes {
     void append(Schedule& schedule, bool all) const;
     void arrive();
     void stop(Schedule& schedule);
+    // One of them is where it was last put, and has taken no path there.
+    void place(Schedule& schedule, uint32_t slot);
     // Boxes of meshes that no step has seen yet, for who looks before one does.
     void fit_new(Schedule& schedule);
 
@@ -103,6 +117,7 @@ class BendingMeshes {
     Entry& of(uint32_t slot);
     Status make(Device& device, std::span<Entry> entries, BendingBuffers& to) const;
     Status pull(Device& device);
+    template <typename Forgets> Status forget_where(Device& device, const Forgets& forgets);
     void append_pose(Schedule& schedule, const Entry& entry, size_t first, const Buffer& goal,
                      float part) const;
     void append_fit(Schedule& schedule, const Entry& entry, uint32_t mesh) const;

@@ -31,6 +31,7 @@ void take_shape(Colliders::Slot& slot, const plait_collider_desc& desc) {
     std::copy_n(desc.half_extents, 3, slot.half_extents);
     slot.rounding = desc.rounding;
     std::copy_n(desc.orientation, 4, slot.orientation);
+    slot.form = desc.inward;
 }
 
 void pack_capsule(const Colliders::Slot& slot, const plait_pose& pose, float* out) {
@@ -73,6 +74,8 @@ void pack_hull(const Colliders::Slot& slot, const plait_pose& begin, const plait
     float* const half_extents = out + size_t{4} * (PLAIT_COLLIDER_END + 1);
     for (size_t k = 0; k < 3; ++k)
         half_extents[k] += slot.rounding;
+    if (Colliders::is_inward(slot)) // its faces come in
+        out[3] = out[size_t{4} * PLAIT_COLLIDER_END + 3] = -slot.rounding;
 }
 
 // A box of no size about its origin, and which part of the step the substep is.
@@ -109,7 +112,8 @@ float* pack(const Colliders::Slot& slot, const plait_pose& begin, const plait_po
     float* const last = out + size_t{4} * PLAIT_COLLIDER_FRICTION;
     std::fill_n(last, 4, 0.0f);
     last[0] = slot.friction;
-    last[1] = static_cast<float>(slot.kind);
+    last[1] =
+        static_cast<float>(slot.kind) + (Colliders::is_inward(slot) ? PLAIT_KIND_INWARD : 0.0f);
     return out + collider_floats;
 }
 
@@ -205,6 +209,7 @@ Colliders::create_hull(Device& device, const plait_collider_hull_desc& desc, con
     std::ranges::copy(hull.half_extents, slot.half_extents);
     slot.rounding = desc.margin;
     slot.friction = desc.friction;
+    slot.form = desc.inward;
     slot.orientation[3] = 1;
     const auto index = static_cast<size_t>(&slot - slots_.data());
     faces_[index].assign(hull.faces.begin(), hull.faces.end());
@@ -217,6 +222,16 @@ Status Colliders::set_pose(plait_collider_id id, const plait_pose& pose) {
     if (!index)
         return index.error();
     slots_[*index].target = pose;
+    return {};
+}
+
+Status Colliders::place(plait_collider_id id, const plait_pose& pose) {
+    const auto index = find(id);
+    if (!index)
+        return index.error();
+    Slot& slot = slots_[*index];
+    slot.at = slot.target = slot.before = slot.from = slot.to = pose;
+    uploaded_ = false;
     return {};
 }
 
@@ -256,6 +271,8 @@ plait_collider_desc Colliders::shape_of(const Slot& slot) {
     std::copy_n(slot.half_extents, 3, desc.half_extents);
     desc.rounding = slot.rounding;
     std::copy_n(slot.orientation, 4, desc.orientation);
+    if (!is_mesh(slot))
+        desc.inward = slot.form;
     return desc;
 }
 

@@ -26,6 +26,7 @@ class Colliders {
                                           const Hull& hull);
     Result<uint32_t> find(plait_collider_id id) const; // its slot
     Status set_pose(plait_collider_id id, const plait_pose& pose);
+    Status place(plait_collider_id id, const plait_pose& pose); // it takes no path there
     // Shape and friction of `desc`, its pose not.
     Status set_shape(plait_collider_id id, const plait_collider_desc& desc);
     Status destroy(plait_collider_id id);
@@ -59,7 +60,7 @@ class Colliders {
         uint32_t alive = 0;
         // the shape, as the fields of plait_collider_desc
         uint32_t kind = 0;
-        uint32_t form = 0; // of a mesh
+        uint32_t form = 0; // of a mesh; of capsule, box and hull 1: inward
         float a[3] = {};
         float b[3] = {};
         float radius_a = 0;
@@ -81,6 +82,9 @@ class Colliders {
     }
     static bool is_hull(const Slot& slot) {
         return slot.alive && slot.kind == PLAIT_COLLIDER_KIND_HULL;
+    }
+    static bool is_inward(const Slot& slot) {
+        return slot.form != 0 && !is_mesh(slot) && slot.kind != PLAIT_COLLIDER_KIND_PLANE;
     }
     static plait_collider_desc shape_of(const Slot& slot); // its pose is zero
     std::span<const Slot> slots() const { return slots_; }

@@ -171,6 +171,17 @@ Status Sim::write_places(const Buffer& to, const float* src) {
     return device().write(to, 0, vertices, merged.data());
 }
 
+// What is put elsewhere may be on the other side of a sheet.
+Status Sim::forget_sides_of_moved(const float* positions) {
+    const size_t vertices = layout_.guide_vertices();
+    std::pmr::vector<Float4> now(vertices, &context_.memory);
+    PLAIT_TRY(device().read(state_.position, 0, vertices, now.data()));
+    std::pmr::vector<unsigned char> moved(vertices, &context_.memory);
+    for (size_t i = 0; i < vertices; ++i)
+        moved[i] = !std::equal(positions + 4 * i, positions + 4 * i + 3, now[i].begin());
+    return bending_.forget_sides(device(), moved);
+}
+
 // Hair that is put elsewhere keeps its velocity.
 Status Sim::move_histories(const float* src) {
     const size_t count = size_t{4} * layout_.guide_vertices();
@@ -260,6 +271,8 @@ Status Sim::write(plait_field field, const void* src) {
     }
     if (field == PLAIT_FIELD_POSITION)
         PLAIT_TRY(move_histories(values));
+    if (field == PLAIT_FIELD_POSITION)
+        PLAIT_TRY(forget_sides_of_moved(values));
     PLAIT_TRY(write_places(field == PLAIT_FIELD_POSITION ? state_.position : state_.position_prev,
                            values));
     schedule_.clear();

@@ -300,6 +300,7 @@ Status check_collider(const plait_collider_desc& s) {
     PLAIT_RANGE_ENUM(kind, PLAIT_COLLIDER_KIND_BOX);
     PLAIT_RANGE_3(a, -1e6, 1e6);
     PLAIT_RANGE(friction, 0, 10);
+    PLAIT_RANGE(inward, 0, 1);
     switch (s.kind) {
     case PLAIT_COLLIDER_KIND_PLANE:
         return check_plane(s);
@@ -314,6 +315,7 @@ Status check_hull_collider(const plait_collider_hull_desc& s) {
     PLAIT_RANGE(margin, 0, 1e3);
     PLAIT_RANGE(friction, 0, 10);
     PLAIT_RANGE(tolerance, double(1e-6f), double(0.1f)); // as float32 has them
+    PLAIT_RANGE(inward, 0, 1);
     return {};
 }
 

@@ -132,4 +132,27 @@ void transform(const plait_pose& pose, const float p[3], float out[3]) {
         out[i] = v[i] + pose.t[i];
 }
 
+bool goes_along(const plait_pose& head_before, const plait_pose& body_before,
+                const plait_pose& head_after, const plait_pose& body_after) {
+    constexpr float least = 1e-4f, rounding = 1e-6f; // m; of a coordinate
+    const plait_pose back = {
+        {-head_before.q[0], -head_before.q[1], -head_before.q[2], head_before.q[3]}, {}};
+    constexpr float points[4][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    for (const auto& point : points) {
+        float was[3], own[3], carried[3], is[3];
+        transform(body_before, point, was);
+        for (size_t i = 0; i < 3; ++i)
+            was[i] -= head_before.t[i];
+        transform(back, was, own);
+        transform(head_after, own, carried);
+        transform(body_after, point, is);
+        for (size_t i = 0; i < 3; ++i) {
+            const float size = std::max(std::abs(head_before.t[i]), std::abs(is[i]));
+            if (!(std::abs(carried[i] - is[i]) <= least + rounding * size))
+                return false;
+        }
+    }
+    return true;
+}
+
 } // namespace plait

@@ -38,6 +38,10 @@ void rotation_product(const plait_pose& after, const plait_pose& first, float ou
 plait_carry_params carry_params(const plait_pose& motion, uint32_t row, uint32_t tile,
                                 bool history);
 
+// Whether a body lies to the head after a jump as it did before, but for rounding.
+bool goes_along(const plait_pose& head_before, const plait_pose& body_before,
+                const plait_pose& head_after, const plait_pose& body_after);
+
 // q*p + t
 void transform(const plait_pose& pose, const float p[3], float out[3]);
 

@@ -361,6 +361,16 @@ Status Sim::place_colliders() {
     return colliders_.upload(device());
 }
 
+// Of sheets that do not come along with the head.
+Status Sim::forget_sides_of_left(const plait_pose& before, const plait_pose& after) {
+    for (const BendingMeshes::Entry& mesh : bending_.entries()) {
+        const Colliders::Slot& slot = colliders_.slots()[mesh.slot];
+        if (mesh.two_sided && !goes_along(before, slot.to, after, slot.target))
+            PLAIT_TRY(bending_.forget_sides(device(), mesh.slot));
+    }
+    return {};
+}
+
 // The roots are where they were aimed at, and hair is carried along.
 Status Sim::place_head() {
     schedule_.clear();
@@ -383,8 +393,10 @@ void Sim::append_placed() {
 // The same with all that goes along with the head, which has come no way either.
 Status Sim::place() {
     PLAIT_TRY(make_poses(pose_spare_, "pose_spare"));
+    const plait_pose before = roots_.step_head();
     roots_.arrive();
     roots_.stop(schedule_);
+    PLAIT_TRY(forget_sides_of_left(before, roots_.step_head()));
     frame_.arrive();
     frame_.stop();
     colliders_.place();
@@ -418,6 +430,7 @@ Status Sim::reset() {
     frame_.stop();
     colliders_.stop();
     bending_.stop(schedule_);
+    PLAIT_TRY(bending_.forget_sides(device()));
     PLAIT_TRY(place_colliders());
     append_stopped_pins(schedule_, layout_, state_);
     roots_.append_poses_now(schedule_, state_.pose);

@@ -103,6 +103,7 @@ class Sim {
     Status set_collider_pose(plait_collider_id id, const plait_pose& pose) {
         return colliders_.set_pose(id, pose);
     }
+    Status place_collider(plait_collider_id id, const plait_pose& pose); // sim_meshes.cpp
     Status set_collider_shape(plait_collider_id id, const plait_collider_desc& desc) {
         return colliders_.set_shape(id, desc);
     }
@@ -230,6 +231,8 @@ class Sim {
     Status place_head();
     void append_placed();
     Status make_poses(Buffer& to, const char* name);
+    Status forget_sides_of_left(const plait_pose& before, const plait_pose& after);
+    Status forget_sides_of_moved(const float* positions);
     Status place_colliders();
     // What was made, once its stages are built; else it is destroyed.
     Result<plait_collider_id> if_built(Result<plait_collider_id> made);

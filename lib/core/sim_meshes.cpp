@@ -127,6 +127,19 @@ Status Sim::set_collider_positions(plait_collider_id id, std::span<const float> 
     return bending_.set_positions(device(), *slot, positions);
 }
 
+Status Sim::place_collider(plait_collider_id id, const plait_pose& pose) {
+    const auto slot = colliders_.find(id);
+    if (!slot)
+        return slot.error();
+    if (Colliders::bends(colliders_.slots()[*slot])) {
+        PLAIT_TRY(bending_.forget_sides(device(), *slot));
+        schedule_.clear();
+        bending_.place(schedule_, *slot);
+        PLAIT_TRY(submit());
+    }
+    return colliders_.place(id, pose);
+}
+
 // What ran before it may still read the one that was too small: devices keep it as long.
 Result<const Buffer*> Sim::room_for(size_t count, size_t words) {
     const size_t floats = (count - 1) * words + 3;

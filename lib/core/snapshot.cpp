@@ -157,7 +157,7 @@ size_t Sim::snapshot_size() {
         bytes += sizeof(SavedBendingMesh) +
                  mesh.surface.positions.size() * sizeof(MeshPoint) * (mesh.posed ? 5 : 1) +
                  mesh.surface.triangles.size() * sizeof(Triangle) +
-                 mesh.clearance.size() * sizeof(float);
+                 mesh.clearance.size() * sizeof(float) * (mesh.two_sided ? 5 : 1);
     for (const Block& block : blocks(h))
         bytes += block.floats * sizeof(float);
     return bytes;
@@ -212,6 +212,10 @@ Status Sim::save(std::span<unsigned char> dst) {
         }
         put_list(mesh.surface.triangles);
         put_list(mesh.clearance);
+        const auto sides = bending_.read_sides(device(), m);
+        if (!sides)
+            return sides.error();
+        put(sides->data(), sides->size() * sizeof(float));
     }
     for (const Block& block : blocks(h)) {
         PLAIT_TRY(save_block(block, out));

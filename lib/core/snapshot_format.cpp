@@ -69,8 +69,6 @@ Status check_slot(const Colliders::Slot& slot, size_t index) {
             return malformed(format("collider %zu is gone, but not all of it is zero", index));
         return {};
     }
-    if (!Colliders::is_mesh(slot) && slot.form != 0)
-        return malformed(format("collider %zu: form is %u, and it is no mesh", index, slot.form));
     if (const auto status = check_shape(slot); !status)
         return malformed(format("collider %zu: %s", index, status.error().message.c_str()));
     for (const plait_pose* pose : {&slot.at, &slot.target, &slot.from, &slot.to})
@@ -294,7 +292,7 @@ Status check_bending(const SavedBendingMesh& saved, uint32_t slot, size_t cleara
         return malformed(format("collider %u: %u vertices and %u triangles, at least 3 and 1", slot,
                                 saved.vertices, saved.triangles));
     const uint64_t words = uint64_t{3} * saved.vertices * (saved.posed ? 5 : 1) +
-                           uint64_t{3} * saved.triangles + clearances;
+                           uint64_t{3} * saved.triangles + clearances * (saved.two_sided ? 5 : 1);
     if (left / sizeof(float) < words)
         return malformed(format("collider %u: %llu numbers of a mesh, %zu bytes are left", slot,
                                 static_cast<unsigned long long>(words), left));
@@ -324,10 +322,13 @@ Result<BendingMeshes::Entry> saved_bending_mesh(uint32_t slot, size_t vertices,
             if (corner >= saved.vertices)
                 return malformed(format("collider %u: a corner is %u, range is [0, %u)", slot,
                                         corner, saved.vertices));
-    for (size_t i = 0; i < vertices; ++i)
+    const size_t numbers = vertices * (entry.two_sided ? 5 : 1);
+    for (size_t i = 0; i < numbers; ++i)
         PLAIT_TRY(check_range(from.data(), i, "mesh"));
     entry.begin();
     take_rows(from, vertices, entry.clearance);
+    if (entry.two_sided)
+        take_rows(from, 4 * vertices, entry.sides);
     return entry;
 }
 

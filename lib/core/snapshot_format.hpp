@@ -22,7 +22,7 @@ struct SavedMesh {
 
 // The same of one of form NEAREST; then come its vertices as it was made, where they have been moved
 // also where they were at the begin and are to be at the end of the call and of the last step, its
-// triangles, and the clearance.
+// triangles, the clearance, and of a sheet four numbers of every vertex, PLAIT_MESH_SIDE_....
 struct SavedBendingMesh {
     uint32_t vertices, triangles, two_sided, posed;
 };

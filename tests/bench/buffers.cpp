@@ -462,6 +462,7 @@ const std::map<std::string, Maker>& makers() {
          }},
         {"mesh_values", [](const Shape&) { return mesh_values(); }},
         {"mesh_clearance", [](const Shape& s) { return Words(s.total()); }},
+        {"mesh_side", [](const Shape&) { return Words(4); }}, // none is a sheet
         {"mesh_first",
          [](const Shape&) {
              const auto count = ball().triangle.size() / PLAIT_MESH_TRIANGLE_STRIDE;

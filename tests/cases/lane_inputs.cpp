@@ -440,6 +440,8 @@ Setup in_longer_rows(Setup setup, plait_stage stage, uint32_t more) {
         size_t per_vertex = 4;
         if (std::string_view(info.args[i].name) == "mesh_clearance")
             per_vertex = setup.params_as<plait_lane_params>().collider_count;
+        else if (std::string_view(info.args[i].name) == "mesh_side")
+            per_vertex = 4 * size_t{setup.params_as<plait_lane_params>().collider_count};
         else if (std::ranges::find(of_all_strands, info.args[i].name) == std::end(of_all_strands))
             continue;
         const size_t width = per_vertex * params.vertex_stride;

@@ -74,7 +74,7 @@ Case mesh_contact_case() {
             pin_tips(result.setups.back(), 10);
         }
     for (const Size& size : contact_sizes())
-        result.setups.push_back(reordered_too(mesh_setup(size, 0, 62), 8));
+        result.setups.push_back(reordered_too(mesh_setup(size, 0, 62), {8}));
     add_longer_rows(result);
     return result;
 }

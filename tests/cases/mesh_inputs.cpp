@@ -184,13 +184,16 @@ void pin_tips(Setup& setup, size_t first) {
     setup.with(params);
 }
 
-Setup reordered_too(Setup setup, size_t clearance) {
-    const std::vector<float> plain = setup.buffers[clearance].floats;
+Setup reordered_too(Setup setup, std::initializer_list<size_t> rows) {
+    const Setup plain = setup;
     setup = reordered(std::move(setup));
-    const size_t width = plain.size() / setup.items;
-    for (size_t lane = 0; lane < setup.items; ++lane)
-        std::copy_n(&plain[lane * width], width,
-                    &setup.buffers[clearance].floats[setup.buffers[0].words[lane] * width]);
+    for (const size_t buffer : rows) {
+        const std::vector<float>& from = plain.buffers[buffer].floats;
+        const size_t width = from.size() / setup.items;
+        for (size_t lane = 0; lane < setup.items; ++lane)
+            std::copy_n(&from[lane * width], width,
+                        &setup.buffers[buffer].floats[setup.buffers[0].words[lane] * width]);
+    }
     return setup;
 }
 

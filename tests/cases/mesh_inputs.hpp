@@ -36,7 +36,7 @@ void add_mesh_row(std::vector<float>& rows, Random& random, const LaneHair& lane
 // that of positions.
 void pin_tips(Setup& setup, size_t first);
 
-// As reordered(), of the buffer of clearances, too.
-Setup reordered_too(Setup setup, size_t clearance);
+// As reordered(), of these buffers, by rows of strands, too.
+Setup reordered_too(Setup setup, std::initializer_list<size_t> rows);
 
 } // namespace plait::cases

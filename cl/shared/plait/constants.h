@@ -68,6 +68,9 @@
 /* m: a place farther from the nearest triangle, or deeper under it, gives no plane (mesh_nearest).
  * Ours. */
 #define PLAIT_MESH_ROOM PLAIT_NUMBER(1e-2)
+/* Share of a triangle by which it is larger for what passes through it: no way slips through an edge.
+ * Ours. */
+#define PLAIT_MESH_EDGE PLAIT_NUMBER(1e-4)
 /* m: roots that are deeper under a mesh that bends count as if they lay on it. Ours. */
 #define PLAIT_MESH_ROOT_DEPTH PLAIT_NUMBER(5e-2)
 /* m: nearer to an edge or a corner the way from there has no direction in float32; the normal is then
@@ -174,6 +177,9 @@
  * deeper is no balance of forces. Ours. */
 #define PLAIT_ARTICULATED_DEEP_STEPS 10
 #define PLAIT_ARTICULATED_DEEP PLAIT_NUMBER(0.1)
+/* Share of PLAIT_CONTACT_TOLERANCE by which a vertex that a step would carry under a surface which does
+ * not push it yet is left under it at most, so that it touches in the next step. Ours. */
+#define PLAIT_ARTICULATED_PRESSED PLAIT_NUMBER(0.5)
 /* Most Newton steps of a strand with a vertex farther from its pin than so many segment lengths,
  * whose stiffness is above so many times its inertia m/h'^2. A held vertex is off by a hundredth
  * under 10 g. Ours. */

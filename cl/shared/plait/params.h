@@ -78,6 +78,9 @@ typedef uint32_t plait_u32;
 #define PLAIT_KIND_MESH 3.0f
 /* All that lies under each of its faces. */
 #define PLAIT_KIND_HULL 4.0f
+/* Added to the kind of a capsule, a box or a hull that hair stays inside of; the margin of such a hull is
+ * negative. */
+#define PLAIT_KIND_INWARD 8.0f
 
 /* mesh_nearest: of each mesh where in the other buffers its own begins, counted in nodes, triangles,
  * vertices and words of mesh_ring; indices in them are of this mesh alone. */
@@ -88,6 +91,10 @@ typedef uint32_t plait_u32;
 #define PLAIT_MESH_FIRST_TWO_SIDED 4 /* 1: a sheet, met from the side where a vertex is */
 #define PLAIT_MESH_FIRST_COUNT 5     /* not where: its triangles */
 #define PLAIT_MESH_FIRST_STRIDE 6
+/* mesh_side: of a vertex and a sheet where the vertex was at the begin of the last substep, carried to its
+ * end, in the sheet's own frame; and as w on which side it belongs, 1 or -1, twice that where it was on
+ * the other one all the same; 0: the sheet was out of reach. */
+#define PLAIT_MESH_SIDE_ASTRAY 2.0f
 #define PLAIT_MESH_TRIANGLE_STRIDE 6 /* corners; the triangles across the edges that begin there */
 #define PLAIT_MESH_NO_TRIANGLE 0xffffffffu
 #define PLAIT_MESH_TREE_DEPTH 32  /* nodes on the way down */

@@ -16,7 +16,8 @@ void air_obstacle(uint32_t item_count, const plait_air_obstacle_params& params,
         const Vec3 x = pose.apply((cell + Vec3::Constant(0.5)) * params.voxel_edge);
         double extinction = params.extinction * args.grid_density[item];
         for (size_t index = 0; index < params.collider_count; ++index)
-            if (collider_at(args.collider, params.collider_first + index).surface(x).distance < 0)
+            if (const Collider collider = collider_at(args.collider, params.collider_first + index);
+                !collider.inward && collider.surface(x).distance < 0)
                 extinction = PLAIT_AIR_SOLID;
         if (params.meshes && args.mesh_solid[item].w() > 0)
             extinction = PLAIT_AIR_SOLID;

@@ -62,13 +62,8 @@ void RodModel::load() {
 void RodModel::follow_target() {
     const double stays = energy();
     const RodModel from = *this;
-    for (size_t i = 0; i < segments(); ++i) {
-        const Vec3 goal = motion_.goal(i + 1, mass_[i + 1]);
-        const Vec3 along = unit_or(goal - x[i], director(i));
-        if (length_[i] > 0) // past the tip there is no direction
-            q[i] = turned_towards(q[i], along);
-        x[i + 1] = x[i] + length_[i] * along;
-    }
+    for (size_t i = 0; i < segments(); ++i)
+        turn_to(i, motion_.goal(i + 1, mass_[i + 1]));
     if (!(energy() <= stays * (1 + PLAIT_ARTICULATED_POTENTIAL_RISE)))
         *this = from;
 }
@@ -146,6 +141,19 @@ Eigen::VectorXd RodModel::turns() const {
     return H.ldlt().solve(-g);
 }
 
+// What would pass a surface that did not push in the step stays there.
+Vec3 RodModel::stopped(size_t vertex, const Vec3& to) const {
+    return contacts_ ? contacts_->stopped(vertex, to, motion_.inertia) : to;
+}
+
+// Its end goes towards a place; past the tip there is no direction.
+void RodModel::turn_to(size_t segment, const Vec3& place) {
+    const Vec3 along = unit_or(place - x[segment], director(segment));
+    if (length_[segment] > 0)
+        q[segment] = turned_towards(q[segment], along);
+    x[segment + 1] = x[segment] + length_[segment] * along;
+}
+
 // Turns alone would leave errors of second order that add up along the strand as false velocity:
 // every segment goes along where the linear step puts its end.
 void RodModel::follow_turns(const RodModel& from, const Eigen::VectorXd& w) {
@@ -154,10 +162,7 @@ void RodModel::follow_turns(const RodModel& from, const Eigen::VectorXd& w) {
         const Vec3 turn = w.segment<3>(3 * static_cast<Eigen::Index>(i));
         d += length_[i] * turn.cross(from.director(i));
         q[i] = turned(from.q[i], turn);
-        const Vec3 along = unit_or(from.x[i + 1] + d - x[i], director(i));
-        if (length_[i] > 0)
-            q[i] = turned_towards(q[i], along);
-        x[i + 1] = x[i] + length_[i] * along;
+        turn_to(i, stopped(i + 1, from.x[i + 1] + d));
     }
 }
 
@@ -171,9 +176,10 @@ bool RodModel::turn_segments() {
     double share = 1;
     for (int trial = 0; trial < PLAIT_ARTICULATED_SHORTER_STEPS && !(energy() <= limit); ++trial) {
         share *= PLAIT_ARTICULATED_SHORTEN;
-        for (size_t i = 0; i < segments(); ++i)
+        for (size_t i = 0; i < segments(); ++i) {
             q[i] = turned(from.q[i], share * w.segment<3>(3 * static_cast<Eigen::Index>(i)));
-        rebuild();
+            turn_to(i, stopped(i + 1, x[i] + length_[i] * director(i)));
+        }
     }
     if (!(energy() <= limit))
         *this = from;

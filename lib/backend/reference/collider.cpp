@@ -33,16 +33,23 @@ Surface surface(const Hull& hull, const Vec3& x) {
 }
 
 Surface Collider::surface(const Vec3& x) const {
-    return std::visit([&](const auto& shape) { return reference::surface(shape, x); }, body);
+    const Surface at =
+        std::visit([&](const auto& shape) { return reference::surface(shape, x); }, body);
+    return inward ? Surface{-at.distance, -at.normal} : at;
 }
 
 Collider collider_at(const View<const Vec4>& buffer, size_t index) {
     const auto at = [&](size_t row) -> Vec4 { return buffer[index * PLAIT_COLLIDER_STRIDE + row]; };
     const Vec4 begin = at(PLAIT_COLLIDER_BEGIN), first = at(PLAIT_COLLIDER_END);
     const Vec4 second = at(PLAIT_COLLIDER_END + 1), last = at(PLAIT_COLLIDER_FRICTION);
-    const double kind = last.y();
-    Collider collider{Capsule{xyz(first), xyz(second), first.w(), second.w()}, xyz(begin),
-                      xyz(first), quat(at(PLAIT_COLLIDER_TURN)), last.x()};
+    const bool inward = last.y() >= double{PLAIT_KIND_INWARD};
+    const double kind = last.y() - (inward ? double{PLAIT_KIND_INWARD} : 0);
+    Collider collider{Capsule{xyz(first), xyz(second), first.w(), second.w()},
+                      xyz(begin),
+                      xyz(first),
+                      quat(at(PLAIT_COLLIDER_TURN)),
+                      last.x(),
+                      inward};
     if (kind == double{PLAIT_KIND_PLANE})
         collider.body = Plane{xyz(first), xyz(second)};
     else if (kind == double{PLAIT_KIND_BOX})

@@ -48,6 +48,7 @@ struct Collider {
     Vec3 from, to; // a point of it, at the begin and at the end
     Quat turn;     // from begin to end
     double friction;
+    bool inward = false; // hair stays inside: f and the normal are turned round
 
     Surface surface(const Vec3& x) const;
     // Where it carries a point of the begin, and whence it carried one.

@@ -39,6 +39,8 @@ std::optional<Tangent> first_crossing(const Collider& collider, const Vec3& from
 // At least this far from a collider, and from most no farther than that: of a capsule with the
 // greater radius all along, of a hull also of the box around it.
 double clearance(const Collider& collider, const Vec3& x) {
+    if (collider.inward)
+        return collider.surface(x).distance;
     if (const Hull* hull = std::get_if<Hull>(&collider.body))
         return std::max(surface(*hull, x).distance, surface(hull->around, x).distance);
     const Capsule* capsule = std::get_if<Capsule>(&collider.body);
@@ -82,6 +84,8 @@ Contacts::Touch Contacts::touch_surface(const Collider& collider, size_t vertex,
     const Surface at_anchor = collider.surface(anchor), at_end = collider.surface(end);
     Touch nearest{at_end.distance, at_anchor.distance, collider.friction, at_end.normal,
                   anchor - motion_.root};
+    if (collider.inward) // what is inside of a convex body is above all its tangents
+        return nearest;
     Touch swept = nearest;
     bool crosses = true;
     if (at_anchor.distance > 0) {
@@ -208,9 +212,9 @@ Contacts::Contact Contacts::renewed(size_t vertex, const Vec3& x) const {
                             PLAIT_CONTACT_MAX_FRICTION * stretch_[vertex] * length_[vertex] /
                                 std::max(now.push, 1e-30));
     const Vec3 u = slip_of(now, x);
-    // A surface that comes from farther strikes: what it throws is not tried.
-    const bool tries =
-        slides_on_ && (found->anchor - motion_.start[vertex]).norm() < length_[vertex];
+    // A surface that comes from farther, as the root sees it, strikes: what it throws is not tried.
+    const Vec3 carried = found->anchor - (motion_.start[vertex] - motion_.start[0]);
+    const bool tries = slides_on_ && carried.norm() < length_[vertex];
     rub(solved_ ? before : Contact{}, u, motion_.h * motion_.h / mass_[vertex], tries, now);
     if (const Vec3 slid = slid_before(vertex, *found); !slid.isZero(0)) {
         now.slide = tries ? Vec3(Vec3::Zero()) : Vec3(slid.normalized());
@@ -291,6 +295,16 @@ double Contacts::excess(size_t vertex, const Vec3& x) const {
     if (at.stiffness == 0)
         return 0;
     return std::max(at.offset - at.normal.dot(x) - depth_allowed(vertex), 0.0);
+}
+
+// On the surface, but for the depth at which it outweighs what inertia presses the vertex in with.
+Vec3 Contacts::stopped(size_t vertex, const Vec3& to, double inertia) const {
+    const Contact& at = at_[vertex];
+    const double depth = at.offset - at.normal.dot(to);
+    if (at.stiffness > 0 || at.normal.isZero(0) || depth <= 0)
+        return to;
+    const double most = PLAIT_ARTICULATED_PRESSED * PLAIT_CONTACT_TOLERANCE * length_[vertex];
+    return to + (depth - std::min(depth * inertia / params_.contact_rate, most)) * at.normal;
 }
 
 void Contacts::clip(std::vector<Vec3>& x) {

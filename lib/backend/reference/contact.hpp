@@ -50,6 +50,8 @@ class Contacts {
     // Where a chain's sweep keeps vertex `i`, `length` from its leader.
     Vec3 keep_off(size_t i, const Vec3& leader, double length, const Vec3& solved,
                   const Vec3& exact) const;
+    // Where a step that would carry the vertex to `to` leaves it, if its surface did not push in it.
+    Vec3 stopped(size_t vertex, const Vec3& to, double inertia) const;
     // How much deeper the vertex is than a solve may leave it.
     double excess(size_t vertex, const Vec3& x) const;
     void clip(std::vector<Vec3>& x);

@@ -6,7 +6,9 @@
 //        turn of the normal there; at most the substep's bending and ROOM/2 from where it was in the frame
 //   plane: of the place with the least f - o on the way from x_A to y, walked by steps of f - o unless
 //          f at its ends covers it, or of y, where that is no farther off and the normals agree
-//   where f is beyond ROOM there is none. Of a sheet |f| counts, on the side where the vertex came from.
+//   where f is beyond ROOM there is none. Of a sheet |f| counts, on the side where the vertex belongs: at
+//   first that where it is. When it is on the other one, it stays so if its way through the substep before, from
+//   x_A to where it is, passed through a triangle, and belongs there if not, or if a rim is nearest.
 // Source: ours; Ericson 2005, 5.1.5; sides by Baerentzen & Aanaes 2005.
 #include "backend/reference/mesh_surface.hpp"
 #include "backend/reference/mesh_ways.hpp"
@@ -53,6 +55,22 @@ struct Body {
 class Walk {
   public:
     Walk(const Body& body, double offset) : body_(body), offset_(offset) {}
+
+    // Before the first look, `from` where the way begins, which is at `rigid` of the frame before the mesh
+    // bends. `known`: the row of mesh_side, and what it becomes.
+    void belong(const Vec3& from, const Vec3& rigid, double bound, Vec4& known) {
+        const Vec4 last = known;
+        known.setZero();
+        const auto sample = body_.at(from, bound);
+        if (!sample) // out of reach
+            return;
+        const double own = sample->distance < 0 ? -1 : 1, was = last.w() < 0 ? -1 : 1;
+        side_ = last.w() == 0 || sample->rim ? own : was;
+        const bool astray = std::abs(last.w()) > 0.75 * double{PLAIT_MESH_SIDE_ASTRAY};
+        if (side_ != own && !astray && !body_.surface.passed(xyz(last), rigid, body_.motion.begin))
+            side_ = own;
+        known << from, (side_ == own ? 1 : double{PLAIT_MESH_SIDE_ASTRAY}) * side_;
+    }
 
     // f - o; of a sheet it says on which side the place is, too, if that is beyond its rim.
     std::optional<double> look(const Vec3& x, double bound) {
@@ -108,7 +126,7 @@ std::optional<MeshPlaneAt> met(Walk walk, const Vec3& from, const Vec3& to, doub
 }
 
 std::optional<MeshTouch> touch_of(const Body& body, const MeshWays& ways, size_t vertex,
-                                  double clearance, double depth, double arc) {
+                                  double clearance, double depth, double arc, Vec4& known) {
     const double offset = std::min(clearance, depth + PLAIT_CONTACT_ROOT_CLEARANCE * arc);
     const Pose& pose = body.motion.pose;
     const Vec3 rigid = pose.invert(body.motion.carried(ways.root + ways.begin[vertex]));
@@ -116,6 +134,8 @@ std::optional<MeshTouch> touch_of(const Body& body, const MeshWays& ways, size_t
     const Vec3 from = body.carried(rigid, to);
     const double room = (to - from).norm() + PLAIT_MESH_ROOM;
     Walk walk(body, offset);
+    if (body.surface.two_sided)
+        walk.belong(from, rigid, room, known);
     const auto start = walk.look(from, room + std::max(offset, 0.0));
     if (!start || *start > room)
         return {};
@@ -174,9 +194,21 @@ void mesh_nearest(uint32_t item_count, const plait_lane_params& params,
             bodies.emplace_back(args, params.collider_first + mesh, mesh);
             depths.push_back(bodies.back().depth_of(ways.root));
         }
+        for (size_t row = 1; row < params.vertex_stride;
+             ++row) // past the tip there is nothing to know
+            for (size_t mesh = 0; mesh < params.collider_count && ways.length[row] == 0; ++mesh)
+                if (bodies[mesh].surface.two_sided)
+                    args.mesh_side[(strand * params.row_stride + row) * params.collider_count +
+                                   mesh]
+                        .setZero();
         find_touches(params, strand, ways, args.mesh_clearance, list,
                      [&](size_t mesh, size_t i, double clearance, double arc) {
-                         return touch_of(bodies[mesh], ways, i, clearance, depths[mesh], arc);
+                         Vec4 none = Vec4::Zero();
+                         const size_t row = strand * params.row_stride + i;
+                         return touch_of(bodies[mesh], ways, i, clearance, depths[mesh], arc,
+                                         bodies[mesh].surface.two_sided
+                                             ? args.mesh_side[row * params.collider_count + mesh]
+                                             : none);
                      });
         store_planes(args.lane_plane, lane, list);
     }

@@ -89,6 +89,21 @@ template <typename Args> class MeshSurface {
         return SurfaceSample{sign * found->distance, unit(round ? Vec3(sign * way) : outward), rim};
     }
 
+    // Does the straight way from a to b pass through a triangle, or by its edge?
+    bool passed(const Vec3& a, const Vec3& b, double share) const {
+        for (size_t t = 0; t < count_; ++t) {
+            Eigen::Matrix3d m;
+            m << corner(t, 1, share) - corner(t, 0, share),
+                corner(t, 2, share) - corner(t, 0, share), a - b;
+            const Vec3 s = m.fullPivLu().solve(a - corner(t, 0, share));
+            if (std::abs(m.determinant()) > 0 && s[2] >= 0 && s[2] <= 1 &&
+                s[0] >= -PLAIT_MESH_EDGE && s[1] >= -PLAIT_MESH_EDGE &&
+                s[0] + s[1] <= 1 + PLAIT_MESH_EDGE)
+                return true;
+        }
+        return false;
+    }
+
     // Where what is at x at one share is at another.
     Vec3 carried(const Nearest& under, const Vec3& x, double begin, double end, double most) const {
         Vec3 point = Vec3::Zero();

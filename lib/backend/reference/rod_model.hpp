@@ -104,6 +104,8 @@ class RodModel {
     void add_joints(Eigen::MatrixXd& H, Eigen::VectorXd& g) const;
     Eigen::VectorXd turns() const;
     void follow_turns(const RodModel& from, const Eigen::VectorXd& w);
+    Vec3 stopped(size_t vertex, const Vec3& to) const;
+    void turn_to(size_t segment, const Vec3& place);
     bool turn_segments(); // whether a vertex moved far enough for another step
     bool wants_step(uint32_t k, bool moved) const;
     bool deep() const;    // any vertex, deeper than pull and push balance

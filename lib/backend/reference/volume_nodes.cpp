@@ -15,7 +15,7 @@ void volume_nodes(uint32_t item_count, const plait_volume_nodes_params& params,
         args.volume_solid[node] = params.meshes ? args.mesh_solid[node] : Vec4(Vec4::Zero());
         for (size_t i = 0; i < params.collider_count; ++i) {
             const Collider collider = collider_at(args.collider, params.collider_first + i);
-            if (collider.surface(x).distance >= 0)
+            if (collider.inward || collider.surface(x).distance >= 0)
                 continue;
             const Vec3 v = (x - collider.carried_from(x)) / double(params.h);
             args.volume_solid[node] = with_w(pose.q.conjugate() * v, 1);

@@ -344,7 +344,7 @@ void LanePart::find_nearest(Schedule& schedule, const Substep& at,
         {&lane_strand_, &at.state.rest, &at.state.pose, &material(), &at.colliders, &m.first,
          &m.box,        &m.tree,        &m.triangle,    &m.ring,     &m.from,       &m.to,
          &m.bends,      &m.clearance,   &push(),        &pin_,       &x_,           &v_,
-         &history_.x,   &history_.v,    &plane_},
+         &history_.x,   &history_.v,    &plane_,        &m.side},
         lanes_.row);
 }
 
