@@ -46,7 +46,9 @@ void Sim::append_phases(const At& at) {
 Status Sim::step(double dt) {
     schedule_.clear(); // what a failed call may have left
     const Tick tick = clock_.advance(dt);
-    if (tick.steps == 0)
+    if (tick.steps > 0)
+        log_off();
+    else
         PLAIT_TRY(place_colliders());
     append_phases({Moment::call_begins, present(), 0, tick.steps});
     for (uint32_t k = 0; k < tick.steps; ++k)
