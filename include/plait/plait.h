@@ -782,9 +782,9 @@ PLAIT_API plait_result plait_context_prepare(plait_context* context, const plait
  * their tip. Guides come first, then follows, guide by guide or as in the map. The head starts at
  * the identity. `desc` NULL: all defaults. Context, groom and map may be destroyed before the sim.
  * Waits: what is on the device when it returns is the hair at rest, ready to be drawn or stepped.
- * Logs warnings: strands whose lengths are not those of hair, a sag-free start that was not reached
- * or needed much stiffening (plait_sim_info.warning), and parameters away from their defaults that
- * no strand's model reads; of these plait_sim_set_params warns, too, for what it changes.
+ * Logs warnings: what plait_groom_info.warning says, a sag-free start that was not reached or needed
+ * much stiffening (plait_sim_info.warning), and parameters away from their defaults that no strand's
+ * model reads; of these plait_sim_set_params warns, too, and the next step if their feature is off.
  * @errors UNSUPPORTED (tressfx: V beyond the device's work-group; the backend lacks a stage),
  *         COMPILE. */
 PLAIT_API plait_result plait_sim_create(plait_context* context, const plait_groom* groom,

@@ -100,7 +100,7 @@ double edge_for(const std::pmr::vector<Point>& ends, std::pmr::memory_resource* 
     for (size_t i = 0; i < ends.size(); i += 2)
         reach += std::sqrt(square(ends[i], ends[i + 1])) / double(ends.size() / 2);
     std::pmr::vector<Cells::Near> near(memory);
-    for (double edge = reach / 64; edge > 0 && edge <= 2 * reach; edge *= 1.5) {
+    for (double edge = reach / 64; edge > 0 && edge <= 2 * reach; edge *= 2) {
         const Cells cells(ends, edge, memory);
         const size_t stride = std::max<size_t>(1, ends.size() / 256) | 1; // of both kinds
         size_t asked = 0, enough = 0;

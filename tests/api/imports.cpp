@@ -212,6 +212,33 @@ TEST(Imports, StrandsAreTurnedAroundWhereAsked) {
         expected);
 }
 
+// All of them reversed alike: no strand tells of another, but the head does.
+TEST(Imports, AHeadContradictsRootsThatAreFartherFromItThanTheTips) {
+    std::string log;
+    auto context_desc = plait_context_desc_defaults();
+    context_desc.backend = "reference";
+    context_desc.log = [](plait_log_level, const char* text, void* user) {
+        *static_cast<std::string*>(user) += text;
+    };
+    context_desc.log_user = &log;
+    const plait::Context context(context_desc);
+    const ShapeMesh box = box_mesh(0.2, 0.1, 0.2);
+    auto desc = plait_mesh_desc_defaults();
+    desc.positions = plait::view(box.positions);
+    desc.triangles = plait::view(box.triangles);
+    for (const bool turned : {false, true}) {
+        Strands strands = {{{0, 0.1f, 0}, {0, 0.15f, 0}, {0.02f, 0.2f, 0}},
+                           {{0.1f, 0.1f, 0}, {0.1f, 0.15f, 0}, {0.12f, 0.2f, 0}}};
+        for (Strand& strand : strands)
+            if (turned)
+                std::ranges::reverse(strand);
+        plait::Sim sim(context, make_groom(strands));
+        log.clear();
+        sim.bind_roots(plait::Mesh(desc));
+        EXPECT_EQ(has(log, "of 2 the tip is nearer to it than the root"), turned) << log;
+    }
+}
+
 // ---- units --------------------------------------------------------------------------------------
 
 TEST(Imports, ABearIsLargeAndItsHairShort) {

@@ -93,8 +93,9 @@ std::string short_label_of(const plait_sim_desc& sim) {
     return has_thesis_step(sim.params) ? model + " + thesis's step" : model;
 }
 
-std::string tressfx_settings(const plait_sim_desc& sim) {
-    const plait_sim_params& p = sim.params;
+std::string tressfx_settings(const Scene& scene) {
+    const plait_sim_params& p =
+        scene.sim.model == PLAIT_MODEL_TRESSFX ? scene.sim.params : scene.tressfx;
     char text[160];
     std::snprintf(
         text, sizeof text,
