@@ -65,6 +65,12 @@ TEST_F(SceneFile, says_how_a_file_lies) {
     EXPECT_THAT(refusal(R"({"groom": "a.tfx", "axes": "x_up"})"), HasSubstr("not one of y_up"));
 }
 
+TEST_F(SceneFile, a_body_without_animation_is_refused) {
+    EXPECT_THAT(refusal(R"({"body": {"file": "rat.tfxmesh"}})"),
+                AllOf(HasSubstr("body.file is"), HasSubstr(".tfxmesh holds no animation"),
+                      HasSubstr("allowed are .gltf and .glb")));
+}
+
 TEST_F(SceneFile, has_wind) {
     EXPECT_FALSE(read("{}").wind.has_value());
     const Scene scene = read(R"({"seed": 9, "wind": {"velocity": [1, 2, -3], "turbulence": 0.5,
