@@ -19,6 +19,7 @@
 #pragma OPENCL FP_CONTRACT OFF
 #include "common/acceleration.clh"
 #include "common/lane_air.clh"
+#include "common/lane_spring.clh"
 
 /* Of the strand at vertex i: from the vertex before to the one behind, or at the tip to the tip. */
 static inline lane_direction direction_at(lane_place place, __global const real* lane_x, int i,
@@ -74,14 +75,6 @@ static inline void fetch_row(const lane_step* step, lane_buffers state,
                 lane_index(place, PLAIT_LANE_MATERIAL_COMPONENTS, row, PLAIT_LANE_MASS));
     lane_fetch(lane_push, place, 3, row);
     lane_fetch(lane_spring, place, 4, row);
-}
-
-/* A pin of stiffness `stiff` at `target` beside the one that is there: they are one spring. */
-static inline quat with_spring(quat pin, vec3 target, real stiff) {
-    const real both = pin.w + stiff;
-    const real share = pick(pin.w > (real)(0.0f), stiff / fmax(both, (real)(1e-30f)), (real)(1.0f));
-    return quat_of(pin.x + share * (target.x - pin.x), pin.y + share * (target.y - pin.y),
-                   pin.z + share * (target.z - pin.z), both);
 }
 
 __kernel void plait_lane_air(const uint item_count, const plait_lane_air_params params,
@@ -144,8 +137,9 @@ __kernel void plait_lane_air(const uint item_count, const plait_lane_air_params 
         const vec3 target =
             axpy3((real)(step.h), v, add3(lane_history_position(&step, state, i), shift));
         const real stiff = mass * drag.rate * (1.0f / step.h);
-        const quat spring = params.pins ? with_spring(loadq(lane_spring, place, i), target, stiff)
-                                        : quat_of(target.x, target.y, target.z, stiff);
+        const quat spring = params.pins
+                                ? lane_spring_with(loadq(lane_spring, place, i), target, stiff)
+                                : quat_of(target.x, target.y, target.z, stiff);
         storeq(lane_spring, place, i, pickq(there, spring, none));
     }
 }

@@ -11,7 +11,7 @@
  * fetched and not torn there, for a solve that is cut short jams where it should fold a strand at
  * once.
  */
-#include "common/lane_step.clh"
+#include "common/lane_spring.clh"
 #include "common/pin.clh"
 
 /* Row `row` of pins, gathered into lanes: targets, and signed stiffness. */
@@ -33,13 +33,6 @@ static inline quat lane_pin_gather(__global const float4* pin_from, __global con
 static inline real lane_pin_material(__global const real* material, lane_place place, uint row,
                                      uint component) {
     return material[lane_index(place, PLAIT_LANE_MATERIAL_COMPONENTS, row, component)];
-}
-
-/* How far the target is from its vertex, m: from where that is beside its root, or from where it
- * would go, whichever is nearer. */
-static inline real lane_pin_distance(vec3 target, vec3 shift, vec3 beside, vec3 way) {
-    const vec3 off = sub3(target, beside), ahead = sub3(off, add3(way, shift));
-    return sqrt(fmin(dot3(off, off), dot3(ahead, ahead)));
 }
 
 __kernel void plait_lane_pin(const uint item_count, const plait_lane_pin_params params,
@@ -75,8 +68,8 @@ __kernel void plait_lane_pin(const uint item_count, const plait_lane_pin_params 
         const vec3 carried = rotate3(root.q, sub3(target, rest_root));
         const real length = lane_pin_material(lane_material, place, i - 1, PLAIT_LANE_LENGTH);
         const vec3 at = pick3(pin.w < (real)(0.0f), carried, sub3(target, root.root));
-        const real distance = lane_pin_distance(at, shift, load3(lane_x, place, i),
-                                                scale3(load3(lane_v, place, i), (real)(params.h)));
+        const real distance = lane_spring_distance(
+            at, shift, load3(lane_x, place, i), scale3(load3(lane_v, place, i), (real)(params.h)));
         const real own = lane_pin_material(lane_material, place, i, PLAIT_LANE_MASS);
         const real most =
             fmax(params.hold * mass / pick(there, length, (real)(1.0f)), params.rate * own);

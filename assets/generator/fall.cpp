@@ -5,7 +5,9 @@
 namespace plait_generator {
 namespace {
 
-constexpr double crown_z = -0.035;  // m, where the parting ends
+constexpr double crown_z = -0.035; // m, where the parting ends
+constexpr double bust = -0.25,
+                 under = -0.5;      // below it, m, the underside of the bust: its normal's y
 constexpr double settle_way = 0.06; // m of path in which a strand gets half of its layer's height
 
 // Of an ellipsoid before the face, within which no hair hangs: how far p is inside, along which
@@ -56,7 +58,10 @@ Path fall(const Field& field, Vec3 root, const Comb& comb, const Walk& walk,
     const double steps = std::max(walk.length / walk_step, 2.0);
     for (int i = 1; i <= steps && !(stop && stop(p)); ++i) {
         const double along = i * walk_step;
-        const Vec3 wish = comb(p), kept_in = wish - std::max(0.0, dot(wish, outward)) * outward;
+        // what is out of the bust hangs on, and does not turn in under it
+        const double held =
+            p.y < bust && outward.y < under ? 0 : std::max(0.0, dot(comb(p), outward));
+        const Vec3 kept_in = comb(p) - held * outward;
         way = unit(mix(way, unit(kept_in), walk_step / walk.bend));
         p += walk_step * way;
         if (walk.clear_face)

@@ -229,6 +229,26 @@ typedef enum plait_repair {
     PLAIT_REPAIR_FORCE_32 = 0x7fffffff
 } plait_repair;
 
+/* The axes of what is read: where its (x, y, z) comes to lie, here where y is up. Those of
+ * left-handed programs are reflected, as such programs show them. */
+typedef enum plait_axes {
+    PLAIT_AXES_Y_UP = 0,             /* (x, y, z): Maya, Houdini, glTF */
+    PLAIT_AXES_Z_UP = 1,             /* (x, z, -y): Blender, 3ds Max */
+    PLAIT_AXES_Y_UP_LEFT_HANDED = 2, /* (x, y, -z): Unity */
+    PLAIT_AXES_Z_UP_LEFT_HANDED = 3, /* (x, z, y): Unreal Engine */
+    PLAIT_AXES_FORCE_32 = 0x7fffffff
+} plait_axes;
+
+/* Which end of a strand is its root. */
+typedef enum plait_root_end {
+    PLAIT_ROOT_END_FIRST = 0, /* the first vertex of each */
+    PLAIT_ROOT_END_LAST = 1,  /* the last: strands are stored from tip to root */
+    /* the first, but of strands that the others contradict (plait_groom_info.roots_contradicted)
+       the last */
+    PLAIT_ROOT_END_AGREED = 2,
+    PLAIT_ROOT_END_FORCE_32 = 0x7fffffff
+} plait_root_end;
+
 typedef struct plait_import_options {
     uint32_t struct_size;
     plait_repair_policy policy;
@@ -236,6 +256,10 @@ typedef struct plait_import_options {
     float scale;       /* units of what is read to metres, (0, 1e6], default 1 */
     uint32_t resample; /* 0: keep; 2..256: every strand to so many vertices by arc length */
     plait_allocator allocator;
+    plait_axes axes;         /* default Y_UP */
+    plait_root_end root_end; /* of strands, default FIRST */
+    plait_pose pose;         /* after axes and scale: a turn, then an offset in m, each [-1e6, 1e6];
+                                default the identity */
 } plait_import_options;
 
 PLAIT_API void plait_import_options_init(plait_import_options* options, size_t size);
@@ -268,14 +292,19 @@ typedef struct plait_groom_info {
     float min_length; /* m, of a strand */
     float mean_length;
     float max_length;
-    /* 1 if mean_length is that of hair, 5 mm to 2 m; else the plait_import_options.scale, on top
-       of the one given, with which it would be: 0.01 for a groom in centimetres, 1e-3 in
-       millimetres, 100 or 1000 for one that was scaled down twice, else the nearest power of ten.
-       A guess from the mean length alone */
+    /* 1 if mean_length is that of hair, 5 mm to 2 m, and the longest edge of the bounds 10 m at most;
+       else the plait_import_options.scale, on top of the one given, with which both would be: 0.01
+       for a groom in centimetres, 1e-3 in millimetres, 100 or 1000 for one that was scaled down
+       twice, else the one that makes the mean length a hair's. A guess */
     float likely_scale;
     uint64_t repairs[PLAIT_REPAIR_COUNT]; /* strands or segments repaired, by kind */
     uint64_t repairs_total;
-    char first_repair[192]; /* "strand 17, vertex 3: segment of 0 m ..." or "" */
+    char first_repair[192];      /* "strand 17, vertex 3: segment of 0 m ..." or "" */
+    uint64_t roots_contradicted; /* strands whose root lies apart from all other roots, and whose
+                                    tip lies among them: stored from tip to root, likely */
+    uint64_t thickness_unlikely; /* strands whose diameter is no hair's, 10 um to 1 mm: wind takes
+                                    the mean of the others, or 70 um where there are none */
+    char warning[512];           /* what of this is likely wrong, in sentences; "": nothing */
 } plait_groom_info;
 
 /* `options` NULL: defaults. @errors BAD_DATA (nothing left, or policy REFUSE). */
@@ -283,8 +312,8 @@ PLAIT_API plait_result plait_groom_create(const plait_groom_desc* desc,
                                           const plait_import_options* options, plait_groom** out);
 
 /* By extension: .tfx (TressFX 3 and 4; a .tfxbone beside it is read as skin), .hair (Cem Yuksel),
- * .obj polylines. @errors NOT_FOUND, IO, BAD_DATA (file, place, value, range),
- * UNSUPPORTED (unknown extension, or built without assimp). On Windows all paths are UTF-8. */
+ * .obj polylines: docs/formats.md. @errors NOT_FOUND, IO, BAD_DATA (file, place, value, range),
+ * UNSUPPORTED (unknown extension). On Windows all paths are UTF-8. */
 PLAIT_API plait_result plait_groom_load(const char* path, const plait_import_options* options,
                                         plait_groom** out);
 
@@ -376,7 +405,7 @@ typedef struct plait_mesh_desc {
 
 PLAIT_API void plait_mesh_desc_init(plait_mesh_desc* desc, size_t size);
 
-/* `options` NULL: defaults; of them policy, scale and allocator are read.
+/* `options` NULL: defaults; of them policy, scale, axes, pose and allocator are read.
  * @errors BAD_DATA (triangle or vertex, value and range; nothing left; policy REFUSE) */
 PLAIT_API plait_result plait_mesh_create(const plait_mesh_desc* desc,
                                          const plait_import_options* options, plait_mesh** out);
@@ -519,8 +548,9 @@ typedef enum plait_volume_form {
 
 /* Whether the groom is the unloaded shape of the strands, from which they sag, or their equilibrium
  * under their own weight: lengths and rest rotations of the joints are then computed, in closed
- * form, for gravity with the head unrotated, and again when plait_sim_set_params changes gravity or
- * the material. plait_sim_describe reports the result. */
+ * form, for the gravity that the sim is made with and the head unrotated, and again when the material
+ * changes. Gravity that changes later is felt; plait_sim_find_balance finds the balance anew.
+ * plait_sim_describe reports the result. */
 typedef enum plait_sag_free {
     PLAIT_SAG_FREE_OFF = 0,
     PLAIT_SAG_FREE_REST = 1,    /* joints too weak for the groom keep their stiffness, and sag */
@@ -543,6 +573,8 @@ typedef struct plait_sim_params {
     float vsp_coeff;               /* [0, 1], default 0.8 */
     float vsp_accel_threshold;     /* m, [0, 1e6], default 1.4 */
     float max_displacement;        /* clamp per substep, m, (0, 1e6], default 1e6: off */
+    float attachment;              /* largest distance from the root over arc length, [0, 100],
+                                      default 0: off; 1: the strand as a whole does not stretch */
     float tip_separation;          /* of follows_per_guide, [0, 100], default 0 */
     plait_wind_form wind_form;     /* default DRAG */
     plait_follow_form follow_form; /* of follows_per_guide, default ROTATING */
@@ -571,11 +603,9 @@ typedef struct plait_sim_params {
     float drag;          /* 1/s, relative to the wind, [0, 1e4], default 2: a swing halves its
                             amplitude in 0.7 s */
 
-    /* artistic constraints for any model, once per substep */
-    uint32_t shape_constraints; /* strand models: 1: global_* and local_* above act after the
-                                   solve; default 0. tressfx: they always act */
-    float attachment; /* largest distance from the root over arc length, [0, 100]; default 0: off;
-                         1: the strand as a whole does not stretch */
+    float groom; /* groom against physics, [0, 1], default 0: what share of a level strand's
+                            droop under its own weight the groom takes away; 1: hair stays as groomed.
+                            docs/groom.md */
 
     /* air */
     float wind[3];       /* m/s, each [-1e3, 1e3], default 0; with no drag: no wind stage */
@@ -679,7 +709,7 @@ PLAIT_API plait_result plait_sim_params_set_fibre(plait_sim_params* params,
 /* What some strands of a sim are made of, in place of the params' fields of the same names (and of
  * tip_stiffness and tip_density, which the ramps take the place of). Ramps have knots at the root,
  * a third, two thirds of the arc length and the tip, linear between. Models chain (line_density and
- * its ramp, drag_scale and friction_scale), cosserat, rod, articulated, each what it reads of the
+ * its ramp, drag_scale, friction_scale, groom_stiffness and its ramp), cosserat, rod, articulated, each what it reads of the
  * params. */
 typedef struct plait_material {
     uint32_t struct_size;
@@ -699,6 +729,10 @@ typedef struct plait_material {
     float friction_scale;    /* scale of the coefficient of friction of whatever they touch,
                                 colliders of every kind and other strands, [0, 100], default 1. Of
                                 two strands that meet each feels friction by its own scale */
+    float groom_stiffness;   /* N/m^2, [0, 1e6], default 0: a piece of hair of length l is drawn to
+                                its place in the groom, carried by the root, by a spring of
+                                groom_stiffness x l. Adds to what the params' `groom` gives */
+    float groom_ramp[4];     /* scale of both, each [0, 100], default 1 */
 } plait_material;
 
 PLAIT_API void plait_material_init(plait_material* material, size_t size);
@@ -751,9 +785,9 @@ PLAIT_API plait_result plait_context_prepare(plait_context* context, const plait
  * their tip. Guides come first, then follows, guide by guide or as in the map. The head starts at
  * the identity. `desc` NULL: all defaults. Context, groom and map may be destroyed before the sim.
  * Waits: what is on the device when it returns is the hair at rest, ready to be drawn or stepped.
- * Logs warnings: strands whose lengths are not those of hair, a sag-free start that was not reached
- * or needed much stiffening (plait_sim_info.warning), and parameters away from their defaults that
- * no strand's model reads; of these plait_sim_set_params warns, too, for what it changes.
+ * Logs warnings: what plait_groom_info.warning says, a sag-free start that was not reached or needed
+ * much stiffening (plait_sim_info.warning), and parameters away from their defaults that no strand's
+ * model reads; of these plait_sim_set_params warns, too, and the next step if their feature is off.
  * @errors UNSUPPORTED (tressfx: V beyond the device's work-group; the backend lacks a stage),
  *         COMPILE. */
 PLAIT_API plait_result plait_sim_create(plait_context* context, const plait_groom* groom,
@@ -815,6 +849,13 @@ PLAIT_API plait_result plait_sim_get_params(const plait_sim* sim, plait_sim_para
 PLAIT_API plait_result plait_sim_set_materials(plait_sim* sim, const plait_material* materials,
                                                size_t count, plait_view strand_material);
 
+/* Finds the balance of a sag-free groom anew, under the gravity and the material that the params have
+ * now, so that the groom is again the equilibrium. Gravity that plait_sim_set_params changes is felt,
+ * and does not move the balance: a sim in which it is turned for good calls this. From the next step
+ * on; hair stays where it is. Waits. Not part of a snapshot, as the params are none.
+ * @errors INVALID_STATE: sag_free is OFF. A call that fails changes nothing. */
+PLAIT_API plait_result plait_sim_find_balance(plait_sim* sim);
+
 /* The model of every guide strand, `count` of them, from the next step on: any but tressfx, in a
  * sim that was made with one of these. Strands of one model are stepped together, whatever their
  * order. Positions and velocities stay; a strand that leaves chain gets orientations along its
@@ -845,12 +886,10 @@ PLAIT_API void plait_strand_settings_init(plait_strand_settings* settings, size_
  * for all. As plait_sim_set_models, which is this with nothing but models given. Strands of equal
  * settings are stepped together; the inter-hair step is that of the fixed step for all. Where
  * strands have different numbers of substeps, `acceleration`, `interhair` and what the caller reads
- * and writes (velocities, position_prev) are of the sim's own; shape constraints and attachment
- * (plait_sim_params), which act after a substep of all, are refused, there and here.
+ * and writes (velocities, position_prev) are of the sim's own.
  * strand_settings: uint32_t [guides].
  * @errors INVALID_ARGUMENT: settings, index, value and range, or more settings; INVALID_STATE: the
- *         sim is of model tressfx, or constrains shapes and substeps would differ; UNSUPPORTED: the
- *         backend lacks a stage. A call that fails changes nothing. */
+ *         sim is of model tressfx; UNSUPPORTED: the backend lacks a stage. A call that fails changes nothing. */
 PLAIT_API plait_result plait_sim_set_settings(plait_sim* sim, const plait_strand_settings* settings,
                                               size_t count, plait_view strand_settings);
 /* Of every guide strand: a list, whose elements given have their struct_size; dst == NULL: writes
@@ -865,7 +904,7 @@ typedef struct plait_roots {
     plait_view root_poses;     /* plait_pose [guides], applied before head; or empty */
     plait_view bones;          /* float[12], 3x4 row-major skinning matrices [bones], through the
                               groom's skin (closest rotation of the blend) before head; or empty.
-                              Blended on the device */
+                              Blended on the device; one that mirrors is refused */
     plait_view mesh_positions; /* float[3], m, each [-1e6, 1e6], where the vertices are of the mesh
                                   that plait_sim_bind_roots bound the roots to, before head; or
                                   empty. At most one of these three is given */
@@ -1005,11 +1044,13 @@ typedef struct plait_wind_desc {
     float gust_period; /* s, [0.01, 1e4], default 2 */
     uint32_t seed;     /* of eddies and gusts */
     float tangential;  /* drag along a strand over that across it, [0, 1], default 0.3 */
-    float diameter;    /* m, of a hair, [0, 0.1]; default 0: the groom's mean thickness, or 70 um */
+    float diameter;    /* m, of a hair, [0, 0.1]; default 0: the mean of the groom's thicknesses
+                          that are a hair's, 10 um to 1 mm, or 70 um */
     float air_density; /* kg/m^3, (0, 1e4], default 1.204 */
     float viscosity;   /* kinematic, m^2/s, [0, 1], default 1.516e-5; 0: a drag coefficient of 1 */
-    uint32_t shelter;  /* 1, as by default: hair and colliders, but for meshes, stop the wind behind
-                          them, and the air in hair goes along with it; 0: all hair is in the open */
+    uint32_t
+        shelter; /* 1 (default): hair and colliders, but for sheets (meshes that are two_sided),
+                          stop the wind, and the air in hair goes along with it; 0: nothing does */
     float
         hairs_per_strand; /* that a guide stands for in giving shelter, [0, 1e6], default 0: itself
                           and its follows */

@@ -272,6 +272,7 @@ class Sim : public detail::Owner<plait_sim, plait_sim_destroy> {
     void step(double dt) { check(plait_sim_step(get(), dt)); }
     void wait() { check(plait_sim_wait(get())); }
     void reset() { check(plait_sim_reset(get())); }
+    void find_balance() { check(plait_sim_find_balance(get())); }
     // Of every guide, where its root is bound now.
     std::vector<plait_root_place> bind_roots(const Mesh& mesh) {
         std::vector<plait_root_place> places(describe().guides);

@@ -3,6 +3,8 @@
 #include "api/options.hpp"
 #include "api/structs.hpp"
 #include "api/view.hpp"
+#include "core/import_frame.hpp"
+#include "core/root_ends.hpp"
 #include "core/units.hpp"
 #include "io/io.hpp"
 
@@ -68,11 +70,15 @@ template <typename Read>
 Status make_groom(const plait_import_options& options, plait_groom** out, const Read& read) {
     Memory memory(options.allocator);
     auto handle = make_in<plait_groom>(&memory, options.allocator);
-    const auto raw = read(&memory);
+    auto raw = read(&memory);
     if (!raw)
         return raw.error();
+    place_points(raw->positions, options.axes, options.pose);
+    if (options.root_end == PLAIT_ROOT_END_LAST)
+        turn_all_around(*raw);
     auto groom =
-        build_groom(*raw, {options.policy, options.min_segment, options.resample}, &handle->own);
+        build_groom(*raw, {options.policy, options.min_segment, options.resample, options.root_end},
+                    &handle->own);
     if (!groom)
         return groom.error();
     handle->groom = std::move(*groom);
@@ -101,10 +107,16 @@ plait_groom_info describe(const Groom& groom) {
     info.min_length = static_cast<float>(shape.min_length);
     info.mean_length = static_cast<float>(shape.mean_length);
     info.max_length = static_cast<float>(shape.max_length);
-    info.likely_scale = static_cast<float>(likely_scale(shape.mean_length));
+    info.likely_scale = static_cast<float>(likely_scale(shape.mean_length, shape.extent()));
     std::copy(groom.repairs.count.begin(), groom.repairs.count.end(), info.repairs);
     info.repairs_total = groom.repairs.total();
     groom.repairs.first.copy(info.first_repair, sizeof info.first_repair - 1);
+    info.roots_contradicted = groom.roots_contradicted;
+    info.thickness_unlikely = groom.thickness_unlikely;
+    std::string warning = size_warning(shape.mean_length, shape.extent());
+    if (const std::string more = groom_warning(groom); !more.empty())
+        warning += (warning.empty() ? "" : "; ") + more;
+    warning.copy(info.warning, sizeof info.warning - 1);
     return info;
 }
 

@@ -1,6 +1,8 @@
 // Meshes.
 #include "core/mesh.hpp"
+#include "core/import_frame.hpp"
 #include "core/mesh_fit.hpp"
+#include "core/pose.hpp"
 
 #include "api/objects.hpp"
 #include "api/options.hpp"
@@ -49,15 +51,37 @@ Result<RawMesh> copy_mesh(const plait_mesh_desc& desc, float scale, Memory* memo
     return mesh;
 }
 
+// Bones that know where they were bound would have to go along.
+Status place_mesh(const plait_import_options& options, const std::string& where, RawMesh& raw) {
+    const bool stays = options.axes == PLAIT_AXES_Y_UP &&
+                       std::ranges::equal(options.pose.q, identity_pose.q) &&
+                       std::ranges::equal(options.pose.t, identity_pose.t);
+    if (stays)
+        return {};
+    if (std::ranges::any_of(raw.skin.bones, [](const MeshBone& bone) {
+            return bone.inverse_bind != MeshBone{}.inverse_bind;
+        }))
+        return Error{PLAIT_UNSUPPORTED,
+                     format("%saxes and pose of the import are for meshes without a skin of glTF, "
+                            "whose bones have places of their own",
+                            where.c_str())};
+    place_points(flat(raw.surface.positions), options.axes, options.pose);
+    if (reflects(options.axes))
+        for (Triangle& triangle : raw.surface.triangles)
+            std::swap(triangle[0], triangle[2]);
+    return {};
+}
+
 // Mends what `read` (a callable: memory -> Result<RawMesh>) gives and makes the handle.
 template <typename Read>
 Status make_mesh(const plait_import_options& options, const std::string& where, plait_mesh** out,
                  const Read& read) {
     Memory memory(options.allocator);
     auto handle = make_in<plait_mesh>(&memory, options.allocator);
-    const auto raw = read(&memory);
+    auto raw = read(&memory);
     if (!raw)
         return raw.error();
+    PLAIT_TRY(place_mesh(options, where, *raw));
     PLAIT_TRY(build_mesh(*raw, options.policy, where, handle->mesh));
     *out = handle.release();
     return {};

@@ -2,6 +2,7 @@
 #include "api/options.hpp"
 
 #include "api/structs.hpp"
+#include "core/pose.hpp"
 
 #include <plait/params.h>
 
@@ -12,18 +13,36 @@ plait_import_options default_options() {
     options.struct_size = sizeof options;
     options.min_segment = 1e-3f;
     options.scale = 1;
+    options.pose = identity_pose;
     return options;
 }
+
+namespace {
+
+// Any number may come from C.
+template <typename Enum> Status check_choice(const char* field, const Enum& value, uint32_t most) {
+    uint32_t number;
+    static_assert(sizeof number == sizeof value);
+    std::memcpy(&number, &value, sizeof number);
+    if (number <= most)
+        return {};
+    return invalid(format("options->%s is %u, range is [0, %u]", field, number, most));
+}
+
+} // namespace
 
 Status read_options(const plait_import_options* given, plait_import_options& options) {
     options = default_options();
     if (!given)
         return {};
     PLAIT_TRY(read_struct(given, options, "options"));
-    uint32_t policy; // any number may come from C
-    std::memcpy(&policy, &options.policy, sizeof policy);
-    if (policy > PLAIT_REPAIR_POLICY_REFUSE)
-        return invalid(format("options->policy is %u, range is [0, 1]", policy));
+    PLAIT_TRY(check_choice("policy", options.policy, PLAIT_REPAIR_POLICY_REFUSE));
+    PLAIT_TRY(check_choice("axes", options.axes, PLAIT_AXES_Z_UP_LEFT_HANDED));
+    PLAIT_TRY(check_choice("root_end", options.root_end, PLAIT_ROOT_END_AGREED));
+    const auto pose = checked_pose(options.pose, "options->pose");
+    if (!pose)
+        return pose.error();
+    options.pose = *pose;
     if (!(options.min_segment >= 0 && options.min_segment <= 0.5f))
         return invalid(
             format("options->min_segment is %g, range is [0, 0.5]", double(options.min_segment)));

@@ -289,6 +289,10 @@ plait_result plait_sim_set_materials(plait_sim* sim, const plait_material* mater
     });
 }
 
+plait_result plait_sim_find_balance(plait_sim* sim) {
+    return api::with_sim(__func__, sim, [](Sim& s) { return s.find_balance(); });
+}
+
 plait_result plait_sim_set_models(plait_sim* sim, const plait_model* models, size_t count) {
     return api::with_sim(__func__, sim, [&](Sim& s) -> Status {
         PLAIT_TRY(api::need(models, "models"));

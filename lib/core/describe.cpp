@@ -7,6 +7,8 @@
 #include "base/format.hpp"
 
 #include <cmath>
+#include <cstring>
+#include <utility>
 
 namespace plait {
 namespace {
@@ -81,8 +83,9 @@ const char* Sim::no_accelerate() const {
 
 std::string Sim::warning() const {
     const SagReport sag = model_->sag();
-    std::string text = length_warning(mean_length_);
+    std::string text = size_warning_;
     const bool told = !text.empty();
+    append(text, groom_warning_);
     append(text, residual_warning(sag, layout_.guides, desc_.sag_free));
     append(text, stiffening_warning(sag, told));
     append(text, volume_warning(desc_, cube_));
@@ -110,6 +113,17 @@ void Sim::log_warnings(const plait_sim_params& before, const std::string& said) 
     const Readers readers{models_in_use(), no_accelerate()};
     for (const plait_param_info& param : param_table())
         log(ignored_warning(param, before, desc_.params, readers));
+}
+
+// Features that calls open, as wetness, are open by the first step or are not meant.
+void Sim::log_off() {
+    const plait_sim_params said = std::exchange(said_, desc_.params);
+    if (!context_.log.callback || std::memcmp(&said, &said_, sizeof said) == 0)
+        return;
+    const OpenFeatures open{bool(state_.wetness), desc_.follows_per_guide > 0};
+    for (const plait_param_info& param : param_table())
+        if (const std::string text = off_warning(param, said, said_, open); !text.empty())
+            context_.log(PLAIT_LOG_LEVEL_WARNING, "sim: " + text);
 }
 
 plait_sim_info Sim::describe() const {

@@ -3,6 +3,7 @@
 #include "base/format.hpp"
 #include "base/hash.hpp"
 #include "core/repair.hpp"
+#include "core/root_ends.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -113,6 +114,18 @@ void add_strand(GroomShape& shape, const Points& strand, double length) {
     shape.vertices += count;
 }
 
+// After repairs, which leave strands that have ends.
+void judge_roots(Groom& groom, plait_root_end wanted, std::pmr::memory_resource* memory) {
+    constexpr int passes = 8; // each sees those of the one before the right way round
+    auto list = contradicted_roots(groom.strands, memory);
+    for (int k = 0; k < passes && wanted == PLAIT_ROOT_END_AGREED && !list.empty(); ++k) {
+        turn_around(groom.strands, list);
+        list = contradicted_roots(groom.strands, memory);
+    }
+    groom.roots_contradicted = list.size();
+    groom.first_contradicted = list.empty() ? 0 : list.front();
+}
+
 uint32_t count_bones(const StrandSet& set) {
     if (set.bone_indices.empty())
         return 0;
@@ -120,6 +133,29 @@ uint32_t count_bones(const StrandSet& set) {
 }
 
 } // namespace
+
+std::string groom_warning(const Groom& groom) {
+    std::string text;
+    const auto strands = static_cast<unsigned long long>(groom.shape.strands);
+    if (groom.roots_contradicted > 0)
+        text = format(
+            "groom: %llu of %llu strands, the first of them strand %u, have their root among "
+            "the tips of others and their tip among roots: stored from tip to root "
+            "(plait_import_options.root_end)",
+            static_cast<unsigned long long>(groom.roots_contradicted), strands,
+            groom.first_contradicted);
+    if (groom.thickness_unlikely > 0) {
+        const auto& all = groom.strands.thickness;
+        const auto first = std::ranges::find_if(all, [](float d) { return !is_hair_diameter(d); });
+        text += format(
+            "%sgroom: %llu of %llu strands are not as thick as hair, 10 um to 1 mm (strand "
+            "%td: %.3g m): the wind takes the mean of the others, or 70 um where there "
+            "are none",
+            text.empty() ? "" : "; ", static_cast<unsigned long long>(groom.thickness_unlikely),
+            strands, first - all.begin(), double(*first));
+    }
+    return text;
+}
 
 uint64_t Repairs::total() const {
     return std::accumulate(count.begin(), count.end(), uint64_t{0});
@@ -181,6 +217,9 @@ Result<Groom> build_groom(const StrandSet& raw, const ImportRules& rules,
                                          ? std::string("the groom has no strands")
                                          : "no strand can be kept; " + groom.repairs.first};
     groom.shape.bones = count_bones(groom.strands);
+    judge_roots(groom, rules.root_end, memory);
+    groom.thickness_unlikely = static_cast<uint64_t>(std::ranges::count_if(
+        groom.strands.thickness, [](float d) { return !is_hair_diameter(d); }));
     return groom;
 }
 

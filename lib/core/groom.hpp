@@ -7,6 +7,7 @@
 #include <plait/params.h>
 #include <plait/plait.h>
 
+#include <algorithm>
 #include <array>
 #include <memory_resource>
 #include <span>
@@ -18,7 +19,14 @@ struct ImportRules {
     plait_repair_policy policy = PLAIT_REPAIR_POLICY_MEND;
     float min_segment = 1e-3f; // share of the strand's mean segment
     uint32_t resample = 0;     // vertices per strand; 0: as they come
+    plait_root_end root_end = PLAIT_ROOT_END_FIRST;
 };
+
+// Diameters of hair, m: of others nothing is believed.
+inline constexpr float thinnest_hair = 10e-6f, thickest_hair = 1e-3f;
+inline bool is_hair_diameter(float d) {
+    return d >= thinnest_hair && d <= thickest_hair;
+}
 
 struct Repairs {
     std::array<uint64_t, PLAIT_REPAIR_COUNT> count{};
@@ -38,6 +46,12 @@ struct GroomShape {
     double min_length = 0; // m
     double mean_length = 0;
     double max_length = 0;
+    double extent() const { // m, along the longest axis
+        double most = 0;
+        for (size_t i = 0; i < 3; ++i)
+            most = std::max(most, double(bounds_max[i]) - double(bounds_min[i]));
+        return most;
+    }
 };
 
 // Immutable once made, so threads and contexts may share it.
@@ -45,7 +59,13 @@ struct Groom {
     StrandSet strands;
     GroomShape shape;
     Repairs repairs;
+    uint64_t roots_contradicted = 0; // strands (root_ends.hpp), the first of them
+    uint32_t first_contradicted = 0;
+    uint64_t thickness_unlikely = 0; // strands whose diameter is no hair's
 };
+
+// What is likely wrong with it beside its lengths (units.hpp), in sentences; "": nothing.
+std::string groom_warning(const Groom& groom);
 
 // The strands of `from` with these numbers, as they are there.
 Groom take_strands(const Groom& from, std::span<const uint32_t> which,

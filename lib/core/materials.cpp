@@ -5,8 +5,8 @@
 namespace plait {
 
 plait_material default_material() {
-    return {sizeof(plait_material), 5e-6f,        4.7e-9f, 0, 0, 1, 1, 1,
-            {1, 1, 1, 1},           {1, 1, 1, 1}, 1,       1};
+    return {sizeof(plait_material), 5e-6f,        4.7e-9f, 0, 0, 1,           1, 1,
+            {1, 1, 1, 1},           {1, 1, 1, 1}, 1,       1, 0, {1, 1, 1, 1}};
 }
 
 namespace {
@@ -27,6 +27,10 @@ Status check_material(const plait_material& s) {
                               double(knot), double(1e-3f), 1e3));
     PLAIT_RANGE(drag_scale, 0, 100);
     PLAIT_RANGE(friction_scale, 0, 100);
+    PLAIT_RANGE(groom_stiffness, 0, 1e6);
+    for (const float& knot : s.groom_ramp)
+        PLAIT_TRY(check_range(format("groom_ramp[%td]", &knot - s.groom_ramp).c_str(), double(knot),
+                              0, 100));
     return {};
 }
 

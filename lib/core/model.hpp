@@ -91,6 +91,8 @@ class Model {
     }
     // Other materials of single strands, which prepare() looks at; exchanged, to be given back.
     virtual void exchange(StrandMaterialsPtr&) noexcept {}
+    // Likewise the gravity in which a sag-free groom is in balance.
+    virtual void exchange(std::array<float, 3>&) noexcept {}
     virtual void swap() noexcept {}
     virtual void discard() {}
     // Makes, or gives back, what substeps with wind need. Fails without an effect.
@@ -158,8 +160,9 @@ struct ModelInput {
     uint32_t tile; // strands per tile of the lane layout
     double step;   // s, the fixed one
     plait_sag_free sag_free;
-    bool accelerates; // state.acceleration is there
-    bool pins;        // state.pin is there
+    std::array<float, 3> gravity; // m/s^2, in which a sag-free groom is in balance
+    bool accelerates;             // state.acceleration is there
+    bool pins;                    // state.pin is there
     std::pmr::memory_resource* memory;
 };
 

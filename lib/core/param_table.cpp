@@ -90,14 +90,15 @@ constexpr plait_param_info table[] = {
     real(AT(gravity), "m/s^2", -1e4, 1e4),
 
     of(tressfx, real(AT(damping), "", 0, 100)),
-    real(AT(local_stiffness), "", 0, 1),
-    whole(AT(local_iterations), 0, 64),
-    real(AT(global_stiffness), "", 0, 1),
-    real(AT(global_range), "", 0, 1),
+    of(tressfx, real(AT(local_stiffness), "", 0, 1)),
+    of(tressfx, whole(AT(local_iterations), 0, 64)),
+    of(tressfx, real(AT(global_stiffness), "", 0, 1)),
+    of(tressfx, real(AT(global_range), "", 0, 1)),
     of(tressfx, whole(AT(length_iterations), 0, 256)),
     of(tressfx, real(AT(vsp_coeff), "", 0, 1)),
     of(tressfx, real(AT(vsp_accel_threshold), "m", 0, 1e6)),
     of(tressfx, above(AT(max_displacement), "m", 0, 1e6)),
+    of(tressfx, real(AT(attachment), "", 0, 100)),
     real(AT(tip_separation), "", 0, 100),
     of(tressfx, choice(AT(wind_form), wind_forms)),
     choice(AT(follow_form), follow_forms),
@@ -115,8 +116,7 @@ constexpr plait_param_info table[] = {
     of(strand_models, real(AT(tip_density), "", 1e-3, 1e3)),
     of(strand_models, real(AT(drag), "1/s", 0, 1e4)),
 
-    of(strand_models, whole(AT(shape_constraints), 0, 1)),
-    real(AT(attachment), "", 0, 100),
+    of(strand_models, real(AT(groom), "", 0, 1)),
 
     real(AT(wind), "m/s", -1e3, 1e3),
     of(strand_models, real(AT(air_with_head), "", 0, 1)),
@@ -155,11 +155,73 @@ constexpr plait_param_info table[] = {
     real(AT(accelerate_values), "", -1e6, 1e6),
 };
 
-// TressFX's shape constraints: strand models read these with shape_constraints only.
-bool is_of_shape(const plait_param_info& param) {
-    const std::string_view name = param.name;
-    return name.starts_with("local_") || name.starts_with("global_");
+// What a parameter does nothing without, and how to have it.
+struct Needs {
+    size_t offset;
+    bool (*has)(const plait_sim_params&, const OpenFeatures&);
+    const char* feature;
+};
+
+bool has_grid(const plait_sim_params& p, const OpenFeatures&) {
+    return p.interhair != PLAIT_INTERHAIR_OFF;
 }
+bool has_brake(const plait_sim_params& p, const OpenFeatures&) {
+    return p.interhair != PLAIT_INTERHAIR_OFF && p.volume == PLAIT_VOLUME_OFF;
+}
+bool has_slots(const plait_sim_params& p, const OpenFeatures&) {
+    return p.interhair == PLAIT_INTERHAIR_SLOTS;
+}
+bool has_volume(const plait_sim_params& p, const OpenFeatures&) {
+    return p.volume != PLAIT_VOLUME_OFF;
+}
+bool has_meeting(const plait_sim_params& p, const OpenFeatures&) {
+    return p.strand_contact != PLAIT_STRAND_CONTACT_OFF;
+}
+bool is_wet(const plait_sim_params&, const OpenFeatures& open) {
+    return open.wet;
+}
+bool has_copies(const plait_sim_params&, const OpenFeatures& open) {
+    return open.follow_copies;
+}
+bool is_wet_with_volume(const plait_sim_params& p, const OpenFeatures& open) {
+    return open.wet && has_volume(p, open);
+}
+
+constexpr const char* no_grid = "without the grid between strands (interhair)";
+constexpr const char* no_brake = "without the grid's brake (interhair, and volume off)";
+constexpr const char* no_slots = "but with interhair 1 (slots)";
+constexpr const char* no_volume = "without volume (volume, interhair 2)";
+constexpr const char* no_meeting = "while strands do not meet (strand_contact)";
+constexpr const char* dry = "while all hair is dry (PLAIT_FIELD_WETNESS)";
+constexpr const char* no_copies = "without follows_per_guide";
+
+#define NEEDS(field, has, feature)                                                                 \
+    { offsetof(plait_sim_params, field), has, feature }
+constexpr Needs needs_table[] = {
+    NEEDS(tip_separation, has_copies, no_copies),
+    NEEDS(follow_form, has_copies, no_copies),
+    NEEDS(slot_capacity, has_slots, no_slots),
+    NEEDS(slot_hash, has_slots, no_slots),
+    NEEDS(tent, has_grid, no_grid),
+    NEEDS(diffuse_rule, has_brake, no_brake),
+    NEEDS(diffuse_ratio, has_brake, no_brake),
+    NEEDS(diffuse_factor, has_brake, no_brake),
+    NEEDS(diffuse_floor, has_brake, no_brake),
+    NEEDS(grid_edge_count, has_grid, no_grid),
+    NEEDS(grid_in_world, has_grid, no_grid),
+    NEEDS(grid_origin, has_grid, no_grid),
+    NEEDS(grid_edge, has_grid, no_grid),
+    NEEDS(volume_share, has_volume, no_volume),
+    NEEDS(volume_sweeps, has_volume, no_volume),
+    NEEDS(volume_rate, has_volume, no_volume),
+    NEEDS(volume_viscosity, has_volume, no_volume),
+    NEEDS(cohesion, has_volume, no_volume),
+    NEEDS(drying_time, is_wet, dry),
+    NEEDS(wet_cohesion, is_wet_with_volume, "without wet hair that has volume"),
+    NEEDS(strand_radius, has_meeting, no_meeting),
+    NEEDS(strand_friction, has_meeting, no_meeting),
+};
+#undef NEEDS
 
 std::string names(uint32_t mask) {
     std::string text;
@@ -198,9 +260,16 @@ std::string ignored_warning(const plait_param_info& param, const plait_sim_param
     if ((param.models & used) == 0)
         return format("params: %s is set, and no strand's model (%s) reads it; those that do: %s",
                       param.name, names(used).c_str(), names(param.models).c_str());
-    if (is_of_shape(param) && (used & tressfx) == 0 && now.shape_constraints == 0)
-        return format("params: %s is set, and model %s reads it with shape_constraints = 1 only",
-                      param.name, names(used).c_str());
+    return {};
+}
+
+std::string off_warning(const plait_param_info& param, const plait_sim_params& before,
+                        const plait_sim_params& now, const OpenFeatures& open) {
+    if (same(param, now, before) || same(param, now, default_params()))
+        return {};
+    for (const Needs& needs : needs_table)
+        if (needs.offset == param.offset && !needs.has(now, open))
+            return format("params: %s is set, and does nothing %s", param.name, needs.feature);
     return {};
 }
 

@@ -27,4 +27,13 @@ struct Readers {
 std::string ignored_warning(const plait_param_info& param, const plait_sim_params& before,
                             const plait_sim_params& now, const Readers& readers);
 
+// Of features that are opened by calls, which of them a sim has.
+struct OpenFeatures {
+    bool wet, follow_copies;
+};
+
+// The same of a parameter of a feature that is off.
+std::string off_warning(const plait_param_info& param, const plait_sim_params& before,
+                        const plait_sim_params& now, const OpenFeatures& open);
+
 } // namespace plait

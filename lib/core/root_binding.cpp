@@ -60,7 +60,13 @@ Result<RootBinding> RootBinding::create(Device& device, const Mesh& mesh, const 
         hint = nearest.triangle;
         const Triangle& triangle = mesh.surface.triangles[nearest.triangle];
         corners.insert(corners.end(), triangle.begin(), triangle.end());
-        binding.far_ += nearest.distance > far_off;
+        if (nearest.distance > far_off) {
+            ++binding.far_;
+            const float* tip = x + 4 * (size_t{layout.row} - 1); // rows past it are as it is
+            const double of_tip =
+                distance.nearest(vector_of({tip[0], tip[1], tip[2]}), hint).distance;
+            binding.turned_ += of_tip < 0.5 * nearest.distance;
+        }
         if (const auto off = static_cast<float>(nearest.distance); off > binding.farthest_) {
             binding.farthest_ = off;
             binding.farthest_root_ = root;

@@ -21,6 +21,7 @@ class RootBinding {
 
     uint32_t vertices() const { return vertices_; } // of the mesh; 0: roots are free
     uint32_t far() const { return far_; }           // roots more than a centimetre from it
+    uint32_t turned() const { return turned_; }     // of these, strands whose tip is nearer by half
     float farthest() const { return farthest_; }    // m
     uint32_t farthest_root() const { return farthest_root_; }
     // INVALID_ARGUMENT: not as many as the mesh has.
@@ -43,7 +44,7 @@ class RootBinding {
     }
 
   private:
-    uint32_t vertices_ = 0, far_ = 0, farthest_root_ = 0;
+    uint32_t vertices_ = 0, far_ = 0, turned_ = 0, farthest_root_ = 0;
     float farthest_ = 0;
     std::pmr::memory_resource* memory_ = nullptr;
     Buffer corner_; // uint [3*guides]

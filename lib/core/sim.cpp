@@ -5,6 +5,7 @@
 #include "core/params.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace plait {
@@ -46,14 +47,16 @@ bool same_place(const plait_sim_params& a, const plait_sim_params& b) {
 } // namespace
 
 Sim::Sim(Context& context, SimParts parts)
-    : context_(context), layout_(parts.layout), desc_(parts.desc), mean_length_(parts.mean_length),
-      hair_(parts.hair), groom_(parts.fingerprint), cube_(parts.cube), skin_(std::move(parts.skin)),
-      model_(std::move(parts.model)), state_(std::move(parts.state)), grid_(std::move(parts.grid)),
-      pairs_(std::move(parts.pairs)), display_(std::move(parts.display)),
-      roots_(layout_, &context.memory), colliders_(desc_.substeps, &context.memory),
-      meshes_(&context.memory), bending_(&context.memory),
-      substeps_(1, desc_.substeps, &context.memory), clock_(desc_.step, desc_.max_steps_per_call),
-      schedule_(&context.memory), pin_table_(&context.memory) {}
+    : context_(context), layout_(parts.layout), desc_(parts.desc),
+      size_warning_(std::move(parts.size_warning)), hair_(parts.hair),
+      groom_warning_(std::move(parts.groom_warning)), groom_(parts.fingerprint), cube_(parts.cube),
+      skin_(std::move(parts.skin)), model_(std::move(parts.model)), state_(std::move(parts.state)),
+      grid_(std::move(parts.grid)), pairs_(std::move(parts.pairs)),
+      display_(std::move(parts.display)), roots_(layout_, &context.memory),
+      colliders_(desc_.substeps, &context.memory), meshes_(&context.memory),
+      bending_(&context.memory), substeps_(1, desc_.substeps, &context.memory),
+      clock_(desc_.step, desc_.max_steps_per_call), schedule_(&context.memory),
+      pin_table_(&context.memory) {}
 
 Sim::~Sim() {
     if (context_.measured == this)
@@ -188,6 +191,20 @@ Status Sim::set_materials(StrandMaterialsPtr materials) {
     return {};
 }
 
+Status Sim::find_balance() {
+    if (desc_.sag_free == PLAIT_SAG_FREE_OFF)
+        return Error{PLAIT_INVALID_STATE,
+                     "sag_free is 0 (off): the sim's groom is not in balance with any gravity"};
+    const Discard discard{*model_};
+    const std::string warned = context_.log.callback ? warning() : "";
+    auto gravity = std::to_array(desc_.params.gravity);
+    Trial trial([&] { model_->exchange(gravity); });
+    PLAIT_TRY(trial.keep_if(model_->prepare(device(), desc_.params)));
+    model_->swap();
+    log_warnings(desc_.params, warned);
+    return {};
+}
+
 Status Sim::set_wind(const plait_wind_desc* desc) {
     if (!desc) {
         wind_ = {};
@@ -302,12 +319,18 @@ Status Sim::bind_roots(const Mesh* mesh, std::span<plait_root_place> places) {
         next = std::move(*made);
     }
     PLAIT_TRY(Trial([&] { std::swap(binding_, next); }).keep_if(check_stages()));
+    const std::string turned =
+        binding_.turned() == 0
+            ? ""
+            : format("; of %u the tip is nearer to it than the root: are they stored from tip to "
+                     "root (plait_import_options.root_end)?",
+                     binding_.turned());
     if (binding_.far() > 0 && context_.log.callback)
         context_.log(PLAIT_LOG_LEVEL_WARNING,
                      format("sim: %u of %u roots are more than 1 cm from the mesh that they are "
-                            "bound to, that of guide %u %.3g m",
+                            "bound to, that of guide %u %.3g m%s",
                             binding_.far(), layout_.guides, binding_.farthest_root(),
-                            double(binding_.farthest())));
+                            double(binding_.farthest()), turned.c_str()));
     return {};
 }
 

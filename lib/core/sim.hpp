@@ -12,6 +12,7 @@
 #include "core/mesh_colliders.hpp"
 #include "core/model.hpp"
 #include "core/pairs.hpp"
+#include "core/params.hpp"
 #include "core/pins.hpp"
 #include "core/root_binding.hpp"
 #include "core/roots.hpp"
@@ -36,8 +37,9 @@ struct RootsInput {
 struct SimParts {
     Layout layout;
     plait_sim_desc desc;
-    double mean_length; // m, of the strands
+    std::string size_warning;
     HairSizes hair;
+    std::string groom_warning;
     uint64_t fingerprint; // of the groom's strands
     GridCube cube;
     Skin skin;
@@ -74,6 +76,7 @@ class Sim {
     const plait_sim_params& params() const { return desc_.params; }
     // INVALID_STATE: strands of this model have no material of their own.
     Status set_materials(StrandMaterialsPtr materials);
+    Status find_balance();
     size_t guides() const { return layout_.guides; }
     uint32_t substeps() const { return desc_.substeps; }
     // The settings of every guide strand, checked; the same as they have costs nothing.
@@ -263,6 +266,8 @@ class Sim {
     // To the log: `warning()` unless it is `said`, and what parameters changed from `before` to
     // what nothing reads.
     void log_warnings(const plait_sim_params& before, const std::string& said) const;
+    // Once, in the first step after: of what was set while its feature is off.
+    void log_off();
     Status read_velocity(std::span<float> dst);
     Status write_velocity(const float* src);
     Status write_places(const Buffer& to, const float* src);
@@ -308,8 +313,10 @@ class Sim {
     Context& context_;
     Layout layout_;
     plait_sim_desc desc_;
-    double mean_length_; // m, of the strands
+    std::string size_warning_;
     HairSizes hair_;
+    plait_sim_params said_ = default_params(); // of which log_off() has spoken
+    std::string groom_warning_;
     uint64_t groom_; // its fingerprint: snapshots are of one groom
     GridCube cube_;
     Skin skin_;

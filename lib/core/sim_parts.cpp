@@ -3,8 +3,10 @@
 #include "core/clock.hpp"
 #include "core/polyline.hpp"
 #include "core/sim.hpp"
+#include "core/units.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace plait {
@@ -68,8 +70,8 @@ float longest_segment_of(const Groom& groom) {
 HairSizes hair_sizes(const Groom& groom, const Layout& layout) {
     double sum = 0, count = 0;
     for (const float d : groom.strands.thickness) {
-        sum += double(d);
-        count += d > 0;
+        sum += is_hair_diameter(d) ? double(d) : 0;
+        count += is_hair_diameter(d);
     }
     const double vertices = double(groom.shape.vertices) / double(groom.shape.strands);
     return {count > 0 ? static_cast<float>(sum / count) : 70e-6f,
@@ -87,7 +89,8 @@ Result<SimParts> make_sim_parts(Context& context, const Groom& groom, const plai
     Device& device = context.device;
     auto model = make_model({desc.model, desc.substeps},
                             {layout, groom, strands.stiffness, strands.materials, context.info.tile,
-                             Clock(desc.step, 1).step(), desc.sag_free, desc.accelerations != 0,
+                             Clock(desc.step, 1).step(), desc.sag_free,
+                             std::to_array(desc.params.gravity), desc.accelerations != 0,
                              desc.pins != 0, &context.memory});
     if (!model)
         return model.error();
@@ -123,8 +126,9 @@ Result<SimParts> make_sim_parts(Context& context, const Groom& groom, const plai
         return display.error();
     return SimParts{layout,
                     desc,
-                    groom.shape.mean_length,
+                    size_warning(groom.shape.mean_length, groom.shape.extent()),
                     hair_sizes(groom, layout),
+                    groom_warning(groom),
                     fingerprint(groom),
                     cube_around(groom),
                     std::move(*skin),

@@ -61,6 +61,8 @@ Status Sim::step(double dt) {
     warn_of_jump(dt);
     const Tick tick = clock_.advance(dt);
     begun_ = begun_ || dt > 0;
+    if (tick.steps > 0)
+        log_off();
     append_phases({Moment::call_begins, present(), 0, tick.steps});
     const bool jumps = dt == 0 && roots_.moves();
     if (jumps)

@@ -2,6 +2,7 @@
 
 #include "base/format.hpp"
 
+#include <Eigen/LU>
 #include <Eigen/SVD>
 
 namespace plait {
@@ -16,6 +17,12 @@ Status check_bone(const BoneMatrix& bone, size_t index) {
     if (!(singular[1] > 1e-6 * singular[0]))
         return Error{PLAIT_INVALID_ARGUMENT,
                      format("bones[%zu] has no closest rotation: it maps all to a line", index)};
+    // a flat blend has a rotation, too, which tells nothing of mirrors
+    if (singular[2] > 1e-6 * singular[0] && m.determinant() < 0)
+        return Error{PLAIT_INVALID_ARGUMENT,
+                     format("bones[%zu] mirrors: its determinant is %g; allowed is above 0. A "
+                            "mirrored character is a groom that is mirrored when it is imported",
+                            index, m.determinant())};
     return {};
 }
 

@@ -10,6 +10,8 @@ namespace {
 
 // Mean length of hair, m: from short fur to hair down to the knees.
 constexpr double shortest = 5e-3, longest = 2;
+// m: extent of a groom, a mammoth's; and of one that another unit would make of it, a bear's.
+constexpr double largest = 10, largest_guess = 3;
 
 bool is_hair(double length) {
     return length >= shortest && length <= longest;
@@ -24,10 +26,13 @@ const char* unit_of(double scale) {
 
 } // namespace
 
-double likely_scale(double mean_length) {
-    if (is_hair(mean_length))
-        return 1;
-    for (const double scale : {1e-2, 1e-3, 1e2, 1e3}) // the commonest first
+double likely_scale(double mean_length, double extent) {
+    constexpr double scales[] = {1, 1e-2, 1e-3, 1e2, 1e3}; // the commonest first
+    for (const double scale : scales)
+        if (is_hair(mean_length * scale) &&
+            extent * scale <= (scale == 1 ? largest : largest_guess))
+            return scale;
+    for (const double scale : scales)
         if (is_hair(mean_length * scale))
             return scale;
     const double middle = std::sqrt(shortest * longest);
@@ -35,10 +40,13 @@ double likely_scale(double mean_length) {
     return std::pow(10.0, std::clamp(exponent, -6.0, 6.0));
 }
 
-std::string length_warning(double mean_length) {
-    const double scale = likely_scale(mean_length);
+std::string size_warning(double mean_length, double extent) {
+    const double scale = likely_scale(mean_length, extent);
     if (scale == 1)
         return {};
+    if (is_hair(mean_length))
+        return format("the groom is %.3g m large, hair %g m at most: import it with scale %g%s",
+                      extent, largest, scale, unit_of(scale));
     return format(
         "strands are %.3g m long in the mean, hair's are %g to %g m: import the groom with "
         "scale %g%s",

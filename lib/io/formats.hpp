@@ -19,7 +19,7 @@ Result<ByteVector> write_tfxbone(const StrandSet& strands);
 Result<StrandSet> read_hair(const ByteReader& file, const ReadOptions& options);
 Result<ByteVector> write_hair(const StrandSet& strands);
 
-// Polylines of OBJ by assimp, once check_obj() has passed the text. Without assimp: UNSUPPORTED.
+// Polylines of OBJ, once check_obj() has passed the text.
 Result<StrandSet> read_polylines(const std::string& path, const ReadOptions& options);
 // The same from memory; `file` is for messages.
 Result<StrandSet> read_polylines(ByteVector text, const std::string& file,

@@ -17,6 +17,8 @@ enum Flags : uint32_t {
     HAS_COLOURS = 16,
     ALL_FLAGS = 31
 };
+// What usual writers leave in the header's thickness where nobody set one.
+constexpr float NOT_GIVEN = 1.0f;
 constexpr uint32_t MAX_SEGMENTS = 65535; // a strand's are a u16
 
 struct Contents {
@@ -155,7 +157,7 @@ Result<StrandSet> read_hair(const ByteReader& file, const ReadOptions& options) 
         strands.positions.push_back(options.scale * file.f32(contents->points_at + 4 * i));
     if (contents->thickness_at)
         read_thickness(file, *contents, options.scale, strands);
-    else if (contents->thickness > 0)
+    else if (contents->thickness > 0 && contents->thickness != NOT_GIVEN)
         strands.thickness.assign(strands.vertex_counts.size(), options.scale * contents->thickness);
     return strands;
 }

@@ -7,6 +7,7 @@
 #include "io/formats.hpp"
 #include "io/mesh_bones.hpp"
 #include "io/obj_check.hpp"
+#include "io/words.hpp"
 
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
@@ -154,7 +155,10 @@ Result<RawMesh> read_obj_mesh(const std::string& path, const ReadOptions& option
 
 Result<RawMesh> read_obj_mesh(ByteVector text, const std::string& file,
                               const ReadOptions& options) {
-    PLAIT_TRY(check_obj({reinterpret_cast<const char*>(text.data()), text.size()}, file));
+    const std::string_view all(reinterpret_cast<const char*>(text.data()), text.size());
+    const size_t mark = all.size() - after_mark(all).size();
+    PLAIT_TRY(check_obj(all.substr(mark), file));
+    text.erase(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(mark));
     text.push_back(std::byte{'\n'}); // without, assimp leaves out the last line of 16 MiB or more
     return triangles_of(file, options, [&](Assimp::Importer& importer) {
         keep_importers(importer, OBJ_IMPORTER);

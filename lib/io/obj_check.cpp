@@ -199,6 +199,9 @@ class Check {
 } // namespace
 
 Status check_obj(std::string_view text, const std::string& file) {
+    for (const std::string_view mark : {"\xff\xfe", "\xfe\xff"})
+        if (text.starts_with(mark))
+            return Error{PLAIT_BAD_DATA, format("%s: is UTF-16; allowed is UTF-8", file.c_str())};
     Check check(file);
     while (!text.empty()) {
         const size_t end = std::min(text.find_first_of("\r\n"), text.size());

@@ -1,58 +1,184 @@
-// Polylines of OBJ (`l`) through assimp, which hands every polyline over as a run of two-vertex
-// faces: a run is a strand for as long as each segment starts where the one before it ended.
-#include "io/assimp.hpp"
+// Polylines of OBJ (`l`). Programs write a strand as one line of all its vertices or as one line per
+// segment, in any order and from either end: lines that share a vertex are one strand.
 #include "io/file.hpp"
 #include "io/formats.hpp"
 #include "io/obj_check.hpp"
+#include "io/words.hpp"
 
-#include <assimp/scene.h>
-
-#include <exception>
-#include <new>
-#include <string_view>
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cinttypes>
+#include <limits>
 
 namespace plait {
 namespace {
 
-void push_vertex(StrandSet& strands, const aiVector3D& p, float scale) {
-    for (float value : {p.x, p.y, p.z})
-        strands.positions.push_back(scale * value);
-    ++strands.vertex_counts.back();
+constexpr std::string_view BLANKS = " \t";
+constexpr uint32_t NONE = std::numeric_limits<uint32_t>::max();
+
+using Point = std::array<float, 3>;
+
+// Of text that check_obj() has passed.
+double number_of(std::string_view word) {
+    word.remove_prefix(word.starts_with('+') ? 1 : 0);
+    double value = 0;
+    std::from_chars(word.data(), word.data() + word.size(), value);
+    return value;
 }
 
-Status append_mesh(const std::string& file, const aiMesh& mesh, float scale, StrandSet& strands) {
-    const unsigned* end = nullptr; // index of the last vertex of the strand being built
-    for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
-        const aiFace& face = mesh.mFaces[f];
-        if (face.mNumIndices != 2)
-            continue;
-        const unsigned first = face.mIndices[0], second = face.mIndices[1];
-        if (first >= mesh.mNumVertices || second >= mesh.mNumVertices)
-            return Error{
-                PLAIT_BAD_DATA,
-                format("%s: mesh \"%s\": line %u joins vertices %u and %u; allowed 0 to %u",
-                       file.c_str(), mesh.mName.C_Str(), f, first, second, mesh.mNumVertices - 1)};
-        if (!end || (*end != first && mesh.mVertices[*end] != mesh.mVertices[first])) {
-            strands.vertex_counts.push_back(0);
-            push_vertex(strands, mesh.mVertices[first], scale);
-        }
-        push_vertex(strands, mesh.mVertices[second], scale);
-        end = &face.mIndices[1];
+template <typename Visit> void for_each_line(std::string_view text, const Visit& visit) {
+    for (uint64_t number = 1; !text.empty(); ++number) {
+        const size_t end = std::min(text.find_first_of("\r\n"), text.size());
+        std::string_view rest = text.substr(0, end);
+        const std::string_view keyword = next_word(rest, BLANKS);
+        visit(number, keyword, rest);
+        text.remove_prefix(end);
+        text.remove_prefix(text.starts_with("\r\n") ? 2 : text.empty() ? 0 : 1);
     }
-    return {};
 }
 
-Result<StrandSet> strands_of(const std::string& file, const aiScene& scene,
-                             const ReadOptions& options) {
-    StrandSet strands(options.memory);
-    for (unsigned m = 0; m < scene.mNumMeshes; ++m)
-        PLAIT_TRY(append_mesh(file, *scene.mMeshes[m], options.scale, strands));
-    if (strands.vertex_counts.empty())
-        return Error{PLAIT_BAD_DATA, format("%s: has no polylines", file.c_str())};
-    return strands;
-}
+// The two ways on from a vertex, and whether its line says that hair grows that way: +1 from it, -1
+// to it, 0 where a line of two vertices says nothing.
+struct Vertex {
+    std::array<uint32_t, 2> next{NONE, NONE};
+    std::array<int, 2> grows{};
+    bool taken = false;
+};
 
-constexpr std::string_view OBJ_IMPORTER[] = {"Wavefront Object Importer"};
+class Lines {
+  public:
+    Lines(const std::string& file, const ReadOptions& options)
+        : file_(file), options_(options), points_(options.memory), vertices_(options.memory),
+          points_only_(options.memory), line_(options.memory) {}
+
+    Status read(std::string_view text) {
+        for_each_line(text, [&](uint64_t, std::string_view keyword, std::string_view rest) {
+            if (keyword == "v")
+                add_point(rest);
+        });
+        vertices_.resize(points_.size());
+        Status status;
+        size_t points_so_far = 0;
+        for_each_line(text, [&](uint64_t number, std::string_view keyword, std::string_view rest) {
+            points_so_far += keyword == "v";
+            if (keyword == "l" && status)
+                status = add_line(number, rest, points_so_far);
+        });
+        return status;
+    }
+
+    Result<StrandSet> strands() {
+        StrandSet strands(options_.memory);
+        for (uint32_t i = 0; i < vertices_.size(); ++i)
+            if (!vertices_[i].taken && is_end(i))
+                add_strand(i, strands);
+        for (uint32_t i = 0; i < vertices_.size(); ++i)
+            if (!vertices_[i].taken && vertices_[i].next[0] != NONE)
+                return Error{PLAIT_BAD_DATA,
+                             format("%s: the lines of vertex %u close a ring; allowed are strands "
+                                    "with two ends",
+                                    file_.c_str(), i + 1)};
+        for (const uint32_t point : points_only_) {
+            push(point, strands);
+            push(point, strands);
+            strands.vertex_counts.push_back(2);
+        }
+        if (strands.vertex_counts.empty())
+            return Error{PLAIT_BAD_DATA, format("%s: has no polylines", file_.c_str())};
+        return strands;
+    }
+
+  private:
+    void add_point(std::string_view rest) {
+        double values[6] = {};
+        size_t count = 0;
+        for (auto word = next_word(rest, BLANKS); !word.empty() && count < 6;
+             word = next_word(rest, BLANKS))
+            values[count++] = number_of(word);
+        const double share = count == 4 ? 1 / values[3] : 1; // x y z w; more: a colour
+        points_.push_back({static_cast<float>(values[0] * share),
+                           static_cast<float>(values[1] * share),
+                           static_cast<float>(values[2] * share)});
+    }
+
+    // Negative indices count from the vertices so far.
+    static uint32_t vertex_of(std::string_view word, size_t points_so_far) {
+        int64_t index = 0;
+        std::from_chars(word.data(), word.data() + word.find_first_of("/ \t"), index);
+        return static_cast<uint32_t>(index > 0 ? index - 1 : int64_t(points_so_far) + index);
+    }
+
+    Status add_line(uint64_t number, std::string_view rest, size_t points_so_far) {
+        const uint32_t before = line_.empty() ? NONE : line_.back();
+        line_.clear();
+        for (auto word = next_word(rest, BLANKS); !word.empty(); word = next_word(rest, BLANKS))
+            if (const uint32_t vertex = vertex_of(std::string(word) + ' ', points_so_far);
+                line_.empty() || line_.back() != vertex)
+                line_.push_back(vertex);
+        // a line that goes on where the one before ended, at a vertex of its own
+        if (before != NONE && line_.front() != before && is_free(line_.front()) &&
+            points_[line_.front()] == points_[before])
+            line_.front() = before;
+        if (line_.size() == 1)
+            points_only_.push_back(line_.front());
+        for (size_t i = 0; i + 1 < line_.size(); ++i) {
+            const int grows = line_.size() > 2 ? 1 : 0;
+            PLAIT_TRY(link(number, line_[i], line_[i + 1], grows));
+            PLAIT_TRY(link(number, line_[i + 1], line_[i], -grows));
+        }
+        return {};
+    }
+
+    Status link(uint64_t number, uint32_t from, uint32_t to, int grows) {
+        Vertex& vertex = vertices_[from];
+        for (size_t k = 0; k < 2; ++k)
+            if (vertex.next[k] == NONE) {
+                vertex.next[k] = to;
+                vertex.grows[k] = grows;
+                return {};
+            }
+        return Error{PLAIT_BAD_DATA,
+                     format("%s: line %" PRIu64 ": vertex %u is of three lines; allowed are two, "
+                            "which are one strand",
+                            file_.c_str(), number, from + 1)};
+    }
+
+    bool is_free(uint32_t i) const { return vertices_[i].next[0] == NONE; }
+    bool is_end(uint32_t i) const { return !is_free(i) && vertices_[i].next[1] == NONE; }
+
+    void push(uint32_t vertex, StrandSet& strands) const {
+        for (const float c : points_[vertex])
+            strands.positions.push_back(options_.scale * c);
+    }
+
+    // From the end of the lower index, unless lines of three and more vertices say that hair grows
+    // the other way.
+    void add_strand(uint32_t end, StrandSet& strands) {
+        std::pmr::vector<uint32_t> way(options_.memory);
+        int64_t grows = 0;
+        for (uint32_t at = end, before = NONE; at != NONE;) {
+            Vertex& vertex = vertices_[at];
+            vertex.taken = true;
+            way.push_back(at);
+            const size_t on = vertex.next[0] != before || before == NONE ? 0 : 1;
+            grows += vertex.next[on] != NONE ? vertex.grows[on] : 0;
+            before = std::exchange(at, vertex.next[on]);
+        }
+        if (grows < 0)
+            std::ranges::reverse(way);
+        for (const uint32_t vertex : way)
+            push(vertex, strands);
+        strands.vertex_counts.push_back(static_cast<uint32_t>(way.size()));
+    }
+
+    const std::string& file_;
+    const ReadOptions& options_;
+    std::pmr::vector<Point> points_;
+    std::pmr::vector<Vertex> vertices_;      // of each point
+    std::pmr::vector<uint32_t> points_only_; // lines of one place: strands without length
+    std::pmr::vector<uint32_t> line_;        // in hand
+};
 
 } // namespace
 
@@ -62,23 +188,14 @@ Result<StrandSet> read_polylines(const std::string& path, const ReadOptions& opt
     return read_polylines(std::move(*text), path, options);
 }
 
-Result<StrandSet> read_polylines(ByteVector text, const std::string& file,
+Result<StrandSet> read_polylines(ByteVector bytes, const std::string& file,
                                  const ReadOptions& options) {
-    PLAIT_TRY(check_obj({reinterpret_cast<const char*>(text.data()), text.size()}, file));
-    text.push_back(std::byte{'\n'}); // without, assimp leaves out the last line of 16 MiB or more
-    try {
-        Assimp::Importer importer;
-        keep_importers(importer, OBJ_IMPORTER);
-        importer.SetIOHandler(new NoOtherFiles); // which is the importer's now
-        const aiScene* scene = importer.ReadFileFromMemory(text.data(), text.size(), 0, "obj");
-        if (!scene)
-            return Error{PLAIT_BAD_DATA, format("%s: %s", file.c_str(), importer.GetErrorString())};
-        return strands_of(file, *scene, options);
-    } catch (const std::bad_alloc&) {
-        throw;
-    } catch (const std::exception& error) { // what assimp throws stops here
-        return Error{PLAIT_BAD_DATA, format("%s: %s", file.c_str(), error.what())};
-    }
+    const std::string_view text =
+        after_mark({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    PLAIT_TRY(check_obj(text, file));
+    Lines lines(file, options);
+    PLAIT_TRY(lines.read(text));
+    return lines.strands();
 }
 
 } // namespace plait

@@ -1,4 +1,4 @@
-// What stands in for polylines.cpp and meshes.cpp when plait is built without assimp.
+// What stands in for meshes.cpp when plait is built without assimp.
 #include "io/formats.hpp"
 
 namespace plait {
@@ -11,14 +11,6 @@ Error needs_assimp(const std::string& file, const char* what) {
 }
 
 } // namespace
-
-Result<StrandSet> read_polylines(const std::string& path, const ReadOptions&) {
-    return needs_assimp(path, "polylines");
-}
-
-Result<StrandSet> read_polylines(ByteVector, const std::string& file, const ReadOptions& options) {
-    return read_polylines(file, options);
-}
 
 Result<RawMesh> read_obj_mesh(const std::string& path, const ReadOptions&) {
     return needs_assimp(path, "meshes");

@@ -15,6 +15,13 @@ inline std::string_view next_word(std::string_view& rest, std::string_view blank
     return word;
 }
 
+// The text of a file behind the mark of UTF-8 that some programs begin it with.
+inline std::string_view after_mark(std::string_view text) {
+    constexpr std::string_view mark = "\xef\xbb\xbf";
+    text.remove_prefix(text.starts_with(mark) ? mark.size() : 0);
+    return text;
+}
+
 // A word of the file as a message shows it: no longer than a glance takes in.
 inline std::string shown(std::string_view word) {
     return std::string(word.substr(0, 32));

@@ -193,7 +193,6 @@ plait_sim_desc busy(plait_model model) {
     desc.model = model;
     desc.follows_per_guide = 1;
     plait_sim_params& p = desc.params;
-    p.shape_constraints = 1;
     p.global_stiffness = 0.2f;
     p.global_range = 0.7f;
     p.attachment = 0.9f;
@@ -268,7 +267,6 @@ bool meets_strands(plait_model model) {
 std::vector<plait_sim_desc> scenes(plait_model model) {
     std::vector<plait_sim_desc> list(4, busy(model));
     list[0].params.interhair = PLAIT_INTERHAIR_EXACT;
-    list[0].params.shape_constraints = 0; // nothing but the model's own solve
     list[1].params.interhair = PLAIT_INTERHAIR_SLOTS;
     list[1].params.grid_edge_count = 2; // strands meet in a voxel
     list[1].params.diffuse_ratio = 0.1f;
@@ -367,13 +365,47 @@ TEST(IgnoredParams, AreLoggedByNameOnceSet) {
     sim.set_params(params);
     text = logged.warnings();
     EXPECT_TRUE(has(text, "stretch_stiffness")) << text;
-    EXPECT_TRUE(has(text, "global_stiffness is set, and model articulated reads it with "
-                          "shape_constraints = 1 only"))
+    EXPECT_TRUE(has(text, "global_stiffness is set, and no strand's model (articulated) reads it; "
+                          "those that do: tressfx"))
         << text;
     sim.set_models({PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD});
     params.stretch_stiffness = 0.2f;
     sim.set_params(params);
     EXPECT_EQ(logged.warnings(), "") << "both read it";
+}
+
+// Once, in the next step: by then features are on that calls turn on.
+TEST(IgnoredParams, OfAFeatureThatIsOffAreLoggedInTheNextStep) {
+    Logged logged;
+    auto desc = plait_sim_desc_defaults();
+    desc.params.cohesion = 0.5f;
+    desc.params.drying_time = 3;
+    desc.params.diffuse_ratio = 1;
+    desc.params.strand_friction = 0.1f;
+    plait::Sim sim(logged.context, make_groom(tuft(3, 11)), desc);
+    EXPECT_EQ(logged.warnings(), "");
+    run(sim, 1);
+    const std::string text = logged.warnings();
+    for (const char* sentence :
+         {"params: cohesion is set, and does nothing without volume (volume, interhair 2)",
+          "drying_time is set, and does nothing while all hair is dry",
+          "diffuse_ratio is set, and does nothing without the grid's brake",
+          "strand_friction is set, and does nothing while strands do not meet (strand_contact)"})
+        EXPECT_TRUE(has(text, sentence)) << text;
+    run(sim, 2);
+    auto params = sim.params();
+    params.drag = 1;
+    sim.set_params(params);
+    run(sim, 1);
+    EXPECT_EQ(logged.warnings(), "") << "said before";
+    plait::Sim wet(logged.context, make_groom(tuft(3, 11)), [&] {
+        auto other = plait_sim_desc_defaults();
+        other.params.drying_time = 3;
+        return other;
+    }());
+    wet.write(PLAIT_FIELD_WETNESS, std::vector<float>(3, 1.0f));
+    run(wet, 1);
+    EXPECT_EQ(logged.warnings(), "");
 }
 
 // ---- follows ------------------------------------------------------------------------------------

@@ -117,8 +117,7 @@ TEST(Programs, NothingIsEnqueuedThatWasNotPrepared) {
     }
     auto params = plait_sim_params_defaults();
     params.interhair = PLAIT_INTERHAIR_SLOTS;
-    params.shape_constraints = 1;
-    params.attachment = 1.1f;
+    params.groom = 0.5f;
     params.wind[0] = 1;
     ASSERT_EQ(plait_sim_set_params(sim, &params), PLAIT_OK) << plait_last_error();
     run(sim, 1);

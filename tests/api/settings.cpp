@@ -256,29 +256,6 @@ TEST_P(Settings, NothingThatIsSeenMovesAtTheChange) {
     }
 }
 
-// Constraints act after a substep of all strands.
-TEST_P(Settings, DifferentSubstepsAndConstraintsRefuseEachOther) {
-    plait::Sim sim(context, make_groom(tuft(4, 5)), desc_of(2));
-    auto constrained = sim.params();
-    constrained.attachment = 1.5f;
-    const Table two = {make(chain, 1), make(chain, 4)};
-    const std::vector<uint32_t> of = {0, 1, 0, 1};
-    sim.set_settings(two, of);
-    EXPECT_EQ(plait_sim_set_params(sim, &constrained), PLAIT_INVALID_STATE);
-    EXPECT_NE(std::string(plait_last_error()).find("2 different numbers of substeps"),
-              std::string::npos)
-        << plait_last_error();
-    EXPECT_EQ(sim.params().attachment, 0);
-    sim.set_settings({make(chain, 4)});
-    sim.set_params(constrained);
-    const uint64_t hash = sim.hash();
-    EXPECT_EQ(plait_sim_set_settings(sim, two.data(), two.size(), plait::view(of)),
-              PLAIT_INVALID_STATE);
-    EXPECT_EQ(sim.hash(), hash);
-    run(sim, 3);
-    EXPECT_EQ(sim.stats().nonfinite, 0u);
-}
-
 TEST_P(Settings, EachNumberOfSubstepsIsOneRoundOfItsStages) {
     using Stages = std::vector<std::pair<std::string, uint64_t>>;
     plait::Sim sim(context, make_groom(tuft(6, 5)));

@@ -538,6 +538,10 @@ const std::map<std::string, Maker>& makers() {
          [](const Shape& s) {
              return lane_rows<PLAIT_LANE_SHARE_COMPONENTS>(s, {1, 20});
          }},
+        {"lane_groom",
+         [](const Shape& s) {
+             return lane_rows<PLAIT_LANE_GROOM_COMPONENTS>(s, {0, 1e-5f});
+         }},
         {"volume_rest", [](const Shape&) { return densities(); }},
         {"volume_link", [](const Shape&) { return vectors(voxels, 0.05f, 0.05f, 0.05f, 0); }},
         {"volume_node", [](const Shape&) { return volume_nodes(); }},

@@ -160,6 +160,9 @@ void fill(plait_pins_params& p, const Shape& shape) {
 void fill(plait_lane_pin_params& p, const Shape& shape) {
     p = {shape.vertices, shape.tile, shape.vertices, 0.5f, 1e4f, 1e5f, step, 300};
 }
+void fill(plait_lane_groom_params& p, const Shape& shape) {
+    p = {shape.vertices, shape.tile, shape.vertices, 0, 1, step, 1e5f, 300};
+}
 void fill(plait_lane_tile_params& p, const Shape& shape) {
     p = {shape.vertices, shape.tile, shape.vertices, 0};
 }

@@ -66,7 +66,9 @@ Setup for_tile(const Setup& setup, uint32_t tile) {
         offsetof(plait_lane_tile_params, tile) == 4 &&
         offsetof(plait_lane_history_params, tile) == 4 &&
         offsetof(plait_lane_air_params, tile) == 4 && offsetof(plait_lane_fit_params, tile) == 4 &&
-        offsetof(plait_lane_pin_params, tile) == 4 && offsetof(plait_lane_move_params, tile) == 4 &&
+        offsetof(plait_lane_pin_params, tile) == 4 &&
+        offsetof(plait_lane_groom_params, tile) == 4 &&
+        offsetof(plait_lane_move_params, tile) == 4 &&
         offsetof(plait_lane_grid_params, tile) == 4 &&
         offsetof(plait_lane_volume_params, tile) == 4 &&
         offsetof(plait_strand_contact_params, tile) == 4 &&

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
 
 namespace plait_generator {
@@ -90,6 +91,24 @@ TEST_P(Groom, IsTheSameOnEveryMachine) {
                                      16217510357115207215u};
     EXPECT_EQ(hash(sample_groom(GetParam(), 100).positions),
               recorded[static_cast<size_t>(GetParam())]);
+}
+
+// Below the bust, which ends at 0.3 m, it hangs on, and does not turn in under it.
+TEST(Ponytail, ALongTailHangs) {
+    Style style = make_style(Hairstyle::Ponytail);
+    style.strands = 100;
+    style.tail_length = 0.8;
+    const Strands strands = make_groom(style);
+    const float* p = strands.positions.data();
+    for (const uint32_t count : strands.vertex_counts) {
+        for (uint32_t i = 1; i < count; ++i) {
+            const float* const a = p + 3 * (i - 1);
+            const float down = a[1] - a[4], length = std::hypot(a[3] - a[0], down, a[5] - a[2]);
+            if (a[1] < -0.35f)
+                ASSERT_GT(down, 0.7f * length) << "vertex " << i;
+        }
+        p += 3 * size_t{count};
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Groom, testing::ValuesIn(all_hairstyles), [](const auto& instance) {

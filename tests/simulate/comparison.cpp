@@ -114,7 +114,7 @@ TEST_F(Comparison, brakes_as_the_thesis_unless_the_scene_says_otherwise) {
 }
 
 TEST_F(Comparison, says_what_tressfx_is_set_to) {
-    const std::string text = simulate::tressfx_settings(read("{}").sim);
+    const std::string text = simulate::tressfx_settings(read("{}"));
     EXPECT_EQ(text, "TressFX with 20 length iterations, local shape 0.9 in 2 iterations, global "
                     "shape 0.3 over 0.3 of a strand");
 }

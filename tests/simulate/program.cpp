@@ -289,6 +289,29 @@ TEST_F(Program, draws_sheets) {
     }
 }
 
+TEST_F(Program, draws_only_what_is_asked) {
+    ASSERT_EQ(run({"--strands", "50", "--seconds", "0.1", "--no-compare", "--no-film", "--out",
+                   path("out")}),
+              0)
+        << text();
+    EXPECT_FALSE(std::filesystem::exists(path("out/ab.png")));
+    EXPECT_FALSE(std::filesystem::exists(path("out/motion.mp4")));
+    EXPECT_FALSE(std::filesystem::exists(path("out/motion.gif")));
+    EXPECT_EQ(json("out/stats.json").value("compared", Json::array()).size(), 0u) << text();
+}
+
+TEST_F(Program, passes_the_librarys_warnings_on) {
+    const std::string scene = write("scene.json", R"({"strands": 20, "seconds": 0.05,
+        "sag_free": "rest", "groom": "short", "interhair": "off", "colliders": [],
+        "params": {"damping": 3, "cohesion": 1, "bend_stiffness": 1e-12}})");
+    ASSERT_EQ(run({"--scene", scene, "--no-pictures", "--out", path("out")}), 0) << text();
+    for (const char* sentence :
+         {"damping is set, and no strand's model (articulated) reads it",
+          "cohesion is set, and does nothing without volume", "strands are not in balance"})
+        EXPECT_THAT(text(), HasSubstr(sentence));
+    EXPECT_EQ(json("out/stats.json").at("warnings").size(), 3u) << text();
+}
+
 TEST_F(Program, ends_well_on_interrupt) {
     const pid_t pid = start({"--strands", "200", "--seconds", "3600", "--no-pictures", "--out",
                              path("out"), "--cache", path("a.cache")});

@@ -10,6 +10,7 @@ using simulate::Json;
 using simulate::Scene;
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 
 namespace {
 
@@ -32,6 +33,42 @@ TEST_F(SceneFile, empty_one_is_the_default_scene) {
     EXPECT_EQ(scene.frames(), 240u);
     EXPECT_EQ(scene.sim.params.interhair, PLAIT_INTERHAIR_EXACT);
     EXPECT_FALSE(scene.colliders.has_value());
+}
+
+TEST_F(SceneFile, a_key_that_is_none_gets_a_sensible_one_or_none) {
+    const auto of_params = [&](const char* key) {
+        return refusal(R"({"params": {")" + std::string(key) + "\": 1}}");
+    };
+    EXPECT_THAT(of_params("gravty"), HasSubstr("no known key; the nearest is \"gravity\""));
+    EXPECT_THAT(of_params("friction"), HasSubstr("no known key; there is \"strand_friction\""));
+    EXPECT_THAT(of_params("stiffness"), HasSubstr("\"bend_stiffness\""));
+    EXPECT_TRUE(of_params("preset").ends_with("params.preset is no known key"))
+        << of_params("preset");
+    EXPECT_THAT(refusal(R"({"preset": 1})"), Not(HasSubstr("nearest")));
+    EXPECT_THAT(refusal(R"({"sead": 1})"), HasSubstr("the nearest is \"seed\""));
+}
+
+TEST_F(SceneFile, has_parameters_of_the_tressfx_beside) {
+    const Scene scene = read(R"({"tressfx": {"global_stiffness": 0.1}})");
+    EXPECT_FLOAT_EQ(scene.tressfx.global_stiffness, 0.1f);
+    EXPECT_EQ(scene.tressfx.length_iterations, 20u);
+    EXPECT_EQ(scene.sim.params.global_stiffness, 0);
+    EXPECT_EQ(read(R"({"model": "tressfx"})").sim.params.length_iterations, 20u);
+    EXPECT_THAT(refusal(R"({"model": "tressfx", "tressfx": {}})"), HasSubstr("tressfx"));
+}
+
+TEST_F(SceneFile, says_how_a_file_lies) {
+    const Scene scene = read(R"({"groom": "a.tfx", "axes": "z_up", "root_end": "agreed"})");
+    EXPECT_EQ(scene.groom.axes, PLAIT_AXES_Z_UP);
+    EXPECT_EQ(scene.groom.root_end, PLAIT_ROOT_END_AGREED);
+    EXPECT_THAT(refusal(R"({"axes": "z_up"})"), HasSubstr("is for files"));
+    EXPECT_THAT(refusal(R"({"groom": "a.tfx", "axes": "x_up"})"), HasSubstr("not one of y_up"));
+}
+
+TEST_F(SceneFile, a_body_without_animation_is_refused) {
+    EXPECT_THAT(refusal(R"({"body": {"file": "rat.tfxmesh"}})"),
+                AllOf(HasSubstr("body.file is"), HasSubstr(".tfxmesh holds no animation"),
+                      HasSubstr("allowed are .gltf and .glb")));
 }
 
 TEST_F(SceneFile, has_wind) {

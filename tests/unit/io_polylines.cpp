@@ -3,17 +3,6 @@
 namespace plait {
 namespace {
 
-#ifdef PLAIT_WITHOUT_ASSIMP
-
-TEST(IoPolylines, AreUnsupportedWithoutAssimp) {
-    auto strands = read_strands("a.obj");
-    ASSERT_FALSE(strands.ok());
-    EXPECT_EQ(strands.error().code, PLAIT_UNSUPPORTED);
-    EXPECT_NE(strands.error().message.find("assimp"), std::string::npos);
-}
-
-#else
-
 Result<StrandSet> read_obj(const std::string& text, float scale = 1.0f) {
     const auto bytes = std::as_bytes(std::span(text));
     return read_polylines({bytes.begin(), bytes.end()}, "memory.obj", {.scale = scale});
@@ -37,16 +26,6 @@ TEST(IoPolylines, ConsecutiveSegmentsOfObjAreOneStrand) {
     EXPECT_EQ(strands->vertex_counts, (Counts{3, 2}));
 }
 
-TEST(IoPolylines, FacesOfObjAreLeftOut) {
-    auto strands = read_obj(POINTS + "f 1 2 4\nl 4 5\n");
-    ASSERT_OK(strands);
-    EXPECT_EQ(strands->vertex_counts, Counts{2});
-}
-
-TEST(IoPolylines, FileWithoutPolylines) {
-    expect_bad_data(read_obj(POINTS + "f 1 2 4\n"), "memory.obj", "has no polylines");
-}
-
 // Five vertices at x = 0..4, which the tests below begin their files with.
 const std::string FIVE = "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 3 0 0\nv 4 0 0\n";
 
@@ -58,6 +37,67 @@ void expect_x(const std::string& text, const std::vector<float>& expected) {
     for (size_t i = 0; i < strands->positions.size(); i += 3)
         x.push_back(strands->positions[i]);
     EXPECT_EQ(x, expected) << text;
+}
+
+// Six strands of eight vertices, as one line per segment: in order, shuffled, each from its far end.
+TEST(IoPolylines, SegmentsInAnyOrderAndDirectionAreStrands) {
+    std::string points;
+    std::vector<std::pair<int, int>> in_order;
+    for (int strand = 0; strand < 6; ++strand)
+        for (int i = 0; i < 8; ++i) {
+            points += format("v %d %d 0\n", strand, i);
+            if (i > 0)
+                in_order.emplace_back(8 * strand + i, 8 * strand + i + 1);
+        }
+    const auto read = [&](const std::vector<std::pair<int, int>>& lines) {
+        std::string text = points;
+        for (const auto& [from, to] : lines)
+            text += format("l %d %d\n", from, to);
+        return read_obj(text);
+    };
+    const auto expected = read(in_order);
+    ASSERT_OK(expected);
+    EXPECT_EQ(expected->vertex_counts, Counts(6, 8));
+    auto turned = in_order, shuffled = in_order, both = in_order;
+    for (auto& [from, to] : turned)
+        std::swap(from, to);
+    for (size_t i = 0; i < shuffled.size(); ++i) {
+        shuffled[i] = in_order[i * 17 % 42];
+        both[i] = (i % 3 ? in_order : turned)[i * 25 % 42];
+    }
+    for (const auto& lines : {turned, shuffled, both}) {
+        const auto strands = read(lines);
+        ASSERT_OK(strands);
+        EXPECT_EQ(strands->vertex_counts, expected->vertex_counts);
+        EXPECT_EQ(strands->positions, expected->positions);
+    }
+}
+
+TEST(IoPolylines, ALineOfThreeAndMoreSaysWhichEndIsTheRoot) {
+    expect_x(FIVE + "l 5 4 3\nl 3 2\nl 2 1\n", {4, 3, 2, 1, 0});
+    expect_x(FIVE + "l 3 2\nl 2 1\n", {0, 1, 2});
+}
+
+TEST(IoPolylines, AVertexOfThreeLinesIsRefusedByName) {
+    expect_bad_data(read_obj(FIVE + "l 1 2\nl 2 3\nl 4 2\n"),
+                    "memory.obj: line 8: ", "vertex 2 is of three lines; allowed are two");
+    expect_bad_data(read_obj(FIVE + "l 1 2 3 1\n"),
+                    "memory.obj: ", "lines of vertex 1 close a ring");
+}
+
+TEST(IoPolylines, AMarkOfUtf8IsPassedOverAndUtf16IsNamed) {
+    expect_x("\xef\xbb\xbf" + FIVE + "l 1 2\n", {0, 1});
+    expect_bad_data(read_obj("\xff\xfe" + FIVE), "memory.obj: ", "is UTF-16; allowed is UTF-8");
+}
+
+TEST(IoPolylines, FacesOfObjAreLeftOut) {
+    auto strands = read_obj(POINTS + "f 1 2 4\nl 4 5\n");
+    ASSERT_OK(strands);
+    EXPECT_EQ(strands->vertex_counts, Counts{2});
+}
+
+TEST(IoPolylines, FileWithoutPolylines) {
+    expect_bad_data(read_obj(POINTS + "f 1 2 4\n"), "memory.obj", "has no polylines");
 }
 
 TEST(IoPolylines, LegalTextOfManyKinds) {
@@ -183,8 +223,6 @@ TEST(IoPolylines, ElementsOfTooFewVertices) {
 TEST(IoPolylines, LinesAreCountedAtEveryKindOfEnd) {
     expect_bad_data(read_obj("v 0 0 0\r\n\r\n\nv 1 0 0\r\rl 0 1"), "memory.obj: line 6: ", "index");
 }
-
-#endif
 
 } // namespace
 } // namespace plait

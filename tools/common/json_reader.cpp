@@ -36,6 +36,19 @@ std::string_view nearest(std::string_view word, const std::vector<std::string>& 
     });
 }
 
+std::string proposal(std::string_view word, const std::vector<std::string>& known) {
+    if (known.empty())
+        return "";
+    if (const std::string_view near = nearest(word, known);
+        edit_distance(word, near) <= std::max<size_t>(1, word.size() / 3))
+        return "; the nearest is \"" + std::string(near) + "\"";
+    std::string with;
+    for (const std::string& key : known)
+        if (key.starts_with(std::string(word) + "_") || key.ends_with("_" + std::string(word)))
+            with += (with.empty() ? "; there is \"" : ", \"") + key + "\"";
+    return with;
+}
+
 std::string Origin::of(const std::string& path) const {
     const Json* given = &command_line;
     for (size_t from = 0; given && from <= path.size();) {
@@ -182,8 +195,7 @@ JsonReader JsonReader::element(const Json& list, size_t index, const char* key) 
 void JsonReader::finish() const {
     for (const auto& [key, value] : object_.items())
         if (std::find(known_.begin(), known_.end(), key) == known_.end())
-            fail(key,
-                 "is no known key; the nearest is \"" + std::string(nearest(key, known_)) + "\"");
+            fail(key, "is no known key" + proposal(key, known_));
 }
 
 Json read_json(Origin& origin) {

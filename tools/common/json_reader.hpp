@@ -21,6 +21,9 @@ using Json = nlohmann::json;
 
 // The name in `known` with the smallest edit distance to `word`.
 std::string_view nearest(std::string_view word, const std::vector<std::string>& known);
+// What a key that is none may mean, for the end of a message: the nearest where that is near, else those
+// that have it as a word: `; there is "strand_friction"`; "" where there are none.
+std::string proposal(std::string_view word, const std::vector<std::string>& known);
 
 // Where a document's values come from: lines of a file, or the command line.
 struct Origin {

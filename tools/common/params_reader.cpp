@@ -80,4 +80,12 @@ void read_params(JsonReader in, plait_sim_params& params) {
     in.finish();
 }
 
+void take_tressfx(const plait_sim_params& from, plait_sim_params& to) {
+    for (const plait_param_info& info : all_params())
+        if (info.models == 1u << PLAIT_MODEL_TRESSFX)
+            std::memcpy(reinterpret_cast<unsigned char*>(&to) + info.offset,
+                        reinterpret_cast<const unsigned char*>(&from) + info.offset,
+                        size_t{4} * info.count);
+}
+
 } // namespace common

@@ -16,4 +16,7 @@ extern const std::array<const char*, 3> sag_free_names;
 // What is absent keeps its value in `params`.
 void read_params(JsonReader in, plait_sim_params& params);
 
+// Those that the model tressfx alone reads.
+void take_tressfx(const plait_sim_params& from, plait_sim_params& to);
+
 } // namespace common

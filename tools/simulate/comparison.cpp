@@ -14,7 +14,10 @@ bool has_thesis_step(const plait_sim_params& params) {
            params.diffuse_rule == PLAIT_DIFFUSE_RULE_THESIS;
 }
 
-plait_sim_desc tressfx_alone(plait_sim_desc sim) {
+plait_sim_desc tressfx_alone(const Scene& scene) {
+    plait_sim_desc sim = scene.sim;
+    if (sim.model != PLAIT_MODEL_TRESSFX)
+        take_tressfx(scene.tressfx, sim.params);
     sim.model = PLAIT_MODEL_TRESSFX;
     sim.sag_free = PLAIT_SAG_FREE_OFF; // its shape constraints know no sag
     sim.params.interhair = PLAIT_INTERHAIR_OFF;
@@ -29,7 +32,7 @@ plait_sim_desc without_volume(plait_sim_desc sim) {
 
 // With the thesis's ratio and factor, unless the scene gives its own.
 plait_sim_desc tressfx_and_thesis(const Scene& scene) {
-    plait_sim_desc sim = tressfx_alone(scene.sim);
+    plait_sim_desc sim = tressfx_alone(scene);
     sim.params.interhair = PLAIT_INTERHAIR_SLOTS;
     sim.params.slot_hash = PLAIT_SLOT_HASH_RULE_THESIS;
     sim.params.diffuse_rule = PLAIT_DIFFUSE_RULE_THESIS;
@@ -90,8 +93,9 @@ std::string short_label_of(const plait_sim_desc& sim) {
     return has_thesis_step(sim.params) ? model + " + thesis's step" : model;
 }
 
-std::string tressfx_settings(const plait_sim_desc& sim) {
-    const plait_sim_params& p = sim.params;
+std::string tressfx_settings(const Scene& scene) {
+    const plait_sim_params& p =
+        scene.sim.model == PLAIT_MODEL_TRESSFX ? scene.sim.params : scene.tressfx;
     char text[160];
     std::snprintf(
         text, sizeof text,
@@ -103,6 +107,8 @@ std::string tressfx_settings(const plait_sim_desc& sim) {
 }
 
 std::vector<Variant> variants_beside(const Scene& scene) {
+    if (!scene.compare)
+        return {};
     if (!scene.compare_detail.empty()) {
         std::vector<Variant> variants;
         for (const DetailChoice& choice : scene.compare_detail)
@@ -118,7 +124,7 @@ std::vector<Variant> variants_beside(const Scene& scene) {
         variants.push_back({label_of(sim), sim, scene.detail});
     };
     if (!own || params.interhair != PLAIT_INTERHAIR_OFF)
-        add(tressfx_alone(scene.sim));
+        add(tressfx_alone(scene));
     if (!own || !has_thesis_step(params))
         add(tressfx_and_thesis(scene));
     if (params.volume != PLAIT_VOLUME_OFF)

@@ -29,7 +29,7 @@ std::string label_of(const Scene& scene);
 std::string short_label_of(const plait_sim_desc& sim);
 
 // What the model TressFX is set to, in words: its stiffness and stretch are iteration counts.
-std::string tressfx_settings(const plait_sim_desc& sim);
+std::string tressfx_settings(const Scene& scene);
 
 // The scene's other details; without any, TressFX alone, and with the inter-hair step as the thesis
 // has it: those of the two that are not the run itself; and the run without volume, where it has

@@ -47,7 +47,7 @@ Watcher watcher_of(Inside& inside) {
 Measurements run_scene(const Scene& scene, const Figure& figure, Album* album, Inside& inside,
                        std::vector<std::string>& warnings) {
     Simulation simulation(scene, figure);
-    warn(stiffening_warnings(scene, figure, simulation.stats()), warnings);
+    warn(simulation.take_warnings(), warnings);
     std::vector<Watcher> watchers;
     std::unique_ptr<CacheWriter> cache;
     if (!scene.cache.empty()) {
@@ -63,6 +63,7 @@ Measurements run_scene(const Scene& scene, const Figure& figure, Album* album, I
     watchers.push_back(watcher_of(inside));
     Measurements run = simulation.run(*motion_of(scene), watchers, "simulating");
     run.inside = inside.finish();
+    warn(simulation.take_warnings(), warnings); // of its steps
     return run;
 }
 

@@ -59,6 +59,11 @@ void add_options(CLI::App& app, CommandLine& line) {
            },
            "a file's unit in metres, or auto: the one that makes it as large as a head of hair [1]")
         ->type_name("X|auto");
+    text("--axes", "axes", "NAME",
+         "of a file: y_up (Maya, Houdini), z_up (Blender), y_up_left_handed (Unity), "
+         "z_up_left_handed (Unreal) [y_up]");
+    text("--root-end", "root_end", "NAME",
+         "of a file's strands: first, last, or agreed: some are stored from tip to root [first]");
     text("--head", "head", "FILE", "mesh under the hair: .tfxmesh, or what assimp reads");
     text("--motion", "motion", "NAME|FILE",
          "still, shake, turn, nod, shake_and_turn, walk, or .csv .json keyframes");
@@ -86,6 +91,10 @@ void add_options(CLI::App& app, CommandLine& line) {
     count("--seed", "seed", "N", "of everything random [1]");
     app.add_flag_callback(
         "--no-pictures", [&keys] { keys["pictures"] = false; }, "numbers only");
+    app.add_flag_callback(
+        "--no-compare", [&keys] { keys["compare"] = false; }, "nothing beside it: no ab.png");
+    app.add_flag_callback(
+        "--no-film", [&keys] { keys["film"] = false; }, "pictures, but no film");
     app.add_flag("--list-devices", line.list_devices, "list the devices and stop");
 }
 

@@ -9,11 +9,16 @@ namespace simulate {
 
 namespace {
 
-ContextHandle make_context(const Scene& scene) {
+ContextHandle make_context(const Scene& scene, std::vector<std::string>& said) {
     plait_context_desc desc = plait_context_desc_defaults();
     desc.backend = scene.backend.empty() ? nullptr : scene.backend.c_str();
     desc.device = scene.device.empty() ? nullptr : scene.device.c_str();
     desc.profile = 1;
+    desc.log_user = &said;
+    desc.log = [](plait_log_level level, const char* text, void* user) {
+        if (level >= PLAIT_LOG_LEVEL_WARNING)
+            static_cast<std::vector<std::string>*>(user)->emplace_back(text);
+    };
     plait_context* context = nullptr;
     check(plait_context_create(&desc, &context));
     return ContextHandle(context);
@@ -70,7 +75,7 @@ double Measurements::median_ms() const {
 }
 
 Simulation::Simulation(const Scene& scene, const Figure& figure)
-    : scene_(scene), figure_(figure), context_(make_context(scene)),
+    : scene_(scene), figure_(figure), context_(make_context(scene, said_)),
       sim_(make_sim(context_.get(), figure, scene)) {
     row_ = stats_of(sim_.get()).vertices_per_strand;
     read_field(sim_.get(), PLAIT_FIELD_VERTEX_COUNT, vertex_count_);

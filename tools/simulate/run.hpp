@@ -11,6 +11,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace simulate {
@@ -56,6 +57,8 @@ class Simulation {
     uint32_t row() const { return row_; }
     const std::vector<uint32_t>& vertex_count() const { return vertex_count_; }
     plait_sim_stats stats() const;
+    // What the library has warned of since the last call.
+    std::vector<std::string> take_warnings() { return std::exchange(said_, {}); }
 
   private:
     void add_colliders();
@@ -82,6 +85,7 @@ class Simulation {
 
     const Scene& scene_;
     const Figure& figure_;
+    std::vector<std::string> said_;
     ContextHandle context_;
     SimHandle sim_;
     struct Moving {

@@ -420,6 +420,18 @@ typedef struct plait_lane_pin_params {
     float pull; /* m/s^2: it pulls at its vertex with at most the strand's mass times this */
 } plait_lane_pin_params;
 
+/* lane_groom: the groom's springs of one substep. */
+typedef struct plait_lane_groom_params {
+    plait_u32 vertex_stride;
+    plait_u32 tile;
+    plait_u32 row_stride;
+    plait_u32 pins; /* 1: lane_spring holds pins; 0: it is not read */
+    float slider;   /* times PLAIT_LANE_GROOM_DROOP, [0, 1e4] */
+    float h;        /* s, of the substep */
+    float rate;     /* 1/s^2: a spring is at most as stiff as its vertex' mass times this */
+    float pull;     /* m/s^2: and pulls at it with at most that mass times this */
+} plait_lane_groom_params;
+
 /* air_field: turbulence at the centres of the voxels of a grid, w((x - U t)/s) of docs/air.md. */
 typedef struct plait_air_field_params {
     plait_u32 edge_count; /* voxels per edge n, 1..64 */
@@ -568,6 +580,11 @@ typedef struct plait_volume_impulse_params {
     float h;          /* s, of the fixed step */
     float viscosity;  /* 1/s: hair takes the velocity of the hair around it at this rate */
 } plait_volume_impulse_params;
+
+/* lane_groom: per vertex, N/m. */
+#define PLAIT_LANE_GROOM_OWN 0   /* of its strand's material */
+#define PLAIT_LANE_GROOM_DROOP 1 /* with which half of a level strand's droop is left */
+#define PLAIT_LANE_GROOM_COMPONENTS 2
 
 /* lane_share: per vertex. */
 #define PLAIT_LANE_SHARE_HAIR 0 /* hair that it stands for, over that of the mean vertex */

@@ -36,6 +36,14 @@ constexpr float pin_hold = 1e4f;       // m/s^2
 constexpr float steps_of_pin = 100.0f; // least rate, 1/h^2
 constexpr float pin_pull = 300.0f;     // m/s^2: with 30 times its strand's weight at most
 
+// The slider `groom` in times of the spring that leaves half of a droop. Two springs side by side would
+// ask for g/(1 - g); of limp hair, which swings out of the way, the power of .6 of it: between them. At
+// 1 a ten-thousandth is left.
+float groom_slider(float groom) {
+    constexpr float power = 0.8f, least = 1e-5f;
+    return std::pow(groom / std::max(1 - groom, least), power);
+}
+
 Ramp ramp_of(const float (&knots)[4]) {
     return {{double(knots[0]), double(knots[1]), double(knots[2]), double(knots[3])}};
 }
@@ -49,6 +57,7 @@ float contact_slip(float h, float length) {
 
 LaneSource::LaneSource(const ModelInput& input)
     : layout(input.layout), tile(input.tile), step(input.step), sag_free(input.sag_free),
+      gravity(input.gravity),
       accelerates(input.accelerates), pins(input.pins),
       memory(input.memory), strands{{input.groom.strands.positions, input.memory},
                                     {input.groom.strands.vertex_counts, input.memory},
@@ -101,16 +110,16 @@ Status LanePart::open(Device& device) {
 Status LanePart::open_forces(Device& device) {
     if (!acceleration_ && (source_.accelerates || source_.wind))
         PLAIT_TRY(make(device, acceleration_, 3, "lane_acceleration"));
-    if (!pin_ && (source_.pins || source_.wind))
-        PLAIT_TRY(make(device, pin_, 4, "lane_pin"));
+    if (!spring_ && (source_.pins || source_.wind || fill_.groom || next_fill_.groom))
+        PLAIT_TRY(make(device, spring_, 4, "lane_spring"));
     return {};
 }
 
 void LanePart::close_forces() {
     if (!source_.accelerates && !source_.wind)
         acceleration_ = {};
-    if (!source_.pins && !source_.wind)
-        pin_ = {};
+    if (!source_.pins && !source_.wind && !fill_.groom)
+        spring_ = {};
 }
 
 Status LanePart::keep_planes(Device& device, bool keep) {
@@ -124,33 +133,37 @@ Status LanePart::keep_planes(Device& device, bool keep) {
 Materials LanePart::materials_of(const plait_sim_params& params) const {
     Materials all{std::pmr::vector<Material>(source_.memory), source_.materials};
     const auto add = [&](const auto& of, float curl, float clamp, float drag, float friction,
-                         const Ramp& stiffness, const Ramp& density) {
+                         const Ramp& stiffness, const Ramp& density, float groom,
+                         const Ramp& groom_ramp) {
         all.list.push_back({of.line_density, of.bend_stiffness, of.stretch_stiffness,
                             traits_.bends ? of.twist_stiffness : 0.0f,
                             traits_.flat ? of.section_ratio : 1.0f, curl, clamp, drag, friction,
-                            stiffness, density, !traits_.halves_tip, !traits_.stretches});
+                            stiffness, density, groom, groom_ramp, !traits_.halves_tip,
+                            !traits_.stretches});
     };
     add(params, 1, 1, 1, 1, Ramp::to_tip(double(params.tip_stiffness)),
-        Ramp::to_tip(double(params.tip_density)));
+        Ramp::to_tip(double(params.tip_density)), 0, {});
     if (source_.materials)
         for (const plait_material& m : source_.materials->table)
             add(m, m.curl, m.clamp_stiffness, m.drag_scale, m.friction_scale,
-                ramp_of(m.stiffness_ramp), ramp_of(m.density_ramp));
+                ramp_of(m.stiffness_ramp), ramp_of(m.density_ramp), m.groom_stiffness,
+                ramp_of(m.groom_ramp));
     return all;
 }
 
-RestLoad LanePart::load_of(const plait_sim_params& params) const {
+// Gravity that changes is felt: the load stays that of the balance until that is sought anew.
+RestLoad LanePart::load() const {
     if (source_.sag_free == PLAIT_SAG_FREE_OFF || !traits_.bends)
         return {};
-    return {source_.sag_free, {params.gravity[0], params.gravity[1], params.gravity[2]}};
+    return {source_.sag_free, source_.gravity};
 }
 
 // Buffers for `members`, strands of this model.
 Status LanePart::make_fill(Device& device, Fill& fill, const Members& members,
-                           const Materials& materials, const RestLoad& load) const {
+                           const Materials& materials, const RestLoad& load, bool grooms) const {
     const LaneLayout lanes{static_cast<uint32_t>(members.size()), lanes_.row, lanes_.tile};
     const LaneRows rows =
-        lane_rows(source_.strands, members, lanes, materials, load, source_.memory);
+        lane_rows(source_.strands, members, lanes, materials, load, grooms, source_.memory);
     const auto put = [&](Buffer& to, const std::pmr::vector<float>& values,
                          const char* name) -> Status {
         PLAIT_TRY(device.create(to, PLAIT_ELEMENT_FLOAT, values.size(), name));
@@ -160,6 +173,8 @@ Status LanePart::make_fill(Device& device, Fill& fill, const Members& members,
     PLAIT_TRY(put(fill.rest, rows.rest, "lane_rest"));
     if (!rows.start.empty())
         PLAIT_TRY(put(fill.start, rows.start, "lane_start"));
+    if (grooms)
+        PLAIT_TRY(put(fill.groom, rows.groom, "lane_groom"));
     if (source_.wet)
         PLAIT_TRY(make_wet(device, fill));
     fill.of = materials;
@@ -245,10 +260,13 @@ Status LanePart::prepare_volume(Device& device, const plait_sim_params& params) 
 // The groom stays the shape in which strands are; what changes is what holds them in it.
 Status LanePart::prepare(Device& device, const plait_sim_params& params) {
     const Materials materials = materials_of(params);
-    const RestLoad load = load_of(params);
-    has_next_fill_ = !(fill_.material && materials == fill_.of && load == fill_.load);
+    const RestLoad load = this->load();
+    const bool grooms = fill_.groom || params.groom > 0 || materials.holds();
+    has_next_fill_ = !(fill_.material && materials == fill_.of && load == fill_.load &&
+                       grooms == bool(fill_.groom));
     if (has_next_fill_)
-        PLAIT_TRY(make_fill(device, next_fill_, members_, materials, load));
+        PLAIT_TRY(make_fill(device, next_fill_, members_, materials, load, grooms));
+    PLAIT_TRY(open_forces(device));
     PLAIT_TRY(prepare_volume(device, params));
     return prepare_history(device, params);
 }
@@ -267,6 +285,7 @@ void LanePart::discard() {
     next_history_ = {};
     next_volume_ = {};
     has_next_fill_ = has_next_history_ = has_next_volume_ = false;
+    close_forces(); // what nothing that was taken needs
 }
 
 // With wind lane_air does.
@@ -286,7 +305,23 @@ void LanePart::pin(Schedule& schedule, const Substep& at) const {
                  plait_lane_pin_params{lanes_.row, lanes_.tile, source_.layout.row, at.share,
                                        pin_hold, steps_of_pin / (step * step), at.h, pin_pull},
                  {&lane_strand_, &at.state.vertex_count, &at.state.rest, &at.state.pose,
-                  &material(), &at.state.pin_from, &at.state.pin_to, &x_, &v_, &pin_},
+                  &material(), &at.state.pin_from, &at.state.pin_to, &x_, &v_, &spring_},
+                 lanes_.row);
+}
+
+bool LanePart::holds(const plait_sim_params& params) const {
+    return fill_.groom && (params.groom > 0 || fill_.of.holds());
+}
+
+// Beside the pins.
+void LanePart::hold(Schedule& schedule, const Substep& at) const {
+    const float step = step_of(at.h, settings_.bdf2_of(at.params));
+    schedule.add(PLAIT_STAGE_lane_groom, lanes_.strands,
+                 plait_lane_groom_params{lanes_.row, lanes_.tile, source_.layout.row,
+                                         source_.pins ? 1u : 0u, groom_slider(at.params.groom),
+                                         at.h, steps_of_pin / (step * step), pin_pull},
+                 {&lane_strand_, &at.state.vertex_count, &at.state.rest, &at.state.pose,
+                  &material(), &fill_.groom, &x_, &v_, &spring_},
                  lanes_.row);
 }
 
@@ -297,7 +332,7 @@ void LanePart::blow(Schedule& schedule, const Substep& at, const WindStep& wind)
     params.row_stride = source_.layout.row;
     params.h = at.h;
     params.bdf2 = settings_.bdf2_of(at.params);
-    params.pins = source_.pins ? 1 : 0;
+    params.pins = source_.pins || holds(at.params) ? 1 : 0;
     params.accelerates = source_.accelerates ? 1 : 0;
     params.pressure = volume_.pressure ? 1 : 0;
     params.equal_masses = traits_.halves_tip ? 0 : 1;
@@ -314,7 +349,7 @@ void LanePart::blow(Schedule& schedule, const Substep& at, const WindStep& wind)
     schedule.add(PLAIT_STAGE_lane_air, lanes_.strands, params,
                  {&lane_strand_, &at.state.vertex_count, &at.state.rest, &at.state.pose,
                   &at.state.acceleration, wind.velocity, &material(), &x_, &v_, &history_.x,
-                  &history_.v, &volume_.pressure, &acceleration_, &pin_},
+                  &history_.v, &volume_.pressure, &acceleration_, &spring_},
                  lanes_.row);
 }
 
@@ -327,7 +362,7 @@ void LanePart::find_planes(Schedule& schedule, const Substep& at,
     schedule.add(PLAIT_STAGE_mesh_contact, lanes_.strands, params,
                  {&lane_strand_, &at.state.rest, &at.state.pose, &material(), &at.colliders,
                   &at.meshes->grid, &at.meshes->nodes, &at.meshes->values, &at.meshes->clearance,
-                  &push(), &pin_, &x_, &v_, &history_.x, &history_.v, &plane_},
+                  &push(), &spring_, &x_, &v_, &history_.x, &history_.v, &plane_},
                  lanes_.row);
 }
 
@@ -343,7 +378,7 @@ void LanePart::find_nearest(Schedule& schedule, const Substep& at,
         PLAIT_STAGE_mesh_nearest, lanes_.strands, params,
         {&lane_strand_, &at.state.rest, &at.state.pose, &material(), &at.colliders, &m.first,
          &m.box,        &m.tree,        &m.triangle,    &m.ring,     &m.from,       &m.to,
-         &m.bends,      &m.clearance,   &push(),        &pin_,       &x_,           &v_,
+         &m.bends,      &m.clearance,   &push(),        &spring_,    &x_,           &v_,
          &history_.x,   &history_.v,    &plane_,        &m.side},
         lanes_.row);
 }
@@ -379,10 +414,12 @@ void LanePart::substep(Schedule& schedule, const Substep& at, float mean_length)
     params.contact_rate = contact_rate(p.gravity, at.h, params.bdf2, mean_length);
     params.contact_slip = contact_slip(at.h, mean_length);
     params.accelerates = push() ? 1 : 0;
-    params.pins = pin_ ? 1 : 0;
+    params.pins = source_.pins || at.wind || holds(p) ? 1 : 0;
     params.planes = (at.meshes || at.bending || meets) && plane_ ? 1 : 0;
     if (source_.pins)
         pin(schedule, at);
+    if (holds(p))
+        hold(schedule, at);
     if (at.wind)
         blow(schedule, at, *at.wind);
     if (at.meshes && plane_)
@@ -394,12 +431,12 @@ void LanePart::substep(Schedule& schedule, const Substep& at, float mean_length)
     if (!traits_.bends)
         schedule.add(traits_.stage, lanes_.strands, params,
                      {&lane_strand_, &at.state.rest, &at.state.pose, &material(), &at.colliders,
-                      &push(), &pin_, &plane_, &x_, &v_, &history_.x, &history_.v},
+                      &push(), &spring_, &plane_, &x_, &v_, &history_.x, &history_.v},
                      lanes_.row);
     else
         schedule.add(traits_.stage, lanes_.strands, params,
                      {&lane_strand_, &at.state.rest, &at.state.pose, &material(), &fill_.rest,
-                      &at.colliders, &push(), &pin_, &plane_, &x_, &v_, &q_, &q_before_,
+                      &at.colliders, &push(), &spring_, &plane_, &x_, &v_, &q_, &q_before_,
                       &history_.x, &history_.v},
                      lanes_.row);
 }
@@ -521,9 +558,10 @@ void LanePart::add_dynamic(std::pmr::vector<LaneBuffer>& to) const {
 
 uint64_t LanePart::device_bytes() const {
     uint64_t bytes = 0;
-    for (const Buffer* buffer : {&fill_.material, &fill_.wet, &fill_.rest, &fill_.start, &x_, &v_,
-                                 &q_, &q_before_, &history_.x, &history_.v, &acceleration_, &pin_,
-                                 &plane_, &lane_strand_, &volume_.share, &volume_.pressure})
+    for (const Buffer* buffer :
+         {&fill_.material, &fill_.wet, &fill_.groom, &fill_.rest, &fill_.start, &x_, &v_, &q_,
+          &q_before_, &history_.x, &history_.v, &acceleration_, &spring_, &plane_, &lane_strand_,
+          &volume_.share, &volume_.pressure})
         bytes += buffer->bytes();
     return bytes;
 }

@@ -24,6 +24,7 @@ struct LaneSource {
     uint32_t tile;
     double step; // s, the fixed one
     plait_sag_free sag_free;
+    std::array<float, 3> gravity; // in which a sag-free groom is in balance
     bool accelerates, pins;
     bool wind = false;
     bool wet = false;    // strands may be
@@ -109,6 +110,7 @@ class LanePart {
         SagReport sag;
         Buffer material, rest, start; // start: where a sag-free strand starts
         Buffer wet;                   // material as wetness scales it, where strands may be wet
+        Buffer groom;                 // stiffness of springs to the groom, where there are any
     };
     // BDF2's step before.
     struct History {
@@ -127,9 +129,9 @@ class LanePart {
 
     Status make(Device& device, Buffer& to, size_t components, const char* name) const;
     Materials materials_of(const plait_sim_params& params) const;
-    RestLoad load_of(const plait_sim_params& params) const;
+    RestLoad load() const;
     Status make_fill(Device& device, Fill& fill, const Members& members, const Materials& materials,
-                     const RestLoad& load) const;
+                     const RestLoad& load, bool grooms) const;
     Status make_wet(Device& device, Fill& fill) const;
     // That strands are stepped with.
     const Buffer& material() const { return fill_.wet ? fill_.wet : fill_.material; }
@@ -139,7 +141,9 @@ class LanePart {
     plait_lane_volume_params volume_params(const LaneVolume& volume) const;
     // What pulls at vertices beside gravity, where anything does.
     const Buffer& push() const { return acceleration_ ? acceleration_ : volume_.pressure; }
+    bool holds(const plait_sim_params& params) const; // strands in their groom, by springs
     void pin(Schedule& schedule, const Substep& at) const;
+    void hold(Schedule& schedule, const Substep& at) const;
     void blow(Schedule& schedule, const Substep& at, const WindStep& wind) const;
     void find_planes(Schedule& schedule, const Substep& at, const plait_lane_params& solve) const;
     void find_nearest(Schedule& schedule, const Substep& at, const plait_lane_params& solve) const;
@@ -176,7 +180,7 @@ class LanePart {
     bool has_next_fill_ = false, has_next_history_ = false, has_next_volume_ = false;
     Buffer x_, v_, q_, q_before_;
     Buffer acceleration_; // only with accelerations, or wind
-    Buffer pin_;          // only with pins, or wind
+    Buffer spring_;       // only with pins, wind, or springs to the groom
     Buffer plane_;        // only with meshes, or where strands meet
     History history_, next_history_;
     Pressed volume_, next_volume_;

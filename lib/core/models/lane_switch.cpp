@@ -60,7 +60,7 @@ Status LanePart::fill_arrivals(Device& device, Schedule& schedule,
     if (arrivals.empty())
         return {};
     Fill fill(source_.memory);
-    PLAIT_TRY(make_fill(device, fill, arrivals, fill_.of, fill_.load));
+    PLAIT_TRY(make_fill(device, fill, arrivals, fill_.of, fill_.load, bool(fill_.groom)));
     uint32_t next = 0; // arrivals keep the order of the lanes
     const auto moves = list_moves(device, [&](uint32_t strand, uint32_t& lane) {
         next += next + 1 < arrivals.size() && arrivals[next + 1] == strand;
@@ -74,6 +74,8 @@ Status LanePart::fill_arrivals(Device& device, Schedule& schedule,
     move(schedule, *moves, 4, fill.rest, fill_.rest);
     if (fill.start)
         move(schedule, *moves, 4, fill.start, fill_.start);
+    if (fill.groom)
+        move(schedule, *moves, PLAIT_LANE_GROOM_COMPONENTS, fill.groom, fill_.groom);
     return run_now(device, schedule);
 }
 
@@ -94,6 +96,8 @@ Status LanePart::move_from(Device& device, Schedule& schedule, const Substep& at
         move(schedule, *moves, 4, other.fill_.rest, fill_.rest);
         if (fill_.start)
             move(schedule, *moves, 4, other.fill_.start, fill_.start);
+        if (fill_.groom)
+            move(schedule, *moves, PLAIT_LANE_GROOM_COMPONENTS, other.fill_.groom, fill_.groom);
     }
     move(schedule, *moves, 3, other.x_, x_);
     move(schedule, *moves, 3, other.v_, v_);
@@ -136,9 +140,11 @@ void LanePart::fit(Schedule& schedule, const Substep& at, const Moves& moves,
 
 Status LanePart::take_over(Device& device, Schedule& schedule, const Substep& at,
                            std::span<const LanePlace> from) {
-    PLAIT_TRY(open(device));
     fill_.of = materials_of(at.params);
-    fill_.load = load_of(at.params);
+    fill_.load = load();
+    if (at.params.groom > 0 || fill_.of.holds())
+        PLAIT_TRY(make(device, fill_.groom, PLAIT_LANE_GROOM_COMPONENTS, "lane_groom"));
+    PLAIT_TRY(open(device));
     PLAIT_TRY(make(device, fill_.material, PLAIT_LANE_MATERIAL_COMPONENTS, "lane_material"));
     if (source_.wet)
         PLAIT_TRY(make_wet(device, fill_));

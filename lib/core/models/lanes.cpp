@@ -1,9 +1,7 @@
 // The strand models over lanes: chain, cosserat, rod, articulated, each strand of one of them. They
 // keep their own state in the lane layout and publish it to position and its history, which
 // display, the inter-hair step and interop read.
-#include "base/format.hpp"
 #include "core/groom.hpp"
-#include "core/models/constraints.hpp"
 #include "core/models/lane_part.hpp"
 #include "core/models/length_classes.hpp"
 #include "core/models/strand_order.hpp"
@@ -12,22 +10,6 @@ namespace plait {
 namespace {
 
 constexpr uint32_t pinned = 1; // the root; the clamp is a joint
-
-bool constrains(const plait_sim_params& p) {
-    return has_attachment(p) ||
-           (p.shape_constraints && (has_global_shape(p) || has_local_shape(p)));
-}
-
-// Constraints act on all strands after a substep: of all.
-Status check_constraints(const plait_sim_params& params, size_t substeps) {
-    if (substeps < 2 || !constrains(params))
-        return {};
-    return Error{PLAIT_INVALID_STATE,
-                 format("strands of %zu different numbers of substeps (plait_sim_set_settings) "
-                        "cannot have shape_constraints or attachment, which act after a "
-                        "substep of all",
-                        substeps)};
-}
 
 // Settings in use, each once: by model, then in the order of their first strand.
 SettingsList kinds_of(std::span<const Settings> settings, std::pmr::memory_resource* memory) {
@@ -55,6 +37,9 @@ class LaneModel final : public Model {
                             std::span<const Settings> settings) override;
     void exchange(StrandMaterialsPtr& materials) noexcept override {
         source_.materials.swap(materials);
+    }
+    void exchange(std::array<float, 3>& gravity) noexcept override {
+        source_.gravity.swap(gravity);
     }
     void swap() noexcept override;
     void discard() override;
@@ -98,7 +83,6 @@ class LaneModel final : public Model {
     PartPtr make_part(const Settings& settings, uint32_t row, LanePart::Members&& members) const;
     PartPtr find_part(const Settings& settings, const LanePart::Members& members) const;
     std::pmr::vector<LanePlace> places() const;
-    void constrain(Schedule& schedule, const Substep& at) const;
 
     LaneSource source_;
     LanePart::Members order_; // of all strands
@@ -149,10 +133,6 @@ LaneModel::PartPtr LaneModel::find_part(const Settings& settings,
 }
 
 Status LaneModel::prepare(Device& device, const plait_sim_params& params) {
-    std::pmr::vector<Settings> settings(source_.layout.guides, parts_.front()->settings(),
-                                        source_.memory);
-    read_settings(settings);
-    PLAIT_TRY(check_constraints(params, substeps_of(settings, source_.memory).size()));
     source_.measure_rest(source_.rest_grid_of(params));
     for (const PartPtr& part : parts_) {
         if (!opened_)
@@ -173,7 +153,6 @@ std::pmr::vector<LanePlace> LaneModel::places() const {
 
 Status LaneModel::prepare_settings(Device& device, Schedule& schedule, const Substep& at,
                                    std::span<const Settings> settings) {
-    PLAIT_TRY(check_constraints(at.params, substeps_of(settings, source_.memory).size()));
     source_.measure_rest(source_.rest_grid_of(at.params));
     const auto from = places();
     const auto take_over = [&](const Settings& own, uint32_t row,
@@ -272,19 +251,6 @@ void LaneModel::substep(Schedule& schedule, const Substep& at) {
     for (const PartPtr& part : parts_)
         if (part->settings().substeps == at.substeps)
             part->substep(schedule, at, length_);
-    if (constrains(at.params))
-        constrain(schedule, at);
-}
-
-// What artists add to the physics, on positions; velocities follow them.
-void LaneModel::constrain(Schedule& schedule, const Substep& at) const {
-    publish(schedule, at);
-    if (at.params.shape_constraints) {
-        add_global_shape(schedule, at);
-        add_local_shape(schedule, at);
-    }
-    add_attachment(schedule, at);
-    adopt(schedule, at);
 }
 
 void LaneModel::publish(Schedule& schedule, const Substep& at, const Buffer* tangent) const {

@@ -10,12 +10,23 @@ namespace plait {
 namespace {
 
 constexpr size_t components = PLAIT_LANE_MATERIAL_COMPONENTS;
+constexpr double earth = 9.80665; // m/s^2
+
+// N/m^2: a spring to the groom with which half of the droop of a level strand is left, within a
+// twentieth of its droop, however stiff it is. 2 is a limp strand's, 12 a stiff one's; between them
+// is what the droop of strands of every stiffness was seen to need.
+double half_droop(const Material& own, double length) {
+    const double weight = double(own.line_density) * own.density.mean() * earth;
+    const double bend = double(own.bend_stiffness) * own.stiffness.mean();
+    return std::hypot(2 * weight / length, 12 * bend / (length * length * length * length));
+}
 
 class Writer {
   public:
     Writer(LaneRows& rows, const LaneLayout& layout) : rows_(rows), layout_(layout) {}
 
     void strand(size_t strand, const RestStrand& s);
+    void groom(size_t strand, const RestStrand& s, const Material& own);
     void scales(size_t strand, double drag, double friction, bool weighed) {
         set(strand, layout_.row - 1, PLAIT_LANE_DRAG, drag);
         set(strand, layout_.row - 1, PLAIT_LANE_FRICTION, friction);
@@ -54,10 +65,25 @@ void Writer::strand(size_t strand, const RestStrand& s) {
     }
 }
 
+void Writer::groom(size_t strand, const RestStrand& s, const Material& own) {
+    const double droop = half_droop(own, s.whole);
+    double along = 0;
+    for (size_t i = 1; i < s.x.size(); ++i) {
+        along += s.edge(i - 1).norm();
+        const double hair = own.groom_ramp.at(along / s.whole) * s.hair_of(i, own);
+        const auto put = [&](size_t component, double value) {
+            rows_.groom[layout_.index(strand, i, component, PLAIT_LANE_GROOM_COMPONENTS)] =
+                static_cast<float>(value);
+        };
+        put(PLAIT_LANE_GROOM_OWN, double(own.groom) * hair);
+        put(PLAIT_LANE_GROOM_DROOP, droop * hair);
+    }
+}
+
 // As rows past a tip are.
 LaneRows empty_rows(const LaneLayout& layout, bool has_start, std::pmr::memory_resource* memory) {
     using Floats = std::pmr::vector<float>;
-    LaneRows rows{Floats(memory), Floats(memory), Floats(memory), {}};
+    LaneRows rows{Floats(memory), Floats(memory), Floats(memory), Floats(memory), {}};
     rows.material.resize(layout.rows() * components);
     rows.rest.resize(layout.rows() * 4);
     for (size_t strand = 0; strand < layout.padded_strands(); ++strand)
@@ -81,12 +107,18 @@ bool Materials::curls() const {
     return std::ranges::any_of(list, [](const Material& m) { return m.curl != 1; });
 }
 
+bool Materials::holds() const {
+    return std::ranges::any_of(list, [](const Material& m) { return m.groom > 0; });
+}
+
 LaneRows lane_rows(const RestStrands& strands, std::span<const uint32_t> members,
                    const LaneLayout& layout, const Materials& materials, const RestLoad& load,
-                   std::pmr::memory_resource* memory) {
+                   bool grooms, std::pmr::memory_resource* memory) {
     const bool loaded = load.mode != PLAIT_SAG_FREE_OFF;
     const Vec3 gravity = Eigen::Vector3f(load.gravity.data()).cast<double>();
     LaneRows rows = empty_rows(layout, loaded || materials.curls(), memory);
+    if (grooms)
+        rows.groom.resize(layout.rows() * PLAIT_LANE_GROOM_COMPONENTS);
     Writer writer(rows, layout);
     std::pmr::vector<size_t> first(strands.counts.size(), memory); // vertex of each strand
     std::exclusive_scan(strands.counts.begin(), strands.counts.end(), first.begin(), size_t{0});
@@ -98,6 +130,8 @@ LaneRows lane_rows(const RestStrands& strands, std::span<const uint32_t> members
             own.scale(strands.stiffness[strand]);
         RestStrand s(positions.subspan(3 * first[strand], size_t{3} * strands.counts[strand]), own,
                      memory);
+        if (grooms)
+            writer.groom(lane, s, own);
         if (loaded)
             rows.sag.add(remove_sag(s, gravity, load.mode), strand);
         if (own.curl != 1)

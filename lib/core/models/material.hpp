@@ -25,6 +25,7 @@ struct Materials {
 
     const Material& of(uint32_t strand) const;
     bool curls() const; // the rest shape is not the groom's
+    bool holds() const; // some strands have a spring to the groom of their own
     bool operator==(const Materials&) const = default;
 };
 
@@ -45,12 +46,14 @@ struct LaneRows {
     std::pmr::vector<float> rest;
     // The same as groomed: where the strand starts. Empty where it is `rest` of every strand.
     std::pmr::vector<float> start;
+    // [rows*2]: PLAIT_LANE_GROOM_...; 0 at roots and past tips. Empty where nobody asked for it.
+    std::pmr::vector<float> groom;
     SagReport sag;
 };
 
-// `members`: the strand of each lane of the layout.
+// `members`: the strand of each lane of the layout. `grooms`: with what holds them in the groom.
 LaneRows lane_rows(const RestStrands& strands, std::span<const uint32_t> members,
                    const LaneLayout& layout, const Materials& materials, const RestLoad& load,
-                   std::pmr::memory_resource* memory);
+                   bool grooms, std::pmr::memory_resource* memory);
 
 } // namespace plait

@@ -60,6 +60,12 @@ RestStrand::RestStrand(std::span<const float> positions, const Material& materia
     }
 }
 
+double RestStrand::hair_of(size_t vertex, const Material& material) const {
+    const double before = vertex > 0 ? edge(vertex - 1).norm() : 0;
+    const double after = vertex < segments() ? edge(vertex).norm() : 0;
+    return material.equal_masses ? before : 0.5 * (before + after);
+}
+
 void RestStrand::set_frames() {
     frame.resize(segments());
     rest.resize(segments());

@@ -36,6 +36,8 @@ struct Material {
     float clamp;          // scale of the stiffness of the first
     float drag, friction; // scales
     Ramp stiffness, density;
+    float groom; // N/m^2, to the groom, beside what the parameters' slider gives
+    Ramp groom_ramp;
     bool equal_masses; // a limp chain's; a rod has half a mass at the tip
     bool inextensible;
 
@@ -55,7 +57,8 @@ struct RestStrand {
 
     size_t segments() const { return length.size(); }
     Vec3 edge(size_t segment) const { return x[segment + 1] - x[segment]; }
-    void frame_along(size_t segment, const Vec3& direction); // from the frame before it
+    double hair_of(size_t vertex, const Material& material) const; // m that its mass is of
+    void frame_along(size_t segment, const Vec3& direction);       // from the frame before it
     void scale_curl(double by); // the turn of every joint at rest but the clamp
     Quat frame_before(size_t segment) const {
         return segment == 0 ? Quat::Identity() : frame[segment - 1];

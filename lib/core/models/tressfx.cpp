@@ -2,7 +2,6 @@
 // before the global shape constraint. A stage that would change nothing is left out.
 #include "core/choices.hpp"
 #include "core/model.hpp"
-#include "core/models/constraints.hpp"
 #include "core/models/wind_cone.hpp"
 
 namespace plait {
@@ -19,6 +18,44 @@ bool has_wind(const plait_sim_params& p) {
     if (p.wind_form == PLAIT_WIND_FORM_DRAG)
         return p.air_drag > 0;
     return p.wind[0] != 0 || p.wind[1] != 0 || p.wind[2] != 0;
+}
+
+bool has_global_shape(const plait_sim_params& p) {
+    return p.global_stiffness > 0 && p.global_range > 0;
+}
+
+bool has_local_shape(const plait_sim_params& p) {
+    return p.local_iterations > 0 && p.local_stiffness > 0;
+}
+
+bool has_attachment(const plait_sim_params& p) {
+    return p.attachment > 0;
+}
+
+void global_shape(Schedule& schedule, const Substep& at) {
+    const plait_sim_params& p = at.params;
+    const State& s = at.state;
+    if (has_global_shape(p))
+        schedule.add(PLAIT_STAGE_global_shape, at.layout.guide_vertices(),
+                     plait_global_shape_params{at.layout.row, p.global_stiffness, p.global_range},
+                     {&s.rest, &s.vertex_count, &s.pose, &s.position});
+}
+
+void local_shape(Schedule& schedule, const Substep& at) {
+    const plait_sim_params& p = at.params;
+    const State& s = at.state;
+    if (has_local_shape(p))
+        schedule.add(PLAIT_STAGE_local_shape, at.layout.guides,
+                     plait_local_shape_params{at.layout.row, p.local_stiffness, p.local_iterations},
+                     {&s.rest, &s.vertex_count, &s.pose, &s.position});
+}
+
+void attach(Schedule& schedule, const Substep& at) {
+    const State& s = at.state;
+    if (has_attachment(at.params))
+        schedule.add(PLAIT_STAGE_attach, at.layout.guides,
+                     plait_attach_params{at.layout.row, at.params.attachment},
+                     {&s.rest_length, &s.vertex_count, &s.position});
 }
 
 class TressFx final : public Model {
@@ -162,15 +199,15 @@ void TressFx::substep(Schedule& schedule, const Substep& at) {
     if (at.params.order == PLAIT_STAGE_ORDER_SHOCK_BEFORE_GLOBAL) {
         integrate(schedule, at, 0);
         shock(schedule, at);
-        add_global_shape(schedule, at);
+        global_shape(schedule, at);
     } else {
         integrate(schedule, at, has_global_shape(at.params) ? at.params.global_stiffness : 0);
         shock(schedule, at);
     }
-    add_local_shape(schedule, at);
+    local_shape(schedule, at);
     wind(schedule, at);
     length(schedule, at);
-    add_attachment(schedule, at);
+    attach(schedule, at);
     collide(schedule, at);
     clamp(schedule, at);
 }

@@ -206,7 +206,7 @@ void Album::State::write_comparison(std::vector<std::string>& files) const {
     const bool has_tressfx = std::ranges::any_of(
         beside, [](const Variant& v) { return v.sim.model == PLAIT_MODEL_TRESSFX; });
     render::write_sheet({"plait: " + std::filesystem::path(scene.groom.name).filename().string(),
-                         has_tressfx ? setting() + "; " + tressfx_settings(scene.sim) : setting(),
+                         has_tressfx ? setting() + "; " + tressfx_settings(scene) : setting(),
                          rows},
                         path("ab.png"));
     files.push_back(path("ab.png"));

@@ -54,6 +54,11 @@ BodyChoice read_body(const JsonReader& top, const Json& value, const std::string
     BodyChoice body;
     body.mesh.desc.form = PLAIT_MESH_FORM_NEAREST;
     read_mesh(in, folder, body.mesh);
+    if (alike(std::filesystem::path(body.mesh.file).extension().string(), ".tfxmesh"))
+        in.fail("file",
+                "is \"" + body.mesh.file +
+                    "\", and .tfxmesh holds no animation; allowed are .gltf and .glb. A mesh "
+                    "that goes with the head and does not bend is one of \"meshes\"");
     if (body.mesh.hull || body.mesh.desc.form != PLAIT_MESH_FORM_NEAREST)
         in.fail("form", std::string("is \"") + (body.mesh.hull ? "hull" : "field") +
                             "\", which does not bend; allowed is \"nearest\"");

@@ -66,6 +66,8 @@ GroomHandle load(const GroomChoice& choice, plait_groom_info& info) {
     plait_import_options options = plait_import_options_defaults();
     options.scale = choice.scale;
     options.resample = choice.vertices;
+    options.axes = choice.axes;
+    options.root_end = choice.root_end;
     plait_groom* loaded = nullptr;
     check(plait_groom_load(choice.name.c_str(), &options, &loaded));
     GroomHandle groom(loaded);
@@ -239,9 +241,7 @@ void load_groom(Scene& scene, Figure& figure) {
     figure.groom = load(choice, figure.info);
     if (!choice.scale_by_size)
         return;
-    const Eigen::AlignedBox3f box{Vector3f(figure.info.bounds_min),
-                                  Vector3f(figure.info.bounds_max)};
-    choice.scale = likely_scale(box.sizes().maxCoeff());
+    choice.scale = figure.info.likely_scale;
     if (choice.scale != 1.0f)
         figure.groom = load(choice, figure.info);
 }

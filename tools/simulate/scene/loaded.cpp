@@ -1,15 +1,10 @@
 #include "loaded.hpp"
 
-#include <cmath>
 #include <cstdio>
 
 namespace simulate {
 
 namespace {
-
-constexpr float least_length = 0.005f, most_length = 2.0f; // m: of hair, on average
-constexpr float most_stiffening = 1000.0f;                 // of a joint, over its material
-constexpr float usual_extent = 0.4f;                       // m: of a head of hair
 
 std::string number(float value) {
     char text[32];
@@ -50,19 +45,6 @@ std::string colliders_of(const Scene& scene, const Figure& figure) {
     return text;
 }
 
-// What to do about it: the scale that makes the groom as large as a head of hair.
-std::string advice(const Scene& scene, const Figure& figure) {
-    const float unit = likely_scale(figure.hair_bounds.sizes().maxCoeff() / scene.groom.scale);
-    if (scene.groom.generated || unit == scene.groom.scale)
-        return "";
-    return std::string("; if it is in ") +
-           (unit == 1.0f    ? "metres"
-            : unit == 0.01f ? "centimetres"
-                            : "millimetres") +
-           ", --scale " + number(unit) + " (or --scale auto) makes it " +
-           number(figure.info.mean_length / scene.groom.scale * unit) + " m";
-}
-
 std::string size_of(const Eigen::AlignedBox3f& box) {
     const Eigen::Vector3f size = box.sizes();
     return number(size.x()) + " x " + number(size.y()) + " x " + number(size.z()) + " m";
@@ -82,15 +64,6 @@ void warn_of_far(const LoadedMesh& mesh, const Figure& figure, std::vector<std::
 }
 
 } // namespace
-
-float likely_scale(float extent) {
-    float best = 1.0f;
-    for (const float unit : {0.01f, 0.001f})
-        if (std::abs(std::log(extent * unit / usual_extent)) <
-            std::abs(std::log(extent * best / usual_extent)))
-            best = unit;
-    return best;
-}
 
 std::string loaded_line(const Scene& scene, const Figure& figure) {
     const plait_groom_info& info = figure.info;
@@ -114,26 +87,16 @@ std::string loaded_line(const Scene& scene, const Figure& figure) {
 
 std::vector<std::string> size_warnings(const Scene& scene, const Figure& figure) {
     std::vector<std::string> warnings;
-    const float length = figure.info.mean_length;
-    if (!(length >= least_length && length <= most_length))
-        warnings.push_back(scene.groom.name + ": strands are " + number(length) +
-                           " m long on average, which is outside [" + number(least_length) + ", " +
-                           number(most_length) + "]" + advice(scene, figure));
+    if (const float times = figure.info.likely_scale; times != 1 && !scene.groom.generated)
+        warnings.push_back(scene.groom.name + ": strands are " + number(figure.info.mean_length) +
+                           " m long on average; --scale " + number(scene.groom.scale * times) +
+                           " (or --scale auto) makes that " +
+                           number(figure.info.mean_length * times) + " m");
     for (const LoadedMesh& mesh : figure.meshes)
         warn_of_far(mesh, figure, warnings);
     if (figure.body)
         warn_of_far(figure.body->mesh(), figure, warnings);
     return warnings;
-}
-
-std::vector<std::string> stiffening_warnings(const Scene& scene, const Figure& figure,
-                                             const plait_sim_stats& stats) {
-    if (!(stats.worst_stiffening > most_stiffening))
-        return {};
-    return {scene.groom.name + ": to stay as groomed under its weight, " +
-            std::to_string(stats.joints_stiffened) + " joints were stiffened, the worst " +
-            number(stats.worst_stiffening) + " times, which is beyond " + number(most_stiffening) +
-            ": the hair will hardly move" + advice(scene, figure)};
 }
 
 } // namespace simulate

@@ -12,15 +12,8 @@ namespace simulate {
 // 14 colliders of the mannequin"
 std::string loaded_line(const Scene& scene, const Figure& figure);
 
-// The unit of length, in metres, in which a groom of this extent is nearest to a head of hair: a
-// metre, a centimetre or a millimetre.
-float likely_scale(float extent);
-
-// What looks wrong about the size, each a sentence for the user; none: nothing does.
+// What looks wrong about the size, each a sentence for the user; none: nothing does. What the library
+// warns of the groom is not among them.
 std::vector<std::string> size_warnings(const Scene& scene, const Figure& figure);
-
-// The same of a sag-free start that had to stiffen joints beyond what hair is.
-std::vector<std::string> stiffening_warnings(const Scene& scene, const Figure& figure,
-                                             const plait_sim_stats& stats);
 
 } // namespace simulate

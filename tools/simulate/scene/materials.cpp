@@ -42,11 +42,13 @@ void read_fields(JsonReader& in, plait_material& material) {
         {"curl", &plait_material::curl, 0, 4},
         {"clamp_stiffness", &plait_material::clamp_stiffness, 0, 100},
         {"drag_scale", &plait_material::drag_scale, 0, 100},
-        {"friction_scale", &plait_material::friction_scale, 0, 100}};
+        {"friction_scale", &plait_material::friction_scale, 0, 100},
+        {"groom_stiffness", &plait_material::groom_stiffness, 0, 1e6}};
     for (const Field& field : fields)
         in.number(field.key, material.*field.member, field.least, field.most);
     in.numbers("stiffness_ramp", material.stiffness_ramp, 0, 100);
     in.numbers("density_ramp", material.density_ramp, 1e-3, 1e3);
+    in.numbers("groom_ramp", material.groom_ramp, 0, 100);
 }
 
 // A strand, or [first, last].

@@ -71,6 +71,10 @@ void read_groom(JsonReader& top, const Origin& origin, Scene& scene) {
     if (groom.guides > 0 && scene.sim.follows_per_guide > 0)
         top.fail("guides", "are given, and follows_per_guide, too: hair follows in one way");
     read_scale(top, groom);
+    constexpr const char* axes[] = {"y_up", "z_up", "y_up_left_handed", "z_up_left_handed"};
+    constexpr const char* ends[] = {"first", "last", "agreed"};
+    const bool has_axes = top.choice("axes", groom.axes, axes);
+    const bool has_end = top.choice("root_end", groom.root_end, ends);
     const Json* style = top.value("style");
     const auto known = std::find(style_names.begin(), style_names.end(), groom.name);
     groom.generated = known != style_names.end();
@@ -84,6 +88,9 @@ void read_groom(JsonReader& top, const Origin& origin, Scene& scene) {
         groom.name = resolve(groom.name, "groom", origin);
         return;
     }
+    if (has_axes || has_end)
+        top.fail(has_axes ? "axes" : "root_end",
+                 "is for files; \"" + groom.name + "\" is generated");
     groom.style = make_style(static_cast<plait_generator::Hairstyle>(known - style_names.begin()));
     groom.style.seed = scene.seed;
     groom.style.strands = groom.strands ? groom.strands : groom.style.strands;
@@ -365,6 +372,15 @@ void read_simulation(JsonReader& top, Scene& scene) {
     top.number("follow_radius", scene.sim.follow_radius, 0, 1);
     top.text("device", scene.device);
     top.text("backend", scene.backend);
+    const bool own = scene.sim.model == PLAIT_MODEL_TRESSFX;
+    if (const Json* params = top.value("tressfx")) {
+        if (own)
+            top.fail("tressfx",
+                     "is of the TressFX beside the model; of the model it is \"params\"");
+        read_params(top.object(*params, "tressfx"), scene.tressfx);
+    }
+    if (own)
+        take_tressfx(scene.tressfx, scene.sim.params);
     if (const Json* params = top.value("params")) {
         read_params(top.object(*params, "params"), scene.sim.params);
         read_params(top.object(*params, "params"), scene.unhung);
@@ -390,10 +406,12 @@ void read_output(JsonReader& top, const Origin& origin, Scene& scene) {
     top.flag("profile", scene.profile);
     if (!scene.replay.empty() && (scene.profile || !scene.trace.empty()))
         top.fail("replay", "draws a run that is over: there is nothing to profile or to trace");
+    top.flag("compare", scene.compare);
     if (const Json* camera = top.value("camera"))
         read_camera(top, *camera, scene.camera);
     if (const Json* picture = top.value("picture"))
         read_pictures(top, *picture, scene.pictures);
+    top.flag("film", scene.pictures.video);
 }
 
 } // namespace
@@ -402,12 +420,16 @@ plait_sim_desc Scene::default_sim() {
     plait_sim_desc sim = plait_sim_desc_defaults();
     sim.max_steps_per_call = 1;
     plait_sim_params& p = sim.params;
-    p.local_stiffness = 0.9f;
+    p.interhair = PLAIT_INTERHAIR_EXACT;
+    return sim;
+}
+
+plait_sim_params Scene::default_tressfx() {
+    plait_sim_params p = plait_sim_params_defaults();
     p.global_stiffness = 0.3f;
     p.global_range = 0.3f;
     p.length_iterations = 20;
-    p.interhair = PLAIT_INTERHAIR_EXACT;
-    return sim;
+    return p;
 }
 
 uint32_t Scene::frames() const {

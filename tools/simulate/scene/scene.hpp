@@ -38,13 +38,15 @@ struct Tie {
 };
 
 struct GroomChoice {
-    std::string name = "long";    // a generated style, or a file
-    plait_generator::Style style; // when generated
-    uint32_t strands = 0;         // 0: 10,000 when generated, all of a file
-    uint32_t vertices = 0;        // 0: 16 when generated, as in the file
-    uint32_t guides = 0;          // strands that are simulated, the others follow; 0: all
-    float scale = 1.0f;           // file units to metres
-    bool scale_by_size = false;   // "auto": as large as a head of hair
+    std::string name = "long";         // a generated style, or a file
+    plait_generator::Style style;      // when generated
+    uint32_t strands = 0;              // 0: 10,000 when generated, all of a file
+    uint32_t vertices = 0;             // 0: 16 when generated, as in the file
+    uint32_t guides = 0;               // strands that are simulated, the others follow; 0: all
+    float scale = 1.0f;                // file units to metres
+    bool scale_by_size = false;        // "auto": the library's likely_scale
+    plait_axes axes = PLAIT_AXES_Y_UP; // of a file, as root_end
+    plait_root_end root_end = PLAIT_ROOT_END_FIRST;
     bool generated = true;
 
     bool on_ball() const { // and not on the mannequin
@@ -105,7 +107,9 @@ struct Scene {
     uint64_t seed = 1;
     plait_sim_desc sim = default_sim();
     plait_sim_params unhung = default_sim().params; // without what its hairstyle asks of `sim`
-    std::string device, backend;                    // "": the best
+    plait_sim_params tressfx = default_tressfx();   // of these what only that model reads, beside
+    bool compare = true;
+    std::string device, backend; // "": the best
     std::string out = "out", cache, json, replay;
     bool profile = false;
     std::string trace; // file; "": none
@@ -114,6 +118,7 @@ struct Scene {
     bool head_is_mesh() const;           // of the colliders
     bool mannequin_is_meshes() const;    // of the colliders, beside those of a file
     static plait_sim_desc default_sim(); // what long hair needs under real gravity
+    static plait_sim_params default_tressfx();
 };
 
 // `file` may be ""; `command_line` holds keys of a scene file and wins over it. Throws Failure.
