@@ -355,9 +355,10 @@ Status Sim::aim(const RootsInput& input) {
     return {};
 }
 
-// The first aim is where the hair is.
+// The first aim is where the hair is. One at where the head is may have been given in place of none, as
+// a game gives it in every frame, that of a teleport, too.
 Status Sim::aimed() {
-    told_ = begun_;
+    told_ = begun_ && roots_.moves();
     if (std::exchange(begun_, true))
         return {};
     first_aim_ = true;

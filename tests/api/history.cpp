@@ -221,6 +221,14 @@ std::vector<Call> calls() {
              r.teleport();
              r.sim().step(frame);
          }},
+        {"teleport_and_an_aim_at_the_same_place",
+         {"plait_sim_teleport"},
+         [](Ride& r) {
+             r.wait(1);
+             r.teleport();
+             r.aim();
+             r.sim().step(frame);
+         }},
         {"reset", {"plait_sim_reset"}, [](Ride& r) { r.sim().reset(); }},
         {"reset_and_a_step_without_an_aim",
          {"plait_sim_reset"},
@@ -379,6 +387,22 @@ std::vector<Call> calls() {
              plait_colliders_list(r.sim().get(), nullptr, &count);
              r.sim().destroy_collider(id);
          }},
+        {"place_a_body",
+         {"plait_collider_place"},
+         [](Ride& r) {
+             const plait_pose pose = as_floats(r.pose());
+             if (r.body().value)
+                 plait::check(plait_collider_place(r.sim().get(), r.body(), &pose));
+         }},
+        {"groom",
+         {"plait_sim_set_params", "plait_sim_find_balance"},
+         [](Ride& r) {
+             with_params(r, [](auto& p) { p.groom = 0.5f; });
+             (void)plait_sim_find_balance(r.sim().get()); // INVALID_STATE: no groom in balance
+             r.step();
+             with_params(r, [](auto& p) { p.groom = 0; });
+         },
+         true},
         {"free_roots",
          {"plait_sim_bind_roots"},
          [](Ride& r) { (void)plait_sim_bind_roots(r.sim().get(), nullptr, nullptr, 0); }},
@@ -461,6 +485,42 @@ TEST_P(History, NoCallThrowsHairInUniformMotion) {
                     << call.name << ", the head " << motion.name << ", " << model.name;
             }
         }
+}
+
+// Hair that swings and slides on a body: m, in the head's frame, on a head that nods as it goes along.
+std::vector<float> on_a_body(const plait::Context& context, float speed) {
+    auto desc = plait_sim_desc_defaults();
+    desc.params.drag = 0; // to the world's air
+    plait::Sim sim(context, make_groom(tuft(6, 12)), desc);
+    auto body = plait_collider_desc_defaults();
+    body.a[0] = body.b[0] = 0.08f;
+    body.a[1] = body.b[1] = -0.08f;
+    body.a[2] = -0.2f;
+    body.b[2] = 0.2f;
+    body.radius_a = body.radius_b = 0.03f;
+    const auto id = sim.create_collider(body);
+    float x = 0;
+    for (int f = 0; f < 60; ++f) {
+        x = speed * static_cast<float>(f - 60) / 64;
+        const auto roots = head_at({x + 0.01f * std::sin(0.3f * static_cast<float>(f)), 0, 0});
+        if (f == 0)
+            sim.teleport(roots);
+        sim.set_roots(roots);
+        sim.set_collider_pose(id, roots.head);
+        sim.step(frame);
+    }
+    auto positions = sim.read(PLAIT_FIELD_POSITION);
+    for (size_t i = 0; i < positions.size(); i += 4)
+        positions[i] -= x;
+    return positions;
+}
+
+// Only a head that speeds up is felt, on a body, too.
+TEST_P(History, HairOnABodyMovesAlikeAtAnySpeed) {
+    const auto standing = on_a_body(context, 0);
+    for (const float speed : {2.0f, 15.0f})
+        EXPECT_LE(largest_difference(on_a_body(context, speed), standing), 1e-4f)
+            << speed << " m/s";
 }
 
 // A call that is new must be among those above, or say here why it needs none.
