@@ -77,6 +77,8 @@ class Roots {
     std::array<Poses*, 5> all_poses() { return {&at_, &target_, &from_, &to_, &before_}; }
     // Ends of steps, up to 2, since the path began anew; with 2 it bends.
     uint32_t samples() const { return samples_; }
+    // In this step, beside the head's.
+    bool have_own() const { return from_.own || to_.own; }
     bool bends() const { return samples_ == 2; }
     void restore_samples(uint32_t samples) { samples_ = samples; }
     Status make_buffers(Device& device);  // with identities; nothing if they are there

@@ -411,6 +411,8 @@ void Sim::append_placed() {
     model_->teleport(schedule_, present(), pose_spare_);
     std::swap(state_.pose, pose_spare_);
     motion_ = Motion::as_before;
+    placed_from_ = roots_.step_begin();
+    placed_to_ = roots_.step_head();
     told_ = waited_ = knows_velocity_ = false;
 }
 

@@ -217,6 +217,8 @@ class Sim {
     void append_carried(double end);
     Status append_set_off();
     void append_reframed();
+    plait_pose next_as_before(double part) const;
+    bool goes_on_as_before() const;
     Status skip(double end);
     bool ends_between_steps(double dt) const;
     void warn_of_jump(double dt);
@@ -331,6 +333,7 @@ class Sim {
     // changed, all but that the step before had another part of it.
     enum class Motion : uint32_t { known, as_before, unknown, framed };
     Motion motion_ = Motion::as_before;
+    plait_pose placed_from_ = identity_pose, placed_to_ = identity_pose; // how it moved
     bool told_ = false;                     // since then, where the head goes
     bool waited_ = false;                   // since then, for a step without an aim
     bool begun_ = false;                    // roots have been set, or time has passed

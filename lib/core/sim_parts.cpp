@@ -87,11 +87,11 @@ Result<SimParts> make_sim_parts(Context& context, const Groom& groom, const plai
     PLAIT_TRY(check_size(context, groom, desc, strands.follows));
     const Layout layout = make_layout(groom, desc, strands.follows);
     Device& device = context.device;
-    auto model = make_model({desc.model, desc.substeps},
-                            {layout, groom, strands.stiffness, strands.materials, context.info.tile,
-                             Clock(desc.step, 1).step(), desc.sag_free,
-                             std::to_array(desc.params.gravity), desc.accelerations != 0,
-                             desc.pins != 0, &context.memory});
+    auto model =
+        make_model({desc.model, desc.substeps},
+                   {layout, groom, strands.stiffness, strands.materials, context.info.tile,
+                    Clock(desc.step, 1).step(), desc.sag_free, std::to_array(desc.params.gravity),
+                    desc.accelerations != 0, desc.pins != 0, &context.memory});
     if (!model)
         return model.error();
     PLAIT_TRY((*model)->prepare(device, desc.params));

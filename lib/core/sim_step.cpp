@@ -25,6 +25,8 @@
 #include "core/pins.hpp"
 #include "core/sim.hpp"
 
+#include <plait/constants.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -181,7 +183,7 @@ void Sim::append_carried(double end) {
 }
 
 // The first step whose way is known since the head was placed says how it moves. A step without an aim
-// says nothing: the call that placed the head may have stood for the aim.
+// says nothing: the call that placed the head may have stood for the aim. Hair waits through it.
 Status Sim::append_set_off() {
     if (motion_ == Motion::known)
         return {};
@@ -192,18 +194,47 @@ Status Sim::append_set_off() {
         return {};
     }
     roots_.straighten();
-    const bool unknown = motion_ == Motion::unknown || !told_;
-    const float jump = unknown ? 0.0f : least_jump;
     roots_.append_path(schedule_);
+    const bool waits = !told_ && !waited_;
+    const bool as_before = motion_ == Motion::as_before && waited_ && goes_on_as_before();
+    const float jump = motion_ == Motion::as_before && !waits && !waited_ ? least_jump : 0.0f;
     (void)for_each_group([&](const Group& group) {
         const float part = 1.0f / static_cast<float>(group.substeps);
         roots_.append_poses_before(schedule_, 1 - part, pose_before_);
-        roots_.append_poses(schedule_, part, pose_next_);
+        if (as_before)
+            roots_.append_poses_of(schedule_, next_as_before(part), pose_next_);
+        else
+            roots_.append_poses(schedule_, part, pose_next_);
         model_->set_off(schedule_, at(group, 0), pose_before_, pose_next_, jump);
         return Status{};
     });
-    motion_ = told_ || std::exchange(waited_, true) ? Motion::known : Motion::unknown;
+    waited_ = waits;
+    motion_ = waits ? motion_ : Motion::known;
     return {};
+}
+
+// Where the head would be after `part` of this step had it moved on as it did when it was placed.
+plait_pose Sim::next_as_before(double part) const {
+    const plait_pose& now = roots_.step_begin();
+    return interpolate(now, carried(now, placed_from_, placed_to_), part);
+}
+
+// As far as the host can tell: roots with poses of their own may do as they like.
+bool Sim::goes_on_as_before() const {
+    if (roots_.have_own())
+        return false;
+    const auto middle = cube_.middle();
+    const plait_pose next = next_as_before(1);
+    float expected[3], found[3], turned[4];
+    transform(next, middle.data(), expected);
+    transform(roots_.step_head(), middle.data(), found);
+    turn(next, roots_.step_head(), turned);
+    double square = 0;
+    for (size_t i = 0; i < 3; ++i) {
+        const double arc = 2 * PLAIT_SET_OFF_REACH * double(turned[i]);
+        square += (double(found[i]) - expected[i]) * (double(found[i]) - expected[i]) + arc * arc;
+    }
+    return std::sqrt(square) < double(least_jump) * clock_.step();
 }
 
 // Hair has had the head's motion of the step before less what was not felt then, and gets it less what

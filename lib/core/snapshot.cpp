@@ -127,6 +127,8 @@ SnapshotHeader Sim::snapshot_header() {
     h.waited = waited_;
     h.first_aim = first_aim_;
     h.frame = frame_.state();
+    h.placed[0] = placed_from_;
+    h.placed[1] = placed_to_;
     const auto strands = settings();
     h.switched = std::ranges::any_of(
         strands, [&](const Settings& s) { return s != own_settings(desc_.model); });
@@ -323,6 +325,8 @@ Status Sim::restore_roots(const SnapshotHeader& h) {
     first_aim_ = h.first_aim != 0;
     begun_ = true;
     frame_.restore(h.frame);
+    placed_from_ = h.placed[0];
+    placed_to_ = h.placed[1];
     return roots_.clear_buffers(device());
 }
 

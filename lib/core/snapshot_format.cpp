@@ -184,6 +184,8 @@ Status check_header(const SnapshotHeader& h) {
             "bends is %u, motion is %u, ranges are [0, 2] and [0, 3], and %u after them is not 0",
             h.bends, h.motion, h.none));
     PLAIT_TRY(check_frame(h.frame));
+    for (const plait_pose& pose : h.placed)
+        PLAIT_TRY(check_pose(pose, "placed"));
     if (h.aimed > 1 || h.kept > 1 || h.switched > 1 || h.pins > 1)
         return malformed(
             format("aimed is %u, kept is %u, switched is %u, pins is %u, range is [0, 1]", h.aimed,

@@ -58,9 +58,10 @@ struct SnapshotHeader {
     uint32_t told, waited;
     uint32_t first_aim;
     Frame::State frame;
-    uint32_t none; // 0
+    plait_pose placed[2]; // Sim::placed_from_, placed_to_
+    uint32_t none;        // 0
 };
-static_assert(sizeof(SnapshotHeader) == 72 + 140 + 36 + 48 + 16 + 16 + 156 + 4);
+static_assert(sizeof(SnapshotHeader) == 72 + 140 + 36 + 48 + 16 + 16 + 156 + 56 + 4);
 static_assert(sizeof(Colliders::Slot) == sizeof(float) * (2 + 22 + 35),
               "no padding: slots are saved as bytes");
 

@@ -260,6 +260,8 @@ TEST(Arguments, NullPointers) {
          [](O& o) { return plait_collider_create_hull(o.sim, nullptr, nullptr, nullptr); }},
         {"sim is NULL", [&](O&) { return plait_collider_set_pose(nullptr, {1}, &pose); }},
         {"pose is NULL", [](O& o) { return plait_collider_set_pose(o.sim, {1}, nullptr); }},
+        {"sim is NULL", [&](O&) { return plait_collider_place(nullptr, {1}, &pose); }},
+        {"pose is NULL", [](O& o) { return plait_collider_place(o.sim, {1}, nullptr); }},
         {"sim is NULL", [](O&) { return plait_collider_set_positions(nullptr, {1}, nullptr); }},
         {"positions is NULL",
          [](O& o) { return plait_collider_set_positions(o.sim, {1}, nullptr); }},
@@ -285,6 +287,8 @@ TEST(Arguments, NullPointers) {
         {"sim is NULL", [](O&) { return plait_sim_bind_roots(nullptr, nullptr, nullptr, 0); }},
         {"pins is NULL", [](O& o) { return plait_sim_set_pins(o.sim, nullptr, 1); }},
         {"sim is NULL", [](O&) { return plait_sim_set_wind(nullptr, nullptr); }},
+        {"sim is NULL", [](O&) { return plait_sim_set_frame(nullptr, nullptr); }},
+        {"sim is NULL", [](O&) { return plait_sim_find_balance(nullptr); }},
         {"sim is NULL", [](O&) { return plait_sim_set_detail(nullptr, nullptr); }},
         {"sim is NULL", [](O&) { return plait_sim_set_models(nullptr, nullptr, 0); }},
         {"models is NULL", [](O& o) { return plait_sim_set_models(o.sim, nullptr, 2); }},
@@ -418,7 +422,7 @@ TEST(Arguments, SimDescriptorsOutsideTheirRanges) {
         sim_desc("step is 0, range is [1e-05, 1]", [](D& d) { d.step = 0; }),
         sim_desc("substeps", [](D& d) { d.substeps = 0; }),
         sim_desc("max_steps_per_call", [](D& d) { d.max_steps_per_call = 0; }),
-        sim_desc("interpolate_output", [](D& d) { d.interpolate_output = 2; }),
+        sim_desc("interpolate_output", [](D& d) { d.interpolate_output = 3; }),
         sim_desc("keep_last_frame", [](D& d) { d.keep_last_frame = 2; }),
         sim_desc("follows_per_guide", [](D& d) { d.follows_per_guide = 65; }),
         sim_desc("strand_stiffness.count is 1, the groom has 2",
@@ -518,9 +522,9 @@ TEST(Arguments, TheRest) {
     using O = Objects;
     using C = plait_collider_desc;
     expect_refused({
-        {"dt is nan, range is [0, 10]", [](O& o) { return plait_sim_step(o.sim, NAN); }},
+        {"dt is nan, range is [0, 1e9]", [](O& o) { return plait_sim_step(o.sim, NAN); }},
         {"dt is -1", [](O& o) { return plait_sim_step(o.sim, -1); }},
-        {"dt is 11", [](O& o) { return plait_sim_step(o.sim, 11); }},
+        {"dt is 1.1e+09", [](O& o) { return plait_sim_step(o.sim, 1.1e9); }},
         {"field is 14",
          [](O& o) { return plait_sim_read(o.sim, PLAIT_FIELD_COUNT, nullptr, &o.size); }},
         {"interhair is off",

@@ -8,8 +8,9 @@
 
 namespace forged {
 
-// Of the header, bytes: where the checksum is, what it covers from where on, and where it ends.
-constexpr size_t checksum_at = 8, covered_from = 16, header_size = 280;
+// Of the header, bytes: where the checksum is, from where on it covers, where it ends, and where wetness is.
+constexpr size_t checksum_at = 8, covered_from = 16, header_size = 544, dried_at = 296,
+                 wet_at = 304;
 
 // As base/hash.hpp does it.
 inline uint64_t hash_of(const unsigned char* bytes, size_t size) {

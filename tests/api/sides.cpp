@@ -152,59 +152,6 @@ TEST_P(Sides, SnapshotsTeleportsAndWritesKeepThem) {
 
 // ---- inside ------------------------------------------------------------------------------------
 
-ShapeMesh octahedron_of(int halvings, double radius) {
-    std::vector<std::array<double, 3>> points = {{1, 0, 0},  {-1, 0, 0}, {0, 1, 0},
-                                                 {0, -1, 0}, {0, 0, 1},  {0, 0, -1}};
-    std::vector<std::array<uint32_t, 3>> faces = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},
-                                                  {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
-    for (int i = 0; i < halvings; ++i) {
-        std::map<std::pair<uint32_t, uint32_t>, uint32_t> middles;
-        std::vector<std::array<uint32_t, 3>> halved;
-        const auto middle = [&](uint32_t a, uint32_t b) {
-            const auto [place, is_new] = middles.try_emplace(std::minmax(a, b), 0u);
-            if (!is_new)
-                return place->second;
-            std::array<double, 3> p{};
-            for (size_t k = 0; k < 3; ++k)
-                p[k] = points[a][k] + points[b][k];
-            const double size = std::hypot(p[0], p[1], p[2]);
-            for (double& c : p)
-                c /= size;
-            points.push_back(p);
-            return place->second = static_cast<uint32_t>(points.size() - 1);
-        };
-        for (const auto& [a, b, c] : faces) {
-            const uint32_t ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
-            halved.insert(halved.end(), {{a, ab, ca}, {b, bc, ab}, {c, ca, bc}, {ab, bc, ca}});
-        }
-        faces = halved;
-    }
-    ShapeMesh mesh;
-    for (const auto& p : points)
-        mesh.add(radius * p[0], radius * p[1], radius * p[2]);
-    mesh.triangles = faces;
-    return mesh;
-}
-
-// m, above the highest face of a convex mesh.
-double outside_of_faces(const ShapeMesh& ball, const std::array<double, 3>& p) {
-    double most = -1;
-    for (const auto& [a, b, c] : ball.triangles) {
-        std::array<double, 3> u{}, v{};
-        for (size_t k = 0; k < 3; ++k) {
-            u[k] = double(ball.positions[b][k]) - double(ball.positions[a][k]);
-            v[k] = double(ball.positions[c][k]) - double(ball.positions[a][k]);
-        }
-        const std::array<double, 3> n = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
-                                         u[0] * v[1] - u[1] * v[0]};
-        double height = 0;
-        for (size_t k = 0; k < 3; ++k)
-            height += n[k] * (p[k] - double(ball.positions[a][k]));
-        most = std::max(most, height / std::hypot(n[0], n[1], n[2]));
-    }
-    return most;
-}
-
 // A head that turns at 2 Hz by 40 degrees to and fro and sets off at 3 m/s after a second: from one step to
 // the next, or within a tenth of a second.
 plait_pose driven(int step, bool at_once) {
@@ -222,24 +169,6 @@ std::array<double, 3> own_of(const plait_pose& pose, const float* x) {
                  s = 2 * double(pose.q[1]) * double(pose.q[3]);
     const double p = double(x[0]) - double(pose.t[0]), r = double(x[2]);
     return {c * p - s * r, double(x[1]), s * p + c * r};
-}
-
-// Strands of 20 cm, from roots on a ball of 5 cm.
-Strands in_a_hood(size_t number) {
-    Strands strands;
-    for (size_t s = 0; s < number; ++s) {
-        const double h = 1 - 1.6 * (double(s) + 0.5) / double(number), az = 2.39996 * double(s);
-        const double r = std::sqrt(1 - h * h);
-        Strand strand;
-        for (int i = 0; i < 16; ++i) { // wound around it
-            const double out = 0.05 + 0.02 * std::min(1.0, i / 4.0), a = az + 0.19 * i;
-            strand.push_back({static_cast<float>(out * r * std::cos(a)),
-                              static_cast<float>(out * h - 0.002 * i),
-                              static_cast<float>(out * r * std::sin(a))});
-        }
-        strands.push_back(strand);
-    }
-    return strands;
 }
 
 // Hair hangs in a collar or a sleeve, an open tube: what is in it stays in it. (A wall that comes by as much as the
