@@ -13,6 +13,13 @@ Collider wide(Collider body) {
     return inward(body);
 }
 
+// Its three faces leave free where a row has what is not read.
+Collider three_sided() {
+    Collider prism = hull;
+    prism.faces.resize(3);
+    return prism;
+}
+
 Setup make(const Size& size, std::vector<Collider> colliders) {
     const FollowHair hair = hair_through_bodies(size, 81);
     Setup setup;
@@ -38,9 +45,11 @@ Case follow_collide_case() {
         result.setups.push_back(make(size, {sphere, straight}));
         result.setups.push_back(make(size, {plane}));
         result.setups.push_back(make(size, {box}));
+        if (size.stride > 31) // metres that turn over and over in a room half a metre wide
+            continue;
         result.setups.push_back(make(size, {wide(tapered)}));
         result.setups.push_back(make(size, {sphere, wide(box)}));
-        result.setups.push_back(make(size, {wide(hull)}));
+        result.setups.push_back(make(size, {wide(three_sided())}));
     }
     return result;
 }
