@@ -377,9 +377,12 @@ void Colliders::jump(double end) {
 }
 
 void Colliders::carry(const plait_pose& motion) {
-    for (Slot& slot : slots_)
+    for (Slot& slot : slots_) {
+        if (!slot.alive) // all of it stays zero
+            continue;
         for (plait_pose* pose : {&slot.before, &slot.from, &slot.to})
             *pose = carried(*pose, identity_pose, motion);
+    }
     uploaded_ = false;
 }
 

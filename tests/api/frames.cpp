@@ -212,6 +212,19 @@ TEST_P(Rates, RootsAreDrawnOnTheHeadAtAnyRateOfFrames) {
     }
 }
 
+// A frame carries no collider that is gone: a snapshot would be refused.
+TEST_P(Frames, WhatIsGoneIsNotCarried) {
+    plait::Sim sim(context, make_groom(tuft(2, 8)));
+    sim.destroy_collider(sim.create_collider(plait_collider_desc_defaults()));
+    auto frame_of = plait_frame_desc_defaults();
+    for (const Point at : {Point{0, 0, 0}, Point{0, 0.1f, 0}, Point{0, 0.3f, 0}}) {
+        frame_of.pose = pose_at(at, 0.5 * double(at[1]));
+        sim.set_frame(frame_of);
+        sim.step(frame);
+    }
+    sim.restore(sim.save());
+}
+
 // A photo mode: the head is moved in no time, and hair is on it.
 TEST_P(Rates, AStepOfNoTimeDrawsHairOnItsHead) {
     plait::Sim sim(context, make_groom(tuft(2, 8)));

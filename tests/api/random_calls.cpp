@@ -1,6 +1,7 @@
-// Random calls about colliders of every kind, meshes and hulls among them, pins of every stiffness and
-// winds, between frames long and short, in any order: hair, and what follows it, stays finite and near
-// its head, comes to rest as itself once it is let alone, and the same calls give the same bits.
+// Random calls about colliders of every kind, meshes and hulls among them, pins of every stiffness, frames
+// of reference and winds, between frames long, short and of no time, in any order: hair, and what follows
+// it, stays finite and near its head, comes to rest as itself once it is let alone, and the same calls give
+// the same bits.
 #include "random_makers.hpp"
 
 #include <algorithm>
@@ -41,8 +42,8 @@ class Scene {
     Scene(plait::Context& context, const Case& c, uint32_t seed)
         : case_(c), dice_(seed), mesh_dice_(seed + 1000), volume_dice_(seed + 2000),
           bend_dice_(seed + 5000), detail_dice_(seed + 3000), contact_dice_(seed + 4000),
-          wet_dice_(seed + 6000), follow_dice_(seed + 7000), mapped_(seed % 2 == 1),
-          sim_(make_sim(context, seed % 3 == 0)) {}
+          wet_dice_(seed + 6000), follow_dice_(seed + 7000), side_dice_(seed + 8000),
+          time_dice_(seed + 9000), mapped_(seed % 2 == 1), sim_(make_sim(context, seed % 3 == 0)) {}
 
     void frame_of_calls() {
         for (uint32_t i = dice_.below(4); i > 0; --i)
@@ -61,9 +62,18 @@ class Scene {
             change_strand_contact();
         if (case_.model != PLAIT_MODEL_TRESSFX && wet_dice_.one_in(6))
             change_wetness();
+        if (time_dice_.one_in(6))
+            change_frame();
+        if (time_dice_.one_in(10)) { // hair goes along, at once
+            sim_.set_roots(
+                head_at(at_ = {at_[0], at_[1] + time_dice_.between(-0.2f, 0.2f), at_[2]}));
+            sim_.step(0);
+        }
         at_ = {at_[0] + dice_.between(-0.03f, 0.03f), at_[1], at_[2]};
         sim_.set_roots(head_at(at_));
         sim_.step(dice_.one_in(10) ? 0.04 : frame);
+        if (time_dice_.one_in(20)) // most of it is dropped
+            sim_.step(time_dice_.one_in(2) ? 0.5 : 1e6);
         for (uint32_t i = follow_dice_.one_in(6) ? 5 : 0; i > 0; --i) {
             sim_.set_roots(head_at(at_ = {at_[0] + 0.003f, at_[1], at_[2]}));
             sim_.step(frame / 4);
@@ -75,6 +85,7 @@ class Scene {
             sim_.destroy_collider(id);
         colliders_.clear();
         sim_.stop_wind();
+        sim_.no_frame();
         sim_.drop_detail();
         is_detailed_ = false;
         if (case_.model != PLAIT_MODEL_TRESSFX)
@@ -133,6 +144,17 @@ class Scene {
         desc.follow_map = map;
         return plait::Sim(context, groom(guides), desc);
     }
+    void change_frame() {
+        if (time_dice_.one_in(4))
+            sim_.no_frame();
+        else
+            sim_.set_frame(random_frame(time_dice_, at_));
+    }
+    plait_collider_desc shape() {
+        auto desc = random_collider(dice_);
+        desc.inward = side_dice_.one_in(5);
+        return desc;
+    }
     void change_detail() {
         is_detailed_ = !detail_dice_.one_in(4);
         is_detailed_ ? sim_.set_detail(random_detail(detail_dice_)) : sim_.drop_detail();
@@ -142,6 +164,7 @@ class Scene {
             return;
         auto desc = plait_collider_hull_desc_defaults();
         const plait::Mesh mesh = random_hull(follow_dice_, desc);
+        desc.inward = side_dice_.one_in(5);
         colliders_.push_back(sim_.create_hull(mesh, desc));
     }
     void add_mesh() {
@@ -210,7 +233,7 @@ class Scene {
 
     const Case& case_;
     Dice dice_, mesh_dice_, volume_dice_, bend_dice_, detail_dice_, contact_dice_, wet_dice_,
-        follow_dice_;
+        follow_dice_, side_dice_, time_dice_;
     bool mapped_; // has follows by a map
     bool is_detailed_ = false;
     std::map<uint64_t, std::vector<float>> bending_; // as they were made, by id
@@ -248,16 +271,21 @@ void Scene::call() {
     case 0:
     case 1:
         if (colliders_.size() < 6)
-            colliders_.push_back(sim_.create_collider(random_collider(dice_)));
+            colliders_.push_back(sim_.create_collider(shape()));
         break;
     case 2:
     case 3:
-        if (some)
-            sim_.set_collider_pose(colliders_[*some], random_pose(dice_));
+        if (some) {
+            const plait_pose pose = random_pose(dice_);
+            if (side_dice_.one_in(4))
+                sim_.place_collider(colliders_[*some], pose);
+            else
+                sim_.set_collider_pose(colliders_[*some], pose);
+        }
         break;
     case 4: // of another kind, too
         if (some) {
-            const auto desc = random_collider(dice_);
+            const auto desc = shape();
             const auto id = colliders_[*some];
             const auto kind = sim_.describe_collider(id).kind;
             const bool shaped =

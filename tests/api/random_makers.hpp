@@ -82,6 +82,20 @@ inline plait_collider_desc random_collider(Dice& dice) {
     return desc;
 }
 
+// A frame of reference near the head.
+inline plait_frame_desc random_frame(Dice& dice, const Point& head) {
+    auto desc = plait_frame_desc_defaults();
+    const auto q = dice.turn();
+    const Point off = dice.in_cube(0.3f);
+    std::copy(q.begin(), q.end(), desc.pose.q);
+    for (size_t i = 0; i < 3; ++i)
+        desc.pose.t[i] = head[i] + off[i];
+    desc.felt_translation = dice.one_in(3) ? 0 : dice.between(0, 1);
+    desc.felt_rotation = dice.one_in(3) ? 0 : dice.between(0, 1);
+    desc.air = static_cast<plait_frame_air>(dice.below(3));
+    return desc;
+}
+
 // Closed, or a sheet of two sides, from 1 cm to 30 cm.
 inline plait::Mesh random_mesh(Dice& dice, plait_collider_mesh_desc& desc) {
     const double size = double(dice.decade(-2, -0.5f));

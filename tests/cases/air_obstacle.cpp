@@ -88,7 +88,13 @@ Case air_obstacle_case() {
                     "mesh_solid.y", "mesh_solid.z"}};
     result.flags.insert(result.flags.end(), {"collider.kind", "mesh_solid.inside"});
     const std::vector<Collider> list[] = {
-        {}, crowd(), {box}, {plane}, {sharp_box, tapered, box}, {long_prism()}};
+        {},
+        crowd(),
+        {box},
+        {plane},
+        {sharp_box, tapered, box},
+        {long_prism()},
+        {inward(tapered), sharp_box, inward(box), inward(long_prism())}};
     for (const std::vector<Collider>& colliders : {std::vector<Collider>{}, crowd()})
         result.setups.push_back(make(31, colliders, true));
     for (const uint32_t edge_count : {1u, 5u, 31u})

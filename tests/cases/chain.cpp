@@ -58,6 +58,13 @@ Case chain_case() {
             result.setups.push_back(
                 lane_setup(size, make_lane_hair_on_hulls(size, 53, 0.05f), params, false));
         }
+    for (const Size& size : contact_sizes())
+        for (const float kind : room_kinds) {
+            plait_lane_params params = lane_params(size, 1, kind == PLAIT_KIND_BOX);
+            params.contact_rate = 3e4f;
+            result.setups.push_back(
+                lane_setup(size, make_lane_hair_in_room(size, 53, kind, 0.05f), params, false));
+        }
     result.flags.push_back("collider.kind");
     for (const Size& size : contact_sizes())
         for (const uint32_t bdf2 : {0u, 1u}) {

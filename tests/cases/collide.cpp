@@ -51,6 +51,9 @@ Case collide_case() {
         result.setups.push_back(make(size, {sharp_box, tapered, plane, box}));
         result.setups.push_back(make(size, {tapered, hull, sharp_box}));
         result.setups.push_back(make(size, many()));
+        result.setups.push_back(make(size, {inward(tapered)}));
+        result.setups.push_back(make(size, {inward(box), sphere}));
+        result.setups.push_back(make(size, {sharp_box, inward(hull)}));
     }
     return result;
 }

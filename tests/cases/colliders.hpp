@@ -86,4 +86,10 @@ inline const Collider hull = {{-.05f, .1f, 0, .03f, .36f, -.48f, .64f, .48f},
                                {0, 0, 1, .18f},
                                {0, 0, -1, .15f}}};
 
+// The same, turned inside out: hair stays in it.
+inline Collider inward(Collider collider) {
+    collider.kind += PLAIT_KIND_INWARD;
+    return collider;
+}
+
 } // namespace plait::cases

@@ -36,6 +36,7 @@ Case cosserat_case() {
                                                lane_params(size, 3, bdf2), true));
     add_rods_on_surfaces(result);
     add_rods_on_hulls(result);
+    add_rods_in_rooms(result);
     add_rods_on_planes(result);
     add_pinned(result, true);
     add_longer_rows(result);

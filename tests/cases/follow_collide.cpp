@@ -4,6 +4,22 @@
 namespace plait::cases {
 namespace {
 
+// So wide that most hair begins in it: a segment that is turned until it points straight at a surface knows no
+// direction in float32.
+Collider wide(Collider body) {
+    body.to[3] += 0.4f;
+    if (body.kind == PLAIT_KIND_CAPSULE)
+        body.to[7] += 0.4f;
+    return inward(body);
+}
+
+// Its three faces leave free where a row has what is not read.
+Collider three_sided() {
+    Collider prism = hull;
+    prism.faces.resize(3);
+    return prism;
+}
+
 Setup make(const Size& size, std::vector<Collider> colliders) {
     const FollowHair hair = hair_through_bodies(size, 81);
     Setup setup;
@@ -29,6 +45,11 @@ Case follow_collide_case() {
         result.setups.push_back(make(size, {sphere, straight}));
         result.setups.push_back(make(size, {plane}));
         result.setups.push_back(make(size, {box}));
+        if (size.stride > 31) // metres that turn over and over in a room half a metre wide
+            continue;
+        result.setups.push_back(make(size, {wide(tapered)}));
+        result.setups.push_back(make(size, {sphere, wide(box)}));
+        result.setups.push_back(make(size, {wide(three_sided())}));
     }
     return result;
 }

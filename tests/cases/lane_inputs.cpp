@@ -195,6 +195,78 @@ void add_plane(LaneHair& lanes, Random& random, double gap, float friction) {
     append(lanes.capsules, Quat{double(friction), double{PLAIT_KIND_PLANE}, 0, 0});
 }
 
+double dot(const Point& a, const Point& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+// m, of `p` outside of a room that is to grow: a capsule, a box or a prism on a triangle around `middle`,
+// `size` along one axis and half of it across.
+double outside_of_room(float kind, const Quat& turn, const Point& middle, double size,
+                       const Point& p) {
+    const Point off = sum(p, middle, -1);
+    Point own{};
+    for (size_t axis = 0; axis < 3; ++axis) {
+        Point unit = {0, 0, 0};
+        unit[axis] = 1;
+        own[axis] = dot(off, rotate(turn, unit));
+    }
+    const double side = std::sqrt(0.75), across = size / 2;
+    if (kind == PLAIT_KIND_HULL)
+        return std::max({own[1] - across, side * own[0] - own[1] / 2 - across,
+                         -side * own[0] - own[1] / 2 - across, std::abs(own[2]) - size});
+    const bool capsule = kind == PLAIT_KIND_CAPSULE;
+    const Point beyond = {std::max(std::abs(own[0]) - (capsule ? 0 : across), 0.0),
+                          std::max(std::abs(own[1]) - (capsule ? 0 : across), 0.0),
+                          std::max(std::abs(own[2]) - size, 0.0)};
+    return std::hypot(beyond[0], beyond[1], beyond[2]);
+}
+
+// A room around all hair, rounded so far that the vertex farthest out begins `depth` (m) outside, and that
+// moves and turns a little; above the hair's middle, as forces drive hair down.
+void add_room(LaneHair& lanes, Random& random, float kind, double depth, float friction) {
+    constexpr double size = 0.3, moves = 0.004, turns = 0.02;
+    const Quat orientation = random.rotation();
+    Point middle = {0, 0, 0};
+    std::vector<Point> places;
+    for (size_t s = 0; s < lanes.hair.size.strands; ++s)
+        for (uint32_t i = 0; i < lanes.hair.vertex_count[s]; ++i)
+            places.push_back(place_of(lanes, s * lanes.hair.size.stride + i));
+    for (const Point& place : places)
+        middle = sum(middle, place, 1.0 / static_cast<double>(places.size()));
+    middle = sum(middle, direction_of({-20, 40, -30}), 0.1);
+    double grows = 0;
+    for (const Point& place : places)
+        grows = std::max(grows, outside_of_room(kind, orientation, middle, size, place));
+    const double radius = grows - depth, side = std::sqrt(0.75), across = size / 2;
+    const Point to = sum(middle, random_step(random, moves));
+    const double kind_of_row = double{kind} + double{PLAIT_KIND_INWARD};
+    if (kind == PLAIT_KIND_CAPSULE) {
+        const Point axis = rotate(orientation, {0, 0, size});
+        for (const Point& at : {middle, to})
+            for (const double end : {-1.0, 1.0})
+                append(lanes.capsules, with_radius(sum(at, axis, end), radius));
+    } else {
+        const bool hull = kind == PLAIT_KIND_HULL;
+        append(lanes.capsules, with_radius(middle, radius));
+        append(lanes.capsules, orientation);
+        append(lanes.capsules, with_radius(to, radius));
+        append(lanes.capsules,
+               with_radius({hull ? 2 * side * across : across, hull ? size : across, size}, 0));
+    }
+    append(lanes.capsules, small_turn(random, turns));
+    if (kind != PLAIT_KIND_HULL) {
+        append(lanes.capsules, Quat{double(friction), kind_of_row, 0, 0});
+        return;
+    }
+    append(lanes.faces, Quat{0.5, 0.5, 0.5, 0.5}); // of none, as in add_hull
+    append(lanes.capsules,
+           Quat{double(friction), kind_of_row, static_cast<double>(lanes.faces.size() / 4), 5});
+    for (const auto& face :
+         {Quat{0, 1, 0, across}, Quat{side, -0.5, 0, across}, Quat{-side, -0.5, 0, across},
+          Quat{0, 0, 1, size}, Quat{0, 0, -1, size}})
+        append(lanes.faces, face);
+}
+
 std::vector<float> without_w(const std::vector<float>& float4s) {
     std::vector<float> values;
     for (size_t i = 0; i < float4s.size(); ++i)
@@ -208,7 +280,7 @@ std::vector<float> with_faces(std::vector<float> rows, const std::vector<float>&
     constexpr size_t row = size_t{4} * PLAIT_COLLIDER_STRIDE;
     const size_t end = rows.size();
     for (size_t at = 0; at < end; at += row)
-        if (rows[at + row - 3] == PLAIT_KIND_HULL)
+        if (std::fmod(rows[at + row - 3], PLAIT_KIND_INWARD) == PLAIT_KIND_HULL)
             rows[at + row - 2] += static_cast<float>((end - at) / 4);
     rows.insert(rows.end(), faces.begin(), faces.end());
     return rows;
@@ -287,6 +359,13 @@ LaneHair make_lane_hair_on_hulls(const Size& size, uint32_t seed, float friction
         add_hull(lanes, random, s * size.stride + lanes.hair.vertex_count[s] / 2,
                  s % 3 == 2 ? -0.01 : 0.004,
                  friction_for(lanes.material, s, size.stride, s % 2 ? 0.3f : friction));
+    return lanes;
+}
+
+LaneHair make_lane_hair_in_room(const Size& size, uint32_t seed, float kind, float friction) {
+    LaneHair lanes = make_lane_hair(size, seed);
+    Random random(seed + 8);
+    add_room(lanes, random, kind, 0.003, friction);
     return lanes;
 }
 
@@ -489,6 +568,14 @@ void add_rods_on_hulls(Case& result) {
         for (const uint32_t bdf2 : {0u, 1u})
             result.setups.push_back(lane_setup(size, make_lane_hair_on_hulls(size, 53, 100.0f),
                                                lane_params(size, 1, bdf2), true));
+}
+
+void add_rods_in_rooms(Case& result, uint32_t seed) {
+    for (const Size& size : contact_sizes())
+        for (const float kind : room_kinds)
+            result.setups.push_back(lane_setup(size,
+                                               make_lane_hair_in_room(size, seed, kind, 100.0f),
+                                               lane_params(size, 1, kind == PLAIT_KIND_BOX), true));
 }
 
 // A plane across the way of forces, `gap` (m) below a vertex, carried along a little.

@@ -24,6 +24,9 @@ LaneHair make_lane_hair_in_contact(const Size& size, uint32_t seed, float fricti
 LaneHair make_lane_hair_on_surfaces(const Size& size, uint32_t seed, float friction, uint32_t far);
 // With a moving hull near the middle of every strand, some with a margin; every third starts inside.
 LaneHair make_lane_hair_on_hulls(const Size& size, uint32_t seed, float friction);
+// Inside of a moving capsule, box or hull around all of it, out of which the vertex farthest out begins.
+LaneHair make_lane_hair_in_room(const Size& size, uint32_t seed, float kind, float friction);
+inline constexpr float room_kinds[] = {PLAIT_KIND_CAPSULE, PLAIT_KIND_BOX, PLAIT_KIND_HULL};
 const std::vector<Size>& contact_sizes();
 // Turned so fast that a solve, cut short, leaves more energy than a strand may keep.
 LaneHair make_lane_hair_spun(const Size& size, uint32_t seed);
@@ -48,6 +51,7 @@ Setup lane_setup(const Size& size, const LaneHair& hair, const plait_lane_params
 // Of a rod model, on surfaces of every kind, alone and behind 70 others.
 void add_rods_on_surfaces(Case& result, uint32_t seed = 48);
 void add_rods_on_hulls(Case& result);
+void add_rods_in_rooms(Case& result, uint32_t seed = 53);
 
 // Every third vertex has a plane near it, below which some start.
 Setup on_planes(Setup setup, const LaneHair& hair, float friction, bool bends);

@@ -80,6 +80,9 @@ std::vector<float> colliders_among_nodes() {
         //
         .1f, -.4f, .1f, 0, 0, 1, 0, 0, .1f, -.35f, .1f, 0, .48f, .64f, -.6f, 0, .3f, 0, .24f,
         .9233634f, .4f, PLAIT_KIND_PLANE, 0, 0,
+        // hair stays inside of it: no node is
+        .1f, .1f, -.1f, .06f, .36f, -.48f, .64f, .48f, .15f, .1f, -.05f, .06f, .5f, .4f, .6f, 0,
+        .12f, -.24f, .16f, .9506840f, .6f, PLAIT_KIND_BOX + PLAIT_KIND_INWARD, 0, 0,
         // its faces are seven float4 further: after one of nothing, so that none lies where a row
         // has what is not read
         .3f, .35f, .2f, .02f, 0, .6f, 0, .8f, .35f, .3f, .2f, .02f, .26f, .3f, .15f, 0, 0, 0, .28f,

@@ -47,7 +47,7 @@ Setup make(uint32_t edge_count, bool colliders, bool meshes) {
     std::copy(q.begin(), q.end(), params.q);
     const Point corner = rotate(q, {-.53, -.56, -.54}); // the colliders are around the origin
     std::copy(corner.begin(), corner.end(), params.t);
-    params.collider_count = colliders ? 4 : 0;
+    params.collider_count = colliders ? 5 : 0;
     params.collider_first = 1;
     params.meshes = meshes ? 1 : 0;
     params.h = 1.0f / 30;
