@@ -62,8 +62,9 @@ TEST_P(Scenes, EveryParameterChangesTheHash) {
 TEST(SceneFiles, AreAllTested) {
     for (const auto& entry : std::filesystem::directory_iterator(PLAIT_SCENES)) {
         const std::string name = entry.path().stem().string();
-        if (entry.path().extension() == ".json" && !document(name).contains("made_for"))
+        if (entry.path().extension() == ".json" && !document(name).contains("made_for")) {
             EXPECT_NE(std::ranges::find(names, name), std::end(names)) << name;
+        }
     }
 }
 
