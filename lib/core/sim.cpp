@@ -64,6 +64,9 @@ Sim::~Sim() {
 }
 
 Status Sim::start() {
+    PLAIT_TRY(make_poses(pose_spare_, "pose_spare"));
+    PLAIT_TRY(make_poses(pose_before_, "pose_before"));
+    PLAIT_TRY(make_poses(pose_next_, "pose_next"));
     PLAIT_TRY(check_stages());
     PLAIT_TRY(prepare_calls());
     model_->reset(schedule_, present());
@@ -371,8 +374,6 @@ Status Sim::set_roots(const RootsInput& input) {
 }
 
 Status Sim::make_poses(Buffer& to, const char* name) {
-    if (to)
-        return {};
     return device().create(to, PLAIT_ELEMENT_FLOAT4, size_t{2} * layout_.guides, name);
 }
 
@@ -398,7 +399,6 @@ Status Sim::forget_sides_of_left(const plait_pose& before, const plait_pose& aft
 // The roots are where they were aimed at, and hair is carried along.
 Status Sim::place_head() {
     schedule_.clear();
-    PLAIT_TRY(make_poses(pose_spare_, "pose_spare"));
     roots_.arrive();
     roots_.stop(schedule_);
     roots_.append_poses_now(schedule_, pose_spare_);
@@ -418,7 +418,6 @@ void Sim::append_placed() {
 
 // The same with all that goes along with the head, which has come no way either.
 Status Sim::place() {
-    PLAIT_TRY(make_poses(pose_spare_, "pose_spare"));
     const plait_pose before = roots_.step_head();
     roots_.arrive();
     roots_.stop(schedule_);
@@ -436,7 +435,6 @@ Status Sim::place() {
 }
 
 Status Sim::teleport(const RootsInput& input) {
-    PLAIT_TRY(make_poses(pose_spare_, "pose_spare"));
     PLAIT_TRY(aim(input));
     schedule_.clear();
     begun_ = true;

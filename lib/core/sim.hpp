@@ -215,7 +215,7 @@ class Sim {
     Substep first_group() const { return at({substeps_.front(), 0}, substeps_.front() - 1); }
     Status fixed_step(double end, uint32_t step, uint32_t steps);
     void append_carried(double end);
-    Status append_set_off();
+    void append_set_off();
     void append_reframed();
     plait_pose next_as_before(double part) const;
     bool goes_on_as_before() const;
@@ -352,9 +352,8 @@ class Sim {
     Wetness wetness_;    // where state_.wetness is there
     Buffer taken_;       // float, from the first vertices on that are taken on the device
     PinTable pin_table_; // filled by the first set_pins
-    Buffer pose_spare_;  // float4 [2*guides], from the first teleport on
-    Buffer pose_before_, pose_next_; // the same, from the first step after one on
-    Buffer strand_stats_;            // float4 [guides], from the first measurement on
+    Buffer pose_spare_, pose_before_, pose_next_; // float4 [2*guides]
+    Buffer strand_stats_;                         // float4 [guides], from the first measurement on
     Buffer boxes_, box_; // float4 [2*runs], [2], from the first time on that bounds are asked for
     std::array<plait_stage_cost, PLAIT_STAGE_COUNT> costs_{};
     Launches launches_;

@@ -123,7 +123,6 @@ bool Sim::ends_between_steps(double dt) const {
 
 // Time that is dropped takes hair along with the head, and bodies where they are by then.
 Status Sim::skip(double end) {
-    PLAIT_TRY(make_poses(pose_spare_, "pose_spare"));
     roots_.jump(schedule_, end);
     frame_.jump(end);
     colliders_.jump(end);
@@ -144,7 +143,7 @@ Status Sim::fixed_step(double end, uint32_t step, uint32_t steps) {
     if (std::exchange(first_aim_, false) && !told_)
         colliders_.place(); // with the head
     roots_.advance(end);
-    PLAIT_TRY(append_set_off());
+    append_set_off();
     advance_pins(state_);
     dry();
     wind_.place(cube_, roots_.step_begin());
@@ -184,14 +183,12 @@ void Sim::append_carried(double end) {
 
 // The first step whose way is known since the head was placed says how it moves. A step without an aim
 // says nothing: the call that placed the head may have stood for the aim. Hair waits through it.
-Status Sim::append_set_off() {
+void Sim::append_set_off() {
     if (motion_ == Motion::known)
-        return {};
-    PLAIT_TRY(make_poses(pose_before_, "pose_before"));
-    PLAIT_TRY(make_poses(pose_next_, "pose_next"));
+        return;
     if (motion_ == Motion::framed) {
         append_reframed();
-        return {};
+        return;
     }
     roots_.straighten();
     roots_.append_path(schedule_);
@@ -210,7 +207,6 @@ Status Sim::append_set_off() {
     });
     waited_ = waits;
     motion_ = waits ? motion_ : Motion::known;
-    return {};
 }
 
 // Where the head would be after `part` of this step had it moved on as it did when it was placed.

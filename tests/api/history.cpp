@@ -502,7 +502,8 @@ std::vector<float> on_a_body(const plait::Context& context, float speed) {
     float x = 0;
     for (int f = 0; f < 60; ++f) {
         x = speed * static_cast<float>(f - 60) / 64;
-        const auto roots = head_at({x + 0.01f * std::sin(0.3f * static_cast<float>(f)), 0, 0});
+        const float nod = 0.01f * std::sin(0.3f * static_cast<float>(std::max(f - 3, 0)));
+        const auto roots = head_at({x + nod, 0, 0});
         if (f == 0)
             sim.teleport(roots);
         sim.set_roots(roots);

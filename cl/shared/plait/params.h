@@ -371,8 +371,8 @@ typedef struct plait_lane_params {
     float contact_slip; /* m: the displacement per substep at which friction is all of mu N */
     plait_u32 accelerates; /* 1: vertices have accelerations; 0: lane_acceleration is null */
     plait_u32 pins;        /* 1: vertices may be pinned; 0: lane_pin is null */
-    plait_u32 planes;      /* 1: vertices may have planes of meshes; 0: lane_plane is null, and of
-                              mesh_nearest not read */
+    plait_u32 planes;      /* 1: vertices may have planes of meshes, 2: and of strands; 0: lane_plane
+                              is null, and of mesh_nearest not read */
 } plait_lane_params;
 
 /* pair_count, pair_fill, pair_find. */

@@ -212,8 +212,10 @@ Contacts::Contact Contacts::renewed(size_t vertex, const Vec3& x) const {
                             PLAIT_CONTACT_MAX_FRICTION * stretch_[vertex] * length_[vertex] /
                                 std::max(now.push, 1e-30));
     const Vec3 u = slip_of(now, x);
-    // A surface that comes from farther, as the root sees it, strikes: what it throws is not tried.
-    const Vec3 carried = found->anchor - (motion_.start[vertex] - motion_.start[0]);
+    // A surface that comes from farther, as the root sees it, strikes: what it throws is not tried. Of
+    // strands that meet, as the world sees it.
+    const Vec3 moved = params_.planes > 1 ? Vec3(Vec3::Zero()) : motion_.start[0];
+    const Vec3 carried = found->anchor - (motion_.start[vertex] - moved);
     const bool tries = slides_on_ && carried.norm() < length_[vertex];
     rub(solved_ ? before : Contact{}, u, motion_.h * motion_.h / mass_[vertex], tries, now);
     if (const Vec3 slid = slid_before(vertex, *found); !slid.isZero(0)) {
@@ -301,7 +303,7 @@ double Contacts::excess(size_t vertex, const Vec3& x) const {
 Vec3 Contacts::stopped(size_t vertex, const Vec3& to, double inertia) const {
     const Contact& at = at_[vertex];
     const double depth = at.offset - at.normal.dot(to);
-    if (at.stiffness > 0 || at.normal.isZero(0) || depth <= 0)
+    if (params_.planes > 1 || at.stiffness > 0 || at.normal.isZero(0) || depth <= 0)
         return to;
     const double most = PLAIT_ARTICULATED_PRESSED * PLAIT_CONTACT_TOLERANCE * length_[vertex];
     return to + (depth - std::min(depth * inertia / params_.contact_rate, most)) * at.normal;

@@ -415,7 +415,7 @@ void LanePart::substep(Schedule& schedule, const Substep& at, float mean_length)
     params.contact_slip = contact_slip(at.h, mean_length);
     params.accelerates = push() ? 1 : 0;
     params.pins = source_.pins || at.wind || holds(p) ? 1 : 0;
-    params.planes = (at.meshes || at.bending || meets) && plane_ ? 1 : 0;
+    params.planes = (at.meshes || at.bending || meets) && plane_ ? (meets ? 2 : 1) : 0;
     if (source_.pins)
         pin(schedule, at);
     if (holds(p))

@@ -314,15 +314,30 @@ void shock_carries_the_strand(Bench& bench) {
 }
 
 void roots_meet_halfway(Bench& bench) {
-    plait_roots_params params = {{0, 0, 0, 1}, {0, 0, 0, 0}, {0, 0, 1, 0}, {2, 0, 0, 0}, .5f, 0};
+    plait_roots_params params = {{0, 0, 0, 1},
+                                 {-4, 0, 0, 0},
+                                 {0, 0, 0, 1},
+                                 {0, 0, 0, 0},
+                                 {0, 0, 1, 0},
+                                 {2, 0, 0, 0},
+                                 .5f,
+                                 0,
+                                 0};
     auto out = bench.run(PLAIT_STAGE_roots, 1, 1, params,
-                         {null_array(), null_array(), unwritten_float4s(2)});
-    expect_near(out[2], {0, 0, s45, s45, 1, 0, 0, 0});
+                         {null_array(), null_array(), null_array(), unwritten_float4s(2)});
+    expect_near(out[3], {0, 0, s45, s45, 1, 0, 0, 0});
     params.per_root = 1; // a root shifted along x is turned to y by the head
     const std::vector<float> root = {0, 0, 0, 1, 3, 0, 0, 0};
     out = bench.run(PLAIT_STAGE_roots, 1, 1, params,
-                    {float4s(root), float4s(root), unwritten_float4s(2)});
-    expect_near(out[2], {0, 0, s45, s45, 1, 3, 0, 0});
+                    {null_array(), float4s(root), float4s(root), unwritten_float4s(2)});
+    expect_near(out[3], {0, 0, s45, s45, 1, 3, 0, 0});
+    params.per_root = 0; // braked: from -4 over 0 to 2 it is past the middle
+    params.bends = 1;
+    std::fill_n(params.head_to_q, 3, 0.0f);
+    params.head_to_q[3] = 1;
+    out = bench.run(PLAIT_STAGE_roots, 1, 1, params,
+                    {null_array(), null_array(), null_array(), unwritten_float4s(2)});
+    expect_near(out[3], {0, 0, 0, 1, -4 * -.125f + 2 * .375f, 0, 0, 0});
 }
 
 void reset_and_teleport_are_rigid(Bench& bench) {
