@@ -77,6 +77,11 @@ class Roots {
     std::array<Poses*, 5> all_poses() { return {&at_, &target_, &from_, &to_, &before_}; }
     // Ends of steps, up to 2, since the path began anew; with 2 it bends.
     uint32_t samples() const { return samples_; }
+    // In this step and the one before.
+    bool rest() const {
+        return !before_.own && !have_own() && same_pose(before_.head, from_.head) &&
+               same_pose(from_.head, to_.head);
+    }
     // In this step, beside the head's.
     bool have_own() const { return from_.own || to_.own; }
     bool bends() const { return samples_ == 2; }

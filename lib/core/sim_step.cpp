@@ -191,10 +191,14 @@ void Sim::append_set_off() {
         return;
     }
     roots_.straighten();
-    roots_.append_path(schedule_);
     const bool waits = !told_ && !waited_;
     const bool as_before = motion_ == Motion::as_before && waited_ && goes_on_as_before();
     const float jump = motion_ == Motion::as_before && !waits && !waited_ ? least_jump : 0.0f;
+    waited_ = waits;
+    motion_ = waits ? motion_ : Motion::known;
+    if (roots_.rest())
+        return;
+    roots_.append_path(schedule_);
     (void)for_each_group([&](const Group& group) {
         const float part = 1.0f / static_cast<float>(group.substeps);
         roots_.append_poses_before(schedule_, 1 - part, pose_before_);
@@ -205,8 +209,6 @@ void Sim::append_set_off() {
         model_->set_off(schedule_, at(group, 0), pose_before_, pose_next_, jump);
         return Status{};
     });
-    waited_ = waits;
-    motion_ = waits ? motion_ : Motion::known;
 }
 
 // Where the head would be after `part` of this step had it moved on as it did when it was placed.

@@ -306,7 +306,8 @@ Vec3 Contacts::stopped(size_t vertex, const Vec3& to, double inertia) const {
     if (params_.planes > 1 || at.stiffness > 0 || at.normal.isZero(0) || depth <= 0)
         return to;
     const double most = PLAIT_ARTICULATED_PRESSED * PLAIT_CONTACT_TOLERANCE * length_[vertex];
-    return to + (depth - std::min(depth * inertia / params_.contact_rate, most)) * at.normal;
+    const double stop = depth - std::min(depth * inertia / params_.contact_rate, most);
+    return stop > PLAIT_ARTICULATED_STOP * length_[vertex] ? Vec3(to + stop * at.normal) : to;
 }
 
 void Contacts::clip(std::vector<Vec3>& x) {
