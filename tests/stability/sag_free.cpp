@@ -205,6 +205,7 @@ TEST(SagFreeStrand, upright_one_is_stiffened_and_stands_up_again) {
     EXPECT_EQ(strand.stats().sag_unstable, 0u);
     EXPECT_GT(strand.stats().joints_stiffened, 8u);
     EXPECT_GT(strand.stats().worst_stiffening, 280.0f / 7.84f); // Gamma of the default hair
+    strand.run(0.1); // the first place of a head is where its hair is
     strand.move_head({0.05f, 0.0f, 0.0f});
     strand.run(0.1);
     EXPECT_LT(strand.tip()[1], 0.299f);
@@ -246,6 +247,7 @@ TEST(SagFreeStrand, is_found_anew_for_other_gravity_and_material) {
         params.gravity[1] = 3.0f;
         params.bend_stiffness *= 2.0f;
         PLAIT_EXPECT(plait_sim_set_params(strand.sim(), &params));
+        PLAIT_EXPECT(plait_sim_find_balance(strand.sim()));
         EXPECT_LT(strand.stats().sag_residual, 1e-5f);
         strand.run(1.0);
         EXPECT_NEAR(strand.tip()[0], 0.3f, 3e-5f);

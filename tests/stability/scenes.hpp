@@ -30,6 +30,8 @@ inline float worst_stretch_over(OneStrand& strand, int steps) {
 // The head goes +-0.2 m at 4 Hz for 4 s, 12.9 g at the ends; the first `unseen` steps do not count.
 inline Stretch stretch_when_shaken(OneStrand& strand, int unseen = 0) {
     Stretch seen;
+    strand.step(); // a head that is known to rest
+    strand.step();
     for (int i = 1; i <= 240; ++i) {
         strand.move_head(
             {0.2f * std::sin(6.2831853f * 4.0f * static_cast<float>(i) / 60.0f), 0, 0});

@@ -152,6 +152,8 @@ float tip_after_jump(plait_shock_form form, float distance) {
     desc.params.gravity[1] = 0.0f;
     desc.params.shock_form = form;
     OneStrand strand(hanging, desc);
+    strand.step(); // a head that is known to rest
+    strand.step();
     strand.move_head({distance, 0.0f, 0.0f});
     strand.step();
     return strand.tip()[0] - distance;

@@ -157,6 +157,8 @@ Verdict try_quaternion(const Subject& subject, const std::string& input,
     const SimHandle sim = sim_of(subject, groom.get());
     std::string report;
     const Rows rows = shake(sim.get(), [&](int frame) {
+        if (frame == 0)
+            return; // where the hair is, as in the run without
         std::vector<plait_pose> poses(neighbours + 1, plait_pose{{0, 0, 0, 1}, {0, 0, 0}});
         if (frame == 30)
             std::copy(q.begin(), q.end(), poses[place].q);
