@@ -263,7 +263,9 @@ Status Sim::write(plait_field field, const void* src) {
     const bool velocity = field == PLAIT_FIELD_VELOCITY;
     PLAIT_TRY(check_vectors(values, 4 * vertices, velocity ? "velocity" : "position",
                             velocity ? fastest : farthest));
-    if (velocity) {
+    if (velocity) { // in the world: nothing of the head's motion is to be added
+        begun_ = true;
+        motion_ = Motion::known;
         PLAIT_TRY(write_velocity(values));
         schedule_.clear();
         model_->adopt(schedule_, present());

@@ -77,6 +77,8 @@ class Roots {
     std::array<Poses*, 5> all_poses() { return {&at_, &target_, &from_, &to_, &before_}; }
     // Ends of steps, up to 2, since the path began anew; with 2 it bends.
     uint32_t samples() const { return samples_; }
+    // In this step, as far as the host can tell.
+    bool stands() const { return !have_own() && same_pose(from_.head, to_.head); }
     // In this step and the one before.
     bool rest() const {
         return !before_.own && !have_own() && same_pose(before_.head, from_.head) &&

@@ -447,10 +447,11 @@ Status Sim::reset() {
     clock_.reset();
     wind_.reset();
     grid_.volume().carries = false;
-    motion_ = Motion::unknown;
+    motion_ = roots_.stands() ? Motion::as_before : Motion::unknown;
     told_ = waited_ = false;
     roots_.stop(schedule_);
     roots_.forget();
+    placed_from_ = placed_to_ = roots_.step_head();
     frame_.stop();
     colliders_.stop();
     bending_.stop(schedule_);

@@ -230,6 +230,8 @@ TEST_P(Motion, ShockBeforeGlobalTakesTheGlobalConstraintOutOfIntegration) {
     const auto has_global = [](const std::vector<std::string>& stages) {
         return std::find(stages.begin(), stages.end(), "global_shape") != stages.end();
     };
+    run(published, 2); // the head is known to rest
+    run(ours, 2);
     published.set_roots(head_at({0.05f, 0, 0})); // with roots at rest the two orders agree
     ours.set_roots(head_at({0.05f, 0, 0}));
     EXPECT_FALSE(has_global(stages_of_a_step(published)));

@@ -240,10 +240,11 @@ TEST_P(Pins, AtRestGoWithTheHead) {
 TEST_P(Pins, InTheWorldInterpolateAsRootsDo) {
     for (const double dt : {1.0 / 144, 1.0 / 30, 1.0 / 60}) {
         const Strand strand = curl({0, 0, 0}, 13);
-        plait::Sim carried(context, make_groom({strand}), pinnable(PLAIT_MODEL_ARTICULATED, 2));
-        plait::Sim followed(context, make_groom({strand}), pinnable(PLAIT_MODEL_ARTICULATED, 2));
+        plait::Sim carried(context, make_groom({strand}), pinnable(PLAIT_MODEL_ARTICULATED));
+        plait::Sim followed(context, make_groom({strand}), pinnable(PLAIT_MODEL_ARTICULATED));
         carried.set_pins({hold(0, 12)});
         followed.set_pins({hold_at(0, 12, strand[12])});
+        carried.teleport(head_at({0, 0, 0}));
         followed.teleport(head_at({0, 0, 0}));
         for (int i = 1; i <= 60; ++i) {
             const float x = 0.1f * std::sin(0.1f * static_cast<float>(i));

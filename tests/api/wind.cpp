@@ -124,6 +124,8 @@ Onset onset_of(plait::Context& context, plait_model model, int rate, double wind
     auto desc = weightless(model, 1.0f / static_cast<float>(rate));
     desc.params.bend_stiffness = 0;
     plait::Sim sim(context, make_groom({straight({0, -1, 0}, 8, 0.2f)}), desc);
+    sim.step(1.0 / rate); // a head that is known to rest
+    sim.step(1.0 / rate);
     auto wind = blowing({static_cast<float>(wind_speed), 0, 0});
     wind.viscosity = 0;
     sim.set_wind(wind);
