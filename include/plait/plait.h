@@ -750,13 +750,13 @@ typedef struct plait_sim_desc {
        between the last two steps, which is one step late at most, on the head as it is now; 2, the
        default: 0 while frames end where steps do, and 1 from the first frame on that does not */
     uint32_t interpolate_output;
-    uint32_t keep_last_frame;    /* 1: POSITION_LAST_FRAME exists; default 0 */
-    uint32_t accelerations;      /* 1: ACCELERATION exists and acts; default 0 */
-    uint32_t pins;               /* 1: vertices may be pinned, PIN exists; all but tressfx, which
+    uint32_t keep_last_frame;   /* 1: POSITION_LAST_FRAME exists; default 0 */
+    uint32_t accelerations;     /* 1: ACCELERATION exists and acts; default 0 */
+    uint32_t pins;              /* 1: vertices may be pinned, PIN exists; all but tressfx, which
                                         refuses it; default 0 */
-    uint32_t follows_per_guide;  /* [0, 64], default 0 */
-    float follow_radius;         /* m, [0, 1], default 0.003 */
-    uint64_t seed;               /* follow offsets and slot hash */
+    uint32_t follows_per_guide; /* [0, 64], default 0 */
+    float follow_radius;        /* m, [0, 1], default 0.003 */
+    uint64_t seed;              /* follow offsets and slot hash */
     /* NULL, or strands that follow by turns: of this groom's guides, and in place of those of
        follows_per_guide, which must be 0. V is that of the longest, guide or follow */
     const plait_follow_map* follow_map;
@@ -957,7 +957,7 @@ typedef enum plait_frame_air {
  * feels a share of its motion; the rest takes hair, roots and bodies along as if it had not been. */
 typedef struct plait_frame_desc {
     uint32_t struct_size;
-    plait_pose pose;        /* in the world, where it will be at the end of the next plait_sim_step */
+    plait_pose pose; /* in the world, where it will be at the end of the next plait_sim_step */
     float felt_translation; /* share of its way that hair feels, [0, 1], default 0 */
     float felt_rotation;    /* share of its turn about its origin, likewise, default 0 */
     plait_frame_air air;    /* default UNFELT */

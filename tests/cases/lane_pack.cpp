@@ -4,13 +4,11 @@ namespace plait::cases {
 
 // Differences of values below 8 m, divided by h = 1/60 s.
 Case lane_pack_case() {
-    Case result = {PLAIT_STAGE_lane_pack,
-                   {},
-                   {{"lane_x", 1e-6},
-                    {"lane_v", 6e-5},
-                    {"lane_x_before", 2e-6},
-                    {"lane_v_before", 6e-5}},
-                   {"position.w", "lane_x"}}; // pinned or not; written but for the root
+    Case result = {
+        PLAIT_STAGE_lane_pack,
+        {},
+        {{"lane_x", 1e-6}, {"lane_v", 6e-5}, {"lane_x_before", 2e-6}, {"lane_v_before", 6e-5}},
+        {"position.w", "lane_x"}}; // pinned or not; written but for the root
     for (const Size& size : sizes()) {
         const LaneHair lanes = make_lane_hair(size, 37);
         Setup setup;

@@ -153,9 +153,9 @@ typedef struct plait_set_off_params {
     plait_u32 vertex_stride;
     plait_u32 tile;       /* lane_set_off; 1 in set_off */
     plait_u32 row_stride; /* V of `rest` */
-    plait_u32 history;    /* 1: BDF2's step before is kept; 0: lane_x_before, lane_v_before are null */
-    float h;              /* s, the substep */
-    float jump; /* m/s: strands whose root moves on as before but for less than this are left alone */
+    plait_u32 history; /* 1: BDF2's step before is kept; 0: lane_x_before, lane_v_before are null */
+    float h;           /* s, the substep */
+    float jump;        /* m/s: strands whose motions differ by less are left alone */
 } plait_set_off_params;
 
 /* carry, lane_carry: the rigid motion p -> q*p + t, of all strands. */
@@ -371,7 +371,7 @@ typedef struct plait_lane_params {
     float contact_slip; /* m: the displacement per substep at which friction is all of mu N */
     plait_u32 accelerates; /* 1: vertices have accelerations; 0: lane_acceleration is null */
     plait_u32 pins;        /* 1: vertices may be pinned; 0: lane_pin is null */
-    plait_u32 planes;      /* 1: vertices may have planes of meshes, 2: and of strands; 0: lane_plane
+    plait_u32 planes; /* 1: vertices may have planes of meshes, 2: and of strands; 0: lane_plane
                               is null, and of mesh_nearest not read */
 } plait_lane_params;
 

@@ -57,8 +57,7 @@ float contact_slip(float h, float length) {
 
 LaneSource::LaneSource(const ModelInput& input)
     : layout(input.layout), tile(input.tile), step(input.step), sag_free(input.sag_free),
-      gravity(input.gravity),
-      accelerates(input.accelerates), pins(input.pins),
+      gravity(input.gravity), accelerates(input.accelerates), pins(input.pins),
       memory(input.memory), strands{{input.groom.strands.positions, input.memory},
                                     {input.groom.strands.vertex_counts, input.memory},
                                     {input.stiffness.begin(), input.stiffness.end(), input.memory}},
