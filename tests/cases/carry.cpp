@@ -7,7 +7,11 @@ Case carry_case() {
     Case result = {PLAIT_STAGE_carry,
                    {},
                    {{"position", 2e-6}, {"position_prev", 2e-6}, {"position_prev2", 2e-6}},
-                   {"tile", "history", "turns", "position.w"}}; // what is pinned goes, too
+                   {"tile", "history", "turns", "position.w"}, // what is pinned goes, too
+                   {},
+                   {},
+                   {},
+                   {"q"}};
     for (const Size& size : sizes()) {
         const Hair hair = make_hair(size, 48);
         Setup setup;

@@ -11,7 +11,12 @@ Case lane_carry_case() {
                     {"lane_q", 1e-6},
                     {"lane_q_before", 1e-6},
                     {"lane_x_before", 4e-6},
-                    {"lane_v_before", 2e-6}}};
+                    {"lane_v_before", 2e-6}},
+                   {},
+                   {},
+                   {},
+                   {},
+                   {"q"}}; // of those that turn
     for (const Size& size : sizes())
         for (const uint32_t turns : {1u, 0u}) {
             const LaneHair lanes = make_lane_hair(size, 49);

@@ -48,7 +48,12 @@ Case roots_case() {
     return {PLAIT_STAGE_roots,
             {make(67, true, false, true), make(7, true, true, true), make(67, true, false, false),
              make(7, true, true, false), make(67, false, false, true), make(1, false, true, false)},
-            {{"pose", 2e-6}}};
+            {{"pose", 2e-6}},
+            {},
+            {},
+            {},
+            {},
+            {"bends", "head_before_q", "head_before_t", "root_before"}}; // of paths that bend
 }
 
 } // namespace plait::cases

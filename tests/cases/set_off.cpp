@@ -11,7 +11,7 @@ Case set_off_case() {
                    {},
                    {},
                    {},
-                   {"jump", "rest"}}; // 0: all strands
+                   {"jump", "h", "rest"}}; // 0: all strands
     for (const Size& size : sizes()) {
         const Hair hair = make_hair(size, 46), other = make_hair(size, 47);
         Setup setup;
