@@ -8,7 +8,7 @@ Case lane_pack_case() {
         PLAIT_STAGE_lane_pack,
         {},
         {{"lane_x", 1e-6}, {"lane_v", 6e-5}, {"lane_x_before", 2e-6}, {"lane_v_before", 6e-5}},
-        {"position.w", "lane_x"}}; // pinned or not; written but for the root
+        {"position.w"}}; // pinned or not
     for (const Size& size : sizes()) {
         const LaneHair lanes = make_lane_hair(size, 37);
         Setup setup;
