@@ -1,11 +1,12 @@
 /* lane_set_off: gives strands the motion with which their head sets off, as if it had moved so before.
  *
  * After a teleport, a reset or creation nobody knows how fast the head moves until it is told where to
- * go next. What strands had of the head's motion so far, M from pose_before to pose, is replaced by
- * what it has now, N from pose to pose_next: their motion relative to the head stays.
+ * go next. Strands keep their motion relative to the head. What they had of the head's own so far, M
+ * from pose_before to pose_was, turned as roots were from there to pose, gives way to what the head has
+ * now, N from pose to pose_next.
  *
  * Items   strands, over lanes.
- * Reads   lane_strand, rest, pose_before, pose, pose_next, lane_x.
+ * Reads   lane_strand, rest, pose_before, pose_was, pose, pose_next, lane_x.
  * Moves   lane_v, lane_q_before, and BDF2's lane_x_before, lane_v_before.
  * Source  ours. The velocity of a rigid motion is the difference of its places that the integrator
  *         takes: (r - r1)/h, with BDF2 (3r - 4 r1 + r2)/2h, r1 and r2 one and two substeps ago, so
@@ -84,7 +85,8 @@ static inline void set_off_vertex(const plait_set_off_params* params, lane_place
 
 __kernel void plait_lane_set_off(const uint item_count, const plait_set_off_params params,
                                  __global const uint* lane_strand, __global const float4* rest,
-                                 __global const float4* pose_before, __global const float4* pose,
+                                 __global const float4* pose_before,
+                                 __global const float4* pose_was, __global const float4* pose,
                                  __global const float4* pose_next, __global const real* lane_x,
                                  __global real* lane_v, __global real* lane_q_before,
                                  __global real* lane_x_before, __global real* lane_v_before) {
@@ -95,7 +97,10 @@ __kernel void plait_lane_set_off(const uint item_count, const plait_set_off_para
     const lane_pose a = lane_load_pose(rest, pose_before, &strands, params.row_stride);
     const lane_pose b = lane_load_pose(rest, pose, &strands, params.row_stride);
     const lane_pose c = lane_load_pose(rest, pose_next, &strands, params.row_stride);
-    const set_off_motion was = {mulq(a.q, conjq(b.q)), sub3(b.root, a.root)};
+    const lane_pose placed = lane_load_pose(rest, pose_was, &strands, params.row_stride);
+    const quat turn = mulq(b.q, conjq(placed.q)); /* of the place */
+    const set_off_motion was = {mulq(mulq(turn, mulq(a.q, conjq(placed.q))), conjq(turn)),
+                                rotate3(turn, sub3(placed.root, a.root))};
     const set_off_motion next = {mulq(b.q, conjq(c.q)), sub3(c.root, b.root)};
     const set_off_motion is = set_off_before(next); /* as if it had brought the head here */
     const quat change = mulq(is.back, conjq(was.back));

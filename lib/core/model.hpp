@@ -131,9 +131,9 @@ class Model {
     // Appends carrying the state from state.pose to `pose`.
     virtual void teleport(Schedule& schedule, const Substep& at, const Buffer& pose) = 0;
     // Appends giving strands the motion of a substep from state.pose to `next` in place of that from
-    // `before` to state.pose, unless they differ by less than `jump`, m/s.
+    // `before` to `was`, turned as from there to state.pose, unless they differ by less than `jump`, m/s.
     virtual void set_off(Schedule& schedule, const Substep& at, const Buffer& before,
-                         const Buffer& next, float jump) = 0;
+                         const Buffer& was, const Buffer& next, float jump) = 0;
     // Appends the motion p -> q*p + t of all of the state.
     virtual void carry(Schedule& schedule, const Substep& at, const plait_pose& motion) = 0;
 

@@ -119,10 +119,6 @@ void Roots::append_poses(Schedule& schedule, float alpha, const Buffer& pose) co
     add(schedule, bend ? &before_ : nullptr, from_, to_, alpha, pose);
 }
 
-void Roots::append_poses_before(Schedule& schedule, float alpha, const Buffer& pose) const {
-    add(schedule, nullptr, before_, from_, alpha, pose);
-}
-
 void Roots::append_poses_of(Schedule& schedule, const plait_pose& head, const Buffer& pose) const {
     const Buffer* own = from_.own ? &from_.poses : nullptr;
     schedule.add(PLAIT_STAGE_roots, layout_.guides, roots_params(nullptr, head, head, 1, from_.own),

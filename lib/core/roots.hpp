@@ -39,8 +39,6 @@ class Roots {
     void arrive();
     // Poses where the roots are between calls.
     void append_poses_now(Schedule& schedule, const Buffer& pose) const;
-    // Poses at share `alpha` of the step before this one.
-    void append_poses_before(Schedule& schedule, float alpha, const Buffer& pose) const;
     // The head at share `share` of the step before, and poses where it is `head` and what roots have of
     // their own is as at the step's begin.
     plait_pose before(double share) const { return interpolate(before_.head, from_.head, share); }

@@ -56,7 +56,7 @@ Sim::Sim(Context& context, SimParts parts)
       colliders_(desc_.substeps, &context.memory), meshes_(&context.memory),
       bending_(&context.memory), substeps_(1, desc_.substeps, &context.memory),
       clock_(desc_.step, desc_.max_steps_per_call), schedule_(&context.memory),
-      pin_table_(&context.memory) {}
+      pin_table_(&context.memory), pose_before_(&context.memory) {}
 
 Sim::~Sim() {
     if (context_.measured == this)
@@ -65,11 +65,13 @@ Sim::~Sim() {
 
 Status Sim::start() {
     PLAIT_TRY(make_poses(pose_spare_, "pose_spare"));
-    PLAIT_TRY(make_poses(pose_before_, "pose_before"));
+    PLAIT_TRY(make_poses(pose_was_, "pose_was"));
     PLAIT_TRY(make_poses(pose_next_, "pose_next"));
+    PLAIT_TRY(make_poses_before());
     PLAIT_TRY(check_stages());
     PLAIT_TRY(prepare_calls());
     model_->reset(schedule_, present());
+    append_no_motion();
     display_.append_step_before(schedule_, layout_, state_);
     PLAIT_TRY(show_at_once());
     PLAIT_TRY(wait());
@@ -101,7 +103,7 @@ Status Sim::prepare_calls() {
     if (desc_.interpolate_output == 2)
         display_.append_interpolation(schedule_, layout_, state_);
     model_->teleport(schedule_, present(), state_.pose);
-    model_->set_off(schedule_, present(), state_.pose, state_.pose, 0);
+    model_->set_off(schedule_, present(), pose_before_.front(), pose_was_, pose_next_, 0);
     skin_.append(schedule_, layout_, state_, state_.pose);
     binding_.append(schedule_, layout_, state_, state_.pose);
     add_stats();
@@ -290,7 +292,7 @@ Status Sim::check_settings(std::span<const Settings> settings) const {
 Status Sim::take_substeps(const std::pmr::vector<uint32_t>& substeps) {
     PLAIT_TRY(colliders_.set_substeps(device(), substeps));
     substeps_ = substeps;
-    return {};
+    return make_poses_before();
 }
 
 Status Sim::set_settings(std::span<const Settings> settings) {
@@ -373,6 +375,33 @@ Status Sim::set_roots(const RootsInput& input) {
     return aimed();
 }
 
+// One for each number of substeps that strands take.
+Status Sim::make_poses_before() {
+    while (pose_before_.size() < substeps_.size()) {
+        Buffer made;
+        PLAIT_TRY(make_poses(made, "pose_before"));
+        pose_before_.push_back(std::move(made));
+    }
+    return {};
+}
+
+// Of a head that has not moved, as far as anybody knows.
+void Sim::append_no_motion() {
+    roots_.append_poses_now(schedule_, pose_was_);
+    for (const Buffer& before : pose_before_)
+        roots_.append_poses_now(schedule_, before);
+}
+
+// How the head has moved in the last substep; where it was placed before and has not set off since, that
+// is known already.
+void Sim::append_last_motion() {
+    if (motion_ != Motion::known && motion_ != Motion::framed)
+        return;
+    roots_.append_poses(schedule_, 1, pose_was_);
+    for (size_t g = 0; g < substeps_.size(); ++g)
+        roots_.append_poses(schedule_, 1 - 1 / static_cast<float>(substeps_[g]), pose_before_[g]);
+}
+
 Status Sim::make_poses(Buffer& to, const char* name) {
     return device().create(to, PLAIT_ELEMENT_FLOAT4, size_t{2} * layout_.guides, name);
 }
@@ -399,6 +428,7 @@ Status Sim::forget_sides_of_left(const plait_pose& before, const plait_pose& aft
 // The roots are where they were aimed at, and hair is carried along.
 Status Sim::place_head() {
     schedule_.clear();
+    append_last_motion();
     roots_.arrive();
     roots_.stop(schedule_);
     roots_.append_poses_now(schedule_, pose_spare_);
@@ -418,6 +448,7 @@ void Sim::append_placed() {
 
 // The same with all that goes along with the head, which has come no way either.
 Status Sim::place() {
+    append_last_motion();
     const plait_pose before = roots_.step_head();
     roots_.arrive();
     roots_.stop(schedule_);
@@ -459,6 +490,7 @@ Status Sim::reset() {
     PLAIT_TRY(place_colliders());
     append_stopped_pins(schedule_, layout_, state_);
     roots_.append_poses_now(schedule_, state_.pose);
+    append_no_motion();
     model_->reset(schedule_, present());
     display_.append_step_before(schedule_, layout_, state_);
     return show_at_once();

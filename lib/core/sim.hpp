@@ -236,6 +236,9 @@ class Sim {
     Status place_head();
     void append_placed();
     Status make_poses(Buffer& to, const char* name);
+    Status make_poses_before();
+    void append_no_motion();
+    void append_last_motion();
     Status forget_sides_of_left(const plait_pose& before, const plait_pose& after);
     Status forget_sides_of_moved(const float* positions);
     Status place_colliders();
@@ -352,8 +355,11 @@ class Sim {
     Wetness wetness_;    // where state_.wetness is there
     Buffer taken_;       // float, from the first vertices on that are taken on the device
     PinTable pin_table_; // filled by the first set_pins
-    Buffer pose_spare_, pose_before_, pose_next_; // float4 [2*guides]
-    Buffer strand_stats_;                         // float4 [guides], from the first measurement on
+    Buffer pose_spare_, pose_next_; // float4 [2*guides]
+    // How hair has the head's motion, from a substep before to when it was placed; float4 [2*guides].
+    Buffer pose_was_;
+    std::pmr::vector<Buffer> pose_before_; // [substeps_]
+    Buffer strand_stats_;                  // float4 [guides], from the first measurement on
     Buffer boxes_, box_; // float4 [2*runs], [2], from the first time on that bounds are asked for
     std::array<plait_stage_cost, PLAIT_STAGE_COUNT> costs_{};
     Launches launches_;

@@ -123,6 +123,7 @@ bool Sim::ends_between_steps(double dt) const {
 
 // Time that is dropped takes hair along with the head, and bodies where they are by then.
 Status Sim::skip(double end) {
+    append_last_motion();
     roots_.jump(schedule_, end);
     frame_.jump(end);
     colliders_.jump(end);
@@ -199,16 +200,19 @@ void Sim::append_set_off() {
     if (roots_.rest())
         return;
     roots_.append_path(schedule_);
+    size_t before = 0;
     (void)for_each_group([&](const Group& group) {
         const float part = 1.0f / static_cast<float>(group.substeps);
-        roots_.append_poses_before(schedule_, 1 - part, pose_before_);
         if (as_before)
             roots_.append_poses_of(schedule_, next_as_before(part), pose_next_);
         else
             roots_.append_poses(schedule_, part, pose_next_);
-        model_->set_off(schedule_, at(group, 0), pose_before_, pose_next_, jump);
+        model_->set_off(schedule_, at(group, 0), pose_before_[before++], pose_was_, pose_next_,
+                        jump);
         return Status{};
     });
+    if (waits) // hair has none of the head's motion now
+        append_no_motion();
 }
 
 // Where the head would be after `part` of this step had it moved on as it did when it was placed.
@@ -239,12 +243,15 @@ bool Sim::goes_on_as_before() const {
 // is not felt now.
 void Sim::append_reframed() {
     const plait_pose& now = roots_.step_begin();
+    roots_.append_poses_of(schedule_, now, pose_was_);
+    size_t before = 0;
     (void)for_each_group([&](const Group& group) {
         const plait_pose was = roots_.before(1 - 1.0 / group.substeps);
         const plait_pose is = carried(was, frame_.unfelt_before(), frame_.unfelt());
-        roots_.append_poses_of(schedule_, was, pose_before_);
+        const Buffer& pose_before = pose_before_[before++];
+        roots_.append_poses_of(schedule_, was, pose_before);
         roots_.append_poses_of(schedule_, carried(now, is, now), pose_next_);
-        model_->set_off(schedule_, at(group, 0), pose_before_, pose_next_, 0);
+        model_->set_off(schedule_, at(group, 0), pose_before, pose_was_, pose_next_, 0);
         return Status{};
     });
     motion_ = Motion::known;

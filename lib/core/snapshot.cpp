@@ -46,6 +46,10 @@ std::pmr::vector<Sim::Block> Sim::blocks(const SnapshotHeader& h) {
                         lanes.components == 4 ? Block::Of::turns : Block::Of::motion, lanes});
     if (h.kept) // the step before the last
         list.push_back({&display_.kept(), 4 * vertices, Block::Of::histories, {}});
+    if (h.motion == static_cast<uint32_t>(Motion::as_before) ||
+        h.motion == static_cast<uint32_t>(Motion::unknown))
+        for (const Buffer* poses : {&pose_was_, &pose_before_.front()})
+            list.push_back({poses, size_t{8} * layout_.guides, Block::Of::poses, {}});
     const auto own_poses = owned(h); // of roots
     for (size_t i = 0; i < own_poses.size(); ++i)
         if (own_poses[i])

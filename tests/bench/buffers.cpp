@@ -442,6 +442,7 @@ const std::map<std::string, Maker>& makers() {
         {"pose", poses},
         {"pose_before", poses},
         {"pose_next", poses},
+        {"pose_was", poses},
         {"pose_from", poses},
         {"pose_to", poses},
         {"pose_now", poses},

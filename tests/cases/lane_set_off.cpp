@@ -42,7 +42,8 @@ Case lane_set_off_case() {
         for (const uint32_t history : {1u, 0u}) {
             const LaneHair lanes = make_lane_hair(size, 45);
             Random random(size.strands + history);
-            const std::vector<float> before = moved_on(lanes.hair.pose, random, 0.05);
+            const std::vector<float>& was = lanes.hair.pose_other;
+            const std::vector<float> before = moved_on(was, random, 0.05);
             const std::vector<float> next = moved_on(lanes.hair.pose, random, 0.05);
             Setup setup;
             setup.name = name_of(size) + (history ? ", BDF2" : "");
@@ -51,6 +52,7 @@ Case lane_set_off_case() {
             setup.buffers = {null_array(),
                              float4s(lanes.hair.rest),
                              float4s(before),
+                             float4s(was),
                              float4s(lanes.hair.pose),
                              float4s(next),
                              lane_floats(lanes.x, 3),

@@ -18,8 +18,9 @@ Case set_off_case() {
         setup.name = name_of(size);
         setup.items = hair.vertices();
         setup.buffers = {float4s(hair.rest),          float4s(other.pose),
-                         float4s(hair.pose),          float4s(hair.pose_other),
-                         float4s(hair.position_prev), float4s(hair.position_prev2)};
+                         float4s(other.pose_other),   float4s(hair.pose),
+                         float4s(hair.pose_other),    float4s(hair.position_prev),
+                         float4s(hair.position_prev2)};
         result.setups.push_back(
             setup.with(plait_set_off_params{size.stride, 1, size.stride, 1, 1.0f / 60, 0}));
     }

@@ -1,5 +1,5 @@
 // lane_set_off: strands keep their motion relative to the head, of whose own the part that was, M from
-// pose_before to pose, gives way to N from pose to pose_next.
+// pose_before to pose_was, carried to pose, gives way to N from pose to pose_next.
 #include "backend/reference/lanes.hpp"
 #include "backend/reference/set_off.hpp"
 
@@ -21,7 +21,9 @@ void lane_set_off(uint32_t item_count, const plait_set_off_params& params,
     for (size_t slot = 0; slot < item_count; ++slot) {
         const Lane lane(slot, params.vertex_stride, params.tile);
         const size_t strand = strand_of(args.lane_strand, slot);
-        const Pose before = pose_of(args.pose_before, strand), now = pose_of(args.pose, strand);
+        const Pose now = pose_of(args.pose, strand);
+        const Pose before =
+            carried(pose_of(args.pose_before, strand), pose_of(args.pose_was, strand), now);
         const RigidMotion was(before, now), is(now, pose_of(args.pose_next, strand));
         const Vec3 root = root_of(args.rest, now, strand, params.row_stride);
         if (!sets_off(was, is, root, params))

@@ -6,8 +6,7 @@ namespace plait::reference {
 namespace {
 
 Pose earlier(const Pose& now, const Pose& next) {
-    const RigidMotion motion(now, next);
-    return {motion.turn().conjugate() * now.q, motion.undo(now.t)};
+    return carried(now, next, now);
 }
 
 } // namespace
@@ -15,7 +14,9 @@ Pose earlier(const Pose& now, const Pose& next) {
 void set_off(uint32_t item_count, const plait_set_off_params& params, const set_off_args& args) {
     for (size_t item = 0; item < item_count; ++item) {
         const size_t strand = strand_vertex(item, params.vertex_stride).strand;
-        const Pose was = pose_of(args.pose_before, strand), now = pose_of(args.pose, strand);
+        const Pose now = pose_of(args.pose, strand);
+        const Pose was =
+            carried(pose_of(args.pose_before, strand), pose_of(args.pose_was, strand), now);
         const Pose is = earlier(now, pose_of(args.pose_next, strand));
         const Vec3 rest = xyz(args.rest[strand * params.row_stride]);
         if (!sets_off({was, now}, {is, now}, now.apply(rest), params))

@@ -19,6 +19,12 @@ class RigidMotion {
     Pose from_, to_;
 };
 
+// `pose` after the rigid motion that takes `from` to `to`.
+inline Pose carried(const Pose& pose, const Pose& from, const Pose& to) {
+    const Quat turn = to.q * from.q.conjugate();
+    return {turn * pose.q, to.apply(from.invert(pose.t))};
+}
+
 // Whether the ways here of a root that is at `root` now differ by a speed of `jump` or more.
 inline bool sets_off(const RigidMotion& was, const RigidMotion& is, const Vec3& root,
                      const plait_set_off_params& params) {

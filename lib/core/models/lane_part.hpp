@@ -86,8 +86,8 @@ class LanePart {
     void gather_volume(Schedule& schedule, const Substep& at, const LaneVolume& volume) const;
     void reset(Schedule& schedule, const Substep& at);
     void teleport(Schedule& schedule, const Substep& at, const Buffer& pose);
-    void set_off(Schedule& schedule, const Substep& at, const Buffer& before, const Buffer& next,
-                 float jump) const;
+    void set_off(Schedule& schedule, const Substep& at, const Buffer& before, const Buffer& was,
+                 const Buffer& next, float jump) const;
     void carry(Schedule& schedule, const plait_pose& motion) const;
 
     // Instead of prepare, for a part that takes its strands from others (lane_switch.cpp): copies

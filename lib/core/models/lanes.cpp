@@ -63,8 +63,8 @@ class LaneModel final : public Model {
                        const LaneVolume& volume) const override;
     void reset(Schedule& schedule, const Substep& at) override;
     void teleport(Schedule& schedule, const Substep& at, const Buffer& pose) override;
-    void set_off(Schedule& schedule, const Substep& at, const Buffer& before, const Buffer& next,
-                 float jump) override;
+    void set_off(Schedule& schedule, const Substep& at, const Buffer& before, const Buffer& was,
+                 const Buffer& next, float jump) override;
     void carry(Schedule& schedule, const Substep& at, const plait_pose& motion) override;
     SagReport sag() const override;
     void read_settings(std::span<Settings> settings) const override;
@@ -298,10 +298,10 @@ void LaneModel::teleport(Schedule& schedule, const Substep& at, const Buffer& po
 }
 
 void LaneModel::set_off(Schedule& schedule, const Substep& at, const Buffer& before,
-                        const Buffer& next, float jump) {
+                        const Buffer& was, const Buffer& next, float jump) {
     for (const PartPtr& part : parts_)
         if (part->settings().substeps == at.substeps)
-            part->set_off(schedule, at, before, next, jump);
+            part->set_off(schedule, at, before, was, next, jump);
 }
 
 void LaneModel::carry(Schedule& schedule, const Substep& at, const plait_pose& motion) {

@@ -72,8 +72,8 @@ class TressFx final : public Model {
     void substep(Schedule& schedule, const Substep& at) override;
     void reset(Schedule& schedule, const Substep& at) override;
     void teleport(Schedule& schedule, const Substep& at, const Buffer& pose) override;
-    void set_off(Schedule& schedule, const Substep& at, const Buffer& before, const Buffer& next,
-                 float jump) override;
+    void set_off(Schedule& schedule, const Substep& at, const Buffer& before, const Buffer& was,
+                 const Buffer& next, float jump) override;
     void carry(Schedule& schedule, const Substep& at, const plait_pose& motion) override;
     uint64_t device_bytes() const override { return strand_motion_.bytes(); }
 
@@ -181,11 +181,11 @@ void TressFx::teleport(Schedule& schedule, const Substep& at, const Buffer& pose
 }
 
 void TressFx::set_off(Schedule& schedule, const Substep& at, const Buffer& before,
-                      const Buffer& next, float jump) {
+                      const Buffer& was, const Buffer& next, float jump) {
     const State& s = at.state;
     schedule.add(PLAIT_STAGE_set_off, layout_.guide_vertices(),
                  plait_set_off_params{layout_.row, 1, layout_.row, 1, at.h, jump},
-                 {&s.rest, &before, &s.pose, &next, &s.position_prev, &s.position_prev2});
+                 {&s.rest, &before, &was, &s.pose, &next, &s.position_prev, &s.position_prev2});
 }
 
 void TressFx::carry(Schedule& schedule, const Substep& at, const plait_pose& motion) {
