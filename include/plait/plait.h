@@ -911,9 +911,10 @@ typedef struct plait_roots {
 } plait_roots;
 
 PLAIT_API void plait_roots_init(plait_roots* roots, size_t size);
-/* The first call before any step says where the hair is, and that of later ones where it goes. A head
- * that is moving when its sim begins takes its hair along from the first step whose way is known; below
- * 0.9 m/s it is taken to start from rest. A jump that no head makes is warned of in the log, once.
+/* The first call of a sim says where the hair is, unless time has passed or velocities were written
+ * before; each later call says where it goes. A sim may begin on a head that moves: hair takes on the
+ * head's velocity in the first step that has two places to tell it from. Below 0.9 m/s the head is taken
+ * to start from rest. The log warns once of a jump that no head makes.
  * Copies; checks that counts are the guides' and at least the skin's bones, rotations of length 1
  * within 1e-3, translations within 1e6 m, that bones are finite and map to more than a line. A call
  * that fails changes nothing. */
@@ -939,10 +940,10 @@ typedef struct plait_root_place {
 PLAIT_API plait_result plait_sim_bind_roots(plait_sim* sim, const plait_mesh* mesh,
                                             plait_root_place* dst, size_t count);
 
-/* Carry the hair rigidly to new roots, at once, without dynamics: its motion relative to the head stays.
- * Where the head moves on as before, turned as the teleport turns it, hair does not notice; where the
- * next step moves it otherwise, by 0.9 m/s or more, hair takes that motion on, too. Checked as in
- * set_roots. Colliders are at once where their poses were last set: set those that go along before. */
+/* Carries the hair rigidly to new roots, at once, without dynamics. Hair keeps its motion relative to the
+ * head. If the head moves on as before, turned by the teleport, hair feels nothing. If its velocity in
+ * the next step differs by 0.9 m/s or more, hair takes on the new velocity. Checked as in set_roots.
+ * Colliders are at once where their poses were last set: set those that go along before. */
 PLAIT_API plait_result plait_sim_teleport(plait_sim* sim, const plait_roots* roots);
 
 /* What the air of a frame does, in which the hair's drag and a wind are. */

@@ -53,9 +53,7 @@ Result<RawMesh> copy_mesh(const plait_mesh_desc& desc, float scale, Memory* memo
 
 // Bones that know where they were bound would have to go along.
 Status place_mesh(const plait_import_options& options, const std::string& where, RawMesh& raw) {
-    const bool stays = options.axes == PLAIT_AXES_Y_UP &&
-                       std::ranges::equal(options.pose.q, identity_pose.q) &&
-                       std::ranges::equal(options.pose.t, identity_pose.t);
+    const bool stays = options.axes == PLAIT_AXES_Y_UP && same_pose(options.pose, identity_pose);
     if (stays)
         return {};
     if (std::ranges::any_of(raw.skin.bones, [](const MeshBone& bone) {

@@ -171,31 +171,27 @@ Status Sim::write_places(const Buffer& to, const float* src) {
     return device().write(to, 0, vertices, merged.data());
 }
 
-// What is put elsewhere may be on the other side of a sheet.
-Status Sim::forget_sides_of_moved(const float* positions) {
+// Hair that is put elsewhere keeps its velocity, and may be on the other side of a sheet.
+Status Sim::write_positions(const float* src) {
     const size_t vertices = layout_.guide_vertices();
-    std::pmr::vector<Float4> now(vertices, &context_.memory);
+    std::pmr::vector<Float4> now(vertices, &context_.memory), history(vertices, &context_.memory);
     PLAIT_TRY(device().read(state_.position, 0, vertices, now.data()));
     std::pmr::vector<unsigned char> moved(vertices, &context_.memory);
     for (size_t i = 0; i < vertices; ++i)
-        moved[i] = !std::equal(positions + 4 * i, positions + 4 * i + 3, now[i].begin());
-    return bending_.forget_sides(device(), moved);
-}
-
-// Hair that is put elsewhere keeps its velocity.
-Status Sim::move_histories(const float* src) {
-    const size_t count = size_t{4} * layout_.guide_vertices();
-    std::pmr::vector<float> now(count, &context_.memory), history(count, &context_.memory);
-    PLAIT_TRY(device().read(state_.position, 0, layout_.guide_vertices(), now.data()));
+        moved[i] = !std::equal(src + 4 * i, src + 4 * i + 3, now[i].begin());
     for (const Buffer* to : {&state_.position_prev, &state_.position_prev2}) {
         if (!*to)
             continue;
         PLAIT_TRY(device().read(*to, history.data()));
-        for (size_t i = 0; i < count; ++i)
-            history[i] += i % 4 == 3 || src[i] == now[i] ? 0 : src[i] - now[i];
+        for (size_t i = 0; i < vertices; ++i)
+            for (size_t k = 0; moved[i] && k < 3; ++k)
+                history[i][k] += src[4 * i + k] - now[i][k];
         PLAIT_TRY(device().write(*to, history.data()));
     }
-    return {};
+    PLAIT_TRY(bending_.forget_sides(device(), moved));
+    for (size_t i = 0; i < vertices; ++i)
+        std::copy_n(src + 4 * i, 3, now[i].begin());
+    return device().write(state_.position, 0, vertices, now.data());
 }
 
 Status Sim::write_acceleration(std::span<const float> src) {
@@ -271,12 +267,8 @@ Status Sim::write(plait_field field, const void* src) {
         model_->adopt(schedule_, present());
         return submit();
     }
-    if (field == PLAIT_FIELD_POSITION)
-        PLAIT_TRY(move_histories(values));
-    if (field == PLAIT_FIELD_POSITION)
-        PLAIT_TRY(forget_sides_of_moved(values));
-    PLAIT_TRY(write_places(field == PLAIT_FIELD_POSITION ? state_.position : state_.position_prev,
-                           values));
+    PLAIT_TRY(field == PLAIT_FIELD_POSITION ? write_positions(values)
+                                            : write_places(state_.position_prev, values));
     schedule_.clear();
     model_->adopt(schedule_, present());
     append_shown();

@@ -360,8 +360,8 @@ Status Sim::aim(const RootsInput& input) {
     return {};
 }
 
-// The first aim is where the hair is. One at where the head is may have been given in place of none, as
-// a game gives it in every frame, that of a teleport, too.
+// The first aim is where the hair is. An aim at the present place says nothing of the head's motion: a
+// game aims in every frame, in that of a teleport, too.
 Status Sim::aimed() {
     told_ = begun_ && roots_.moves();
     if (std::exchange(begun_, true))

@@ -240,7 +240,6 @@ class Sim {
     void append_no_motion();
     void append_last_motion();
     Status forget_sides_of_left(const plait_pose& before, const plait_pose& after);
-    Status forget_sides_of_moved(const float* positions);
     Status place_colliders();
     // What was made, once its stages are built; else it is destroyed.
     Result<plait_collider_id> if_built(Result<plait_collider_id> made);
@@ -276,7 +275,7 @@ class Sim {
     Status read_velocity(std::span<float> dst);
     Status write_velocity(const float* src);
     Status write_places(const Buffer& to, const float* src);
-    Status move_histories(const float* src);
+    Status write_positions(const float* src);
     Status write_acceleration(std::span<const float> src);
     Status write_pins(std::span<const float> src);
     Status check_gets_wet() const;
