@@ -104,8 +104,9 @@ TEST(Ponytail, ALongTailHangs) {
         for (uint32_t i = 1; i < count; ++i) {
             const float* const a = p + 3 * (i - 1);
             const float down = a[1] - a[4], length = std::hypot(a[3] - a[0], down, a[5] - a[2]);
-            if (a[1] < -0.35f)
+            if (a[1] < -0.35f) {
                 ASSERT_GT(down, 0.7f * length) << "vertex " << i;
+            }
         }
         p += 3 * size_t{count};
     }
