@@ -39,19 +39,29 @@ static inline mask articulated_wants(const rod_problem* rod, const rod_state* s,
     return wants | (rod->contacts->lanes & restless);
 }
 
-/* From the start, whose level is known, but for contacts that were found since. */
+/* From the start, whose level is known, but for contacts that were found since. Lanes that take no
+ * further step are put back off what they are too deep in. */
 static inline void articulated_solve(const rod_problem* rod, rod_state* s, articulated_level start,
                                      uint iterations) {
-    mask takes = (real)(0.0f) == (real)(0.0f), moved = takes;
+    mask takes = (real)(0.0f) == (real)(0.0f), moved = takes, renews = takes;
+    uint back = 0;
     for (uint k = 0;; ++k) {
         if (rod->contacts)
-            contact_renew_lanes(rod->contacts, s->x, takes);
+            contact_renew_lanes(rod->contacts, s->x, renews);
         takes &= articulated_wants(rod, s, iterations, k, moved);
-        if (!any_lane(takes))
-            return;
-        const int known = k == 0 && !rod->contacts;
-        const articulated_level level = known ? start : articulated_level_of(rod, s);
-        moved = articulated_newton(rod, s, level, takes);
+        if (any_lane(takes)) {
+            const int known = k == 0 && !rod->contacts;
+            const articulated_level level = known ? start : articulated_level_of(rod, s);
+            moved = articulated_newton(rod, s, level, takes);
+            renews = takes;
+        } else {
+            if (!rod_in_contact(rod) || rod->contacts->params->planes > 1u ||
+                back++ == PLAIT_ARTICULATED_PUT_BACK)
+                return;
+            renews = articulated_put_back(rod, s);
+            if (!any_lane(renews))
+                return;
+        }
     }
 }
 

@@ -51,11 +51,17 @@ TEST_P(Sides, WhatFallsOnASheetStaysOnIt) {
                 if (form == PLAIT_MESH_FORM_FIELD && count == 2)
                     continue; // a segment as long as the sheet is from its edge: the grid ends first
                 sim.create_collider(mesh, desc);
+                float lowest = 1;
                 for (int i = 0; i < (is_reference() ? 60 : 240); ++i) {
                     sim.step(frame);
+                    const auto x = sim.read(PLAIT_FIELD_POSITION);
+                    for (size_t k = 1; k < x.size(); k += 4)
+                        lowest = std::min(lowest, x[k]);
                 }
                 EXPECT_GT(sim.read(PLAIT_FIELD_POSITION)[4 * count - 3], -1e-4f)
                     << count << " vertices from " << height << " m, form " << form;
+                EXPECT_GT(lowest, -0.02f * 0.2f / static_cast<float>(count - 1))
+                    << count << " vertices from " << height << " m, form " << form; // for a moment
             }
 }
 
@@ -152,6 +158,59 @@ TEST_P(Sides, SnapshotsTeleportsAndWritesKeepThem) {
 
 // ---- inside ------------------------------------------------------------------------------------
 
+ShapeMesh octahedron_of(int halvings, double radius) {
+    std::vector<std::array<double, 3>> points = {{1, 0, 0},  {-1, 0, 0}, {0, 1, 0},
+                                                 {0, -1, 0}, {0, 0, 1},  {0, 0, -1}};
+    std::vector<std::array<uint32_t, 3>> faces = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},
+                                                  {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
+    for (int i = 0; i < halvings; ++i) {
+        std::map<std::pair<uint32_t, uint32_t>, uint32_t> middles;
+        std::vector<std::array<uint32_t, 3>> halved;
+        const auto middle = [&](uint32_t a, uint32_t b) {
+            const auto [place, is_new] = middles.try_emplace(std::minmax(a, b), 0u);
+            if (!is_new)
+                return place->second;
+            std::array<double, 3> p{};
+            for (size_t k = 0; k < 3; ++k)
+                p[k] = points[a][k] + points[b][k];
+            const double size = std::hypot(p[0], p[1], p[2]);
+            for (double& c : p)
+                c /= size;
+            points.push_back(p);
+            return place->second = static_cast<uint32_t>(points.size() - 1);
+        };
+        for (const auto& [a, b, c] : faces) {
+            const uint32_t ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
+            halved.insert(halved.end(), {{a, ab, ca}, {b, bc, ab}, {c, ca, bc}, {ab, bc, ca}});
+        }
+        faces = halved;
+    }
+    ShapeMesh mesh;
+    for (const auto& p : points)
+        mesh.add(radius * p[0], radius * p[1], radius * p[2]);
+    mesh.triangles = faces;
+    return mesh;
+}
+
+// m, above the highest face of a convex mesh.
+double outside_of_faces(const ShapeMesh& ball, const std::array<double, 3>& p) {
+    double most = -1;
+    for (const auto& [a, b, c] : ball.triangles) {
+        std::array<double, 3> u{}, v{};
+        for (size_t k = 0; k < 3; ++k) {
+            u[k] = double(ball.positions[b][k]) - double(ball.positions[a][k]);
+            v[k] = double(ball.positions[c][k]) - double(ball.positions[a][k]);
+        }
+        const std::array<double, 3> n = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
+                                         u[0] * v[1] - u[1] * v[0]};
+        double height = 0;
+        for (size_t k = 0; k < 3; ++k)
+            height += n[k] * (p[k] - double(ball.positions[a][k]));
+        most = std::max(most, height / std::hypot(n[0], n[1], n[2]));
+    }
+    return most;
+}
+
 // A head that turns at 2 Hz by 40 degrees to and fro and sets off at 3 m/s after a second: from one step to
 // the next, or within a tenth of a second.
 plait_pose driven(int step, bool at_once) {
@@ -169,6 +228,79 @@ std::array<double, 3> own_of(const plait_pose& pose, const float* x) {
                  s = 2 * double(pose.q[1]) * double(pose.q[3]);
     const double p = double(x[0]) - double(pose.t[0]), r = double(x[2]);
     return {c * p - s * r, double(x[1]), s * p + c * r};
+}
+
+// Strands of 20 cm, from roots on a ball of 5 cm.
+Strands in_a_hood(size_t number) {
+    Strands strands;
+    for (size_t s = 0; s < number; ++s) {
+        const double h = 1 - 1.6 * (double(s) + 0.5) / double(number), az = 2.39996 * double(s);
+        const double r = std::sqrt(1 - h * h);
+        Strand strand;
+        for (int i = 0; i < 16; ++i) { // wound around it
+            const double out = 0.05 + 0.02 * std::min(1.0, i / 4.0), a = az + 0.19 * i;
+            strand.push_back({static_cast<float>(out * r * std::cos(a)),
+                              static_cast<float>(out * h - 0.002 * i),
+                              static_cast<float>(out * r * std::sin(a))});
+        }
+        strands.push_back(strand);
+    }
+    return strands;
+}
+
+TEST_P(Sides, HairStaysInsideOfAHoodThatTurnsAndSetsOff) {
+    const size_t number = is_reference() ? 12 : 200;
+    const auto groom = make_groom(in_a_hood(number));
+    const ShapeMesh ball = octahedron_of(2, 0.1);
+    for (const plait_collider_kind kind :
+         {PLAIT_COLLIDER_KIND_CAPSULE, PLAIT_COLLIDER_KIND_BOX, PLAIT_COLLIDER_KIND_HULL}) {
+        plait::Sim sim(context, groom);
+        plait_collider_id id{};
+        if (kind == PLAIT_COLLIDER_KIND_HULL) {
+            auto desc = plait_collider_hull_desc_defaults();
+            desc.inward = 1;
+            desc.margin = 1e-3f;
+            id = sim.create_hull(make_mesh(ball), desc);
+        } else {
+            auto desc = plait_collider_desc_defaults();
+            desc.kind = kind;
+            desc.inward = 1;
+            desc.friction = 0.2f;
+            desc.a[1] = -0.02f;
+            desc.b[1] = 0.02f;
+            desc.radius_a = desc.radius_b = 0.085f;
+            desc.half_extents[0] = desc.half_extents[1] = desc.half_extents[2] = 0.075f;
+            desc.rounding = 0.01f;
+            id = sim.create_collider(desc);
+        }
+        EXPECT_EQ(sim.describe_collider(id).inward, 1u);
+        const auto outside = [&](const std::array<double, 3>& p) {
+            if (kind == PLAIT_COLLIDER_KIND_CAPSULE)
+                return std::hypot(p[0], p[1] - std::clamp(p[1], -0.02, 0.02), p[2]) - 0.085;
+            if (kind == PLAIT_COLLIDER_KIND_BOX) {
+                const double y = p[1] + 0.02; // its centre is a
+                return std::hypot(std::max(std::abs(p[0]) - 0.075, 0.0),
+                                  std::max(std::abs(y) - 0.075, 0.0),
+                                  std::max(std::abs(p[2]) - 0.075, 0.0)) -
+                       0.01;
+            }
+            return outside_of_faces(ball, p);
+        };
+        double worst = -1;
+        for (int i = 1; i <= (is_reference() ? 90 : 240); ++i) {
+            const plait_pose pose = driven(i, true);
+            auto roots = plait_roots_defaults();
+            roots.head = pose;
+            sim.set_roots(roots);
+            sim.set_collider_pose(id, pose);
+            sim.step(frame);
+            const auto x = sim.read(PLAIT_FIELD_POSITION);
+            for (size_t k = 0; k < x.size(); k += 4)
+                worst = std::max(worst, outside(own_of(pose, &x[k])));
+        }
+        EXPECT_LT(worst, 2e-3) << "kind " << kind;
+        RecordProperty("outside_mm_" + std::to_string(kind), std::to_string(worst * 1e3));
+    }
 }
 
 // Hair hangs in a collar or a sleeve, an open tube: what is in it stays in it. (A wall that comes by as much as the
@@ -221,6 +353,93 @@ TEST_P(Sides, InwardIsZeroOrOne) {
     EXPECT_NE(std::string(plait_last_error()).find("inward is 2, range is [0, 1]"),
               std::string::npos)
         << plait_last_error();
+}
+
+// ---- a hard shake ------------------------------------------------------------------------------
+
+// Strands of 25 cm on a ball of 9 cm: each leaves along the normal and bends to hang beside the ball.
+Strands on_a_ball(int number, int every) {
+    Strands strands;
+    for (int s = 0; s < number; s += every) {
+        const double h = 1 - 1.15 * (s + 0.5) / number, az = 2.39996 * s, r = std::sqrt(1 - h * h);
+        const std::array<double, 3> normal = {r * std::cos(az), h, r * std::sin(az)};
+        std::array<double, 3> x{};
+        for (size_t k = 0; k < 3; ++k)
+            x[k] = 0.09 * normal[k];
+        Strand strand;
+        constexpr double fine = 0.25 / 15 / 50;
+        for (int i = 0; i < 15 * 50 + 1; ++i) {
+            if (i % 50 == 0)
+                strand.push_back(
+                    {static_cast<float>(x[0]), static_cast<float>(x[1]), static_cast<float>(x[2])});
+            const double share = std::min(1.0, i * fine / 0.06),
+                         u = share * share * (3 - 2 * share);
+            const double out = std::hypot(x[0], x[1], x[2]), up = -x[1] / out;
+            const double near = up < 0 ? std::clamp((0.11 - out) / 0.01, 0.0, 1.0) : 0;
+            std::array<double, 3> along{};
+            for (size_t k = 0; k < 3; ++k) {
+                const double down = (k == 1 ? -1 : 0) - near * up * x[k] / out;
+                const double aside = k == 1 ? 0 : 1e-3 * normal[k] / std::max(r, 1e-9);
+                along[k] = (1 - u) * normal[k] + u * (down + aside);
+            }
+            const double size = std::hypot(along[0], along[1], along[2]);
+            for (size_t k = 0; k < 3; ++k)
+                x[k] += fine * along[k] / size;
+        }
+        strands.push_back(strand);
+    }
+    return strands;
+}
+
+// The default model at one substep, under 5 cm to and fro at 1.7 Hz: none is deeper than half a millimetre in
+// the ball, whatever the ball is made of. Its margin is 1 mm.
+TEST_P(Sides, AHardShakePushesNoHairIntoTheHead) {
+    const auto groom = make_groom(on_a_ball(1000, is_reference() ? 25 : 1));
+    const ShapeMesh ball = octahedron_of(2, 0.09);
+    const auto mesh = make_mesh(ball);
+    for (const std::string body : {"sphere", "hull", "field", "nearest"}) {
+        plait::Sim sim(context, groom);
+        plait_collider_id id{};
+        if (body == "sphere") {
+            auto desc = plait_collider_desc_defaults();
+            desc.radius_a = desc.radius_b = 0.091f;
+            desc.friction = 0.2f;
+            id = sim.create_collider(desc);
+        } else if (body == "hull") {
+            auto desc = plait_collider_hull_desc_defaults();
+            desc.margin = 1e-3f;
+            desc.friction = 0.2f;
+            id = sim.create_hull(mesh, desc);
+        } else {
+            auto desc = plait_collider_mesh_desc_defaults();
+            desc.form = body == "field" ? PLAIT_MESH_FORM_FIELD : PLAIT_MESH_FORM_NEAREST;
+            desc.margin = 1e-3f;
+            desc.friction = 0.2f;
+            id = sim.create_collider(mesh, desc);
+        }
+        double deepest = -1; // m, under the faces, or the ball
+        for (int i = 1; i <= (is_reference() ? 150 : 480); ++i) {
+            const double t = std::max(0.0, i / 60.0 - 1), s = std::min(1.0, 2 * t);
+            const double way = 0.05 * std::sin(full_turn * 1.7 * t) * s * s * (3 - 2 * s);
+            auto roots = plait_roots_defaults();
+            roots.head.t[0] = static_cast<float>(way);
+            sim.set_roots(roots);
+            sim.set_collider_pose(id, roots.head);
+            sim.step(frame);
+            const auto x = sim.read(PLAIT_FIELD_POSITION);
+            for (size_t k = 0; k < x.size(); k += 4)
+                if (k % 64 != 0) {
+                    const std::array<double, 3> p = {double(x[k]) - way, double(x[k + 1]),
+                                                     double(x[k + 2])};
+                    deepest =
+                        std::max(deepest, body == "sphere" ? 0.09 - std::hypot(p[0], p[1], p[2])
+                                                           : -outside_of_faces(ball, p));
+                }
+        }
+        // a field knows no surface beyond two cells from where hair was on its way to
+        EXPECT_LT(deepest, body == "field" ? 1e-3 : 5e-4) << body;
+        RecordProperty("deepest_mm_" + body, std::to_string(deepest * 1e3));
+    }
 }
 
 // ---- put elsewhere -----------------------------------------------------------------------------

@@ -180,6 +180,9 @@
 /* Share of PLAIT_CONTACT_TOLERANCE by which a vertex that a step would carry under a surface which does
  * not push it yet is left under it at most, so that it touches in the next step. Ours. */
 #define PLAIT_ARTICULATED_PRESSED PLAIT_NUMBER(0.5)
+/* How often what the last step left deeper than PLAIT_CONTACT_MAX_PENETRATION is put back, each time
+ * to the surface where the time before has put it. Ours. */
+#define PLAIT_ARTICULATED_PUT_BACK 3
 /* Segment lengths: what is nearer to where it would be stopped is left, since that is rounding. Ours. */
 #define PLAIT_ARTICULATED_STOP PLAIT_NUMBER(1e-4)
 /* Most Newton steps of a strand with a vertex farther from its pin than so many segment lengths,

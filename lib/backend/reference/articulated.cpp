@@ -217,8 +217,34 @@ void RodModel::articulate(uint32_t steps) {
     for (uint32_t k = 0;; ++k) {
         renew_contacts();
         if (k >= steps && !wants_step(k, moved))
-            return;
+            break;
         moved = turn_segments();
+    }
+    put_back();
+}
+
+// Where it was, but for a leader that moves by more than half a segment: that would turn it back on
+// itself.
+Vec3 RodModel::hung(size_t segment, const std::vector<Vec3>& solved) const {
+    const Vec3 moved = x[segment] - solved[segment];
+    const double half = length_[segment] / 2, far = moved.norm();
+    return solved[segment + 1] + (far > half ? 1 - half / far : 0) * moved;
+}
+
+// What the last step left too deep, since it did not know what it would touch.
+void RodModel::put_back() {
+    if (!contacts_ || contacts_->of_strands())
+        return;
+    for (int round = 0; round < PLAIT_ARTICULATED_PUT_BACK; ++round) {
+        const std::vector<Vec3> solved = x;
+        double most = 0;
+        for (size_t i = 1; i < x.size(); ++i)
+            most = std::max(most, contacts_->excess(i, x[i]));
+        if (most == 0)
+            return;
+        for (size_t i = 0; i < segments(); ++i)
+            turn_to(i, contacts_->kept_off(i + 1, x[i], length_[i], hung(i, solved)));
+        renew_contacts();
     }
 }
 

@@ -303,11 +303,25 @@ double Contacts::excess(size_t vertex, const Vec3& x) const {
 Vec3 Contacts::stopped(size_t vertex, const Vec3& to, double inertia) const {
     const Contact& at = at_[vertex];
     const double depth = at.offset - at.normal.dot(to);
-    if (params_.planes > 1 || at.stiffness > 0 || at.normal.isZero(0) || depth <= 0)
+    if (of_strands() || at.stiffness > 0 || at.normal.isZero(0) || depth <= 0)
         return to;
     const double most = PLAIT_ARTICULATED_PRESSED * PLAIT_CONTACT_TOLERANCE * length_[vertex];
     const double stop = depth - std::min(depth * inertia / params_.contact_rate, most);
     return stop > PLAIT_ARTICULATED_STOP * length_[vertex] ? Vec3(to + stop * at.normal) : to;
+}
+
+Vec3 Contacts::kept_off(size_t vertex, const Vec3& leader, double length,
+                        const Vec3& solved) const {
+    const Vec3& n = at_[vertex].normal;
+    const Vec3 out = solved + excess(vertex, solved) * n - leader;
+    const Vec3 end = leader + length * direction(out);
+    const double low = excess(vertex, end);
+    if (low == 0)
+        return end;
+    // the circle of that height on the sphere around the leader
+    const double above = std::clamp(n.dot(end - leader) + low, -length, length);
+    const Vec3 across = out - n.dot(out) * n;
+    return leader + above * n + std::sqrt((length - above) * (length + above)) * direction(across);
 }
 
 void Contacts::clip(std::vector<Vec3>& x) {
@@ -330,7 +344,7 @@ Vec3 Contacts::keep_off(size_t i, const Vec3& leader, double length, const Vec3&
     const Vec3 out = exact - leader;
     const Vec3 across = out - out.dot(at.normal) * at.normal;
     return leader + above * at.normal +
-           std::sqrt(length * length - above * above) * direction(across);
+           std::sqrt((length - above) * (length + above)) * direction(across);
 }
 
 // From the depth `begin` on, of the spring that is stiff all along, but holds no more than at the

@@ -50,8 +50,12 @@ class Contacts {
     // Where a chain's sweep keeps vertex `i`, `length` from its leader.
     Vec3 keep_off(size_t i, const Vec3& leader, double length, const Vec3& solved,
                   const Vec3& exact) const;
+    // Are strands among what is met? They give way: nothing is stopped by them, or put back.
+    bool of_strands() const { return params_.planes > 1; }
     // Where a step that would carry the vertex to `to` leaves it, if its surface did not push in it.
     Vec3 stopped(size_t vertex, const Vec3& to, double inertia) const;
+    // Near `solved`, at this length from `leader`, and no deeper than a solve may leave it.
+    Vec3 kept_off(size_t vertex, const Vec3& leader, double length, const Vec3& solved) const;
     // How much deeper the vertex is than a solve may leave it.
     double excess(size_t vertex, const Vec3& x) const;
     void clip(std::vector<Vec3>& x);

@@ -106,6 +106,8 @@ class RodModel {
     void follow_turns(const RodModel& from, const Eigen::VectorXd& w);
     Vec3 stopped(size_t vertex, const Vec3& to) const;
     void turn_to(size_t segment, const Vec3& place);
+    void put_back();
+    Vec3 hung(size_t segment, const std::vector<Vec3>& solved) const;
     bool turn_segments(); // whether a vertex moved far enough for another step
     bool wants_step(uint32_t k, bool moved) const;
     bool deep() const;    // any vertex, deeper than pull and push balance
