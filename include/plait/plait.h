@@ -809,9 +809,10 @@ typedef struct plait_prepare_desc {
                           ARTICULATED's */
     uint32_t features; /* bits of plait_feature, default 0; the skin of `groom` is among them */
     uint32_t vertices_per_strand; /* V, [2, 256]; default 0: of `groom`, or 16 where that is NULL */
-    const plait_groom*
-        groom; /* the hair: kernels are built for its strands' lengths and number, for
-                                 few and many strands of vertices_per_strand where it is NULL */
+    /* the hair: kernels are built for its strands' lengths and number; NULL: for 2,048 strands of
+       vertices_per_strand, which drivers may tell from many (PoCL: from 65,536 vertices on, where a
+       sim then takes .05 s more for each of some kernels) */
+    const plait_groom* groom;
     plait_progress_fn progress; /* or NULL */
     void* progress_user;
 } plait_prepare_desc;

@@ -154,7 +154,7 @@ bool runs(const Context& context, const Need& need, const Preparation& of) {
 }
 
 // Where nobody knows how many: guides, and follows for each.
-constexpr uint32_t usual_strands = 1u << 14, usual_follows = 8;
+constexpr uint32_t usual_strands = 1u << 11, usual_follows = 8;
 
 // A grid for wind has more nodes than the usual one, whose sums may be kept elsewhere.
 plait_grid_params wind_grid() {
@@ -165,7 +165,7 @@ plait_grid_params wind_grid() {
     return params;
 }
 
-// Of one stage: for few items and for many, which compilers may tell apart.
+// Of one stage, for as many items as there will be: compilers may tell few from many.
 std::vector<plait_dispatch> dispatches(const Context& context, const plait_stage_info& stage,
                                        const Preparation& of, const plait_grid_params& wind) {
     const uint32_t strands = of.strands > 0 ? of.strands : usual_strands;
@@ -175,15 +175,16 @@ std::vector<plait_dispatch> dispatches(const Context& context, const plait_stage
             {stage.stage, items, width, params, stage.params_size, stage.buffer_count, nullptr, 0});
     };
     const bool follows = std::string_view(stage.name).starts_with("follow");
+    const bool of_all =
+        follows || (of.features & PLAIT_FEATURE_FOLLOWS &&
+                    (stage.stage == PLAIT_STAGE_tangents || stage.stage == PLAIT_STAGE_last_frame));
     switch (stage.space) {
     case PLAIT_SPACE_LANES:
         for (const uint32_t row : follows ? std::span(&of.row, 1) : of.rows)
-            for (const uint32_t items : {1u, strands})
-                add(items, row);
+            add(strands, row);
         break;
     case PLAIT_SPACE_STRAND_GROUP:
-        for (const uint32_t items : {1u, strands})
-            add(items, of.row);
+        add(strands, of.row);
         break;
     case PLAIT_SPACE_VOXEL: // of the usual grids there are few
         add(1, 1);
@@ -199,14 +200,15 @@ std::vector<plait_dispatch> dispatches(const Context& context, const plait_stage
             add(strands * of.row, 1);
         break;
     case PLAIT_SPACE_VERTEX:
-    case PLAIT_SPACE_STRAND:
-        add(1, 1);
-        add((follows ? usual_follows * strands : strands) *
-                (stage.space == PLAIT_SPACE_VERTEX ? of.row : 1),
-            1);
+    case PLAIT_SPACE_STRAND: {
+        const uint32_t items = strands * (stage.space == PLAIT_SPACE_VERTEX ? of.row : 1);
+        add(items, 1);
+        if (of_all)
+            add(items * usual_follows, 1);
         if (stage.stage == PLAIT_STAGE_grid_splat && of.features & PLAIT_FEATURE_WIND)
             add(1, 1, &wind);
         break;
+    }
     case PLAIT_SPACE_FORCE_32:
         break;
     }
