@@ -24,7 +24,7 @@ static inline pose_t earlier(pose_t b, pose_t c) {
     return carried(b, c, b);
 }
 
-static inline float4 carry(pose_t from, pose_t to, float4 x) {
+static inline float4 change(pose_t from, pose_t to, float4 x) {
     return pack3(pose_apply(to, pose_apply_inverse(from, unpack3(x))), x.w);
 }
 
@@ -49,6 +49,6 @@ __kernel void plait_set_off(const uint item_count, const plait_set_off_params pa
     const pose_t is = earlier(now, pose_load(pose_next, strand));
     if (!jumps(was, is, unpack3(rest[(size_t)strand * params.row_stride]), &params))
         return;
-    position_prev[item] = carry(was, is, position_prev[item]);
-    position_prev2[item] = carry(earlier(was, now), earlier(is, now), position_prev2[item]);
+    position_prev[item] = change(was, is, position_prev[item]);
+    position_prev2[item] = change(earlier(was, now), earlier(is, now), position_prev2[item]);
 }

@@ -75,7 +75,8 @@ extern "C" {
     X(COMPILE, 8, "a kernel did not build; the message holds the compiler's log")                  \
     X(DEVICE_LOST, 9, "the device is gone; destroy the context")                                   \
     X(BACKEND, 10, "a driver call failed")                                                         \
-    X(INTERNAL, 11, "a fault in plait; please report it")
+    X(INTERNAL, 11, "a fault in plait; please report it")                                          \
+    X(CANCELLED, 12, "the caller's progress function ended it")
 
 typedef enum plait_result {
 #define PLAIT_X(name, value, text) PLAIT_##name = value,
@@ -772,14 +773,60 @@ typedef struct plait_sim_desc {
 
 PLAIT_API void plait_sim_desc_init(plait_sim_desc* desc, size_t size);
 
-/* Builds now the kernels of the `count` models `models`, for strands of up to `vertices_per_strand`
- * (a groom's max_vertices): for a loading screen. plait_sim_create builds those of its own model
- * unless they are built; it cannot know the models that its strands are switched to later. A groom
- * whose strands differ much in length takes them for the longest of each class (ADR 19). May take
- * seconds; nothing but the programs is kept.
- * @errors UNSUPPORTED (the backend lacks a stage), COMPILE */
-PLAIT_API plait_result plait_context_prepare(plait_context* context, const plait_model* models,
-                                             size_t count, uint32_t vertices_per_strand);
+/* What sims use that not every sim does: for plait_context_prepare, which builds what it takes. Every
+ * sim may reset, teleport, read, write and measure, interpolate its output, and meet capsules, planes,
+ * boxes and hulls. */
+typedef enum plait_feature {
+    PLAIT_FEATURE_SWITCHES = 1,        /* plait_sim_set_models, plait_sim_set_settings */
+    PLAIT_FEATURE_SKIN = 2,            /* plait_roots.bones */
+    PLAIT_FEATURE_BOUND_ROOTS = 4,     /* plait_sim_bind_roots */
+    PLAIT_FEATURE_FRAME = 8,           /* plait_sim_set_frame */
+    PLAIT_FEATURE_MESHES = 16,         /* plait_collider_create_mesh, form FIELD */
+    PLAIT_FEATURE_BENDING_MESHES = 32, /* the same, form NEAREST */
+    PLAIT_FEATURE_PINS = 64,           /* plait_sim_desc.pins */
+    PLAIT_FEATURE_GROOM = 128,         /* plait_sim_params.groom, plait_material.groom_stiffness */
+    PLAIT_FEATURE_ACCELERATIONS = 256, /* plait_sim_desc.accelerations */
+    PLAIT_FEATURE_WIND = 512,          /* plait_sim_set_wind; of tressfx, that of the params */
+    PLAIT_FEATURE_INTERHAIR = 1024,    /* plait_sim_params.interhair EXACT */
+    PLAIT_FEATURE_SLOTS = 2048,        /* the same, SLOTS */
+    PLAIT_FEATURE_VOLUME = 4096,       /* plait_sim_params.volume */
+    PLAIT_FEATURE_STRAND_CONTACT = 8192, /* plait_sim_params.strand_contact */
+    PLAIT_FEATURE_FOLLOWS = 16384,       /* plait_sim_desc.follow_map, follows_per_guide */
+    PLAIT_FEATURE_DETAIL = 32768,        /* plait_sim_set_detail */
+    PLAIT_FEATURE_WETNESS = 65536,       /* PLAIT_FIELD_WETNESS */
+    PLAIT_FEATURE_ALL = 131071,
+    PLAIT_FEATURE_FORCE_32 = 0x7fffffff
+} plait_feature;
+
+/* Called before each stage that is built, `done` of `total` of them before it, and once at the end with
+ * done == total and stage "". On the thread of the call; it calls nothing of plait. 0: go on; any other
+ * value ends the call. `stage` is valid until it returns. */
+typedef int (*plait_progress_fn)(uint32_t done, uint32_t total, const char* stage, void* user);
+
+typedef struct plait_prepare_desc {
+    uint32_t struct_size;
+    uint32_t models;   /* that strands have or are switched to: bits 1u << plait_model; default
+                          ARTICULATED's */
+    uint32_t features; /* bits of plait_feature, default 0; the skin of `groom` is among them */
+    uint32_t vertices_per_strand; /* V, [2, 256]; default 0: of `groom`, or 16 where that is NULL */
+    /* the hair: kernels are built for its strands' lengths and number; NULL: for 2,048 strands of
+       vertices_per_strand, which drivers may tell from many (PoCL: from 65,536 vertices on, where a
+       sim then takes .05 s more for each of some kernels) */
+    const plait_groom* groom;
+    plait_progress_fn progress; /* or NULL */
+    void* progress_user;
+} plait_prepare_desc;
+
+PLAIT_API void plait_prepare_desc_init(plait_prepare_desc* desc, size_t size);
+
+/* Builds now what sims will take, for a loading screen: whatever they do then that `desc` names, in
+ * grids of up to 32 voxels each way, compiles nothing. What is built already, and what is in the
+ * program_folder, costs little; calls for several grooms add up. `desc` NULL: all defaults. Takes
+ * seconds where nothing is cached. Meanwhile other threads may use everything but this context and its
+ * sims. What was built stays when it ends early; called again it goes on.
+ * @errors CANCELLED (by `progress`), UNSUPPORTED (the backend lacks a stage), COMPILE */
+PLAIT_API plait_result plait_context_prepare(plait_context* context,
+                                             const plait_prepare_desc* desc);
 
 /* Strands are stored [strands][V], V the groom's longest; shorter strands are padded with copies of
  * their tip. Guides come first, then follows, guide by guide or as in the map. The head starts at
@@ -972,8 +1019,8 @@ PLAIT_API void plait_frame_desc_init(plait_frame_desc* desc, size_t size);
  * along with it or not. Gravity keeps its direction. With shares of 1 and air UNFELT each step gives the
  * same bits as without a frame; with shares of 0 hair moves as if the frame stood still. A teleport
  * and a step of 0 s move the frame at once, too. Snapshots hold it. See docs/concepts.md.
- * @errors INVALID_ARGUMENT: a pose that is none, a share or an enum outside its range. A call that
- *         fails changes nothing. */
+ * @errors INVALID_ARGUMENT: a pose that is none, a share or an enum outside its range; UNSUPPORTED: the
+ *         backend lacks a stage; COMPILE. A call that fails changes nothing. */
 PLAIT_API plait_result plait_sim_set_frame(plait_sim* sim, const plait_frame_desc* desc);
 
 /* Advance by dt seconds, [0, 1e9]: enqueues the fixed steps that fit; the rest waits for the next
@@ -1445,6 +1492,7 @@ PLAIT_DEFAULTS(plait_material)
 PLAIT_DEFAULTS(plait_strand_settings)
 PLAIT_DEFAULTS(plait_sim_params)
 PLAIT_DEFAULTS(plait_sim_desc)
+PLAIT_DEFAULTS(plait_prepare_desc)
 PLAIT_DEFAULTS(plait_sim_info)
 PLAIT_DEFAULTS(plait_sim_stats)
 PLAIT_DEFAULTS(plait_launch)

@@ -89,6 +89,10 @@ class Context : public detail::Owner<plait_context, plait_context_destroy> {
         return info;
     }
 
+    void prepare(const plait_prepare_desc& desc = plait_prepare_desc_defaults()) const {
+        check(plait_context_prepare(get(), &desc));
+    }
+
     // Sims of this context: context.step({head, beard}, dt).
     void step(const std::vector<plait_sim*>& sims, double dt) const {
         check(plait_context_step(get(), sims.data(), sims.size(), dt));

@@ -3,7 +3,8 @@
 
 #include "api/objects.hpp"
 #include "api/structs.hpp"
-#include "core/params.hpp"
+#include "core/models/length_classes.hpp"
+#include "core/models/traits.hpp"
 #include "core/prepare.hpp"
 
 #include <plait/params.h>
@@ -15,6 +16,50 @@ plait_context_desc default_desc() {
     plait_context_desc desc{};
     desc.struct_size = sizeof desc;
     return desc;
+}
+
+plait_prepare_desc default_prepare_desc() {
+    plait_prepare_desc desc{};
+    desc.struct_size = sizeof desc;
+    desc.models = 1u << PLAIT_MODEL_ARTICULATED;
+    return desc;
+}
+
+Status check_prepare(const plait_prepare_desc& desc) {
+    const uint32_t models = (2u << last_model()) - 1, features = PLAIT_FEATURE_ALL;
+    if (desc.models == 0 || desc.models & ~models)
+        return invalid(format("desc->models is 0x%x, range is [1, 0x%x]", desc.models, models));
+    if (desc.features & ~features)
+        return invalid(
+            format("desc->features is 0x%x, range is [0, 0x%x]", desc.features, features));
+    if (desc.vertices_per_strand != 0 && (desc.vertices_per_strand < PLAIT_MIN_VERTICES ||
+                                          desc.vertices_per_strand > PLAIT_MAX_VERTICES))
+        return invalid(format("desc->vertices_per_strand is %u, range is [%d, %d], or 0",
+                              desc.vertices_per_strand, PLAIT_MIN_VERTICES, PLAIT_MAX_VERTICES));
+    return {};
+}
+
+Status prepare_for(Context& context, const plait_prepare_desc& desc) {
+    constexpr uint32_t usual_row = 16;
+    std::pmr::vector<uint32_t> counts(&context.memory);
+    Preparation preparation{desc.models, desc.features, {}, desc.vertices_per_strand, 0, {}};
+    if (desc.groom) {
+        const Groom& groom = desc.groom->groom;
+        counts = groom.strands.vertex_counts;
+        preparation.strands = static_cast<uint32_t>(counts.size());
+        preparation.row = std::max(preparation.row, groom.shape.max_vertices);
+        if (groom.shape.bones > 0)
+            preparation.features |= PLAIT_FEATURE_SKIN;
+    } else {
+        preparation.row = preparation.row > 0 ? preparation.row : usual_row;
+        counts.push_back(preparation.row);
+    }
+    const LengthClasses classes(counts, &context.memory);
+    preparation.rows = classes.rows();
+    preparation.progress = [&](uint32_t done, uint32_t total, const char* stage) {
+        return !desc.progress || desc.progress(done, total, stage, desc.progress_user) == 0;
+    };
+    return prepare(context, preparation);
 }
 
 Status check_sources(const plait_context_desc& desc) {
@@ -116,18 +161,18 @@ void plait_context_destroy(plait_context* context) {
     api::destroy_unused(context);
 }
 
-plait_result plait_context_prepare(plait_context* context, const plait_model* models, size_t count,
-                                   uint32_t vertices_per_strand) {
+void plait_prepare_desc_init(plait_prepare_desc* desc, size_t size) {
+    api::init_struct(desc, size, api::default_prepare_desc());
+}
+
+plait_result plait_context_prepare(plait_context* context, const plait_prepare_desc* given) {
     return api::guard(__func__, [&]() -> Status {
         PLAIT_TRY(api::need(context, "context"));
-        PLAIT_TRY(api::need(models, "models"));
-        for (size_t i = 0; i < count; ++i)
-            PLAIT_TRY(check_model(models[i], i));
-        if (vertices_per_strand < PLAIT_MIN_VERTICES || vertices_per_strand > PLAIT_MAX_VERTICES)
-            return api::invalid(format("vertices_per_strand is %u, range is [%d, %d]",
-                                       vertices_per_strand, PLAIT_MIN_VERTICES,
-                                       PLAIT_MAX_VERTICES));
-        return prepare_models(context->context, {models, count}, vertices_per_strand);
+        plait_prepare_desc desc = api::default_prepare_desc();
+        if (given)
+            PLAIT_TRY(api::read_struct(given, desc, "desc"));
+        PLAIT_TRY(api::check_prepare(desc));
+        return api::prepare_for(context->context, desc);
     });
 }
 

@@ -230,17 +230,14 @@ void plait_frame_desc_init(plait_frame_desc* desc, size_t size) {
 
 plait_result plait_sim_set_frame(plait_sim* sim, const plait_frame_desc* desc) {
     return api::with_sim(__func__, sim, [&](Sim& s) -> Status {
-        if (!desc) {
-            s.set_frame(nullptr);
-            return {};
-        }
+        if (!desc)
+            return s.set_frame(nullptr);
         plait_frame_desc given = default_frame_desc();
         PLAIT_TRY(api::read_struct(desc, given, "desc"));
         const auto checked = checked_frame(given);
         if (!checked)
             return checked.error();
-        s.set_frame(&*checked);
-        return {};
+        return s.set_frame(&*checked);
     });
 }
 

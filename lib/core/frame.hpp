@@ -17,6 +17,7 @@ class Frame {
     // Where it will be at the end of the next call; a frame that is new is there at once. Null: none.
     // True: what hair feels of the head's motion is not what it felt in the step before.
     bool aim(const plait_frame_desc* desc);
+    bool is_on() const { return aims_ > 0; }
     // As Roots.
     void advance(double end);
     void arrive() { at_ = target_; }

@@ -19,13 +19,11 @@ void clear(Schedule& schedule, const Buffer& buffer, plait_u32 value) {
                  plait_grid_clear_params{value}, {&buffer});
 }
 
-// Work-items that share a voxel's slots. On a CPU, whose work-items have lanes, those of a group
-// take turns: one alone is faster than a sum in parts.
-uint32_t group_width(const plait_device_info& device, uint32_t capacity) {
+} // namespace
+
+uint32_t InterHair::group_width(const plait_device_info& device, uint32_t capacity) {
     return device.lanes > 1 ? 1 : std::bit_floor(std::min({device.max_group_size, capacity, 64u}));
 }
-
-} // namespace
 
 // Half as large again as the hair, so that it can swing.
 GridCube cube_around(const Groom& groom) {

@@ -29,6 +29,10 @@ class InterHair {
     static Result<InterHair> create_density(Device& device, const plait_sim_params& params);
     bool fits(const plait_sim_params& params) const;
 
+    // Work-items that share a voxel's slots. On a CPU, whose work-items have lanes, those of a group
+    // take turns: one alone is faster than a sum in parts.
+    static uint32_t group_width(const plait_device_info& device, uint32_t capacity);
+
     struct Step {
         const Layout& layout;
         const State& state;

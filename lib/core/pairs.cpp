@@ -26,13 +26,11 @@ void clear(Schedule& schedule, const Buffer& buffer) {
                  plait_grid_clear_params{0}, {&buffer});
 }
 
-// Of pair_scan. Work-items of a group take turns on a CPU; but of one alone, which would take all
-// cells, llvmpipe ends the loops before they are done.
-uint32_t group_width(const plait_device_info& device) {
+} // namespace
+
+uint32_t Pairs::group_width(const plait_device_info& device) {
     return std::min(device.max_group_size, device.lanes > 1 ? 16u : 256u);
 }
-
-} // namespace
 
 Result<Pairs> Pairs::create(Device& device, const plait_sim_params& params, const Layout& layout,
                             float longest_segment) {

@@ -24,6 +24,10 @@ struct PairBuffers {
 
 class Pairs {
   public:
+    // Of pair_scan. Work-items of a group take turns on a CPU; but of one alone, which would take all
+    // cells, llvmpipe ends the loops before they are done.
+    static uint32_t group_width(const plait_device_info& device);
+
     // Without buffers where `params` have no contact. `longest_segment`: m, at rest.
     static Result<Pairs> create(Device& device, const plait_sim_params& params,
                                 const Layout& layout, float longest_segment);

@@ -210,6 +210,17 @@ Status Sim::find_balance() {
     return {};
 }
 
+Status Sim::set_frame(const plait_frame_desc* desc) {
+    if (desc && !frame_.is_on()) {
+        schedule_.clear();
+        model_->carry(schedule_, present(), identity_pose);
+        PLAIT_TRY(check_schedule());
+    }
+    if (frame_.aim(desc) && motion_ == Motion::known)
+        motion_ = Motion::framed;
+    return {};
+}
+
 Status Sim::set_wind(const plait_wind_desc* desc) {
     if (!desc) {
         wind_ = {};

@@ -88,11 +88,8 @@ class Sim {
     Status bind_roots(const Mesh* mesh, std::span<plait_root_place> places);
     Status set_roots(const RootsInput& input);
     Status teleport(const RootsInput& input);
-    // Null: none.
-    void set_frame(const plait_frame_desc* desc) {
-        if (frame_.aim(desc) && motion_ == Motion::known)
-            motion_ = Motion::framed;
-    }
+    // Null: none. What fails changes nothing.
+    Status set_frame(const plait_frame_desc* desc);
     // Null: none. INVALID_STATE: the model takes none. What fails changes nothing.
     Status set_wind(const plait_wind_desc* desc);
     // Null: none. INVALID_STATE: there are no follows. What fails changes nothing.

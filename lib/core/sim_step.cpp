@@ -259,6 +259,8 @@ void Sim::append_reframed() {
 
 // Of a fixed step in which nothing moves: its first substep stands for all of a group's.
 void Sim::append_dry_step() {
+    if (frame_.is_on())
+        model_->carry(schedule_, present(), identity_pose);
     append_phases({Moment::step_begins, present()});
     (void)for_each_group([&](const Group& group) {
         append_phases({Moment::substep, at(group, 0)});

@@ -125,13 +125,14 @@ TEST_P(Interop, copies_into_the_callers_buffer) {
 // Every kernel runs once over nothing: none may look at a buffer before it looks at item_count.
 TEST_P(Interop, prepares_every_kernel) {
     const OwnContext context = adopt();
-    std::vector<plait_model> models{PLAIT_MODEL_TRESSFX, PLAIT_MODEL_CHAIN, PLAIT_MODEL_COSSERAT,
-                                    PLAIT_MODEL_ARTICULATED};
+    auto desc = plait_prepare_desc_defaults();
+    desc.models = 1u << PLAIT_MODEL_TRESSFX | 1u << PLAIT_MODEL_CHAIN | 1u << PLAIT_MODEL_COSSERAT |
+                  1u << PLAIT_MODEL_ARTICULATED;
     if (find_devices().usable[GetParam()].info.platform != std::string("rusticl"))
-        models.push_back(PLAIT_MODEL_ROD); // there it takes minutes: docs/deviations.md
-    EXPECT_EQ(plait_context_prepare(context.get(), models.data(), models.size(), vertices),
-              PLAIT_OK)
-        << plait_last_error();
+        desc.models |= 1u << PLAIT_MODEL_ROD; // there it takes minutes: docs/deviations.md
+    desc.features = PLAIT_FEATURE_ALL;
+    desc.vertices_per_strand = vertices;
+    EXPECT_EQ(plait_context_prepare(context.get(), &desc), PLAIT_OK) << plait_last_error();
 }
 
 TEST_P(Interop, waits_for_what_was_flushed) {

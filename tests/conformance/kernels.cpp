@@ -3,6 +3,7 @@
 
 #include "backend/opencl/arguments.hpp"
 #include "backend/opencl/build.hpp"
+#include "backend/opencl/program_text.hpp"
 #include "backend/opencl/source.hpp"
 
 namespace plait::opencl {
@@ -26,9 +27,7 @@ TEST_P(Kernels, build_with_the_arguments_of_the_table) {
     ASSERT_EQ(code, CL_SUCCESS);
     for (int stage = 0; stage < PLAIT_STAGE_COUNT; ++stage) {
         const plait_stage_info& info = *plait_stage_describe(static_cast<plait_stage>(stage));
-        const std::string name = std::string("cl/") + info.name + ".cl";
-        const auto built = build_stage(programs, candidate, info,
-                                       {name, std::string(stage_text(info.name))}, Log{});
+        const auto built = build_stage(programs, candidate, info, program_text(info.stage), Log{});
         EXPECT_TRUE(built.ok()) << built.error().message;
     }
 }

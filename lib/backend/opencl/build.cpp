@@ -25,7 +25,9 @@ Result<StageKernel> build(Programs& programs, const Candidate& device,
                           const ProgramFolder& folder, const Variant& variant, const Log& log) {
     auto source = flatten(text.name, text.text);
     PLAIT_TRY(source);
-    const std::string options = build_options(device, stage.space, variant);
+    // Of warnings in our kernels a game has no use, and PoCL prints how many there were.
+    const std::string options =
+        build_options(device, stage.space, variant) + (text.own ? "" : " -w");
     const ProgramRequest request{device, *source, options, folder, log};
     const auto program = programs.get(request);
     PLAIT_TRY(program);
@@ -36,10 +38,9 @@ Result<StageKernel> build(Programs& programs, const Candidate& device,
     for (const std::string& sentence : *unchecked)
         if (!program->from_binary) // which has no names of arguments with most drivers
             log(PLAIT_LOG_LEVEL_WARNING, sentence);
-    programs.keep(request, *program);
     const char* how = !program->is_new ? "shared" : program->from_binary ? "loaded" : "built";
     log(PLAIT_LOG_LEVEL_DEBUG, format("stage %s: %s, %s", stage.name, how, text.name.c_str()));
-    StageKernel built{std::move(*kernel)};
+    StageKernel built{std::move(*kernel), program->program, program->key};
     const cl_int code =
         clGetKernelWorkGroupInfo(built.kernel.get(), device.device, CL_KERNEL_WORK_GROUP_SIZE,
                                  sizeof built.group_limit, &built.group_limit, nullptr);

@@ -14,10 +14,13 @@ namespace plait::opencl {
 struct StageText {
     std::string name; // of the file, for messages
     std::string text;
+    bool own = false; // the user's
 };
 
 struct StageKernel {
     Kernel kernel;
+    Program program;
+    std::string key;        // of the program in a folder
     size_t group_limit = 0; // CL_KERNEL_WORK_GROUP_SIZE
 };
 

@@ -2,7 +2,7 @@
 
 #include "backend/opencl/errors.hpp"
 #include "backend/opencl/group_sums.hpp"
-#include "backend/opencl/source.hpp"
+#include "backend/opencl/program_text.hpp"
 #include "base/format.hpp"
 
 namespace plait::opencl {
@@ -29,10 +29,17 @@ Device::Device(Session session, Log log, const Calls& calls, ProgramFolder folde
       side_queues_(Context::share(session_.programs->context()), session_.candidate.device,
                    session_.candidate.info.compute_units, calls) {
     for (int stage = 0; stage < PLAIT_STAGE_COUNT; ++stage) {
-        const std::string name = plait_stage_describe(static_cast<plait_stage>(stage))->name;
-        const std::string_view text = stage_text(name);
-        if (!text.empty())
-            texts_[static_cast<size_t>(stage)] = {"cl/" + name + ".cl", std::string(text)};
+        auto text = program_text(static_cast<plait_stage>(stage));
+        if (!text.text.empty())
+            texts_[static_cast<size_t>(stage)] = std::move(text);
+    }
+}
+
+// What no call waited for since.
+Device::~Device() {
+    try {
+        keep_changed();
+    } catch (...) { // no memory for it: they are not kept
     }
 }
 
@@ -63,6 +70,7 @@ Result<const StageKernel*> Device::kernel(const plait_stage_info& stage, const V
                                  *texts_[stage.stage], log_, folder_, variant);
         PLAIT_TRY(built);
         found = kernels_.emplace(key, std::move(*built)).first;
+        changed_.push_back(&found->second);
     }
     return &found->second;
 }
@@ -119,6 +127,12 @@ Status Device::read(const Buffer& buffer, size_t first, size_t count, void* dst)
 }
 
 Status Device::wait() {
+    PLAIT_TRY(finish());
+    keep_changed();
+    return {};
+}
+
+Status Device::finish() {
     // The clFinish of Mesa 22.3 waits for what has not been flushed, and for nothing else: a
     // marker, which every command before it must end for.
     if (const cl_int code = clEnqueueMarkerWithWaitList(queue(), 0, nullptr, nullptr))

@@ -15,6 +15,7 @@
 #include <optional>
 #include <set>
 #include <span>
+#include <vector>
 
 namespace plait::opencl {
 
@@ -39,6 +40,7 @@ class Device {
     // `calls` are the driver's own, or a test's.
     static Result<std::unique_ptr<Device>> open(const plait_open_info& info, const Calls& calls);
 
+    ~Device();
     const plait_device_info& info() const { return session_.candidate.info; }
     cl_command_queue queue() const { return session_.queue.get(); }
     const SideQueues& side_queues() const { return side_queues_; }
@@ -53,7 +55,7 @@ class Device {
     Status submit(std::span<const plait_dispatch> list);
     Status overlap(plait_overlap what);
     Status prepare(std::span<const plait_dispatch> list); // waits where there was something to do
-    Status wait();
+    Status wait(); // and keeps programs in the folder as they are by now
     Status costs(plait_stage_cost* dst, bool reset);
     Status take_launches(plait_stage_launch* dst, size_t& count); // waits where dst is null
 
@@ -78,6 +80,8 @@ class Device {
     Status launch(const plait_stage_info& stage, const StageKernel& built, const WorkRange& range,
                   cl_event* event) const;
     Status warm_up(const plait_dispatch& dispatch);
+    Status finish();
+    void keep_changed();
 
     Session session_;
     Log log_;
@@ -90,6 +94,7 @@ class Device {
     std::bitset<PLAIT_STAGE_COUNT> own_texts_; // the user's
     std::map<std::pair<plait_stage, Variant>, StageKernel> kernels_;
     std::set<std::pair<const StageKernel*, bool>> warm_; // and whether over a large grid
+    std::vector<const StageKernel*> changed_; // whose program may not be in the folder as it is
     std::optional<Error> lost_;
     std::string last_error_;
 };

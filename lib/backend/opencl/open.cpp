@@ -110,10 +110,11 @@ Status Device::take_sources(std::span<const plait_stage_source> sources) {
             return Error{PLAIT_INVALID_ARGUMENT, format("stage_sources[%td] (%s): source is null",
                                                         &source - sources.data(), stage->name)};
         texts_[stage->stage] = {source.name ? source.name : format("<%s>", stage->name),
-                                source.source};
+                                source.source, true};
         own_texts_.set(stage->stage);
         PLAIT_TRY(kernel(*stage, {}));
     }
+    keep_changed();
     return {};
 }
 

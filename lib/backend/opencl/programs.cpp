@@ -132,9 +132,9 @@ std::string ProgramFolder::file_of(const std::string& key) const {
                   static_cast<unsigned long long>(hash_of(key)));
 }
 
-bool ProgramFolder::has(const std::string& key) const {
+void ProgramFolder::remove(const std::string& key) const {
     std::error_code failed;
-    return std::filesystem::exists(native_path(file_of(key)), failed);
+    std::filesystem::remove(native_path(file_of(key)), failed);
 }
 
 std::string ProgramFolder::load(const std::string& key, const Log& log) const {
@@ -152,6 +152,8 @@ std::string ProgramFolder::load(const std::string& key, const Log& log) const {
         if (checksum == hash_of(binary))
             return binary;
     }
+    file.close();
+    remove(key);
     log(PLAIT_LOG_LEVEL_WARNING, path + ": damaged, or of another program: built anew");
     return {};
 }
@@ -162,12 +164,16 @@ void ProgramFolder::save(const std::string& key, const std::string& binary, cons
         return;
     const std::string path = file_of(key), aside = path + format(".%08x", std::random_device{}());
     const uint64_t checksum = hash_of(binary);
+    std::error_code failed;
+    const size_t size = std::strlen(magic) + key.size() + sizeof checksum + binary.size();
+    if (std::filesystem::file_size(native_path(path), failed) == size && !failed)
+        return;
     std::ofstream file(native_path(aside), std::ios::binary);
     file << magic << key;
     file.write(reinterpret_cast<const char*>(&checksum), sizeof checksum);
     file << binary;
     file.close();
-    std::error_code failed;
+    failed.clear();
     if (file)
         std::filesystem::rename(native_path(aside), native_path(path), failed);
     if (file && !failed)
@@ -204,26 +210,26 @@ Result<BuiltProgram> Programs::get(const ProgramRequest& request) {
     const std::scoped_lock lock(mutex_);
     if (const auto found = built_.find(key); found != built_.end())
         return found->second;
-    BuiltProgram built{{}, false, true};
-    if (const std::string binary = request.folder.load(key, request.log); !binary.empty())
+    BuiltProgram built{{}, key, false, true};
+    if (const std::string binary = request.folder.load(key, request.log); !binary.empty()) {
         built.program = build_binary(context(), request, binary);
+        if (!built.program)
+            request.folder.remove(key);
+    }
     built.from_binary = static_cast<bool>(built.program);
     if (!built.program) {
         auto program = build_source(context(), request);
         PLAIT_TRY(program);
         built.program = std::move(*program);
     }
-    built_.emplace(key, BuiltProgram{built.program, built.from_binary, false});
+    built_.emplace(key, BuiltProgram{built.program, key, built.from_binary, false});
     return built;
 }
 
-void Programs::keep(const ProgramRequest& request, const BuiltProgram& built) const {
-    if (!request.folder || (built.is_new && built.from_binary))
-        return;
-    const std::string key = key_of(request);
-    if (built.is_new || !request.folder.has(key))
-        request.folder.save(key, binary_of(built.program.get(), request.device.device),
-                            request.log);
+void keep_program(const ProgramFolder& folder, const std::string& key, cl_program program,
+                  cl_device_id device, const Log& log) {
+    if (folder)
+        folder.save(key, binary_of(program, device), log);
 }
 
 } // namespace plait::opencl

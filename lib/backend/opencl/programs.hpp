@@ -23,9 +23,10 @@ class ProgramFolder {
     // Makes the folder where it is not there. @errors IO: names it
     static Result<ProgramFolder> open(const char* path);
 
-    bool has(const std::string& key) const;
-    // "" where there is none; what is there and cannot be used is said to the log.
+    // "" where there is none; what is there and cannot be used is said to the log, and removed.
     std::string load(const std::string& key, const Log& log) const;
+    void remove(const std::string& key) const;
+    // Unless it has one of that size: a driver adds to a program what it compiles when a kernel runs.
     void save(const std::string& key, const std::string& binary, const Log& log) const;
 
     explicit operator bool() const { return !path_.empty(); }
@@ -46,6 +47,7 @@ struct ProgramRequest {
 
 struct BuiltProgram {
     Program program;
+    std::string key;  // in a folder
     bool from_binary; // whose source was held to its stage's signature before it was kept
     bool is_new;      // nobody had it in this process
 };
@@ -63,13 +65,15 @@ class Programs {
     cl_context context() const { return context_.get(); }
     // @errors COMPILE with the compiler's whole log
     Result<BuiltProgram> get(const ProgramRequest& request);
-    // Into the request's folder, if there is one that lacks it.
-    void keep(const ProgramRequest& request, const BuiltProgram& built) const;
 
   private:
     Context context_;
     std::mutex mutex_;
     std::map<std::string, BuiltProgram> built_; // by key
 };
+
+// Into the folder, if there is one, as the driver has it by now.
+void keep_program(const ProgramFolder& folder, const std::string& key, cl_program program,
+                  cl_device_id device, const Log& log);
 
 } // namespace plait::opencl

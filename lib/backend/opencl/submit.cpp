@@ -4,6 +4,7 @@
 #include "base/format.hpp"
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace plait::opencl {
@@ -127,6 +128,7 @@ Status Device::warm_up(const plait_dispatch& dispatch) {
     PLAIT_TRY(range);
     if (!warm_.emplace(*found, (*range).global > usual_grid).second)
         return {};
+    changed_.push_back(*found);
     const std::vector<plait_buffer*> none(stage->buffer_count, nullptr);
     // kernels divide by counts before they look at item_count
     const std::vector<uint32_t> ones(stage->params_size / sizeof(uint32_t), 1);
@@ -143,7 +145,17 @@ Status Device::prepare(std::span<const plait_dispatch> list) {
     const size_t before = warm_.size();
     for (const plait_dispatch& dispatch : list)
         PLAIT_TRY(warm_up(dispatch));
-    return warm_.size() == before ? Status{} : wait();
+    return warm_.size() == before ? Status{} : finish();
+}
+
+// Drivers add to a program what they compile when its kernels first run, and PoCL gives its binary but
+// once: when all that is prepared together has run.
+void Device::keep_changed() {
+    std::set<std::string> kept;
+    for (const StageKernel* built : std::exchange(changed_, {}))
+        if (kept.insert(built->key).second)
+            keep_program(folder_, built->key, built->program.get(), session_.candidate.device,
+                         log_);
 }
 
 Status Device::submit(std::span<const plait_dispatch> list) {
