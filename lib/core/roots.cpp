@@ -125,6 +125,13 @@ void Roots::append_poses_of(Schedule& schedule, const plait_pose& head, const Bu
                  {nullptr, own, own, &pose});
 }
 
+void Roots::append_between(Schedule& schedule, const Buffer& from, const Buffer& to, float share,
+                           const Buffer& pose) const {
+    schedule.add(PLAIT_STAGE_roots, layout_.guides,
+                 roots_params(nullptr, identity_pose, identity_pose, share, true),
+                 {nullptr, &from, &to, &pose});
+}
+
 void Roots::arrive() {
     if (aimed)
         std::swap(at_, target_);

@@ -43,6 +43,9 @@ class Roots {
     // their own is as at the step's begin.
     plait_pose before(double share) const { return interpolate(before_.head, from_.head, share); }
     void append_poses_of(Schedule& schedule, const plait_pose& head, const Buffer& pose) const;
+    // On the straight path between poses of all roots; a share below 0 lies before it.
+    void append_between(Schedule& schedule, const Buffer& from, const Buffer& to, float share,
+                        const Buffer& pose) const;
     // No path: the step begins and ends where the roots are now.
     void stop(Schedule& schedule) { jump(schedule, 0); }
     // The same, at share `end` of the call, but that the head has come there as it moved before.

@@ -320,8 +320,11 @@ Status Sim::set_settings(std::span<const Settings> settings) {
     if (!status) {
         model_->swap();
         (void)take_substeps(before); // there is room for them
+        return status;
     }
-    return status;
+    schedule_.clear();
+    append_motion_of_substeps(before);
+    return submit();
 }
 
 Status Sim::bind_roots(const Mesh* mesh, std::span<plait_root_place> places) {
@@ -401,6 +404,22 @@ void Sim::append_no_motion() {
     roots_.append_poses_now(schedule_, pose_was_);
     for (const Buffer& before : pose_before_)
         roots_.append_poses_now(schedule_, before);
+}
+
+// A head that was placed and has not set off since has moved in the last of other substeps as it did in
+// that of the first group before.
+void Sim::append_motion_of_substeps(std::span<const uint32_t> before) {
+    if (motion_ == Motion::known || motion_ == Motion::framed)
+        return; // the next step says it
+    const auto share = [&](size_t group) {
+        return 1 - static_cast<float>(before[0]) / static_cast<float>(substeps_[group]);
+    };
+    for (size_t g = substeps_.size() - 1; g > 0; --g)
+        roots_.append_between(schedule_, pose_before_[0], pose_was_, share(g), pose_before_[g]);
+    if (before[0] == substeps_[0])
+        return;
+    roots_.append_between(schedule_, pose_before_[0], pose_was_, share(0), pose_spare_);
+    std::swap(pose_before_[0], pose_spare_);
 }
 
 // How the head has moved in the last substep; where it was placed before and has not set off since, that

@@ -235,6 +235,7 @@ class Sim {
     Status make_poses(Buffer& to, const char* name);
     Status make_poses_before();
     void append_no_motion();
+    void append_motion_of_substeps(std::span<const uint32_t> before);
     void append_last_motion();
     Status forget_sides_of_left(const plait_pose& before, const plait_pose& after);
     Status place_colliders();
