@@ -2,7 +2,7 @@
  * and ends at a part of their straight way from where they were to where the caller puts them.
  *
  * Items   vertices of the mesh.
- * Reads   mesh_at, mesh_target.
+ * Reads   mesh_at, mesh_target, each times a scale, to the groom's units.
  * Moves   mesh_from, mesh_to.
  * Source  ours, as poses go (docs/stages/roots.md).
  */
@@ -16,7 +16,8 @@ __kernel void plait_mesh_pose(const uint item_count, const plait_mesh_pose_param
     if (item >= item_count)
         return;
     const size_t vertex = (size_t)params.begins + item;
-    const float4 at = mesh_at[item], target = mesh_target[item];
+    const float4 at = params.at_scale * mesh_at[item];
+    const float4 target = params.target_scale * mesh_target[item];
     mesh_from[vertex] = mesh_to[vertex];
     /* at the end to the bit */
     mesh_to[vertex] = params.part < 1.0f ? at + params.part * (target - at) : target;

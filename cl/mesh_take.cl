@@ -2,7 +2,7 @@
  *
  * Items   vertices of the mesh.
  * Reads   mesh_taken, mesh_at.
- * Writes  mesh_target.
+ * Writes  mesh_target: what is taken times params.scale, to the groom's units.
  * Source  ours. What is not finite, or too far away, is no place: the vertex stays where it is.
  */
 #pragma OPENCL FP_CONTRACT OFF
@@ -22,6 +22,6 @@ __kernel void plait_mesh_take(const uint item_count, const plait_mesh_take_param
     const float x = taken[0], y = taken[1], z = taken[2];
     const float4 at = mesh_at[item];
     mesh_target[item] = is_place(x) && is_place(y) && is_place(z)
-                            ? (float4)(x, y, z, 0.0f)
+                            ? (float4)(params.scale * (float3)(x, y, z), 0.0f)
                             : (float4)(at.x, at.y, at.z, 0.0f);
 }

@@ -2,10 +2,14 @@
  * time between two calls.
  *
  * Items   vertices.
- * Reads   pin_at, pin.
+ * Reads   pin_at, pin: targets in the world times a scale each, to the groom's units.
  * Writes  pin_to.
  */
 #include "common/pin.clh"
+
+static inline float4 in_units(float4 pin, float scale) {
+    return pin.w > 0.0f ? (float4)(scale * pin.xyz, pin.w) : pin;
+}
 
 __kernel void plait_pins(const uint item_count, const plait_pins_params params,
                          __global const float4* pin_at, __global const float4* pin,
@@ -13,6 +17,6 @@ __kernel void plait_pins(const uint item_count, const plait_pins_params params,
     const uint i = get_global_id(0);
     if (i >= item_count)
         return;
-    const float4 to = pin[i];
-    pin_to[i] = pin_between(pin_at[i], to, params.alpha);
+    pin_to[i] = pin_between(in_units(pin_at[i], params.at_scale),
+                            in_units(pin[i], params.target_scale), params.alpha);
 }

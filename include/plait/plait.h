@@ -874,6 +874,7 @@ typedef struct plait_sim_info {
     float worst_stiffening; /* of a joint: its bend stiffness / the material's; 1: none */
     char warning[512];      /* what is likely wrong with groom, units or material, or a kernel
                                of the caller's left out, as logged at creation and now; "": none */
+    float scale;            /* of the roots, their bones' included */
 } plait_sim_info;
 
 PLAIT_API void plait_sim_info_init(plait_sim_info* info, size_t size);
@@ -955,6 +956,10 @@ typedef struct plait_roots {
     plait_view mesh_positions; /* float[3], m, each [-1e6, 1e6], where the vertices are of the mesh
                                   that plait_sim_bind_roots bound the roots to, before head; or
                                   empty. At most one of these three is given */
+    float scale; /* how many times as large as the groom hair is, [1e-3, 1e3], default 1. Bones that
+                    scale alike do so on top of it; all of it is in [1e-3, 1e3]. Places stay metres
+                    of the world: head, root_poses, the bones' translations, mesh_positions. No
+                    reflection: neither below 0 nor by a bone */
 } plait_roots;
 
 PLAIT_API void plait_roots_init(plait_roots* roots, size_t size);
@@ -962,9 +967,16 @@ PLAIT_API void plait_roots_init(plait_roots* roots, size_t size);
  * before; each later call says where it goes. A sim may begin on a head that moves: hair takes on the
  * head's velocity in the first step that has two places to tell it from. Below 0.9 m/s the head is taken
  * to start from rest. The log warns once of a jump that no head makes.
+ * A scale takes hold at once: hair, bodies, grids and the air's eddies are as they were, seen from the
+ * head and in its size, wherever it is; POSITION is as large from the next time on that it is shown. At
+ * any scale hair at rest has the same shape, and moves alike where its head moves so many times as far
+ * (docs/character.md says what is kept). What roots have of their own stays as it lies around its
+ * middle; where they have some a change of scale waits for the device. Of bones the scale is the median
+ * of the cube roots of their determinants, to 1 part in 65536; the log warns once of a bone that has
+ * another by more than 1 %, or other ones along its axes.
  * Copies; checks that counts are the guides' and at least the skin's bones, rotations of length 1
- * within 1e-3, translations within 1e6 m, that bones are finite and map to more than a line. A call
- * that fails changes nothing. */
+ * within 1e-3, translations within 1e6 m, that bones are finite, map to more than a line and do not
+ * mirror, nor mesh_positions where hair grows, and the scale. A call that fails changes nothing. */
 PLAIT_API plait_result plait_sim_set_roots(plait_sim* sim, const plait_roots* roots);
 
 /* Where on a mesh a root is bound. */
@@ -987,9 +999,10 @@ typedef struct plait_root_place {
 PLAIT_API plait_result plait_sim_bind_roots(plait_sim* sim, const plait_mesh* mesh,
                                             plait_root_place* dst, size_t count);
 
-/* Carries the hair rigidly to new roots, at once, without dynamics. Hair keeps its motion relative to the
- * head. If the head moves on as before, turned by the teleport, hair feels nothing. If its velocity in
- * the next step differs by 0.9 m/s or more, hair takes on the new velocity. Checked as in set_roots.
+/* Carries the hair rigidly to new roots, and to their scale, at once, without dynamics. Hair keeps
+ * its motion relative to the head. If the head moves on as before, turned by the teleport, hair feels
+ * nothing. If its velocity in the next step differs by 0.9 m/s or more, hair takes on the new velocity.
+ * Checked as in set_roots.
  * Colliders are at once where their poses were last set: set those that go along before. */
 PLAIT_API plait_result plait_sim_teleport(plait_sim* sim, const plait_roots* roots);
 
@@ -1059,7 +1072,7 @@ typedef struct plait_pin {
     uint32_t strand;       /* a guide */
     uint32_t vertex;       /* 1 to its last; 0, the root, its pose holds. 1 alone does not clamp */
     plait_pin_frame frame; /* REST */
-    float target[3];       /* m, each [-1e6, 1e6]; REST reads none */
+    float target[3];       /* m, each [-1e6, 1e6]; REST reads none. Of GROOM at the groom's size */
     /* N/m, (0, 1e6]. Counted up to max(1e4 m/s^2 M/l, 100 m/h'^2), and to 300 m/s^2 M/d: M the
        strand's mass, l the segment before the vertex, m its mass, h' the substep (BDF2: 2/3 of it),
        d how far it is off. Held so fast it is off by l/100 at most where all of the strand pulls
@@ -1145,12 +1158,13 @@ PLAIT_API void plait_detail_desc_init(plait_detail_desc* desc, size_t size);
 PLAIT_API plait_result plait_sim_set_detail(plait_sim* sim, const plait_detail_desc* desc);
 
 typedef enum plait_field {
-    PLAIT_FIELD_POSITION = 0,      /* float[4] [strands][V]: x, y, z, inverse mass; for display */
-    PLAIT_FIELD_TANGENT = 1,       /* float[4] [strands][V], unit, towards the tip */
-    PLAIT_FIELD_VELOCITY = 2,      /* float[4] [guides][V], m/s */
-    PLAIT_FIELD_REST = 3,          /* float[4] [guides][V] */
-    PLAIT_FIELD_VERTEX_COUNT = 4,  /* uint32_t [strands] */
-    PLAIT_FIELD_GRID_DENSITY = 5,  /* float [nv^3], x fastest, then z, then y: y*nv^2 + z*nv + x */
+    PLAIT_FIELD_POSITION = 0,     /* float[4] [strands][V]: x, y, z, inverse mass; for display */
+    PLAIT_FIELD_TANGENT = 1,      /* float[4] [strands][V], unit, towards the tip */
+    PLAIT_FIELD_VELOCITY = 2,     /* float[4] [guides][V], m/s */
+    PLAIT_FIELD_REST = 3,         /* float[4] [guides][V], at the groom's size */
+    PLAIT_FIELD_VERTEX_COUNT = 4, /* uint32_t [strands] */
+    /* float [nv^3], x fastest, then z, then y: y*nv^2 + z*nv + x. Both of hair at the groom's size */
+    PLAIT_FIELD_GRID_DENSITY = 5,
     PLAIT_FIELD_GRID_VELOCITY = 6, /* float[4] [nv^3]: mean velocity, the grid's frame; rms speed */
     PLAIT_FIELD_POSITION_PREV = 7, /* float[4] [guides][V]: Verlet history */
     /* uint32_t [follows]: the guide that strand guides + i follows, with a follow_map the most */
@@ -1164,8 +1178,8 @@ typedef enum plait_field {
     /* float[4] [guides][V], m/s^2, in the world: acceleration of a vertex beside gravity and air,
        in every model, until it is written again; 0 at first. The caller writes it, or the caller's
        kernel for the stage accelerate does before each fixed step. Where a component is not
-       finite or beyond 1e4 it is taken as 0. Not part of a snapshot. With
-       accelerations */
+       finite or beyond 1e4 it is taken as 0. It acts as on hair of the groom's size, at any scale
+       of the roots, as gravity does. Not part of a snapshot. With accelerations */
     PLAIT_FIELD_ACCELERATION = 11,
     /* float[4] [guides][V]: the target of a vertex that is pinned, m, and the stiffness of what
        holds it there, N/m: w > 0: in the world; w < 0: -w, and the target is a place in the groom
@@ -1292,8 +1306,8 @@ PLAIT_API plait_result plait_follow_learner_create(const plait_groom* groom,
 /* One frame more: where all strands are, m, in the groom's order, and where the roots are then.
  * `positions`: float[3] [strands][V], V any that holds the longest, each within 1e6: what
  * PLAIT_FIELD_POSITION of a sim of `groom` is, with a stride of 16 bytes. `roots`: as
- * plait_sim_set_roots takes them, root_poses for all strands; bones and mesh_positions it does not take. Nothing is kept
- * of either. Takes 5 to 10 us a follow of 32 vertices. A call that fails adds nothing.
+ * plait_sim_set_roots takes them, at any scale, root_poses for all strands; bones and mesh_positions it
+ * does not take. Nothing is kept of either. Takes 5 to 10 us a follow of 32 vertices. A call that fails adds nothing.
  * @errors UNSUPPORTED (bones, mesh_positions) */
 PLAIT_API plait_result plait_follow_learner_add_frame(plait_follow_learner* learner,
                                                       const plait_roots* roots,
@@ -1349,6 +1363,10 @@ typedef struct plait_collider_desc {
     float orientation[4];  /* box: a unit quaternion, x y z w, from its edges to the own frame */
     uint32_t inward; /* capsule, box: 1: hair stays inside of it, as in a hood or a sleeve; 0, the
                               default: outside. Wind, volume and shelter do not see one that is 1 */
+    /* All lengths of its shape are so many times as large, [1e-3, 1e3]; 0, the default: as those of
+       the roots (plait_roots.scale), part of the character; 1: it keeps its size, a floor or a wall.
+       Its pose is in metres of the world, whatever this is */
+    float scale;
 } plait_collider_desc;
 
 PLAIT_API void plait_collider_desc_init(plait_collider_desc* desc, size_t size);
@@ -1402,8 +1420,9 @@ typedef struct plait_collider_mesh_desc {
 } plait_collider_mesh_desc;
 
 PLAIT_API void plait_collider_mesh_desc_init(plait_collider_mesh_desc* desc, size_t size);
-/* The sim keeps what it needs of `mesh`. Waits for the device. Models chain, cosserat, rod and
- * articulated; one mesh per vertex is met in a substep, the deepest, beside all other colliders.
+/* The sim keeps what it needs of `mesh`. It is as large as the roots' scale makes it. Waits for the
+ * device. Models chain, cosserat, rod and articulated; one mesh per vertex is met in a substep, the
+ * deepest, beside all other colliders.
  * @errors INVALID_STATE (model tressfx), INVALID_ARGUMENT (open edges, and others that leave it
  * without sides, where two_sided is 0) */
 PLAIT_API plait_result plait_collider_create_mesh(plait_sim* sim, const plait_mesh* mesh,
@@ -1424,6 +1443,7 @@ typedef struct plait_collider_hull_desc {
     plait_pose pose; /* at creation */
     uint32_t inward; /* 1: hair stays inside, the margin from its faces; 0, the default: outside.
                         Wind, volume and shelter do not see one that is 1 */
+    float scale;     /* as plait_collider_desc.scale, of its faces and its margin; default 0 */
 } plait_collider_hull_desc;
 
 PLAIT_API void plait_collider_hull_desc_init(plait_collider_hull_desc* desc, size_t size);
@@ -1446,7 +1466,8 @@ PLAIT_API plait_result plait_collider_place(plait_sim* sim, plait_collider_id co
                                             const plait_pose* pose);
 /* Where the vertices of a mesh of form NEAREST, PLAIT_MESH_FIELD_POSITIONS, will be at the end of
  * the next plait_sim_step, in the collider's own frame: float[3], m, each [-1e6, 1e6], as many as
- * there are; interpolated from where they are. Kept until it is called again. Hair on it goes along
+ * there are; interpolated from where they are. They have the roots' scale in them, that of the next
+ * step's end. Kept until it is called again, and meanwhile as large as roots are. Hair on it goes along
  * with what moves and stretches under it.
  * @errors NOT_FOUND, INVALID_STATE (no mesh, or of form FIELD), INVALID_ARGUMENT (count; vertex and
  * value) */

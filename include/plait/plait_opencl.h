@@ -66,7 +66,7 @@ typedef struct plait_opencl_positions {
  * buffer again, or it may be released. Who fills it on another queue enqueues a barrier on this one
  * that waits for it before (clEnqueueBarrierWithWaitList). Nothing comes to the host, so that values
  * are not checked there: a vertex with a component that is not finite or outside its range stays
- * where it is.
+ * where it is, and a mesh that is mirrored is not noticed.
  * @errors UNSUPPORTED (not an OpenCL context; the backend lacks a stage), NOT_FOUND, INVALID_STATE
  * (no mesh, or of form FIELD), INVALID_ARGUMENT (count, stride or offset; a buffer that is too small,
  * or of another cl_context). A call that fails changes nothing. */
@@ -75,7 +75,7 @@ PLAIT_API plait_result plait_opencl_collider_set_positions(plait_sim* sim,
                                                            const plait_opencl_positions* positions);
 
 /* plait_sim_set_roots with mesh_positions from the device, in the same way; `head` NULL: the
- * identity. @errors as above, but for colliders; INVALID_ARGUMENT (roots that are bound to no mesh) */
+ * identity. The scale is that of the last call that gave one. @errors as above, but for colliders; INVALID_ARGUMENT (roots that are bound to no mesh) */
 PLAIT_API plait_result plait_opencl_sim_set_roots(plait_sim* sim, const plait_pose* head,
                                                   const plait_opencl_positions* positions);
 

@@ -58,6 +58,7 @@ plait_result plait_follow_learner_add_frame(plait_follow_learner* learner, const
         PLAIT_TRY(api::read_roots(roots, copy));
         FollowLearner::Frame frame;
         PLAIT_TRY(api::read_frame(positions, learner->learner, frame));
+        frame.scale = double(copy.scale);
         return learner->learner.add(copy.input(), frame);
     });
 }

@@ -2,6 +2,7 @@
 
 #include "api/structs.hpp"
 #include "api/view.hpp"
+#include "core/ranges.hpp"
 
 #include <cmath>
 
@@ -59,14 +60,23 @@ Status check_one_way(const plait_roots& roots) {
 
 } // namespace
 
-Status read_roots(const plait_roots* given, RootsCopy& copy) {
+plait_roots default_roots() {
     plait_roots roots{};
+    roots.struct_size = sizeof roots;
     roots.head = identity_pose;
+    roots.scale = 1;
+    return roots;
+}
+
+Status read_roots(const plait_roots* given, RootsCopy& copy) {
+    plait_roots roots = default_roots();
     PLAIT_TRY(read_struct(given, roots, "roots"));
     const auto head = checked_pose(roots.head, "roots->head");
     if (!head)
         return head.error();
     copy.head = *head;
+    PLAIT_TRY(check_range("roots->scale", double(roots.scale), 1e-3f, 1e3));
+    copy.scale = roots.scale;
     PLAIT_TRY(check_one_way(roots));
     PLAIT_TRY(read_own(roots.root_poses, copy));
     PLAIT_TRY(read_bones(roots.bones, copy));

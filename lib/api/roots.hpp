@@ -10,13 +10,15 @@ struct RootsCopy {
     explicit RootsCopy(std::pmr::memory_resource* memory)
         : own(memory), bones(memory), mesh(memory) {}
     plait_pose head{};
+    float scale = 1;
     std::pmr::vector<plait_pose> own;
     std::pmr::vector<BoneMatrix> bones;
     std::pmr::vector<MeshPoint> mesh;
 
-    RootsInput input() const { return {head, own, bones, mesh}; }
+    RootsInput input() { return {head, scale, own, bones, mesh}; }
 };
 
+plait_roots default_roots();
 // INVALID_ARGUMENT names the field, the place, the value and the range; counts are not checked.
 Status read_roots(const plait_roots* given, RootsCopy& copy);
 

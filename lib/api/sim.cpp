@@ -140,9 +140,7 @@ void plait_sim_desc_init(plait_sim_desc* desc, size_t size) {
 }
 
 void plait_roots_init(plait_roots* roots, size_t size) {
-    plait_roots defaults{};
-    defaults.head = identity_pose;
-    api::init_struct(roots, size, defaults);
+    api::init_struct(roots, size, api::default_roots());
 }
 
 plait_result plait_sim_create(plait_context* context, const plait_groom* groom,
@@ -184,7 +182,7 @@ void plait_sim_destroy(plait_sim* sim) {
 
 void plait_sim_info_init(plait_sim_info* info, size_t size) {
     plait_sim_info empty{};
-    empty.worst_stiffening = 1;
+    empty.worst_stiffening = empty.scale = 1;
     api::init_struct(info, size, empty);
 }
 

@@ -260,6 +260,9 @@ Result<BendingMeshes::Places> BendingMeshes::read(Device& device, size_t index) 
         first += entries_[m].vertices();
     const size_t count = entry.vertices();
     PLAIT_TRY(read_points(device, entry.at, 0, count, places.at));
+    for (MeshPoint& point : places.at)
+        for (float& x : point)
+            x *= entry.at_scale;
     places.target = places.at;
     if (entry.aimed)
         PLAIT_TRY(read_points(device, entry.target, 0, count, places.target));
@@ -336,7 +339,7 @@ void BendingMeshes::take_positions(Schedule& schedule, uint32_t slot, const Buff
                                    uint32_t words) {
     Entry& entry = of(slot);
     schedule.add(PLAIT_STAGE_mesh_take, static_cast<uint32_t>(entry.vertices()),
-                 plait_mesh_take_params{words}, {&taken, &entry.at, &entry.target});
+                 plait_mesh_take_params{words, 1}, {&taken, &entry.at, &entry.target});
     entry.posed = entry.aimed = true;
 }
 
@@ -351,11 +354,18 @@ void BendingMeshes::advance(double end) {
     }
 }
 
-void BendingMeshes::append_pose(Schedule& schedule, const Entry& entry, size_t first,
-                                const Buffer& goal, float part) const {
+void BendingMeshes::append_pose(Schedule& schedule, const Entry& entry, size_t first, bool aimed,
+                                float part) const {
     schedule.add(PLAIT_STAGE_mesh_pose, static_cast<uint32_t>(entry.vertices()),
-                 plait_mesh_pose_params{static_cast<uint32_t>(first), part},
-                 {&entry.at, &goal, &buffers_.from, &buffers_.to});
+                 plait_mesh_pose_params{static_cast<uint32_t>(first), part, entry.at_scale,
+                                        aimed ? target_scale_ : entry.at_scale},
+                 {&entry.at, aimed ? &entry.target : &entry.at, &buffers_.from, &buffers_.to});
+}
+
+void BendingMeshes::take_target(Entry& entry) const {
+    entry.at.swap(entry.target);
+    entry.at_scale = target_scale_;
+    entry.aimed = false;
 }
 
 void BendingMeshes::append_fit(Schedule& schedule, const Entry& entry, uint32_t mesh) const {
@@ -377,7 +387,7 @@ void BendingMeshes::append(Schedule& schedule, bool all) const {
     for (size_t m = 0; m < entries_.size(); ++m) {
         const Entry& entry = entries_[m];
         if (entry.poses || all)
-            append_pose(schedule, entry, first, entry.aimed ? entry.target : entry.at, entry.part);
+            append_pose(schedule, entry, first, entry.aimed, entry.part);
         if (entry.fits || all)
             append_fit(schedule, entry, static_cast<uint32_t>(m));
         first += entry.vertices();
@@ -389,8 +399,8 @@ void BendingMeshes::arrive() {
         const bool arrived = std::exchange(entry.poses, false) && entry.part == 1.0f;
         if (!entry.aimed)
             continue;
-        entry.at.swap(entry.target);
-        entry.aimed = entry.still = false;
+        take_target(entry);
+        entry.still = false;
         entry.there = arrived;
     }
 }
@@ -407,7 +417,7 @@ void BendingMeshes::stop(Schedule& schedule) {
         Entry& entry = entries_[m];
         const bool rests = entry.there && entry.still;
         for (int end = 0; end < 2 && !rests; ++end) // of the path
-            append_pose(schedule, entry, first, entry.at, 1);
+            append_pose(schedule, entry, first, false, 1);
         if (!rests || !entry.fitted)
             append_fit(schedule, entry, static_cast<uint32_t>(m));
         entry.there = entry.still = entry.fitted = true;
@@ -421,10 +431,10 @@ void BendingMeshes::place(Schedule& schedule, uint32_t slot) {
         Entry& entry = entries_[m];
         if (entry.slot != slot)
             continue;
-        if (std::exchange(entry.aimed, false))
-            entry.at.swap(entry.target);
+        if (entry.aimed)
+            take_target(entry);
         for (int end = 0; end < 2; ++end) // of the path
-            append_pose(schedule, entry, first, entry.at, 1);
+            append_pose(schedule, entry, first, false, 1);
         append_fit(schedule, entry, static_cast<uint32_t>(m));
         entry.there = entry.still = entry.fitted = true;
     }

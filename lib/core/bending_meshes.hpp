@@ -61,8 +61,9 @@ class BendingMeshes {
         MeshTree tree;
         // Of a sheet, [guides][V][4], on the way to the device: which side each vertex is on; else empty.
         std::pmr::vector<float> sides;
-        Places places;     // on the way to the device, and from one set of buffers to the next
-        Buffer at, target; // float4 [vertices]
+        Places places;      // on the way to the device, and from one set of buffers to the next
+        Buffer at, target;  // float4 [vertices]; target in metres
+        float at_scale = 1; // times `at`: in the groom's units
 
         bool aimed = false;               // the target is not where they are
         bool there = true, still = true;  // the step's end is `at`; its begin its end
@@ -84,7 +85,7 @@ class BendingMeshes {
     Status add(Device& device, Entry&& entry);
     Status remove(Device& device, uint32_t slot);
     Status assign(Device& device, Entries&& entries);
-    // Where vertices are; waits.
+    // Where vertices are; of these the target, where there is one, in metres. Waits.
     Result<Places> read(Device& device, size_t index) const;
 
     // Of a sheet, on which side vertices are; waits.
@@ -96,6 +97,8 @@ class BendingMeshes {
     Status forget_sides(Device& device);
     Status forget_sides(Device& device, std::span<const unsigned char> moved);
 
+    // Of the groom's units one is `scale` metres from now on; meshes keep their size in them.
+    void rescale(float scale) { target_scale_ = 1 / scale; }
     // INVALID_ARGUMENT: not as many as the mesh has.
     Status check_count(uint32_t slot, size_t count) const;
     // m, of all of a mesh: where its vertices will be.
@@ -118,11 +121,16 @@ class BendingMeshes {
     Status make(Device& device, std::span<Entry> entries, BendingBuffers& to) const;
     Status pull(Device& device);
     template <typename Forgets> Status forget_where(Device& device, const Forgets& forgets);
-    void append_pose(Schedule& schedule, const Entry& entry, size_t first, const Buffer& goal,
+    // `aimed`: to its target; else to where it is.
+    void append_pose(Schedule& schedule, const Entry& entry, size_t first, bool aimed,
                      float part) const;
     void append_fit(Schedule& schedule, const Entry& entry, uint32_t mesh) const;
 
-    Entries entries_; // by slot
+    // It is where it was to be.
+    void take_target(Entry& entry) const;
+
+    Entries entries_;        // by slot
+    float target_scale_ = 1; // times targets: in the groom's units
     BendingBuffers buffers_;
 };
 

@@ -32,6 +32,16 @@ void take_shape(Colliders::Slot& slot, const plait_collider_desc& desc) {
     slot.rounding = desc.rounding;
     std::copy_n(desc.orientation, 4, slot.orientation);
     slot.form = desc.inward;
+    slot.scale = desc.scale;
+}
+
+// Its shape, `size` times as large.
+Colliders::Slot resized(Colliders::Slot slot, float size) {
+    for (float* vector : {slot.a, slot.b, slot.half_extents})
+        std::for_each(vector, vector + 3, [&](float& x) { x *= size; });
+    for (float* length : {&slot.radius_a, &slot.radius_b, &slot.rounding})
+        *length *= size;
+    return slot;
 }
 
 void pack_capsule(const Colliders::Slot& slot, const plait_pose& pose, float* out) {
@@ -174,7 +184,8 @@ Colliders::Slot& Colliders::take_slot(const plait_pose& pose) {
     faces_.resize(slots_.size());
     slot->generation += 1;
     slot->alive = 1;
-    slot->at = slot->target = slot->before = slot->from = slot->to = pose;
+    slot->target = pose;
+    slot->at = slot->before = slot->from = slot->to = goal(*slot);
     ++count_;
     uploaded_ = false;
     return *slot;
@@ -210,6 +221,7 @@ Colliders::create_hull(Device& device, const plait_collider_hull_desc& desc, con
     slot.rounding = desc.margin;
     slot.friction = desc.friction;
     slot.form = desc.inward;
+    slot.scale = desc.scale;
     slot.orientation[3] = 1;
     const auto index = static_cast<size_t>(&slot - slots_.data());
     faces_[index].assign(hull.faces.begin(), hull.faces.end());
@@ -230,7 +242,8 @@ Status Colliders::place(plait_collider_id id, const plait_pose& pose) {
     if (!index)
         return index.error();
     Slot& slot = slots_[*index];
-    slot.at = slot.target = slot.before = slot.from = slot.to = pose;
+    slot.target = pose;
+    slot.at = slot.before = slot.from = slot.to = goal(slot);
     uploaded_ = false;
     return {};
 }
@@ -273,6 +286,7 @@ plait_collider_desc Colliders::shape_of(const Slot& slot) {
     std::copy_n(slot.orientation, 4, desc.orientation);
     if (!is_mesh(slot))
         desc.inward = slot.form;
+    desc.scale = slot.scale;
     return desc;
 }
 
@@ -312,7 +326,7 @@ Status Colliders::advance(Device& device, double end, bool bends) {
         const bool rested = same_pose(slot.from, slot.to) && same_pose(slot.before, slot.to);
         slot.before = slot.from;
         slot.from = slot.to;
-        slot.to = interpolate(slot.at, slot.target, end);
+        slot.to = interpolate(slot.at, goal(slot), end);
         uploaded_ = uploaded_ && (!slot.alive || (rested && same_pose(slot.from, slot.to)));
     }
     return upload(device);
@@ -327,7 +341,7 @@ Status Colliders::upload(Device& device) {
         for (const int order : {0, 1, 2})
             for (const Slot& slot : slots_)
                 if (slot.alive && order_of(slot) == order)
-                    out = pack(slot, on_path(slot, first), on_path(slot, last),
+                    out = pack(resized(slot, size(slot)), on_path(slot, first), on_path(slot, last),
                                {static_cast<float>(first), static_cast<float>(last)}, out);
     };
     for (const uint32_t substeps : substeps_)
@@ -353,15 +367,17 @@ void Colliders::pack_faces(float* out) {
                 last[2] = static_cast<float>((out - first) / 4);
                 last[3] = static_cast<float>(faces_[i].size());
             }
-            for (const HullFace& face : faces_[i])
+            for (HullFace face : faces_[i]) {
+                face[3] *= size(slots_[i]);
                 out = std::ranges::copy(face, out).out;
+            }
             ++row;
         }
 }
 
 void Colliders::arrive() {
     for (Slot& slot : slots_)
-        slot.at = slot.target;
+        slot.at = goal(slot);
 }
 
 void Colliders::stop() {
@@ -372,7 +388,7 @@ void Colliders::stop() {
 
 void Colliders::jump(double end) {
     for (Slot& slot : slots_)
-        slot.before = slot.from = slot.to = interpolate(slot.at, slot.target, end);
+        slot.before = slot.from = slot.to = interpolate(slot.at, goal(slot), end);
     uploaded_ = false;
 }
 
@@ -386,7 +402,22 @@ void Colliders::carry(const plait_pose& motion) {
     uploaded_ = false;
 }
 
-Status Colliders::assign(Device& device, std::span<const Slot> slots, FacesOf&& faces) {
+void Colliders::rescale(float scale, const HeadWays& ways) {
+    scale_ = scale;
+    for (Slot& slot : slots_) {
+        if (!slot.alive)
+            continue;
+        for (const auto& [pose, way] :
+             {std::pair{&slot.at, &ways.at}, std::pair{&slot.before, &ways.before},
+              std::pair{&slot.from, &ways.from}, std::pair{&slot.to, &ways.to}})
+            for (size_t i = 0; i < 3; ++i)
+                pose->t[i] += (*way)[i];
+    }
+    uploaded_ = false;
+}
+
+Status Colliders::assign(Device& device, std::span<const Slot> slots, FacesOf&& faces,
+                         float scale) {
     const auto alive = static_cast<uint32_t>(
         std::count_if(slots.begin(), slots.end(), [](const Slot& s) { return s.alive != 0; }));
     size_t face_count = 0;
@@ -399,6 +430,7 @@ Status Colliders::assign(Device& device, std::span<const Slot> slots, FacesOf&& 
     meshes_ = static_cast<uint32_t>(std::count_if(slots.begin(), slots.end(), is_mesh));
     bending_ = static_cast<uint32_t>(std::count_if(slots.begin(), slots.end(), bends));
     count_ = alive;
+    scale_ = scale;
     uploaded_ = false;
     return {};
 }

@@ -54,6 +54,9 @@ class Colliders {
     }
     void jump(double end);                // no path to share `end` of the call's
     void carry(const plait_pose& motion); // the step's path so far, as Roots
+    // Of the groom's units one is `scale` metres from now on, and the head is so much elsewhere: each
+    // collider is to it as it was.
+    void rescale(float scale, const HeadWays& ways);
 
     struct Slot {
         uint32_t generation = 0;
@@ -70,8 +73,11 @@ class Colliders {
         float half_extents[3] = {};
         float rounding = 0;
         float orientation[4] = {};
-        plait_pose at = identity_pose, target = identity_pose; // of the call
-        plait_pose from = identity_pose, to = identity_pose;   // of the step
+        float scale = 0;                   // 0: that of the roots
+        plait_pose target = identity_pose; // of the call, in metres of the world
+        // All others are in the groom's units.
+        plait_pose at = identity_pose;                       // of the call
+        plait_pose from = identity_pose, to = identity_pose; // of the step
         plait_pose before = identity_pose; // where the step before began: the path bends through it
     };
     static bool bends(const Slot& slot) {
@@ -88,15 +94,19 @@ class Colliders {
     }
     static plait_collider_desc shape_of(const Slot& slot); // its pose is zero
     std::span<const Slot> slots() const { return slots_; }
+    // Its target, in the groom's units.
+    plait_pose goal(const Slot& slot) const { return in_units(slot.target, scale_); }
     using Faces = std::pmr::vector<HullFace>;
     using FacesOf = std::pmr::vector<Faces>; // [slots], of what is no hull none
     const FacesOf& faces() const { return faces_; }
-    Status assign(Device& device, std::span<const Slot> slots, FacesOf&& faces);
+    Status assign(Device& device, std::span<const Slot> slots, FacesOf&& faces, float scale);
 
   private:
     Slot& take_slot(const plait_pose& pose);
     Status reserve(Device& device, size_t count, size_t faces);
     plait_pose on_path(const Slot& slot, double share) const;
+    // Lengths of its shape are so many of the groom's units for each that it says.
+    float size(const Slot& slot) const { return slot.scale == 0 ? 1 : slot.scale / scale_; }
     void pack_faces(float* out);
     size_t rows(size_t count) const; // of their paths
 
@@ -106,6 +116,7 @@ class Colliders {
     std::pmr::vector<float> packed_; // scratch for uploads
     uint32_t count_ = 0, meshes_ = 0, bending_ = 0;
     size_t face_count_ = 0; // of all hulls
+    float scale_ = 1;       // m, one of the groom's units
     bool bends_ = false;    // the step's path, as that of the roots
     bool uploaded_ = false; // the buffer holds the step's path
     Buffer buffer_;

@@ -150,6 +150,7 @@ plait_sim_info Sim::describe() const {
     info.worst_stiffening_strand = sag.stiffening_strand;
     info.sag_residual = static_cast<float>(sag.residual);
     info.worst_stiffening = static_cast<float>(sag.stiffening);
+    info.scale = scale_;
     const std::string text = warning();
     text.copy(info.warning, sizeof info.warning - 1);
     return info;

@@ -50,6 +50,11 @@ void append_out_of_colliders(Schedule& schedule, const Substep& at, const Buffer
                      row);
 }
 
+void append_copy(Schedule& schedule, uint32_t vertices, const plait_last_frame_params& params,
+                 const Buffer& from, const Buffer& to) {
+    schedule.add(PLAIT_STAGE_last_frame, vertices, params, {&from, &to});
+}
+
 } // namespace
 
 Result<Display> Display::create(Device& device, const Groom& groom, const Layout& layout,
@@ -84,16 +89,24 @@ Status Display::interpolate(Device& device, Schedule& schedule, const Layout& la
     PLAIT_TRY(make_between(device, layout));
     position_out_ = std::move(state.position);
     state.position = std::move(position);
-    schedule.add(PLAIT_STAGE_last_frame, layout.guide_vertices(), plait_layout_params{layout.row},
-                 {&position_out_, &state.position});
+    append_copy(schedule, layout.guide_vertices(), {layout.row, 1}, position_out_, state.position);
     append_step_before(schedule, layout, state);
+    return {};
+}
+
+Status Display::open_scale(Device& device, Schedule& schedule, const Layout& layout, State& state) {
+    Buffer position;
+    PLAIT_TRY(device.create(position, PLAIT_ELEMENT_FLOAT4, layout.vertices(), "position"));
+    position.swap(interpolates() ? position_out_ : state.position);
+    scaled_ = std::move(position);
+    append_copy(schedule, layout.vertices(), {layout.row, 1}, scaled_, this->position(state));
     return {};
 }
 
 void Display::append_interpolation(Schedule& schedule, const Layout& layout,
                                    const State& state) const {
-    schedule.add(PLAIT_STAGE_last_frame, layout.guide_vertices(), plait_layout_params{layout.row},
-                 {&state.position, &state.position_prev});
+    append_copy(schedule, layout.guide_vertices(), {layout.row, 1}, state.position,
+                state.position_prev);
     schedule.add(PLAIT_STAGE_snapshot, layout.guide_vertices(), plait_layout_params{layout.row},
                  {&state.pose, &state.position, &state.position_prev});
     schedule.add(PLAIT_STAGE_output, layout.guide_vertices(), plait_output_params{layout.row, 1},
@@ -206,15 +219,14 @@ void Display::append_step_before(Schedule& schedule, const Layout& layout,
 void Display::append_frame_before(Schedule& schedule, const Layout& layout,
                                   const State& state) const {
     if (last_frame_)
-        schedule.add(PLAIT_STAGE_last_frame, layout.vertices(), plait_layout_params{layout.row},
-                     {&position(state), &last_frame_});
+        append_copy(schedule, layout.vertices(), {layout.row, 1}, shown(state), last_frame_);
 }
 
 void Display::append(Schedule& schedule, const Substep& at, const Roots& roots, float remainder,
                      Tangents tangents) const {
     const Layout& layout = at.layout;
     const State& state = at.state;
-    const Buffer& shown = position(state);
+    const Buffer& shown = position(state); // at the groom's size until the end
     const Buffer& pose = interpolates() ? pose_now_ : state.pose;
     if (interpolates()) {
         roots.append_poses_now(schedule, pose_now_);
@@ -241,11 +253,13 @@ void Display::append(Schedule& schedule, const Substep& at, const Roots& roots, 
         schedule.add(PLAIT_STAGE_tangents, (layout.strands() - first) * layout.row,
                      plait_tangents_params{layout.row, first},
                      {&state.vertex_count, &shown, &tangent_});
+    if (has_scale())
+        append_copy(schedule, layout.vertices(), {layout.row, scale}, shown, scaled_);
 }
 
 uint64_t Display::device_bytes() const {
     uint64_t bytes = 0;
-    for (const Buffer* buffer : {&tangent_, &follow_guide_, &follow_offset_, &last_frame_,
+    for (const Buffer* buffer : {&tangent_, &follow_guide_, &follow_offset_, &last_frame_, &scaled_,
                                  &position_local_, &position_out_, &pose_now_})
         bytes += buffer->bytes();
     return bytes + turns_.device_bytes() + detail_.device_bytes() + wet_.device_bytes();

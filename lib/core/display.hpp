@@ -40,6 +40,11 @@ class Display {
     // From now on it does: what was shown stays the buffer that is shown, and the state gets one of its
     // own. Fails without an effect.
     Status interpolate(Device& device, Schedule& schedule, const Layout& layout, State& state);
+    // From now on what is shown has a size of its own, at first that of the groom: what was shown stays
+    // the buffer that is, and what is computed gets one of its own. Fails without an effect.
+    Status open_scale(Device& device, Schedule& schedule, const Layout& layout, State& state);
+    bool has_scale() const { return static_cast<bool>(scaled_); }
+    float scale = 1; // of what is shown next; 1 where it has no size of its own
     // The stages that this takes later, in any buffers.
     void append_interpolation(Schedule& schedule, const Layout& layout, const State& state) const;
     // What keeps the present step as the one before the last.
@@ -64,8 +69,8 @@ class Display {
                         std::pmr::memory_resource* memory);
     void exchange(Detail& detail) { std::swap(detail_, detail); }
 
-    const Buffer& position(const State& state) const {
-        return interpolates() ? position_out_ : state.position;
+    const Buffer& shown(const State& state) const {
+        return has_scale() ? scaled_ : position(state);
     }
     const Buffer& tangent() const { return tangent_; }
     const Buffer& follow_guide() const { return follow_guide_; } // none without follows
@@ -74,6 +79,10 @@ class Display {
     uint64_t device_bytes() const;
 
   private:
+    // The same at the groom's size.
+    const Buffer& position(const State& state) const {
+        return interpolates() ? position_out_ : state.position;
+    }
     Status make_between(Device& device, const Layout& layout);
     Status make_follows(Device& device, const Groom& groom, const Layout& layout,
                         const FollowRules& rules, std::pmr::memory_resource* memory);
@@ -92,6 +101,7 @@ class Display {
     Detail detail_;        // where it is set only
     Detail wet_;           // where strands may be wet only
     Buffer last_frame_;    // float4 [strands*V]
+    Buffer scaled_;        // float4 [strands*V], from the first scale on
     // With interpolation only.
     Buffer position_local_; // float4 [guides*V]: the step before the last, in its root frames
     Buffer position_out_;   // float4 [strands*V]

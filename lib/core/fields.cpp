@@ -31,13 +31,31 @@ Status check_vectors(const float* values, size_t count, const char* field, float
     return {};
 }
 
+// xyz of each, as the world has it.
+void multiply(std::span<float> values, float scale) {
+    for (size_t i = 0; i < values.size(); ++i)
+        values[i] *= i % 4 == 3 ? 1 : scale;
+}
+
+// Whether `world`, m, was read from `own`, which was multiplied before or after it was rounded.
+bool was_read(float world, float own, float scale) {
+    constexpr float rounding = 2.5e-7f;
+    return scale == 1 ? world == own : std::abs(world - own * scale) <= rounding * std::abs(world);
+}
+
+// A place of the world, m, in the groom's units; what was read from there keeps its bits.
+void take_place(const float* world, float scale, Float4& own) {
+    for (size_t i = 0; i < 3; ++i)
+        own[i] = was_read(world[i], own[i], scale) ? own[i] : world[i] / scale;
+}
+
 } // namespace
 
 // The buffer a field is read from; velocity is measured from two of them.
 Result<const Buffer*> Sim::field_buffer(plait_field field) const {
     switch (field) {
     case PLAIT_FIELD_POSITION:
-        return &display_.position(state_);
+        return &display_.shown(state_);
     case PLAIT_FIELD_TANGENT:
         return &display_.tangent();
     case PLAIT_FIELD_REST:
@@ -93,7 +111,7 @@ void Sim::add_bounds() {
     const uint32_t count = layout_.vertices(), share = (count - 1) / runs + 1;
     const uint32_t used = (count - 1) / share + 1;
     schedule_.add(PLAIT_STAGE_bounds, used, plait_bounds_params{count, share, 0},
-                  {&display_.position(state_), &boxes_});
+                  {&display_.shown(state_), &boxes_});
     schedule_.add(PLAIT_STAGE_bounds, 1, plait_bounds_params{used, used, 1}, {&boxes_, &box_});
 }
 
@@ -130,7 +148,10 @@ Status Sim::read(plait_field field, void* dst) {
     const auto buffer = filled_field(field);
     if (!buffer)
         return buffer.error();
-    return device().read(**buffer, dst);
+    PLAIT_TRY(device().read(**buffer, dst));
+    if (field == PLAIT_FIELD_POSITION_PREV)
+        multiply({static_cast<float*>(dst), size_t{4} * layout_.guide_vertices()}, scale_);
+    return {};
 }
 
 // Verlet velocity over the last substep; padding has that of its strand's history, at rest 0.
@@ -138,7 +159,7 @@ Status Sim::read_velocity(std::span<float> dst) {
     std::pmr::vector<float> before(dst.size(), &context_.memory);
     PLAIT_TRY(device().read(state_.position_prev, before.data()));
     PLAIT_TRY(device().read(state_.position, 0, layout_.guide_vertices(), dst.data()));
-    const float rate = 1 / substep_length();
+    const float rate = scale_ / substep_length();
     for (size_t i = 0; i < dst.size(); ++i)
         dst[i] = i % 4 == 3 ? 0 : (dst[i] - before[i]) * rate;
     return {};
@@ -151,7 +172,7 @@ Status Sim::write_velocity(const float* src) {
     std::pmr::vector<float> history(count, &context_.memory);
     PLAIT_TRY(device().read(state_.position, 0, layout_.guide_vertices(), now.data()));
     for (const int steps : {1, 2}) {
-        const float h = static_cast<float>(steps) * substep_length();
+        const float h = static_cast<float>(steps) * substep_length() / scale_;
         for (size_t i = 0; i < count; ++i)
             history[i] = i % 4 == 3 ? now[i] : now[i] - h * src[i];
         const Buffer& to = steps == 1 ? state_.position_prev : state_.position_prev2;
@@ -167,7 +188,7 @@ Status Sim::write_places(const Buffer& to, const float* src) {
     std::pmr::vector<Float4> merged(vertices, &context_.memory);
     PLAIT_TRY(device().read(to, 0, vertices, merged.data()));
     for (size_t i = 0; i < vertices; ++i)
-        std::copy_n(src + 4 * i, 3, merged[i].begin());
+        take_place(src + 4 * i, scale_, merged[i]);
     return device().write(to, 0, vertices, merged.data());
 }
 
@@ -178,19 +199,20 @@ Status Sim::write_positions(const float* src) {
     PLAIT_TRY(device().read(state_.position, 0, vertices, now.data()));
     std::pmr::vector<unsigned char> moved(vertices, &context_.memory);
     for (size_t i = 0; i < vertices; ++i)
-        moved[i] = !std::equal(src + 4 * i, src + 4 * i + 3, now[i].begin());
+        moved[i] = !std::equal(src + 4 * i, src + 4 * i + 3, now[i].begin(),
+                               [&](float x, float own) { return was_read(x, own, scale_); });
     for (const Buffer* to : {&state_.position_prev, &state_.position_prev2}) {
         if (!*to)
             continue;
         PLAIT_TRY(device().read(*to, history.data()));
         for (size_t i = 0; i < vertices; ++i)
             for (size_t k = 0; moved[i] && k < 3; ++k)
-                history[i][k] += src[4 * i + k] - now[i][k];
+                history[i][k] += src[4 * i + k] / scale_ - now[i][k];
         PLAIT_TRY(device().write(*to, history.data()));
     }
     PLAIT_TRY(bending_.forget_sides(device(), moved));
     for (size_t i = 0; i < vertices; ++i)
-        std::copy_n(src + 4 * i, 3, now[i].begin());
+        take_place(src + 4 * i, scale_, now[i]);
     return device().write(state_.position, 0, vertices, now.data());
 }
 

@@ -50,7 +50,7 @@ Vector3d point(const float* p) {
 Vector3d read(const FollowLearner::Frame& frame, size_t strand, size_t vertex) {
     float p[3];
     std::memcpy(p, frame.positions + (strand * frame.row + vertex) * frame.stride, sizeof p);
-    return point(p);
+    return point(p) / frame.scale;
 }
 
 struct RootPose {
@@ -66,10 +66,10 @@ RootPose of(const plait_pose& pose) {
 }
 
 RootPose pose_of(const RootsInput& roots, size_t strand) {
-    const RootPose head = of(roots.head);
+    const RootPose head = of(in_units(roots.head, roots.scale));
     if (roots.own.empty())
         return head;
-    const RootPose own = of(roots.own[strand]);
+    const RootPose own = of(in_units(roots.own[strand], roots.scale));
     return {head.q * own.q, head.apply(own.t)};
 }
 
@@ -196,7 +196,7 @@ Status FollowLearner::check_frame(const RootsInput& roots, const Frame& frame) c
                             roots.own.size(), strands())};
     for (size_t strand = 0; strand < strands(); ++strand)
         for (size_t i = 0; i < rest_.vertex_counts[strand]; ++i) {
-            const Vector3d x = read(frame, strand, i);
+            const Vector3d x = read(frame, strand, i) * frame.scale;
             for (Eigen::Index axis = 0; axis < 3; ++axis)
                 if (!(std::abs(x[axis]) <= far))
                     return Error{PLAIT_INVALID_ARGUMENT,

@@ -20,6 +20,7 @@ class FollowLearner {
         const unsigned char* positions = nullptr;
         size_t stride = 0;
         size_t row = 0;
+        double scale = 1; // m, one of the groom's units
     };
     size_t strands() const { return rest_.vertex_counts.size(); }
     uint32_t longest() const { return longest_; } // vertices

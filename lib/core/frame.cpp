@@ -68,6 +68,11 @@ void Frame::jump(double end) {
     from_ = to_;
 }
 
+void Frame::rescale(double ratio) {
+    for (plait_pose* pose : {&at_, &target_, &from_, &to_, &unfelt_before_, &unfelt_})
+        plait::rescale(*pose, ratio);
+}
+
 // About the frame's origin.
 plait_pose Frame::part(double translation, double rotation) const {
     if (aims_ == 0)

@@ -23,6 +23,8 @@ class Frame {
     void arrive() { at_ = target_; }
     void stop() { from_ = to_ = at_; }
     void jump(double end);
+    // As Roots, with its target.
+    void rescale(double ratio);
 
     // The part of the step's motion that hair does not feel, p -> q*p + t, and of the step before; the
     // identity without a frame.

@@ -294,9 +294,15 @@ Status check_box(const plait_collider_desc& s) {
     return {};
 }
 
+// 0: as the roots.
+Status check_body_scale(float scale) {
+    return scale == 0 ? Status{} : check_range("scale", double(scale), 1e-3f, 1e3);
+}
+
 } // namespace
 
 Status check_collider(const plait_collider_desc& s) {
+    PLAIT_TRY(check_body_scale(s.scale));
     PLAIT_RANGE_ENUM(kind, PLAIT_COLLIDER_KIND_BOX);
     PLAIT_RANGE_3(a, -1e6, 1e6);
     PLAIT_RANGE(friction, 0, 10);
@@ -312,6 +318,7 @@ Status check_collider(const plait_collider_desc& s) {
 }
 
 Status check_hull_collider(const plait_collider_hull_desc& s) {
+    PLAIT_TRY(check_body_scale(s.scale));
     PLAIT_RANGE(margin, 0, 1e3);
     PLAIT_RANGE(friction, 0, 10);
     PLAIT_RANGE(tolerance, double(1e-6f), double(0.1f)); // as float32 has them

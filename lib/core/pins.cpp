@@ -11,10 +11,11 @@ namespace {
 constexpr float stiffest = PLAIT_PIN_HELD; // N/m
 constexpr float farthest = 1e6f;           // m
 
-void add(Schedule& schedule, const Layout& layout, const Buffer& at, const Buffer& pin,
-         const Buffer& to, float alpha) {
-    schedule.add(PLAIT_STAGE_pins, layout.guide_vertices(), plait_pins_params{layout.row, alpha},
-                 {&at, &pin, &to});
+void add_target(Schedule& schedule, const Layout& layout, const State& state, const Buffer& to,
+                float scale) {
+    schedule.add(PLAIT_STAGE_pins, layout.guide_vertices(),
+                 plait_pins_params{layout.row, 1, 1 / scale, 1 / scale},
+                 {&state.pin, &state.pin, &to});
 }
 
 } // namespace
@@ -23,20 +24,25 @@ void advance_pins(State& state) {
     std::swap(state.pin_from, state.pin_to);
 }
 
-void append_pin_targets(Schedule& schedule, const Layout& layout, const State& state, float end) {
+void append_pin_targets(Schedule& schedule, const Layout& layout, const State& state, float end,
+                        float scale) {
     if (state.pin)
-        add(schedule, layout, state.pin_at, state.pin, state.pin_to, end);
+        schedule.add(PLAIT_STAGE_pins, layout.guide_vertices(),
+                     plait_pins_params{layout.row, end, 1, 1 / scale},
+                     {&state.pin_at, &state.pin, &state.pin_to});
 }
 
-void append_pins_arrived(Schedule& schedule, const Layout& layout, const State& state) {
+void append_pins_arrived(Schedule& schedule, const Layout& layout, const State& state,
+                         float scale) {
     if (state.pin)
-        add(schedule, layout, state.pin, state.pin, state.pin_at, 1);
+        add_target(schedule, layout, state, state.pin_at, scale);
 }
 
-void append_stopped_pins(Schedule& schedule, const Layout& layout, const State& state) {
+void append_stopped_pins(Schedule& schedule, const Layout& layout, const State& state,
+                         float scale) {
     if (state.pin)
         for (const Buffer* to : {&state.pin_at, &state.pin_from, &state.pin_to})
-            add(schedule, layout, state.pin, state.pin, *to, 1);
+            add_target(schedule, layout, state, *to, scale);
 }
 
 Status clear_pins(Device& device, const Layout& layout, const State& state,

@@ -12,15 +12,17 @@
 
 namespace plait {
 
-// None of these does anything in a sim without pins.
+// None of these does anything in a sim without pins. `scale`: m, one of the groom's units; targets in the
+// world come in metres.
 // A fixed step begins: what was pin_to is pin_from. append_pin_targets() is due.
 void advance_pins(State& state);
 // Where they are at `end` of the call, [0, 1], as pin_to.
-void append_pin_targets(Schedule& schedule, const Layout& layout, const State& state, float end);
+void append_pin_targets(Schedule& schedule, const Layout& layout, const State& state, float end,
+                        float scale);
 // The call is over: they are where the caller wants them.
-void append_pins_arrived(Schedule& schedule, const Layout& layout, const State& state);
+void append_pins_arrived(Schedule& schedule, const Layout& layout, const State& state, float scale);
 // They have come no way.
-void append_stopped_pins(Schedule& schedule, const Layout& layout, const State& state);
+void append_stopped_pins(Schedule& schedule, const Layout& layout, const State& state, float scale);
 // Waits.
 Status clear_pins(Device& device, const Layout& layout, const State& state,
                   std::pmr::memory_resource* memory);

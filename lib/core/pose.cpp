@@ -8,6 +8,18 @@
 
 namespace plait {
 
+plait_pose in_units(const plait_pose& pose, float scale) {
+    plait_pose own = pose;
+    for (float& t : own.t)
+        t /= scale;
+    return own;
+}
+
+void rescale(plait_pose& pose, double ratio) {
+    for (float& t : pose.t)
+        t = static_cast<float>(ratio * t);
+}
+
 bool same_pose(const plait_pose& a, const plait_pose& b) {
     return std::equal(a.q, a.q + 4, b.q) && std::equal(a.t, a.t + 3, b.t);
 }

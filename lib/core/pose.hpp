@@ -6,9 +6,23 @@
 #include <plait/params.h>
 #include <plait/plait.h>
 
+#include <array>
+
 namespace plait {
 
 inline constexpr plait_pose identity_pose = {{0, 0, 0, 1}, {0, 0, 0}};
+
+// `pose`, whose place is in metres, where `scale` of them are one of the groom's.
+plait_pose in_units(const plait_pose& pose, float scale);
+// `pose` in units of which there are `ratio` times as many.
+void rescale(plait_pose& pose, double ratio);
+
+// By how much a head's places in the groom's units are others since these are other ones: of the call,
+// and of the step before and this one.
+struct HeadWays {
+    using Way = std::array<float, 3>;
+    Way at{}, before{}, from{}, to{};
+};
 
 bool same_pose(const plait_pose& a, const plait_pose& b);
 

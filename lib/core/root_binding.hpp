@@ -6,6 +6,7 @@
 #include "core/schedule.hpp"
 #include "core/state.hpp"
 
+#include <array>
 #include <span>
 
 namespace plait {
@@ -26,13 +27,17 @@ class RootBinding {
     uint32_t farthest_root() const { return farthest_root_; }
     // INVALID_ARGUMENT: not as many as the mesh has.
     Status check_count(size_t positions) const;
-    // Uploads where the vertices are, and appends what makes the strands' poses of them.
+    // The same, and that they do not mirror what the roots are on.
+    Status check(std::span<const MeshPoint> positions) const;
+    // Uploads where the vertices are, in metres, of which `scale` are one of the groom's, and appends
+    // what makes the strands' poses of them.
     Status append(Device& device, Schedule& schedule, const Layout& layout, const State& state,
-                  std::span<const MeshPoint> positions, const Buffer& poses) const;
+                  std::span<const MeshPoint> positions, float scale, const Buffer& poses) const;
     // The same for places on the device, `words` floats from one to the next.
     struct Taken {
         const Buffer& floats;
         uint32_t words;
+        float scale;
     };
     Status take(Device& device, Schedule& schedule, const Layout& layout, const State& state,
                 const Taken& taken, const Buffer& poses);
@@ -47,6 +52,9 @@ class RootBinding {
     uint32_t vertices_ = 0, far_ = 0, turned_ = 0, farthest_root_ = 0;
     float farthest_ = 0;
     std::pmr::memory_resource* memory_ = nullptr;
+    // Four vertices under roots that are far from one plane, and where they are at rest; all alike: none are.
+    std::array<uint32_t, 4> solid_{};
+    std::array<MeshPoint, 4> solid_rest_{};
     Buffer corner_; // uint [3*guides]
     Buffer rest_;   // float4 [vertices]
     Buffer at_;     // float4 [vertices]

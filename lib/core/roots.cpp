@@ -62,12 +62,14 @@ Status Roots::clear_buffers(Device& device) {
     return {};
 }
 
-Status Roots::aim(Device& device, const plait_pose& head, std::span<const plait_pose> own) {
+Status Roots::aim(Device& device, const plait_pose& head, std::span<const plait_pose> own,
+                  float scale) {
     if (!own.empty())
         PLAIT_TRY(make_buffers(device));
     if (at_.poses) {
         std::pmr::vector<PackedPose> packed(layout_.guides, pack(identity_pose), memory_);
-        std::transform(own.begin(), own.end(), packed.begin(), pack);
+        std::transform(own.begin(), own.end(), packed.begin(),
+                       [&](const plait_pose& pose) { return pack(in_units(pose, scale)); });
         PLAIT_TRY(device.upload(target_.poses, packed.data()));
     }
     target_.head = head;
@@ -158,6 +160,78 @@ void Roots::jump(Schedule& schedule, double end) {
     }
     from_.head = carried(from, to, to_.head);
     samples_ = 0;
+}
+
+Result<Roots::OwnPoses> Roots::read_own(Device& device, const Poses& poses) const {
+    OwnPoses own(memory_);
+    if (!poses.own)
+        return own;
+    std::pmr::vector<PackedPose> packed(layout_.guides, PackedPose{}, memory_);
+    PLAIT_TRY(device.read(poses.poses, packed.data()));
+    own.resize(packed.size());
+    std::transform(packed.begin(), packed.end(), own.begin(), [](const PackedPose& p) {
+        return plait_pose{{p[0], p[1], p[2], p[3]}, {p[4], p[5], p[6]}};
+    });
+    return own;
+}
+
+Result<HeadWays> Roots::rescale(Device& device, double ratio) {
+    HeadWays ways;
+    for (const auto& [poses, way] : {std::pair{&at_, &ways.at}, std::pair{&before_, &ways.before},
+                                     std::pair{&from_, &ways.from}, std::pair{&to_, &ways.to}}) {
+        auto own = read_own(device, *poses);
+        if (!own)
+            return own.error();
+        std::array<double, 3> sum{};
+        for (const plait_pose& pose : *own)
+            for (size_t i = 0; i < 3; ++i)
+                sum[i] += double(pose.t[i]);
+        HeadWays::Way middle{}; // by how much it is elsewhere
+        for (size_t i = 0; i < 3 && !own->empty(); ++i)
+            middle[i] = static_cast<float>((ratio - 1) * sum[i] / double(own->size()));
+        for (plait_pose& pose : *own)
+            for (size_t i = 0; i < 3; ++i)
+                pose.t[i] += middle[i];
+        if (!own->empty()) {
+            std::pmr::vector<PackedPose> packed(layout_.guides, PackedPose{}, memory_);
+            std::transform(own->begin(), own->end(), packed.begin(), pack);
+            PLAIT_TRY(device.upload(poses->poses, packed.data()));
+        }
+        const plait_pose was = poses->head;
+        plait::rescale(poses->head, ratio);
+        transform(poses->head, middle.data(), way->data());
+        for (size_t i = 0; i < 3; ++i)
+            (*way)[i] -= was.t[i];
+    }
+    return ways;
+}
+
+Status Roots::fill_next(Device& device, double share, const Buffer& pose) const {
+    const auto before = read_own(device, before_), from = read_own(device, from_),
+               to = read_own(device, to_);
+    for (const auto* own : {&before, &from, &to})
+        PLAIT_TRY(*own);
+    const auto of = [](const OwnPoses& own, size_t root) {
+        return own.empty() ? identity_pose : own[root];
+    };
+    const auto on_path = [&](const plait_pose& b, const plait_pose& f, const plait_pose& t) {
+        return bends() ? on_parabola(b, f, t, share) : interpolate(f, t, share);
+    };
+    const auto after = [](const plait_pose& head, const plait_pose& own) {
+        plait_pose root{};
+        rotation_product(head, own, root.q);
+        transform(head, own.t, root.t);
+        return root;
+    };
+    const plait_pose head = on_path(before_.head, from_.head, to_.head);
+    std::pmr::vector<PackedPose> packed(layout_.guides, PackedPose{}, memory_);
+    for (size_t root = 0; root < packed.size(); ++root) {
+        const plait_pose own = of(*to, root);
+        const plait_pose was = after(head, on_path(of(*before, root), of(*from, root), own));
+        const plait_pose now = after(to_.head, own);
+        packed[root] = pack(carried(now, was, now));
+    }
+    return device.upload(pose, packed.data());
 }
 
 void Roots::carry(const plait_pose& motion) {

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <memory_resource>
+#include <vector>
 
 namespace plait {
 
@@ -23,8 +24,10 @@ class Roots {
     Roots(const Layout& layout, std::pmr::memory_resource* memory)
         : layout_(layout), memory_(memory) {}
 
-    // Sets the target of the next call. `own`: [guides] poses applied before the head, or empty.
-    Status aim(Device& device, const plait_pose& head, std::span<const plait_pose> own);
+    // Sets the target of the next call. `own`: [guides] poses applied before the head, or empty; in
+    // metres, of which `scale` are one of the groom's, as `head` has them already.
+    Status aim(Device& device, const plait_pose& head, std::span<const plait_pose> own,
+               float scale);
     // The same with poses that the caller fills on the device, in between: float4 [2*guides].
     Result<const Buffer*> target_poses(Device& device);
     void aim_at_target_poses(const plait_pose& head);
@@ -56,6 +59,13 @@ class Roots {
     void straighten() { samples_ = std::min(samples_, 1u); }
     // The step's path so far, as it lies in a frame that moves by `motion`.
     void carry(const plait_pose& motion);
+
+    // All but the target is in units of which there are `ratio` times as many. What roots have of their
+    // own stays as it lies around its middle, which goes as the head does. Waits where they have some.
+    Result<HeadWays> rescale(Device& device, double ratio);
+    // Fills `pose` with where roots are after the step, if they go on as since `share` of its path.
+    // Waits as before.
+    Status fill_next(Device& device, double share, const Buffer& pose) const;
 
     // How far the step's path takes the point `p` (m, at rest) of the head.
     std::array<float, 3> head_moves(const float p[3]) const;
@@ -99,6 +109,8 @@ class Roots {
   private:
     void add(Schedule& schedule, const Poses* before, const Poses& from, const Poses& to,
              float alpha, const Buffer& pose) const;
+    using OwnPoses = std::pmr::vector<plait_pose>; // [guides]; or empty: identities
+    Result<OwnPoses> read_own(Device& device, const Poses& poses) const;
     const Poses& goal() const { return aimed ? target_ : at_; }
 
     Layout layout_;

@@ -210,17 +210,6 @@ Status Sim::find_balance() {
     return {};
 }
 
-Status Sim::set_frame(const plait_frame_desc* desc) {
-    if (desc && !frame_.is_on()) {
-        schedule_.clear();
-        model_->carry(schedule_, present(), identity_pose);
-        PLAIT_TRY(check_schedule());
-    }
-    if (frame_.aim(desc) && motion_ == Motion::known)
-        motion_ = Motion::framed;
-    return {};
-}
-
 Status Sim::set_wind(const plait_wind_desc* desc) {
     if (!desc) {
         wind_ = {};
@@ -358,20 +347,28 @@ Status Sim::aim(const RootsInput& input) {
         return Error{PLAIT_INVALID_ARGUMENT,
                      format("root_poses.count is %zu, the sim has %u guides", input.own.size(),
                             layout_.guides)};
-    if (input.bones.empty() && input.mesh.empty())
-        return roots_.aim(device(), input.head, input.own);
-    PLAIT_TRY(input.mesh.empty() ? skin_.check(input.bones)
-                                 : binding_.check_count(input.mesh.size()));
+    const auto scale = scale_of(input);
+    if (!scale)
+        return scale.error();
+    if (!input.mesh.empty())
+        PLAIT_TRY(binding_.check(input.mesh));
+    PLAIT_TRY(open_scale(*scale));
+    const plait_pose head = plait::in_units(input.head, *scale);
+    if (input.bones.empty() && input.mesh.empty()) {
+        PLAIT_TRY(roots_.aim(device(), head, input.own, *scale));
+        return rescale(*scale);
+    }
     const auto poses = roots_.target_poses(device());
     if (!poses)
         return poses.error();
     schedule_.clear();
-    PLAIT_TRY(input.mesh.empty()
-                  ? skin_.append(device(), schedule_, layout_, state_, input.bones, **poses)
-                  : binding_.append(device(), schedule_, layout_, state_, input.mesh, **poses));
+    PLAIT_TRY(input.mesh.empty() ? skin_.append(device(), schedule_, layout_, state_, input.bones,
+                                                *scale / input.scale, *scale, **poses)
+                                 : binding_.append(device(), schedule_, layout_, state_, input.mesh,
+                                                   *scale, **poses));
     PLAIT_TRY(submit());
-    roots_.aim_at_target_poses(input.head);
-    return {};
+    roots_.aim_at_target_poses(head);
+    return rescale(*scale);
 }
 
 // The first aim is where the hair is. An aim at the present place says nothing of the head's motion: a
@@ -387,6 +384,22 @@ Status Sim::aimed() {
 Status Sim::set_roots(const RootsInput& input) {
     PLAIT_TRY(aim(input));
     return aimed();
+}
+
+Status Sim::set_frame(const plait_frame_desc* desc) {
+    if (desc && !frame_.is_on()) {
+        schedule_.clear();
+        model_->carry(schedule_, present(), identity_pose);
+        PLAIT_TRY(check_schedule());
+    }
+    plait_frame_desc own{};
+    if (desc) {
+        own = *desc;
+        own.pose = in_units(desc->pose);
+    }
+    if (frame_.aim(desc ? &own : nullptr) && motion_ == Motion::known)
+        motion_ = Motion::framed;
+    return {};
 }
 
 // One for each number of substeps that strands take.
@@ -449,7 +462,7 @@ Status Sim::place_colliders() {
 Status Sim::forget_sides_of_left(const plait_pose& before, const plait_pose& after) {
     for (const BendingMeshes::Entry& mesh : bending_.entries()) {
         const Colliders::Slot& slot = colliders_.slots()[mesh.slot];
-        if (mesh.two_sided && !goes_along(before, slot.to, after, slot.target))
+        if (mesh.two_sided && !goes_along(before, slot.to, after, colliders_.goal(slot)))
             PLAIT_TRY(bending_.forget_sides(device(), mesh.slot));
     }
     return {};
@@ -490,7 +503,7 @@ Status Sim::place() {
     bending_.stop(schedule_);
     roots_.append_poses_now(schedule_, pose_spare_);
     PLAIT_TRY(place_colliders());
-    append_stopped_pins(schedule_, layout_, state_);
+    append_stopped_pins(schedule_, layout_, state_, scale_);
     append_placed();
     return {};
 }
@@ -518,7 +531,7 @@ Status Sim::reset() {
     bending_.stop(schedule_);
     PLAIT_TRY(bending_.forget_sides(device()));
     PLAIT_TRY(place_colliders());
-    append_stopped_pins(schedule_, layout_, state_);
+    append_stopped_pins(schedule_, layout_, state_, scale_);
     roots_.append_poses_now(schedule_, state_.pose);
     append_no_motion();
     model_->reset(schedule_, present());

@@ -25,11 +25,16 @@
 namespace plait {
 
 // Where the roots shall be: a head, and either nothing, a pose per guide, bones for the skin, or
-// where the vertices of the mesh are that they are bound to.
+// where the vertices of the mesh are that they are bound to. Places are in metres of the world, and hair
+// is `scale` times as large as the groom, by bones that are scaled still more.
+//
+// A sim is in the groom's units, of which each is so many metres: what comes in is divided by it, what
+// is shown or read is multiplied. Nothing else knows of a scale.
 struct RootsInput {
     plait_pose head = identity_pose;
+    float scale = 1;
     std::span<const plait_pose> own;
-    std::span<const BoneMatrix> bones;
+    std::span<BoneMatrix> bones; // taken apart into scale and pose
     std::span<const MeshPoint> mesh;
 };
 
@@ -227,6 +232,11 @@ class Sim {
     bool hair_is_over_lanes() const;
 
     Status show_at_once();
+    // sim_scale.cpp
+    Result<float> scale_of(const RootsInput& input);
+    Status open_scale(float scale);
+    Status rescale(float scale);
+    plait_pose in_units(const plait_pose& pose) const { return plait::in_units(pose, scale_); }
     Status aim(const RootsInput& input);
     Status aimed();
     Status place();
@@ -306,7 +316,7 @@ class Sim {
     Status check_fits(const SnapshotHeader& header) const;
     Result<SettingsList> saved_settings(const SnapshotHeader& header,
                                         const unsigned char* from) const;
-    Status check_block(const Block& block, const unsigned char* from) const;
+    Status check_block(const Block& block, const unsigned char* from, float scale) const;
     Status restore_roots(const SnapshotHeader& header);
     Status save_block(const Block& block, unsigned char* out);
     Status restore_block(const Block& block, const unsigned char* from);
@@ -339,7 +349,10 @@ class Sim {
     bool begun_ = false;                    // roots have been set, or time has passed
     std::array<double, 3> call_velocity_{}; // m/s, of the head in the last call
     bool knows_velocity_ = false, said_jump_ = false;
-    bool first_aim_ = false; // it has placed the head, and no step has been since
+    bool first_aim_ = false;   // it has placed the head, and no step has been since
+    float scale_ = 1;          // m, one of the groom's units
+    bool resized_ = false;     // and another than what is shown has
+    bool said_uneven_ = false; // of bones
     Roots roots_;
     Frame frame_;
     Colliders colliders_;

@@ -14,7 +14,7 @@ Result<std::pmr::vector<float>> Sim::clearance_of(const MeshDistanceOf& distance
     PLAIT_TRY(device().read(state_.rest, 0, layout_.guide_vertices(), rest.data()));
     PLAIT_TRY(device().read(state_.pose, roots.data()));
     return measure_clearance(
-        {distance, desc.pose, rest, roots, layout_.row, desc.margin, desc.clearance != 0},
+        {distance, in_units(desc.pose), rest, roots, layout_.row, desc.margin, desc.clearance != 0},
         &context_.memory);
 }
 
@@ -178,9 +178,10 @@ Status Sim::take_root_positions(const plait_pose& head, uint32_t words) {
     if (!poses)
         return poses.error();
     schedule_.clear();
-    PLAIT_TRY(binding_.take(device(), schedule_, layout_, state_, {taken_, words}, **poses));
+    PLAIT_TRY(
+        binding_.take(device(), schedule_, layout_, state_, {taken_, words, scale_}, **poses));
     PLAIT_TRY(submit());
-    roots_.aim_at_target_poses(head);
+    roots_.aim_at_target_poses(in_units(head));
     return aimed();
 }
 

@@ -80,8 +80,9 @@ Status Sim::step(double dt) {
     colliders_.arrive();
     bending_.arrive();
     append_phases({Moment::call_ends, present(), tick.steps, tick.steps});
-    if (jumps && !display_.interpolates())
+    if ((jumps || (dt == 0 && resized_)) && !display_.interpolates())
         append_shown();
+    resized_ = resized_ && dt > 0 && tick.steps == 0;
     return submit();
 }
 
@@ -94,9 +95,9 @@ void Sim::warn_of_jump(double dt) {
     const auto way = roots_.call_moves(middle.data());
     double square = 0, far = 0;
     for (size_t i = 0; i < 3; ++i) {
-        const double velocity = double(way[i]) / dt;
+        const double velocity = double(scale_) * double(way[i]) / dt;
         square += (velocity - call_velocity_[i]) * (velocity - call_velocity_[i]);
-        far += double(way[i]) * double(way[i]);
+        far += std::pow(double(scale_) * double(way[i]), 2);
         call_velocity_[i] = velocity;
     }
     said_jump_ = std::sqrt(square) > fastest && knows_velocity_;
@@ -131,7 +132,7 @@ Status Sim::skip(double end) {
         bending_.advance(end);
         bending_.append(schedule_, false);
         advance_pins(state_);
-        append_pin_targets(schedule_, layout_, state_, static_cast<float>(end));
+        append_pin_targets(schedule_, layout_, state_, static_cast<float>(end), scale_);
     }
     roots_.append_poses(schedule_, 1, pose_spare_);
     append_placed();
@@ -285,9 +286,9 @@ void Sim::append_meshes(const At& at) {
 
 void Sim::append_pins(const At& at) {
     if (at.moment == Moment::step_begins)
-        append_pin_targets(schedule_, layout_, state_, at.end);
+        append_pin_targets(schedule_, layout_, state_, at.end, scale_);
     if (at.moment == Moment::call_ends)
-        append_pins_arrived(schedule_, layout_, state_);
+        append_pins_arrived(schedule_, layout_, state_, scale_);
 }
 
 // What it is at the end of a fixed step is what all of it is taken with.

@@ -5,10 +5,32 @@
 #include <Eigen/LU>
 #include <Eigen/SVD>
 
+#include <algorithm>
+#include <cmath>
+
 namespace plait {
 namespace {
 
-Status check_bone(const BoneMatrix& bone, size_t index) {
+constexpr double even = 0.01; // bones of scales that differ by less are of one
+
+using Axes = std::array<double, 3>;
+
+// To 1 part in 65536, so that rounding makes no scale of a rotation.
+float rounded(double scale) {
+    int exponent;
+    const double mantissa = std::frexp(scale, &exponent);
+    return static_cast<float>(std::ldexp(std::round(std::ldexp(mantissa, 16)), exponent - 16));
+}
+
+double farthest(const Axes& axes, double scale) {
+    double most = 0;
+    for (const double axis : axes)
+        most = std::max(most, std::abs(axis / scale - 1));
+    return most;
+}
+
+// What it scales by along its axes.
+Result<Axes> check_bone(const BoneMatrix& bone, size_t index) {
     const Eigen::Matrix3d m =
         Eigen::Map<const Eigen::Matrix<float, 3, 4, Eigen::RowMajor>>(bone.data())
             .leftCols<3>()
@@ -23,7 +45,7 @@ Status check_bone(const BoneMatrix& bone, size_t index) {
                      format("bones[%zu] mirrors: its determinant is %g; allowed is above 0. A "
                             "mirrored character is a groom that is mirrored when it is imported",
                             index, m.determinant())};
-    return {};
+    return Axes{singular[0], singular[1], singular[2]};
 }
 
 } // namespace
@@ -45,15 +67,36 @@ Result<Skin> Skin::create(Device& device, const Groom& groom) {
     return skin;
 }
 
-Status Skin::check(std::span<const BoneMatrix> bones) const {
+bool Skin::Scale::is_even() const {
+    return farthest(of_bone, double(all)) <= even;
+}
+
+Result<Skin::Scale> Skin::scale_of(std::span<const BoneMatrix> bones,
+                                   std::pmr::memory_resource* memory) const {
     if (bones_ == 0)
         return Error{PLAIT_INVALID_ARGUMENT, "bones are given, but the groom has no skin"};
     if (bones.size() < bones_)
         return Error{PLAIT_INVALID_ARGUMENT,
                      format("bones.count is %zu, the groom's skin needs %u", bones.size(), bones_)};
-    for (size_t bone = 0; bone < bones_; ++bone)
-        PLAIT_TRY(check_bone(bones[bone], bone));
-    return {};
+    std::pmr::vector<Axes> axes(memory);
+    std::pmr::vector<double> means(memory);
+    for (size_t bone = 0; bone < bones_; ++bone) {
+        const auto own = check_bone(bones[bone], bone);
+        if (!own)
+            return own.error();
+        axes.push_back(*own);
+        means.push_back(std::cbrt((*own)[0] * (*own)[1] * (*own)[2]));
+    }
+    const auto middle = means.begin() + static_cast<std::ptrdiff_t>(means.size() / 2);
+    std::nth_element(means.begin(), middle, means.end());
+    Scale scale;
+    if (*middle > 0) // else most are flat, and tell none
+        scale.all = rounded(*middle);
+    const auto odd = std::ranges::max_element(
+        axes, {}, [&](const Axes& own) { return farthest(own, double(scale.all)); });
+    scale.bone = static_cast<size_t>(odd - axes.begin());
+    scale.of_bone = *odd;
+    return scale;
 }
 
 void Skin::append(Schedule& schedule, const Layout& layout, const State& state,
@@ -64,7 +107,11 @@ void Skin::append(Schedule& schedule, const Layout& layout, const State& state,
 }
 
 Status Skin::append(Device& device, Schedule& schedule, const Layout& layout, const State& state,
-                    std::span<const BoneMatrix> bones, const Buffer& poses) const {
+                    std::span<BoneMatrix> bones, float own, float scale,
+                    const Buffer& poses) const {
+    for (BoneMatrix& bone : bones)
+        for (size_t i = 0; i < bone.size(); ++i)
+            bone[i] /= i % 4 == 3 ? scale : own;
     PLAIT_TRY(device.upload(matrix_, bones.data()));
     append(schedule, layout, state, poses);
     return {};

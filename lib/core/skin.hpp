@@ -7,6 +7,8 @@
 #include "core/schedule.hpp"
 #include "core/state.hpp"
 
+#include <array>
+#include <memory_resource>
 #include <span>
 
 namespace plait {
@@ -19,11 +21,22 @@ class Skin {
     static Result<Skin> create(Device& device, const Groom& groom);
 
     uint32_t bones() const { return bones_; } // 0: no skin
-    // INVALID_ARGUMENT: too few, or a matrix without a closest rotation (rank below two).
-    Status check(std::span<const BoneMatrix> bones) const;
-    // Uploads `bones`, and appends what makes the strands' poses of them.
+    // How many times as large as at rest bones are, together, and of the one that is farthest from it
+    // along its axes.
+    struct Scale {
+        float all = 1;
+        size_t bone = 0;
+        std::array<double, 3> of_bone{1, 1, 1};
+        bool is_even() const;
+    };
+    // INVALID_ARGUMENT: too few, a matrix without a closest rotation (rank below two), or one that
+    // mirrors.
+    Result<Scale> scale_of(std::span<const BoneMatrix> bones,
+                           std::pmr::memory_resource* memory) const;
+    // Uploads `bones` as they are without their scale `own`, and their places, of which `scale` metres
+    // are one of the groom's, and appends what makes the strands' poses of them.
     Status append(Device& device, Schedule& schedule, const Layout& layout, const State& state,
-                  std::span<const BoneMatrix> bones, const Buffer& poses) const;
+                  std::span<BoneMatrix> bones, float own, float scale, const Buffer& poses) const;
     // Appends the same for what is uploaded, to be built.
     void append(Schedule& schedule, const Layout& layout, const State& state,
                 const Buffer& poses) const;

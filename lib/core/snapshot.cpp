@@ -133,6 +133,7 @@ SnapshotHeader Sim::snapshot_header() {
     h.frame = frame_.state();
     h.placed[0] = placed_from_;
     h.placed[1] = placed_to_;
+    h.scale = scale_;
     const auto strands = settings();
     h.switched = std::ranges::any_of(
         strands, [&](const Settings& s) { return s != own_settings(desc_.model); });
@@ -280,7 +281,7 @@ Status Sim::check_fits(const SnapshotHeader& h) const {
 
 // What a kernel can take: positions and velocities at hand, turns that are turns, masses as they
 // are.
-Status Sim::check_block(const Block& block, const unsigned char* from) const {
+Status Sim::check_block(const Block& block, const unsigned char* from, float scale) const {
     const char* name = block.buffer->name();
     const bool poses = block.of == Block::Of::poses, turns = block.of == Block::Of::turns;
     if (block.of == Block::Of::pressures) {
@@ -301,7 +302,7 @@ Status Sim::check_block(const Block& block, const unsigned char* from) const {
             continue;
         }
         for (size_t k = i; k < std::min(i + 4, block.floats); ++k)
-            PLAIT_TRY(check_range(from, k, name));
+            PLAIT_TRY(check_range(from, k, name, scale));
         const auto vertex = static_cast<uint32_t>(i / 4 % layout_.row);
         const float mass = vertex < model_->pinned_vertices() ? 0.0f : 1.0f;
         if (block.of == Block::Of::vertices && float_at(from, i + 3) != mass)
@@ -413,7 +414,7 @@ Status Sim::restore(std::span<const unsigned char> src) {
         return malformed(format("%zu bytes, its header says %zu", src.size(), bytes));
     const unsigned char* at = from;
     for (const Block& block : saved) {
-        PLAIT_TRY(check_block(block, at));
+        PLAIT_TRY(check_block(block, at, h.scale));
         at += block.floats * sizeof(float);
     }
     if (*strands != settings())
@@ -422,6 +423,7 @@ Status Sim::restore(std::span<const unsigned char> src) {
         close_wetness();
     else if (!state_.wetness)
         PLAIT_TRY(open_wetness());
+    PLAIT_TRY(open_scale(h.scale));
     schedule_.clear();
     if (h.kept && desc_.interpolate_output == 2 && !display_.interpolates()) {
         PLAIT_TRY(display_.interpolate(device(), schedule_, layout_, state_));
@@ -429,7 +431,9 @@ Status Sim::restore(std::span<const unsigned char> src) {
     }
     const auto list = blocks(h);
     PLAIT_TRY(take_meshes(std::move(*meshes), std::move(*bending)));
-    PLAIT_TRY(colliders_.assign(device(), *slots, std::move(*faces)));
+    PLAIT_TRY(colliders_.assign(device(), *slots, std::move(*faces), h.scale));
+    scale_ = display_.scale = h.scale;
+    bending_.rescale(h.scale);
     PLAIT_TRY(restore_roots(h));
     if (!h.pins)
         PLAIT_TRY(clear_pins(device(), layout_, state_, &context_.memory));

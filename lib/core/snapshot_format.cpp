@@ -3,6 +3,7 @@
 #include "base/format.hpp"
 #include "base/hash.hpp"
 #include "core/params.hpp"
+#include "core/ranges.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +16,9 @@ namespace {
 constexpr float largest = 4e6f;
 constexpr double unit_error = 1e-2; // of a quaternion's square
 
-Status check_pose(const plait_pose& pose, const char* name) {
+// A place in the groom's units, of which each is `scale` metres.
+Status check_pose(plait_pose pose, const char* name, float scale) {
+    rescale(pose, std::min(1.0, double(scale)));
     const auto checked = checked_pose(pose, name);
     return checked ? Status{} : malformed(checked.error().message);
 }
@@ -30,7 +33,7 @@ Status check_mesh_slot(const Colliders::Slot& slot) {
     Colliders::Slot bare = slot;
     for (float* vector : {bare.a, bare.b, bare.normal, bare.half_extents})
         std::fill_n(vector, 3, 0.0f);
-    bare.radius_a = bare.radius_b = bare.rounding = 0;
+    bare.radius_a = bare.radius_b = bare.rounding = bare.scale = 0;
     std::copy_n(identity_pose.q, 4, bare.orientation);
     if (std::memcmp(&bare, &slot, sizeof slot) != 0)
         return Error{PLAIT_INVALID_ARGUMENT, "is a mesh, and has a shape besides"};
@@ -59,7 +62,7 @@ Status check_shape(const Colliders::Slot& slot) {
                                     : check_collider(Colliders::shape_of(slot));
 }
 
-Status check_slot(const Colliders::Slot& slot, size_t index) {
+Status check_slot(const Colliders::Slot& slot, size_t index, float scale) {
     if (slot.alive > 1)
         return malformed(format("collider %zu: alive is %u, range is [0, 1]", index, slot.alive));
     if (!slot.alive) {
@@ -71,8 +74,9 @@ Status check_slot(const Colliders::Slot& slot, size_t index) {
     }
     if (const auto status = check_shape(slot); !status)
         return malformed(format("collider %zu: %s", index, status.error().message.c_str()));
-    for (const plait_pose* pose : {&slot.at, &slot.target, &slot.from, &slot.to})
-        PLAIT_TRY(check_pose(*pose, "collider"));
+    PLAIT_TRY(check_pose(slot.target, "collider", 1));
+    for (const plait_pose* pose : {&slot.at, &slot.from, &slot.to})
+        PLAIT_TRY(check_pose(*pose, "collider", scale));
     return {};
 }
 
@@ -144,9 +148,9 @@ Status check_whole(const SnapshotHeader& h, std::span<const unsigned char> bytes
     return {};
 }
 
-static Status check_frame(const Frame::State& frame) {
+static Status check_frame(const Frame::State& frame, float scale) {
     for (const plait_pose* pose : {&frame.at, &frame.target, &frame.from, &frame.to, &frame.unfelt})
-        PLAIT_TRY(check_pose(*pose, "frame"));
+        PLAIT_TRY(check_pose(*pose, "frame", scale));
     if (frame.aims > 2 || frame.air > PLAIT_FRAME_AIR_WORLD)
         return malformed(
             format("frame.aims is %u, frame.air is %u, range is [0, 2]", frame.aims, frame.air));
@@ -157,10 +161,12 @@ static Status check_frame(const Frame::State& frame) {
 }
 
 Status check_header(const SnapshotHeader& h) {
+    if (const auto status = plait::check_range("scale", double(h.scale), 1e-3f, 1e3); !status)
+        return malformed(status.error().message);
     if (!(std::abs(h.waiting) <= 2))
         return malformed(format("%g s wait for a step, range is [-2, 2]", h.waiting));
     for (size_t i = 0; i < std::size(h.heads); ++i) {
-        PLAIT_TRY(check_pose(h.heads[i], "head"));
+        PLAIT_TRY(check_pose(h.heads[i], "head", h.scale));
         if (h.own[i] > 1)
             return malformed(format("own[%zu] is %u, range is [0, 1]", i, h.own[i]));
     }
@@ -179,13 +185,12 @@ Status check_header(const SnapshotHeader& h) {
         return malformed(format("wet is %u, told is %u, waited is %u, first_aim is %u, range is "
                                 "[0, 1]",
                                 h.wet, h.told, h.waited, h.first_aim));
-    if (h.bends > 2 || h.motion > 3 || h.none != 0)
-        return malformed(format(
-            "bends is %u, motion is %u, ranges are [0, 2] and [0, 3], and %u after them is not 0",
-            h.bends, h.motion, h.none));
-    PLAIT_TRY(check_frame(h.frame));
+    if (h.bends > 2 || h.motion > 3)
+        return malformed(
+            format("bends is %u, motion is %u, ranges are [0, 2] and [0, 3]", h.bends, h.motion));
+    PLAIT_TRY(check_frame(h.frame, h.scale));
     for (const plait_pose& pose : h.placed)
-        PLAIT_TRY(check_pose(pose, "placed"));
+        PLAIT_TRY(check_pose(pose, "placed", h.scale));
     if (h.aimed > 1 || h.kept > 1 || h.switched > 1 || h.pins > 1)
         return malformed(
             format("aimed is %u, kept is %u, switched is %u, pins is %u, range is [0, 1]", h.aimed,
@@ -199,7 +204,7 @@ saved_slots(const SnapshotHeader& h, const unsigned char* from, std::pmr::memory
     if (!slots.empty())
         std::memcpy(slots.data(), from, slots.size() * sizeof slots[0]);
     for (size_t i = 0; i < slots.size(); ++i)
-        PLAIT_TRY(check_slot(slots[i], i));
+        PLAIT_TRY(check_slot(slots[i], i, h.scale));
     return slots;
 }
 
@@ -213,8 +218,9 @@ Error outside(const char* name, size_t index, double value, const char* range) {
     return malformed(format("%s[%zu] is %g, range is %s", name, index, value, range));
 }
 
-Status check_range(const unsigned char* bytes, size_t index, const char* name) {
-    if (const float value = float_at(bytes, index); !(std::abs(value) <= largest))
+Status check_range(const unsigned char* bytes, size_t index, const char* name, float scale) {
+    if (const float value = float_at(bytes, index);
+        !(std::abs(value) * std::min(1.0f, scale) <= largest))
         return outside(name, index, double(value), "[-4e6, 4e6]");
     return {};
 }

@@ -59,16 +59,16 @@ struct SnapshotHeader {
     uint32_t first_aim;
     Frame::State frame;
     plait_pose placed[2]; // Sim::placed_from_, placed_to_
-    uint32_t none;        // 0
+    float scale;          // Sim::scale_
 };
 static_assert(sizeof(SnapshotHeader) == 72 + 140 + 36 + 48 + 16 + 16 + 156 + 56 + 4);
-static_assert(sizeof(Colliders::Slot) == sizeof(float) * (2 + 22 + 35),
+static_assert(sizeof(Colliders::Slot) == sizeof(float) * (2 + 22 + 36),
               "no padding: slots are saved as bytes");
 
 namespace snapshots {
 
 constexpr uint32_t magic = 0x74696c70; // "plit"
-constexpr uint32_t version = 10;
+constexpr uint32_t version = 11;
 
 // BAD_DATA.
 Error malformed(const std::string& what);
@@ -96,7 +96,8 @@ Result<BendingMeshes::Entries> saved_bending(std::span<const Colliders::Slot> sl
 
 // Of a run of floats.
 float float_at(const unsigned char* bytes, size_t index);
-Status check_range(const unsigned char* bytes, size_t index, const char* name); // +-4e6
+// +-4e6 m, of which `scale` are one of the groom's units.
+Status check_range(const unsigned char* bytes, size_t index, const char* name, float scale = 1);
 // A quaternion of length 1, or of at most 1 where it is `blended`.
 Status check_turn(const unsigned char* bytes, size_t first, const char* name, bool blended);
 

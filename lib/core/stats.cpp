@@ -53,7 +53,7 @@ Status Sim::stats(plait_sim_stats& out) {
     const auto ignored = accelerations_ignored();
     PLAIT_TRY(ignored);
     out.nonfinite += *ignored;
-    out.max_speed /= substep_length();
+    out.max_speed *= scale_ / substep_length();
     uint32_t outside = 0;
     if (grid_.outside())
         PLAIT_TRY(device().read(grid_.outside(), &outside));

@@ -43,7 +43,8 @@ class Scene {
         : case_(c), dice_(seed), mesh_dice_(seed + 1000), volume_dice_(seed + 2000),
           bend_dice_(seed + 5000), detail_dice_(seed + 3000), contact_dice_(seed + 4000),
           wet_dice_(seed + 6000), follow_dice_(seed + 7000), side_dice_(seed + 8000),
-          time_dice_(seed + 9000), mapped_(seed % 2 == 1), sim_(make_sim(context, seed % 3 == 0)) {}
+          time_dice_(seed + 9000), scale_dice_(seed + 10000), mapped_(seed % 2 == 1),
+          sim_(make_sim(context, seed % 3 == 0)) {}
 
     void frame_of_calls() {
         for (uint32_t i = dice_.below(4); i > 0; --i)
@@ -65,17 +66,20 @@ class Scene {
         if (time_dice_.one_in(6))
             change_frame();
         if (time_dice_.one_in(10)) { // hair goes along, at once
-            sim_.set_roots(
-                head_at(at_ = {at_[0], at_[1] + time_dice_.between(-0.2f, 0.2f), at_[2]}));
+            at_[1] += time_dice_.between(-0.2f, 0.2f);
+            sim_.set_roots(roots());
             sim_.step(0);
         }
         at_ = {at_[0] + dice_.between(-0.03f, 0.03f), at_[1], at_[2]};
-        sim_.set_roots(head_at(at_));
+        if (scale_dice_.one_in(5))
+            scale_ = std::exp2(scale_dice_.between(-1, 1));
+        sim_.set_roots(roots());
         sim_.step(dice_.one_in(10) ? 0.04 : frame);
         if (time_dice_.one_in(20)) // most of it is dropped
             sim_.step(time_dice_.one_in(2) ? 0.5 : 1e6);
         for (uint32_t i = follow_dice_.one_in(6) ? 5 : 0; i > 0; --i) {
-            sim_.set_roots(head_at(at_ = {at_[0] + 0.003f, at_[1], at_[2]}));
+            at_[0] += 0.003f;
+            sim_.set_roots(roots());
             sim_.step(frame / 4);
         }
     }
@@ -95,9 +99,11 @@ class Scene {
         params.volume = PLAIT_VOLUME_OFF;
         params.strand_contact = PLAIT_STRAND_CONTACT_OFF;
         sim_.set_params(params);
+        scale_ = 1;
+        sim_.set_roots(roots());
         run(sim_, steps);
     }
-    // m, of any vertex from the head.
+    // m at the groom's size, of any vertex from the head.
     float farthest() const {
         const auto p = sim_.read(PLAIT_FIELD_POSITION);
         float most = 0;
@@ -107,7 +113,7 @@ class Scene {
                 return INFINITY;
             most = std::max(most, away);
         }
-        return most;
+        return most / scale_;
     }
     // Of what follows by a map, over that of its groom: of any segment. 0 with detail, which adds to it.
     float worst_follow_stretch() const {
@@ -120,13 +126,22 @@ class Scene {
                 const Point &a = groomed[f][k - 1], &b = groomed[f][k];
                 const float length = std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
                 const float is = std::hypot(to[0] - to[-4], to[1] - to[-3], to[2] - to[-2]);
-                worst = std::max(worst, std::fabs(is / length - 1));
+                worst = std::max(worst, std::fabs(is / (scale_ * length) - 1));
             }
         return worst;
     }
     plait::Sim& sim() { return sim_; }
 
   private:
+    plait_roots roots(std::array<float, 4> turn = {0, 0, 0, 1}) const {
+        plait_roots roots = head_at(at_, turn);
+        roots.scale = scale_;
+        return roots;
+    }
+    void teleport() {
+        at_ = dice_.in_cube(1);
+        sim_.teleport(roots(dice_.turn()));
+    }
     static plait::Groom groom(size_t count) {
         Strands strands = tuft(count, longest);
         for (size_t i = 0; i < count; ++i)
@@ -233,13 +248,14 @@ class Scene {
 
     const Case& case_;
     Dice dice_, mesh_dice_, volume_dice_, bend_dice_, detail_dice_, contact_dice_, wet_dice_,
-        follow_dice_, side_dice_, time_dice_;
+        follow_dice_, side_dice_, time_dice_, scale_dice_;
     bool mapped_; // has follows by a map
     bool is_detailed_ = false;
     std::map<uint64_t, std::vector<float>> bending_; // as they were made, by id
     plait::Sim sim_;
     std::vector<plait_collider_id> colliders_;
     Point at_{0, 0, 0};
+    float scale_ = 1;
 };
 
 void Scene::pins_wind_or_models() {
@@ -309,7 +325,7 @@ void Scene::call() {
         break;
     default:
         if (dice_.one_in(8))
-            sim_.teleport(head_at(at_ = dice_.in_cube(1), dice_.turn()));
+            teleport();
         else if (dice_.one_in(8))
             sim_.reset();
     }

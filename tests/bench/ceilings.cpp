@@ -34,7 +34,7 @@ constexpr char multiply_add_source[] = R"(
 #define MULTIPLY_ADD(i) c##i = mad(c##i, a, b);
 #define SUM(i) sum += c##i;
 
-__kernel void plait_last_frame(uint item_count, plait_layout_params params,
+__kernel void plait_last_frame(uint item_count, plait_last_frame_params params,
                                __global const float4* position,
                                __global float4* position_last_frame) {
     const uint item = get_global_id(0);

@@ -100,10 +100,10 @@ void fill(plait_grid_clear_params& p, const Shape&) {
     p.value = PLAIT_SLOT_EMPTY;
 }
 void fill(plait_mesh_take_params& p, const Shape&) {
-    p = {4};
+    p = {4, 1};
 }
 void fill(plait_mesh_pose_params& p, const Shape&) {
-    p = {0, 0.5f};
+    p = {0, 0.5f, 1, 1};
 }
 void fill(plait_mesh_fit_params& p, const Shape&) {
     p = {0, 0, 32}; // the launch that has most to do
@@ -155,7 +155,10 @@ void fill(plait_accelerate_params& p, const Shape& shape) {
     p = {shape.vertices, step, 0, {}};
 }
 void fill(plait_pins_params& p, const Shape& shape) {
-    p = {shape.vertices, 0.5f};
+    p = {shape.vertices, 0.5f, 1, 1};
+}
+void fill(plait_last_frame_params& p, const Shape& shape) {
+    p = {shape.vertices, 1};
 }
 void fill(plait_lane_pin_params& p, const Shape& shape) {
     p = {shape.vertices, shape.tile, shape.vertices, 0.5f, 1e4f, 1e5f, step, 300};

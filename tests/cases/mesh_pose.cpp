@@ -21,7 +21,7 @@ Setup make(uint32_t vertices, uint32_t begins, float part) {
     setup.items = vertices;
     setup.buffers = {float4s(places(random, vertices)), float4s(places(random, vertices)),
                      float4s(places(random, all)), float4s(places(random, all))};
-    return setup.with(plait_mesh_pose_params{begins, part});
+    return setup.with(plait_mesh_pose_params{begins, part, 1.25f, 0.7f});
 }
 
 } // namespace

@@ -23,14 +23,14 @@ Setup make(uint32_t vertices, uint32_t words) {
     setup.name = std::to_string(vertices) + " vertices of " + std::to_string(words) + " words";
     setup.items = vertices;
     setup.buffers = {floats(taken), float4s(at), unwritten_float4s(vertices)};
-    return setup.with(plait_mesh_take_params{words});
+    return setup.with(plait_mesh_take_params{words, words == 4 ? 1.0f : 0.6f});
 }
 
 } // namespace
 
-// Places are copied.
+// Within 2 m of the origin.
 Case mesh_take_case() {
-    Case result = {PLAIT_STAGE_mesh_take, {}, {}};
+    Case result = {PLAIT_STAGE_mesh_take, {}, {{"mesh_target", 1e-6}}};
     for (const uint32_t vertices : {1u, 12u, 300u})
         for (const uint32_t words : {3u, 4u, 8u})
             result.setups.push_back(make(vertices, words));

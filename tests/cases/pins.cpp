@@ -13,7 +13,7 @@ Case pins_case() {
         const std::vector<float> before = pin_rows(size, 51), after = pin_rows(size, 52);
         setup.buffers = {float4s(before), float4s(after),
                          float4s(std::vector<float>(after.size(), 9))};
-        result.setups.push_back(setup.with(plait_pins_params{size.stride, 0.3f}));
+        result.setups.push_back(setup.with(plait_pins_params{size.stride, 0.3f, 0.8f, 1.5f}));
     }
     return result;
 }

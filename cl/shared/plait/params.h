@@ -142,11 +142,16 @@ typedef struct plait_roots_params {
     plait_u32 bends;    /* 0: the path is straight, and `before` is not read */
 } plait_roots_params;
 
-/* skin, skin_mesh, reset, teleport, guide_turns, snapshot, last_frame, stats: stages that need only the
- * layout. */
+/* skin, skin_mesh, reset, teleport, guide_turns, snapshot, stats: stages that need only the layout. */
 typedef struct plait_layout_params {
     plait_u32 vertex_stride; /* V: vertices per strand row, 2..256 */
 } plait_layout_params;
+
+/* last_frame: positions, as they were or at another size. */
+typedef struct plait_last_frame_params {
+    plait_u32 vertex_stride;
+    float scale; /* times positions */
+} plait_last_frame_params;
 
 /* set_off, lane_set_off: the motion of a head whose motion was not known. */
 typedef struct plait_set_off_params {
@@ -171,12 +176,15 @@ typedef struct plait_carry_params {
 /* mesh_take: vertices of a mesh from a buffer of the caller's. */
 typedef struct plait_mesh_take_params {
     plait_u32 words; /* from one vertex to the next, at least 3 */
+    float scale;     /* times what is taken: to the groom's units */
 } plait_mesh_take_params;
 
 /* mesh_pose: where the vertices of a mesh are at the end of a fixed step. */
 typedef struct plait_mesh_pose_params {
-    plait_u32 begins; /* in mesh_from and mesh_to: where this mesh's vertices begin */
-    float part;       /* of their way, [0, 1] */
+    plait_u32 begins;   /* in mesh_from and mesh_to: where this mesh's vertices begin */
+    float part;         /* of their way, [0, 1] */
+    float at_scale;     /* times mesh_at: to the groom's units */
+    float target_scale; /* times mesh_target */
 } plait_mesh_pose_params;
 
 /* mesh_fit: boxes of a tree's nodes that have more than `least` and at most `most` triangles under them. */
@@ -402,7 +410,9 @@ typedef struct plait_strand_contact_params {
 /* pins: where the targets of pins are at the end of a fixed step. */
 typedef struct plait_pins_params {
     plait_u32 vertex_stride;
-    float alpha; /* [0, 1]: share of the way from pin_at to pin */
+    float alpha;        /* [0, 1]: share of the way from pin_at to pin */
+    float at_scale;     /* times targets of pin_at that are in the world: to the groom's units */
+    float target_scale; /* the same of pin */
 } plait_pins_params;
 
 /* lane_pin: pins of one substep to the lanes. */

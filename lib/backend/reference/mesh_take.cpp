@@ -14,7 +14,7 @@ void mesh_take(uint32_t item_count, const plait_mesh_take_params& params,
         for (size_t k = 0; k < 3; ++k)
             given[static_cast<Eigen::Index>(k)] = args.mesh_taken[vertex * params.words + k];
         if (given.allFinite() && given.cwiseAbs().maxCoeff() <= double{PLAIT_MESH_MOST_COORDINATE})
-            place = given;
+            place = double(params.scale) * given;
         args.mesh_target[vertex] = with_w(place, 0);
     }
 }
