@@ -1,5 +1,7 @@
 #include "core/roots.hpp"
 
+#include "base/hash.hpp"
+
 #include <algorithm>
 #include <vector>
 
@@ -71,6 +73,9 @@ Status Roots::aim(Device& device, const plait_pose& head, std::span<const plait_
         std::transform(own.begin(), own.end(), packed.begin(),
                        [&](const plait_pose& pose) { return pack(in_units(pose, scale)); });
         PLAIT_TRY(device.upload(target_.poses, packed.data()));
+        Hash hash;
+        hash.add(packed.data(), packed.size() * sizeof packed[0]);
+        target_.given = hash.value();
     }
     target_.head = head;
     target_.own = !own.empty();
@@ -83,7 +88,8 @@ Result<const Buffer*> Roots::target_poses(Device& device) {
     return &target_.poses;
 }
 
-void Roots::aim_at_target_poses(const plait_pose& head) {
+void Roots::aim_at_target_poses(const plait_pose& head, uint64_t given) {
+    target_.given = given;
     target_.head = head;
     target_.own = true;
     aimed = true;
@@ -105,6 +111,7 @@ void Roots::advance(double end) {
     to_.head = interpolate(at_.head, goal().head, end);
     const bool was_own = to_.own;
     to_.own = at_.own || goal().own;
+    to_.given = at_.given == goal().given ? at_.given : 0;
     fill_ = to_.own || was_own; // else the buffer, if there is one, holds identities already
     end_ = static_cast<float>(end);
 }
@@ -196,6 +203,7 @@ Result<HeadWays> Roots::rescale(Device& device, double ratio) {
             std::pmr::vector<PackedPose> packed(layout_.guides, PackedPose{}, memory_);
             std::transform(own->begin(), own->end(), packed.begin(), pack);
             PLAIT_TRY(device.upload(poses->poses, packed.data()));
+            poses->given = 0;
         }
         const plait_pose was = poses->head;
         plait::rescale(poses->head, ratio);

@@ -28,9 +28,10 @@ class Roots {
     // metres, of which `scale` are one of the groom's, as `head` has them already.
     Status aim(Device& device, const plait_pose& head, std::span<const plait_pose> own,
                float scale);
-    // The same with poses that the caller fills on the device, in between: float4 [2*guides].
+    // The same with poses that the caller fills on the device, in between: float4 [2*guides]. `given`: a
+    // hash of all that they come from; 0: nobody knows.
     Result<const Buffer*> target_poses(Device& device);
-    void aim_at_target_poses(const plait_pose& head);
+    void aim_at_target_poses(const plait_pose& head, uint64_t given);
 
     // Moves the step's path on: it ends at share `end` of the call. append_path() is due.
     void advance(double end);
@@ -81,6 +82,14 @@ class Roots {
         plait_pose head = identity_pose;
         bool own = false; // false: the buffer, if there is one, holds identities
         Buffer poses;     // float4 [2*guides]
+        // Hash of what the poses come from; 0: not known. Not saved.
+        uint64_t given = 0;
+
+        // As far as the host can tell.
+        bool is_at(const Poses& other) const {
+            return own == other.own && (!own || (given != 0 && given == other.given)) &&
+                   same_pose(head, other.head);
+        }
     };
     std::array<const Poses*, 5> all_poses() const {
         return {&at_, &target_, &from_, &to_, &before_};
@@ -89,12 +98,9 @@ class Roots {
     // Ends of steps, up to 2, since the path began anew; with 2 it bends.
     uint32_t samples() const { return samples_; }
     // In this step, as far as the host can tell.
-    bool stands() const { return !have_own() && same_pose(from_.head, to_.head); }
+    bool stands() const { return from_.is_at(to_); }
     // In this step and the one before.
-    bool rest() const {
-        return !before_.own && !have_own() && same_pose(before_.head, from_.head) &&
-               same_pose(from_.head, to_.head);
-    }
+    bool rest() const { return before_.is_at(from_) && from_.is_at(to_); }
     // In this step, beside the head's.
     bool have_own() const { return from_.own || to_.own; }
     bool bends() const { return samples_ == 2; }
@@ -103,7 +109,7 @@ class Roots {
     Status clear_buffers(Device& device); // to identities
     bool aimed = false;                   // target_ is not where the roots are
     bool moves() const {                  // as far as the host can tell
-        return aimed && (target_.own || at_.own || !same_pose(at_.head, target_.head));
+        return aimed && !target_.is_at(at_);
     }
 
   private:

@@ -1,6 +1,7 @@
 #include "core/sim.hpp"
 
 #include "base/format.hpp"
+#include "base/hash.hpp"
 #include "core/models/traits.hpp"
 #include "core/params.hpp"
 
@@ -367,7 +368,11 @@ Status Sim::aim(const RootsInput& input) {
                                  : binding_.append(device(), schedule_, layout_, state_, input.mesh,
                                                    *scale, **poses));
     PLAIT_TRY(submit());
-    roots_.aim_at_target_poses(head);
+    Hash given;
+    given.add(input.bones.data(), input.bones.size_bytes());
+    given.add(input.mesh.data(), input.mesh.size_bytes());
+    given.add(*scale);
+    roots_.aim_at_target_poses(head, given.value());
     return rescale(*scale);
 }
 

@@ -181,7 +181,7 @@ Status Sim::take_root_positions(const plait_pose& head, uint32_t words) {
     PLAIT_TRY(
         binding_.take(device(), schedule_, layout_, state_, {taken_, words, scale_}, **poses));
     PLAIT_TRY(submit());
-    roots_.aim_at_target_poses(in_units(head));
+    roots_.aim_at_target_poses(in_units(head), 0);
     return aimed();
 }
 

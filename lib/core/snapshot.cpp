@@ -321,6 +321,7 @@ Status Sim::restore_roots(const SnapshotHeader& h) {
     for (size_t i = 0; i < all.size(); ++i) {
         all[i]->head = h.heads[i];
         all[i]->own = own[i];
+        all[i]->given = 0;
     }
     roots_.aimed = h.aimed != 0;
     roots_.restore_samples(h.bends);

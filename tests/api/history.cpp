@@ -564,6 +564,43 @@ TEST_P(History, HairOnABodyMovesAlikeAtAnySpeed) {
             << speed << " m/s";
 }
 
+// A game gives bones or poses in every frame, in that of a teleport, too: the same ones at the same place
+// say nothing of the way.
+TEST_P(History, RootsWithPosesOfTheirOwnSayNoWayTwice) {
+    auto desc = plait_sim_desc_defaults();
+    desc.params.drag = 0; // to the world's air
+    desc.sag_free = PLAIT_SAG_FREE_STIFFEN;
+    plait::Sim sim(context, make_groom(tuft(3, 12)), desc);
+    const std::vector<plait_pose> own(3, {{0, 0, 0, 1}, {0.01f, 0, 0}});
+    float x = -6;
+    const auto roots = [&] {
+        auto all = head_at({x, 0, 0});
+        all.root_poses = plait::view(own);
+        return all;
+    };
+    const auto shape = [&] {
+        auto positions = sim.read(PLAIT_FIELD_POSITION);
+        for (size_t i = 0; i < positions.size(); i += 4)
+            positions[i] -= x;
+        return positions;
+    };
+    sim.teleport(roots());
+    for (int f = 0; f < 60; ++f) {
+        x += 0.1f;
+        sim.set_roots(roots());
+        sim.step(frame);
+    }
+    const auto before = shape();
+    x = 5;
+    sim.teleport(roots());
+    for (int f = 0; f < 30; ++f) {
+        sim.set_roots(roots());
+        sim.step(frame);
+        EXPECT_LE(largest_difference(shape(), before), 2e-5f) << "frame " << f;
+        x += 0.1f;
+    }
+}
+
 // A call that is new must be among those above, or say here why it needs none.
 TEST(HistoryCalls, EveryCallOnASimIsTried) {
     std::ifstream file(PLAIT_SOURCE_DIR "/include/plait/plait.h");
