@@ -26,7 +26,9 @@ inline Vec3 lifted(const Vec3& segment, const Vec3& normal, double lift) {
     if (!(across.norm() > 1e-6 * size))
         return segment;
     const double up = std::min(along + lift, std::max(PLAIT_FOLLOW_STEEPEST * size, along));
-    return up * normal + std::sqrt(std::max(size * size - up * up, 0.0)) * across.normalized();
+    const Vec3 turned =
+        up * normal + std::sqrt(std::max(size * size - up * up, 0.0)) * across.normalized();
+    return size / turned.norm() * turned; // where `across` is small, the normal's rounding is not
 }
 
 // Of the strand whose row begins at `row`. What needs no turn is not written. `gap_at(x, bound)`: nothing
