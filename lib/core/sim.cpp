@@ -68,7 +68,7 @@ Status Sim::start() {
     PLAIT_TRY(make_poses(pose_spare_, "pose_spare"));
     PLAIT_TRY(make_poses(pose_was_, "pose_was"));
     PLAIT_TRY(make_poses(pose_next_, "pose_next"));
-    PLAIT_TRY(make_poses_before());
+    PLAIT_TRY(make_poses_before(pose_before_, substeps_.size()));
     PLAIT_TRY(check_stages());
     PLAIT_TRY(prepare_calls());
     model_->reset(schedule_, present());
@@ -293,7 +293,7 @@ Status Sim::check_settings(std::span<const Settings> settings) const {
 Status Sim::take_substeps(const std::pmr::vector<uint32_t>& substeps) {
     PLAIT_TRY(colliders_.set_substeps(device(), substeps));
     substeps_ = substeps;
-    return make_poses_before();
+    return {};
 }
 
 Status Sim::set_settings(std::span<const Settings> settings) {
@@ -304,16 +304,26 @@ Status Sim::set_settings(std::span<const Settings> settings) {
     schedule_.clear();
     PLAIT_TRY(model_->prepare_settings(device(), schedule_, present(), settings));
     const std::pmr::vector<uint32_t> before(substeps_, &context_.memory);
-    PLAIT_TRY(take_substeps(substeps_of(settings, &context_.memory)));
-    model_->swap();
+    const auto after = substeps_of(settings, &context_.memory);
+    std::pmr::vector<Buffer> poses(&context_.memory);
+    PLAIT_TRY(make_poses_before(poses, after.size()));
+    PLAIT_TRY(take_substeps(after));
+    const auto swap = [&] {
+        model_->swap();
+        std::swap(pose_before_, poses);
+    };
+    swap();
     Status status = check_stages();
     if (!status) {
-        model_->swap();
+        swap();
         (void)take_substeps(before); // there is room for them
         return status;
     }
     schedule_.clear();
-    append_motion_of_substeps(before);
+    append_motion_of_substeps(poses[0], before);
+    for (size_t g = 0; g < after.size(); ++g) // those that stay keep theirs, bit by bit
+        if (const auto place = std::ranges::find(before, after[g]); place != before.end())
+            std::swap(pose_before_[g], poses[static_cast<size_t>(place - before.begin())]);
     return submit();
 }
 
@@ -370,9 +380,9 @@ Status Sim::aim(const RootsInput& input) {
     PLAIT_TRY(submit());
     Hash given;
     given.add(input.bones.data(), input.bones.size_bytes());
-    given.add(input.mesh.data(), input.mesh.size_bytes());
     given.add(*scale);
-    roots_.aim_at_target_poses(head, given.value());
+    // positions on the device, which nobody reads here, do what the same from the host do
+    roots_.aim_at_target_poses(head, input.mesh.empty() ? given.value() : 0);
     return rescale(*scale);
 }
 
@@ -408,12 +418,10 @@ Status Sim::set_frame(const plait_frame_desc* desc) {
 }
 
 // One for each number of substeps that strands take.
-Status Sim::make_poses_before() {
-    while (pose_before_.size() < substeps_.size()) {
-        Buffer made;
-        PLAIT_TRY(make_poses(made, "pose_before"));
-        pose_before_.push_back(std::move(made));
-    }
+Status Sim::make_poses_before(std::pmr::vector<Buffer>& to, size_t count) {
+    to.resize(count);
+    for (Buffer& before : to)
+        PLAIT_TRY(make_poses(before, "pose_before"));
     return {};
 }
 
@@ -425,19 +433,16 @@ void Sim::append_no_motion() {
 }
 
 // A head that was placed and has not set off since has moved in the last of other substeps as it did in
-// that of the first group before.
-void Sim::append_motion_of_substeps(std::span<const uint32_t> before) {
+// that of the `known` ones; `first`: where it was before the first of these.
+void Sim::append_motion_of_substeps(const Buffer& first, std::span<const uint32_t> known) {
     if (motion_ == Motion::known || motion_ == Motion::framed)
         return; // the next step says it
-    const auto share = [&](size_t group) {
-        return 1 - static_cast<float>(before[0]) / static_cast<float>(substeps_[group]);
-    };
-    for (size_t g = substeps_.size() - 1; g > 0; --g)
-        roots_.append_between(schedule_, pose_before_[0], pose_was_, share(g), pose_before_[g]);
-    if (before[0] == substeps_[0])
-        return;
-    roots_.append_between(schedule_, pose_before_[0], pose_was_, share(0), pose_spare_);
-    std::swap(pose_before_[0], pose_spare_);
+    for (size_t g = 0; g < substeps_.size(); ++g) {
+        if (std::ranges::find(known, substeps_[g]) != known.end())
+            continue;
+        const float ways = static_cast<float>(known[0]) / static_cast<float>(substeps_[g]);
+        roots_.append_between(schedule_, first, pose_was_, 1 - ways, pose_before_[g]);
+    }
 }
 
 // How the head has moved in the last substep; where it was placed before and has not set off since, that

@@ -243,9 +243,9 @@ class Sim {
     Status place_head();
     void append_placed();
     Status make_poses(Buffer& to, const char* name);
-    Status make_poses_before();
+    Status make_poses_before(std::pmr::vector<Buffer>& to, size_t count);
     void append_no_motion();
-    void append_motion_of_substeps(std::span<const uint32_t> before);
+    void append_motion_of_substeps(const Buffer& first, std::span<const uint32_t> known);
     void append_last_motion();
     Status forget_sides_of_left(const plait_pose& before, const plait_pose& after);
     Status place_colliders();

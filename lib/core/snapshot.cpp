@@ -450,6 +450,7 @@ Status Sim::restore(std::span<const unsigned char> src) {
         std::ranges::copy(h.wind_jump, wind_.moving.jump.begin());
     }
     grid_.volume().carries = grid_.volume() && h.volume == desc_.params.grid_edge_count;
+    append_motion_of_substeps(pose_before_[0], {substeps_.data(), 1});
     if (!h.kept)
         display_.append_step_before(schedule_, layout_, state_);
     append_shown();
