@@ -560,7 +560,7 @@ TEST_P(Scale, BonesThatScaleAlikeScaleHair) {
     EXPECT_EQ(skinned.sim.describe().scale, 8);
     auto rest = skinned.sim.read(PLAIT_FIELD_REST);
     for (size_t i = 0; i < rest.size(); ++i)
-        rest[i] *= i % 4 < 3 ? 8 : 0;
+        rest[i] *= i % 4 < 3 ? 8.0f : 0.0f;
     auto hair = skinned.sim.read(PLAIT_FIELD_POSITION);
     for (size_t i = 3; i < hair.size(); i += 4)
         hair[i] = 0;
