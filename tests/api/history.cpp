@@ -511,6 +511,8 @@ ON_EVERY_BACKEND(History);
 TEST_P(History, NoCallThrowsHairInUniformMotion) {
     for (const Model& model : models)
         for (const Motion& motion : motions) {
+            if (PLAIT_TEST_SEEDS < 24 && motion.turns == 0)
+                continue; // sanitizers look at the code, which is the same
             const auto list = calls();
             // tressfx keeps places in the world, of which float32 loses some in every step
             const double rounding =
