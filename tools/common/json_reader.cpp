@@ -44,7 +44,8 @@ std::string proposal(std::string_view word, const std::vector<std::string>& know
         return "; the nearest is \"" + std::string(near) + "\"";
     std::string with;
     for (const std::string& key : known)
-        if (key.starts_with(std::string(word) + '_') || key.ends_with(std::string("_").append(word)))
+        if (key.starts_with(std::string(word) + '_') ||
+            key.ends_with(std::string("_").append(word)))
             with += (with.empty() ? "; there is \"" : ", \"") + key + "\"";
     return with;
 }
