@@ -70,7 +70,7 @@ void RodModel::follow_target() {
 
 // J' M J, -J' f and the tension; the force on what hangs on a segment comes from the tip on.
 void RodModel::add_vertices(Eigen::MatrixXd& H, Eigen::VectorXd& g) const {
-    const auto n = static_cast<Eigen::Index>(segments());
+    const Eigen::Index n = g.size() / 3;
     Eigen::MatrixXd J = Eigen::MatrixXd::Zero(3 * n, 3 * n), MJ = J;
     Eigen::VectorXd f(3 * n);
     for (Eigen::Index j = 0; j < n; ++j) { // of vertex j + 1
@@ -104,8 +104,9 @@ void RodModel::add_vertices(Eigen::MatrixXd& H, Eigen::VectorXd& g) const {
 }
 
 void RodModel::add_joints(Eigen::MatrixXd& H, Eigen::VectorXd& g) const {
-    for (size_t segment = 0; segment < segments(); ++segment) {
-        const Eigen::Index i = 3 * static_cast<Eigen::Index>(segment), p = i - 3;
+    for (Eigen::Index i = 0; i < g.size(); i += 3) {
+        const auto segment = static_cast<size_t>(i / 3);
+        const Eigen::Index p = i - 3;
         const Quat r = expected(segment) * q[segment].conjugate();
         const double side = std::copysign(1.0, r.w()), c0 = side * r.w();
         const Vec3 e = side * r.vec();
@@ -129,16 +130,17 @@ void RodModel::add_joints(Eigen::MatrixXd& H, Eigen::VectorXd& g) const {
     }
 }
 
+// Past the tip nothing turns; with rows for it the factors of the others would round otherwise.
 Eigen::VectorXd RodModel::turns() const {
-    const auto n = static_cast<Eigen::Index>(segments());
-    Eigen::MatrixXd H = Eigen::MatrixXd::Zero(3 * n, 3 * n);
-    Eigen::VectorXd g = Eigen::VectorXd::Zero(3 * n);
+    const auto own =
+        3 * std::count_if(length_.begin(), length_.end(), [](double l) { return l > 0; });
+    Eigen::MatrixXd H = Eigen::MatrixXd::Zero(own, own);
+    Eigen::VectorXd g = Eigen::VectorXd::Zero(own);
     add_vertices(H, g);
     add_joints(H, g);
-    for (Eigen::Index i = 0; i < 3 * n; ++i)
-        if (H(i, i) == 0) // past the tip
-            H(i, i) = 1;
-    return H.ldlt().solve(-g);
+    Eigen::VectorXd w = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(segments()));
+    w.head(own) = H.ldlt().solve(-g);
+    return w;
 }
 
 // What would pass a surface that did not push in the step stays there.
@@ -243,7 +245,7 @@ void RodModel::put_back() {
         if (most == 0)
             return;
         for (size_t i = 0; i < segments(); ++i)
-            turn_to(i, contacts_->kept_off(i + 1, x[i], length_[i], hung(i, solved)));
+            turn_to(i, contacts_->put_back(i + 1, x[i], length_[i], hung(i, solved)));
         renew_contacts();
     }
 }

@@ -310,7 +310,7 @@ Vec3 Contacts::stopped(size_t vertex, const Vec3& to, double inertia) const {
     return stop > PLAIT_ARTICULATED_STOP * length_[vertex] ? Vec3(to + stop * at.normal) : to;
 }
 
-Vec3 Contacts::kept_off(size_t vertex, const Vec3& leader, double length,
+Vec3 Contacts::put_back(size_t vertex, const Vec3& leader, double length,
                         const Vec3& solved) const {
     const Vec3& n = at_[vertex].normal;
     const Vec3 out = solved + excess(vertex, solved) * n - leader;

@@ -55,7 +55,7 @@ class Contacts {
     // Where a step that would carry the vertex to `to` leaves it, if its surface did not push in it.
     Vec3 stopped(size_t vertex, const Vec3& to, double inertia) const;
     // Near `solved`, at this length from `leader`, and no deeper than a solve may leave it.
-    Vec3 kept_off(size_t vertex, const Vec3& leader, double length, const Vec3& solved) const;
+    Vec3 put_back(size_t vertex, const Vec3& leader, double length, const Vec3& solved) const;
     // How much deeper the vertex is than a solve may leave it.
     double excess(size_t vertex, const Vec3& x) const;
     void clip(std::vector<Vec3>& x);
