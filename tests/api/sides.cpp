@@ -391,8 +391,8 @@ Strands on_a_ball(int number, int every) {
     return strands;
 }
 
-// The default model at one substep, under 5 cm to and fro at 1.7 Hz: none is deeper than half a millimetre in
-// the ball, whatever the ball is made of. Its margin is 1 mm.
+// The default model at one substep, under 5 cm to and fro at 1.7 Hz: no strand is deeper than half a
+// millimetre in a sphere, a hull or NEAREST, none deeper than one in FIELD. The margin is 1 mm.
 TEST_P(Sides, AHardShakePushesNoHairIntoTheHead) {
     const bool few =
         is_reference() || PLAIT_TEST_SEEDS < 24; // the sanitizers: measuring takes minutes
