@@ -194,7 +194,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Use{PLAIT_MODEL_ROD, 120, 500, 0}, Use{PLAIT_MODEL_ARTICULATED, 120, 500, 0}));
 
 TEST_P(BareBall, sinks_without_volume) {
-    const Outcome got = after(1.5, GetParam(), false);
+    const Outcome got = after(2, GetParam(), false);
     EXPECT_LT(got.volume, 0.6);
     EXPECT_LT(got.height, 0.4);
 }

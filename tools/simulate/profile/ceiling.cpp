@@ -66,7 +66,7 @@ class Copier {
 
     // Seconds; 0 where they are not known.
     double copy(size_t from) {
-        const plait_layout_params params{2}; // the stage does not look at rows
+        const plait_last_frame_params params{2, 1}; // the stage does not look at rows
         plait_buffer* const pair[] = {buffers_[from].get(), buffers_[1 - from].get()};
         const plait_dispatch copy{PLAIT_STAGE_last_frame,
                                   static_cast<uint32_t>(vertices_),
