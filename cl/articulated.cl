@@ -87,9 +87,9 @@ __kernel void plait_articulated(const uint item_count, const plait_lane_params p
     contact_begin(&contacts, &step, &params, collider, lane_plane, lane_x);
     contacts.v = lane_v;
     const rod_problem rod =
-        rod_problem_of(&step, y, lane_rest, contact_may_be(&params) ? &contacts : 0, 0);
+        rod_problem_of(&step, y, lane_rest, contact_may_be(&params) ? &contacts : 0);
     articulated_load(&rod, &s, state, lane_q);
     const articulated_level start = articulated_start(&rod, &s, state, lane_q);
     articulated_solve(&rod, &s, start, params.iterations);
-    rod_store(&rod, &params, state, &s, w, lane_q, lane_q_before, 0.0f);
+    rod_store(&rod, &params, state, &s, w, lane_q, lane_q_before);
 }

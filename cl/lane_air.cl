@@ -34,10 +34,8 @@ static inline lane_direction direction_at(lane_place place, __global const real*
 }
 
 /* m of hair that the mass of vertex i is of. */
-static inline real length_at(const lane_step* step, int i, uint equal_masses) {
+static inline real length_at(const lane_step* step, int i) {
     const real before = lane_material_at(step, i - 1, PLAIT_LANE_LENGTH);
-    if (equal_masses)
-        return before;
     return 0.5f * (before + lane_material_at(step, i, PLAIT_LANE_LENGTH));
 }
 
@@ -120,7 +118,7 @@ __kernel void plait_lane_air(const uint item_count, const plait_lane_air_params 
         const vec3 wind = vec3_of(air.x, air.y, air.z), u = sub3(wind, v);
         const lane_direction along = direction_at(place, lane_x, i, counts);
         const real mass = lane_material_at(&step, i, PLAIT_LANE_MASS);
-        const real share = step.drag * length_at(&step, i, params.equal_masses) / mass;
+        const real share = step.drag * length_at(&step, i) / mass;
         const lane_drag drag = lane_drag_of(&params, u, along, share, most);
         vec3 push = drag.force;
         if (step.bdf2) {

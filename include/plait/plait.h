@@ -479,15 +479,11 @@ PLAIT_API void plait_mesh_destroy(plait_mesh* mesh); /* sims keep what they need
 /* ---- simulation ----------------------------------------------------------------------------- */
 
 typedef enum plait_model {
-    PLAIT_MODEL_TRESSFX = 0,  /* parity with TressFX and the thesis; see docs/models/tressfx.md */
-    PLAIT_MODEL_CHAIN = 1,    /* inextensible, no bending; see docs/models/chain.md */
-    PLAIT_MODEL_COSSERAT = 2, /* Cosserat rod by alternating solves; see docs/models/cosserat.md */
-    PLAIT_MODEL_ROD = 3,      /* Cosserat rod by direct Gauss-Newton; see docs/models/rod.md */
-    PLAIT_MODEL_ARTICULATED = 4, /* inextensible rod; see docs/models/articulated.md */
+    PLAIT_MODEL_TRESSFX = 0,     /* parity with TressFX and the thesis; see docs/models/tressfx.md */
+    PLAIT_MODEL_ARTICULATED = 1, /* inextensible rod; see docs/models/articulated.md */
     PLAIT_MODEL_FORCE_32 = 0x7fffffff
 } plait_model;
 
-#define PLAIT_ITERATIONS_OF_MODEL 0xffffffffu
 #define PLAIT_BDF2_OF_MODEL 0xffffffffu
 #define PLAIT_SETTING_OF_SIM 0xfffffffeu /* in plait_strand_settings: what the sim has */
 #define PLAIT_STRAND_SETTINGS_MAX 64
@@ -582,21 +578,18 @@ typedef struct plait_sim_params {
     plait_shock_form shock_form;   /* default THRESHOLD */
     plait_stage_order order;       /* default PUBLISHED */
 
-    /* models chain, cosserat, rod, articulated: SI material of a strand */
-    uint32_t iterations; /* chain: length solves; cosserat: sweeps; rod, articulated: Newton steps;
-                            [0, 64], or PLAIT_ITERATIONS_OF_MODEL (default): 1, 3, 1, 1 */
+    /* model articulated: SI material of a strand */
+    uint32_t iterations; /* Newton steps, [0, 64], default 1 */
     uint32_t bdf2;      /* 0: backward Euler; 1: BDF2, a quarter of the error and little damping; or
-                           PLAIT_BDF2_OF_MODEL (default): 0, articulated 1 unless
-                           strand_contact is on */
+                           PLAIT_BDF2_OF_MODEL (default): 1 unless strand_contact is on */
     float line_density; /* rho A, kg/m, [1e-9, 1e3], default 5e-6 */
     float bend_stiffness;    /* EI, N m^2, [0, 1e3], default 4.7e-9 (a hair of 70 um at 4 GPa) */
-    float stretch_stiffness; /* EA, N, [0, 1e9]; default 0: chosen so that the strand stretches 1 %
-                                under its weight at 10 g (a hair's own 15 N only slows the
-                                solve). Models cosserat and rod: the others cannot stretch */
-    float twist_stiffness;   /* GJ, N m^2, [0, 1e3]; default 0: as bend_stiffness. Models cosserat,
-                                rod and articulated */
+    float stretch_stiffness; /* EA, N, [0, 1e9]; default 0: chosen so that the strand would stretch
+                                1 % under its weight at 10 g. Hair does not stretch: only kernels of
+                                the caller's for the stage articulated read it */
+    float twist_stiffness;   /* GJ, N m^2, [0, 1e3]; default 0: as bend_stiffness */
     float section_ratio; /* EI2/EI of an elliptic section, [1e-3, 1e3], default 1: round. A strand
-                            curls about the axis of bend_stiffness. Models rod and articulated */
+                            curls about the axis of bend_stiffness */
     float tip_stiffness; /* bend and twist stiffness at the tip / at the root, linear between,
                             [0, 100], default 1 */
     float tip_density;   /* line_density at the tip / at the root, linear between, [1e-3, 1e3],
@@ -630,8 +623,8 @@ typedef struct plait_sim_params {
                              grid_in_world */
     float grid_edge;      /* whole edge, m, [0, 1e6]; 0: a cube around the groom's bounds x 1.5 */
 
-    /* volume: hair keeps the room it has in the groom; docs/volume.md. Models chain, cosserat, rod,
-     * articulated, with interhair EXACT, whose braking it takes the place of */
+    /* volume: hair keeps the room it has in the groom; docs/volume.md. Model articulated,
+     * with interhair EXACT, whose braking it replaces */
     plait_volume_form volume; /* default OFF */
     float volume_share;       /* density to keep, over that at rest, [0, 4], default 1 */
     uint32_t volume_sweeps;   /* of the pressure's solve, per fixed step, [1, 64], default 10 */
@@ -645,7 +638,7 @@ typedef struct plait_sim_params {
     float wet_cohesion; /* m^2/s^2, with volume: `cohesion` that wetness 1 adds, [0, 1e4],
                            default 0.03, which nobody has measured */
 
-    /* guide strands meet each other; docs/strand_contact.md. Models cosserat, rod, articulated */
+    /* guide strands meet each other; docs/strand_contact.md. Model articulated */
     plait_strand_contact_form strand_contact; /* default OFF */
     float strand_radius; /* m, (0, 0.1], default 0.002: half of what guides lie apart, of which each
                               stands for many hairs */
@@ -668,8 +661,7 @@ typedef enum plait_param_kind {
 } plait_param_kind;
 
 /* A field of plait_sim_params, for code that reads, shows or binds them all. Texts are static. Its
- * default is that of plait_sim_params_init. `iterations` may also be PLAIT_ITERATIONS_OF_MODEL,
- * `bdf2` PLAIT_BDF2_OF_MODEL. */
+ * default is that of plait_sim_params_init. `bdf2` may also be PLAIT_BDF2_OF_MODEL. */
 typedef struct plait_param_info {
     uint32_t struct_size;
     plait_param_kind kind;
@@ -709,9 +701,7 @@ PLAIT_API plait_result plait_sim_params_set_fibre(plait_sim_params* params,
 
 /* What some strands of a sim are made of, in place of the params' fields of the same names (and of
  * tip_stiffness and tip_density, which the ramps take the place of). Ramps have knots at the root,
- * a third, two thirds of the arc length and the tip, linear between. Models chain (line_density and
- * its ramp, drag_scale, friction_scale, groom_stiffness and its ramp), cosserat, rod, articulated, each what it reads of the
- * params. */
+ * a third, two thirds of the arc length and the tip, linear between. Model articulated. */
 typedef struct plait_material {
     uint32_t struct_size;
     float line_density;      /* kg/m, [1e-9, 1e3], default 5e-6 */
@@ -743,7 +733,7 @@ PLAIT_API void plait_material_init(plait_material* material, size_t size);
 
 typedef struct plait_sim_desc {
     uint32_t struct_size;
-    plait_model model; /* of every strand, until plait_sim_set_models; default ARTICULATED */
+    plait_model model; /* of every strand; default ARTICULATED */
     float step;        /* fixed step, s, [1e-5, 1], default 1/60 */
     uint32_t substeps; /* per fixed step, [1, 1000], default 1 */
     uint32_t max_steps_per_call; /* [1, 1000]; time beyond is dropped and counted, default 8 */
@@ -753,8 +743,7 @@ typedef struct plait_sim_desc {
     uint32_t interpolate_output;
     uint32_t keep_last_frame;   /* 1: POSITION_LAST_FRAME exists; default 0 */
     uint32_t accelerations;     /* 1: ACCELERATION exists and acts; default 0 */
-    uint32_t pins;              /* 1: vertices may be pinned, PIN exists; all but tressfx, which
-                                        refuses it; default 0 */
+    uint32_t pins;              /* 1: vertices may be pinned, PIN exists; tressfx refuses it; default 0 */
     uint32_t follows_per_guide; /* [0, 64], default 0 */
     float follow_radius;        /* m, [0, 1], default 0.003 */
     uint64_t seed;              /* follow offsets and slot hash */
@@ -762,12 +751,12 @@ typedef struct plait_sim_desc {
        follows_per_guide, which must be 0. V is that of the longest, guide or follow */
     const plait_follow_map* follow_map;
     plait_view strand_stiffness;     /* float [guides] or empty: factor of each strand's bend and
-                                    twist stiffness, [0, 1e6]; not chain. Copied */
+                                    twist stiffness, [0, 1e6]. Copied */
     const plait_material* materials; /* [material_count] or NULL. Copied, as by
                                         plait_sim_set_materials, which changes them later */
     size_t material_count;
     plait_view strand_material; /* uint32_t [guides], into `materials`; or empty */
-    plait_sag_free sag_free;    /* cosserat, rod, articulated; others refuse it. Default OFF */
+    plait_sag_free sag_free;    /* tressfx refuses it. Default OFF */
     plait_sim_params params;
 } plait_sim_desc;
 
@@ -777,7 +766,7 @@ PLAIT_API void plait_sim_desc_init(plait_sim_desc* desc, size_t size);
  * sim may reset, teleport, read, write and measure, interpolate its output, and meet capsules, planes,
  * boxes and hulls. */
 typedef enum plait_feature {
-    PLAIT_FEATURE_SWITCHES = 1,        /* plait_sim_set_models, plait_sim_set_settings */
+    PLAIT_FEATURE_SWITCHES = 1,        /* plait_sim_set_settings */
     PLAIT_FEATURE_SKIN = 2,            /* plait_roots.bones */
     PLAIT_FEATURE_BOUND_ROOTS = 4,     /* plait_sim_bind_roots */
     PLAIT_FEATURE_FRAME = 8,           /* plait_sim_set_frame */
@@ -805,8 +794,7 @@ typedef int (*plait_progress_fn)(uint32_t done, uint32_t total, const char* stag
 
 typedef struct plait_prepare_desc {
     uint32_t struct_size;
-    uint32_t models;   /* that strands have or are switched to: bits 1u << plait_model; default
-                          ARTICULATED's */
+    uint32_t models;   /* of the sims: bits 1u << plait_model; default ARTICULATED's */
     uint32_t features; /* bits of plait_feature, default 0; the skin of `groom` is among them */
     uint32_t vertices_per_strand; /* V, [2, 256]; default 0: of `groom`, or 16 where that is NULL */
     /* the hair: kernels are built for its strands' lengths and number; NULL: for 2,048 strands of
@@ -848,7 +836,7 @@ PLAIT_API plait_result plait_sim_reset(plait_sim* sim);
 /* What a sim is, what it has done, and the result of its sag-free start. */
 typedef struct plait_sim_info {
     uint32_t struct_size;
-    plait_model model;            /* that it was made with; now: plait_sim_get_models */
+    plait_model model;
     uint64_t guides;              /* strands that are simulated: those of the groom */
     uint64_t strands;             /* guides and follows */
     uint32_t follows_per_guide;   /* 0 with a follow_map */
@@ -904,26 +892,12 @@ PLAIT_API plait_result plait_sim_set_materials(plait_sim* sim, const plait_mater
  * @errors INVALID_STATE: sag_free is OFF. A call that fails changes nothing. */
 PLAIT_API plait_result plait_sim_find_balance(plait_sim* sim);
 
-/* The model of every guide strand, `count` of them, from the next step on: any but tressfx, in a
- * sim that was made with one of these. Strands of one model are stepped together, whatever their
- * order. Positions and velocities stay; a strand that leaves chain gets orientations along its
- * segments with the least twist; one that enters articulated is set to its rest lengths. There is
- * one set of parameters, of which each model reads its own. plait_sim_reset and set_params keep the
- * models; save and restore include them. See docs/models/switching.md.
- * @errors INVALID_STATE: the sim is of model tressfx; UNSUPPORTED: the backend lacks a stage.
- *         A call that fails changes nothing. */
-PLAIT_API plait_result plait_sim_set_models(plait_sim* sim, const plait_model* models,
-                                            size_t count);
-/* dst == NULL: writes the needed count, that of the guides; a *count below it is refused. */
-PLAIT_API plait_result plait_sim_get_models(const plait_sim* sim, plait_model* dst, size_t* count);
-
-/* How a strand is solved. PLAIT_SETTING_OF_SIM, the default of all but the model: as
- * plait_sim_desc and plait_sim_params say, also when these change. */
+/* How a strand is solved. PLAIT_SETTING_OF_SIM, the default of each: as plait_sim_desc and plait_sim_params
+ * say, also when these change. */
 typedef struct plait_strand_settings {
     uint32_t struct_size;
-    plait_model model;   /* any but tressfx; default ARTICULATED */
     uint32_t substeps;   /* per fixed step, [1, 1000] */
-    uint32_t iterations; /* of a substep, [0, 64], or PLAIT_ITERATIONS_OF_MODEL */
+    uint32_t iterations; /* of a substep, [0, 64] */
     uint32_t bdf2;       /* 0, 1, or PLAIT_BDF2_OF_MODEL */
 } plait_strand_settings;
 
@@ -931,8 +905,9 @@ PLAIT_API void plait_strand_settings_init(plait_strand_settings* settings, size_
 
 /* The settings of every guide strand, from the next step on: those of `settings`, 1 to
  * PLAIT_STRAND_SETTINGS_MAX of them, whose index strand_settings gives; an empty view: settings[0]
- * for all. As plait_sim_set_models, which is this with nothing but models given. Strands of equal
- * settings are stepped together; the inter-hair step is that of the fixed step for all. Where
+ * for all. Positions and velocities stay. plait_sim_reset and set_params keep the settings, save and
+ * restore include them. Strands of equal settings are stepped together, whatever their order; the
+ * inter-hair step is that of the fixed step for all. Where
  * strands have different numbers of substeps, `acceleration`, `interhair` and what the caller reads
  * and writes (velocities, position_prev) are of the sim's own.
  * strand_settings: uint32_t [guides].
@@ -1421,7 +1396,7 @@ typedef struct plait_collider_mesh_desc {
 
 PLAIT_API void plait_collider_mesh_desc_init(plait_collider_mesh_desc* desc, size_t size);
 /* The sim keeps what it needs of `mesh`. It is as large as the roots' scale makes it. Waits for the
- * device. Models chain, cosserat, rod and articulated; one mesh per vertex is met in a substep, the
+ * device. Model articulated; one mesh per vertex is met in a substep, the
  * deepest, beside all other colliders.
  * @errors INVALID_STATE (model tressfx), INVALID_ARGUMENT (open edges, and others that leave it
  * without sides, where two_sided is 0) */

@@ -306,16 +306,6 @@ class Sim : public detail::Owner<plait_sim, plait_sim_destroy> {
     void set_detail(const plait_detail_desc& desc) { check(plait_sim_set_detail(get(), &desc)); }
     void drop_detail() { check(plait_sim_set_detail(get(), nullptr)); }
 
-    void set_models(const std::vector<plait_model>& models) {
-        check(plait_sim_set_models(get(), models.data(), models.size()));
-    }
-    std::vector<plait_model> models() const {
-        std::size_t count = 0;
-        check(plait_sim_get_models(get(), nullptr, &count));
-        std::vector<plait_model> models(count);
-        check(plait_sim_get_models(get(), models.data(), &count));
-        return models;
-    }
     // `of`: [guides], into `settings`; empty: the first for all.
     void set_settings(const std::vector<plait_strand_settings>& settings,
                       const std::vector<std::uint32_t>& of = {}) {

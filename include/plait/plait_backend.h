@@ -185,7 +185,7 @@ typedef struct plait_open_info {
     size_t stage_source_count;
     uint32_t lanes; /* as in plait_context_desc */
     /* To measure how many strands a GPU is best given at a time: local memory that each work-group of
-     * chain, cosserat, rod and articulated holds and does not use. A multiple of 4, at most the
+     * articulated holds and does not use. A multiple of 4, at most the
      * device's; 0: none. opencl; others ignore it. */
     uint32_t idle_local_bytes;
     const char* program_folder; /* as in plait_context_desc; may be NULL, and may be ignored */

@@ -288,33 +288,6 @@ plait_result plait_sim_find_balance(plait_sim* sim) {
     return api::with_sim(__func__, sim, [](Sim& s) { return s.find_balance(); });
 }
 
-plait_result plait_sim_set_models(plait_sim* sim, const plait_model* models, size_t count) {
-    return api::with_sim(__func__, sim, [&](Sim& s) -> Status {
-        PLAIT_TRY(api::need(models, "models"));
-        SettingsList settings(&s.context().memory);
-        for (size_t i = 0; i < count; ++i) {
-            PLAIT_TRY(check_strand_model(models[i], i));
-            settings.push_back(s.own_settings(models[i]));
-        }
-        return s.set_settings(settings);
-    });
-}
-
-plait_result plait_sim_get_models(const plait_sim* sim, plait_model* dst, size_t* count) {
-    return api::guard(__func__, [&]() -> Status {
-        PLAIT_TRY(api::need(sim, "sim"));
-        PLAIT_TRY(api::need(count, "count"));
-        const auto settings = sim->sim.settings();
-        if (dst && *count < settings.size())
-            return api::invalid(
-                format("*count is %zu, the sim has %zu guides", *count, settings.size()));
-        for (size_t i = 0; dst && i < settings.size(); ++i)
-            dst[i] = settings[i].model;
-        *count = settings.size();
-        return {};
-    });
-}
-
 void plait_strand_settings_init(plait_strand_settings* settings, size_t size) {
     api::init_struct(settings, size, default_strand_settings());
 }

@@ -94,13 +94,6 @@ std::string Sim::warning() const {
     return text;
 }
 
-uint32_t Sim::models_in_use() const {
-    uint32_t used = 0;
-    for (const Settings& strand : settings())
-        used |= 1u << strand.model;
-    return used;
-}
-
 void Sim::log_warnings(const plait_sim_params& before, const std::string& said) const {
     if (!context_.log.callback)
         return;
@@ -110,7 +103,7 @@ void Sim::log_warnings(const plait_sim_params& before, const std::string& said) 
     };
     if (const std::string text = warning(); text != said)
         log(text);
-    const Readers readers{models_in_use(), no_accelerate()};
+    const Readers readers{1u << desc_.model, no_accelerate()};
     for (const plait_param_info& param : param_table())
         log(ignored_warning(param, before, desc_.params, readers));
 }

@@ -1,6 +1,5 @@
 // Reading and writing the fields of a sim.
 #include "base/format.hpp"
-#include "core/models/traits.hpp"
 #include "core/sim.hpp"
 
 #include <algorithm>
@@ -234,12 +233,11 @@ Status Sim::write_pins(std::span<const float> src) {
 }
 
 Status Sim::check_gets_wet() const {
-    if (traits_of(desc_.model).switches)
+    if (desc_.model == PLAIT_MODEL_ARTICULATED)
         return {};
     return Error{PLAIT_INVALID_STATE,
-                 format("the sim is of model 0 (tressfx), which has no wetness; strands of the "
-                        "models %s do",
-                        list_models(&ModelTraits::switches).c_str())};
+                 "the sim is of model 0 (tressfx), whose strands do not get wet; those of "
+                 "articulated do"};
 }
 
 Status Sim::write_wetness(std::span<const float> src) {

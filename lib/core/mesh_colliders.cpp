@@ -14,7 +14,7 @@ namespace {
 
 // Of a coordinate: what float32 loses of a distance on its way through two frames.
 constexpr double rounding = 1e-6;
-// m, less than half a hair's width: strands at rest tremble in float32, `cosserat` by 20 um, and are
+// m, less than half a hair's width: strands at rest tremble in float32 and are
 // not to be rubbed by the mesh for it.
 constexpr double trembling = 3e-5;
 

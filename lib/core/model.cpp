@@ -1,13 +1,12 @@
 #include "core/model.hpp"
 
-#include "core/models/traits.hpp"
-
 namespace plait {
 
-Result<std::unique_ptr<Model>> make_model(const Settings& settings, const ModelInput& input) {
-    if (traits_of(settings.model).switches)
-        return make_lane_model(settings, input);
-    return make_tressfx_model(input.layout);
+Result<std::unique_ptr<Model>> make_model(plait_model model, const Settings& settings,
+                                          const ModelInput& input) {
+    if (model == PLAIT_MODEL_TRESSFX)
+        return make_tressfx_model(input.layout);
+    return make_lane_model(settings, input);
 }
 
 } // namespace plait

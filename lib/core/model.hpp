@@ -167,7 +167,8 @@ struct ModelInput {
 };
 
 // `settings`: of every strand.
-Result<std::unique_ptr<Model>> make_model(const Settings& settings, const ModelInput& input);
+Result<std::unique_ptr<Model>> make_model(plait_model model, const Settings& settings,
+                                          const ModelInput& input);
 
 std::unique_ptr<Model> make_tressfx_model(const Layout& layout); // models/tressfx.cpp
 std::unique_ptr<Model> make_lane_model(const Settings&,

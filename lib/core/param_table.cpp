@@ -1,7 +1,6 @@
 #include "core/param_table.hpp"
 
 #include "base/format.hpp"
-#include "core/models/traits.hpp"
 #include "core/params.hpp"
 
 #include <cstddef>
@@ -24,21 +23,12 @@ constexpr const char* diffuse_rules[] = {"thesis", "floored"};
 constexpr const char* volumes[] = {"off", "pressure"};
 constexpr const char* strand_contacts[] = {"off", "on"};
 
-// Who reads a parameter: the models of which a trait holds.
-constexpr uint32_t models_that(bool ModelTraits::*has) {
-    uint32_t mask = 0;
-    for (const ModelTraits& row : model_table)
-        mask |= row.*has ? 1u << row.model : 0u;
-    return mask;
-}
-constexpr uint32_t tressfx = 1u << PLAIT_MODEL_TRESSFX;
-constexpr uint32_t stretching = models_that(&ModelTraits::stretches);
-constexpr uint32_t flat = models_that(&ModelTraits::flat);
-constexpr uint32_t rods = models_that(&ModelTraits::bends);
-constexpr uint32_t strand_models = models_that(&ModelTraits::switches);
-constexpr uint32_t meeting = models_that(&ModelTraits::meets);
-static_assert((rods & tressfx) == 0 && (strand_models & tressfx) == 0);
-constexpr uint32_t every_model = tressfx | strand_models;
+// In the order of plait_model.
+constexpr const char* model_names[] = {"tressfx", "articulated"};
+
+// Who reads a parameter.
+constexpr uint32_t tressfx = 1u << PLAIT_MODEL_TRESSFX, articulated = 1u << PLAIT_MODEL_ARTICULATED;
+constexpr uint32_t every_model = tressfx | articulated;
 
 struct Field {
     const char* name;
@@ -105,21 +95,21 @@ constexpr plait_param_info table[] = {
     of(tressfx, choice(AT(shock_form), shock_forms)),
     of(tressfx, choice(AT(order), orders)),
 
-    of(strand_models, whole(AT(iterations), 0, 64)),
-    of(strand_models, whole(AT(bdf2), 0, 1)),
-    of(rods, real(AT(line_density), "kg/m", 1e-9, 1e3)),
-    of(rods, real(AT(bend_stiffness), "N m^2", 0, 1e3)),
-    of(stretching, real(AT(stretch_stiffness), "N", 0, 1e9)),
-    of(rods, real(AT(twist_stiffness), "N m^2", 0, 1e3)),
-    of(flat, real(AT(section_ratio), "", 1e-3, 1e3)),
-    of(rods, real(AT(tip_stiffness), "", 0, 100)),
-    of(strand_models, real(AT(tip_density), "", 1e-3, 1e3)),
-    of(strand_models, real(AT(drag), "1/s", 0, 1e4)),
+    of(articulated, whole(AT(iterations), 0, 64)),
+    of(articulated, whole(AT(bdf2), 0, 1)),
+    of(articulated, real(AT(line_density), "kg/m", 1e-9, 1e3)),
+    of(articulated, real(AT(bend_stiffness), "N m^2", 0, 1e3)),
+    of(0, real(AT(stretch_stiffness), "N", 0, 1e9)), // kernels of the caller's may
+    of(articulated, real(AT(twist_stiffness), "N m^2", 0, 1e3)),
+    of(articulated, real(AT(section_ratio), "", 1e-3, 1e3)),
+    of(articulated, real(AT(tip_stiffness), "", 0, 100)),
+    of(articulated, real(AT(tip_density), "", 1e-3, 1e3)),
+    of(articulated, real(AT(drag), "1/s", 0, 1e4)),
 
-    of(strand_models, real(AT(groom), "", 0, 1)),
+    of(articulated, real(AT(groom), "", 0, 1)),
 
     real(AT(wind), "m/s", -1e3, 1e3),
-    of(strand_models, real(AT(air_with_head), "", 0, 1)),
+    of(articulated, real(AT(air_with_head), "", 0, 1)),
     of(tressfx, real(AT(air_drag), "1/m", 0, 1e6)),
     of(tressfx, real(AT(wind_cone), "rad", 0, std::numbers::pi / 2)),
 
@@ -136,19 +126,19 @@ constexpr plait_param_info table[] = {
     real(AT(grid_origin), "m", -1e6, 1e6),
     real(AT(grid_edge), "m", 0, 1e6),
 
-    of(strand_models, choice(AT(volume), volumes)),
-    of(strand_models, real(AT(volume_share), "", 0, 4)),
-    of(strand_models, whole(AT(volume_sweeps), 1, 64)),
-    of(strand_models, real(AT(volume_rate), "1/s", 0, 1e3)),
-    of(strand_models, real(AT(volume_viscosity), "1/s", 0, 1e3)),
-    of(strand_models, real(AT(cohesion), "m^2/s^2", 0, 1e4)),
+    of(articulated, choice(AT(volume), volumes)),
+    of(articulated, real(AT(volume_share), "", 0, 4)),
+    of(articulated, whole(AT(volume_sweeps), 1, 64)),
+    of(articulated, real(AT(volume_rate), "1/s", 0, 1e3)),
+    of(articulated, real(AT(volume_viscosity), "1/s", 0, 1e3)),
+    of(articulated, real(AT(cohesion), "m^2/s^2", 0, 1e4)),
 
-    of(strand_models, real(AT(drying_time), "s", 0, 1e9)),
-    of(strand_models, real(AT(wet_cohesion), "m^2/s^2", 0, 1e4)),
+    of(articulated, real(AT(drying_time), "s", 0, 1e9)),
+    of(articulated, real(AT(wet_cohesion), "m^2/s^2", 0, 1e4)),
 
-    of(meeting, choice(AT(strand_contact), strand_contacts)),
-    of(meeting, above(AT(strand_radius), "m", 0, 0.1)),
-    of(meeting, real(AT(strand_friction), "", 0, 10)),
+    of(articulated, choice(AT(strand_contact), strand_contacts)),
+    of(articulated, above(AT(strand_radius), "m", 0, 0.1)),
+    of(articulated, real(AT(strand_friction), "", 0, 10)),
 
     whole(AT(follow_contact), 0, 1),
 
@@ -225,9 +215,9 @@ constexpr Needs needs_table[] = {
 
 std::string names(uint32_t mask) {
     std::string text;
-    for (const ModelTraits& row : model_table)
-        if (mask & (1u << row.model))
-            text += (text.empty() ? "" : ", ") + std::string(row.name);
+    for (size_t model = 0; model < std::size(model_names); ++model)
+        if (mask & (1u << model))
+            text += (text.empty() ? "" : ", ") + std::string(model_names[model]);
     return text;
 }
 
@@ -246,7 +236,7 @@ std::span<const plait_param_info> param_table() {
 
 const char* model_name(plait_model model) {
     const auto number = static_cast<uint32_t>(model);
-    return number < std::size(model_table) ? model_table[number].name : "?";
+    return number < std::size(model_names) ? model_names[number] : "?";
 }
 
 std::string ignored_warning(const plait_param_info& param, const plait_sim_params& before,
@@ -257,6 +247,8 @@ std::string ignored_warning(const plait_param_info& param, const plait_sim_param
     if (param.offset == offsetof(plait_sim_params, accelerate_values) && *readers.no_accelerate)
         return format("params: %s is set, and no kernel reads it: %s", param.name,
                       readers.no_accelerate);
+    if (param.models == 0)
+        return format("params: %s is set, and no model of the library reads it", param.name);
     if ((param.models & used) == 0)
         return format("params: %s is set, and no strand's model (%s) reads it; those that do: %s",
                       param.name, names(used).c_str(), names(param.models).c_str());

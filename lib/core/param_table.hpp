@@ -12,7 +12,7 @@ namespace plait {
 // In the order of the struct.
 std::span<const plait_param_info> param_table();
 
-// "cosserat"; of none, "?".
+// "articulated"; of none, "?".
 const char* model_name(plait_model model);
 
 // Who reads a sim's parameters.

@@ -1,6 +1,5 @@
 #include "core/params.hpp"
 
-#include "core/models/traits.hpp"
 #include "core/param_table.hpp"
 #include "core/pose.hpp"
 #include "core/ranges.hpp"
@@ -67,8 +66,6 @@ Status check_param(const plait_param_info& param, const plait_sim_params& params
 // Values beside the range that leave a choice to the model.
 bool left_to_model(const plait_param_info& param, const plait_sim_params& params) {
     switch (param.offset) {
-    case offsetof(plait_sim_params, iterations):
-        return params.iterations == PLAIT_ITERATIONS_OF_MODEL;
     case offsetof(plait_sim_params, bdf2):
         return params.bdf2 == PLAIT_BDF2_OF_MODEL;
     default:
@@ -98,7 +95,7 @@ plait_sim_params default_params() {
     p.vsp_coeff = 0.8f;
     p.vsp_accel_threshold = 1.4f;
     p.max_displacement = 1e6f;
-    p.iterations = PLAIT_ITERATIONS_OF_MODEL;
+    p.iterations = 1;
     p.bdf2 = PLAIT_BDF2_OF_MODEL;
     p.line_density = 5e-6f;
     p.bend_stiffness = 4.7e-9f;
@@ -153,24 +150,25 @@ Status check_params(const plait_sim_params& params) {
 }
 
 Status check_volume(const plait_sim_params& params, plait_model model) {
-    if (params.volume == PLAIT_VOLUME_OFF || traits_of(model).switches)
+    if (params.volume == PLAIT_VOLUME_OFF || model == PLAIT_MODEL_ARTICULATED)
         return {};
     return Error{PLAIT_INVALID_ARGUMENT,
-                 format("volume is %d: strands of model %d have none; those of the models %s do",
-                        params.volume, model, list_models(&ModelTraits::switches).c_str())};
+                 format("volume is %d: strands of the model tressfx have none, those of articulated "
+                        "do",
+                        params.volume)};
 }
 
 Status check_strand_contact(const plait_sim_params& params, plait_model model) {
-    if (params.strand_contact == PLAIT_STRAND_CONTACT_OFF || traits_of(model).meets)
+    if (params.strand_contact == PLAIT_STRAND_CONTACT_OFF || model == PLAIT_MODEL_ARTICULATED)
         return {};
     return Error{PLAIT_INVALID_ARGUMENT,
-                 format("strand_contact is %d (on): strands of model %d do not meet each other; "
-                        "those of the models %s do",
-                        params.strand_contact, model, list_models(&ModelTraits::meets).c_str())};
+                 format("strand_contact is %d (on): strands of the model tressfx do not meet each "
+                        "other, those of articulated do",
+                        params.strand_contact)};
 }
 
 Status check_sim_desc(const plait_sim_desc& s) {
-    PLAIT_RANGE_ENUM(model, last_model());
+    PLAIT_RANGE_ENUM(model, PLAIT_MODEL_ARTICULATED);
     PLAIT_RANGE(step, 1e-5f, 1);
     PLAIT_RANGE(substeps, 1, 1000);
     PLAIT_RANGE(max_steps_per_call, 1, 1000);
@@ -178,60 +176,41 @@ Status check_sim_desc(const plait_sim_desc& s) {
     PLAIT_RANGE(keep_last_frame, 0, 1);
     PLAIT_RANGE(accelerations, 0, 1);
     PLAIT_RANGE(pins, 0, 1);
-    if (s.pins && !traits_of(s.model).switches)
+    const bool tressfx = s.model == PLAIT_MODEL_TRESSFX;
+    if (s.pins && tressfx)
         return Error{PLAIT_INVALID_ARGUMENT,
-                     format("pins is 1: strands of model %d take none; those of the models %s do",
-                            s.model, list_models(&ModelTraits::switches).c_str())};
+                     "pins is 1: strands of the model tressfx take none, those of articulated do"};
     PLAIT_RANGE(follows_per_guide, 0, 64);
     PLAIT_RANGE(follow_radius, 0, 1);
     PLAIT_RANGE_ENUM(sag_free, PLAIT_SAG_FREE_STIFFEN);
-    if (s.sag_free != PLAIT_SAG_FREE_OFF && !traits_of(s.model).bends)
+    if (s.sag_free != PLAIT_SAG_FREE_OFF && tressfx)
         return Error{PLAIT_INVALID_ARGUMENT,
-                     format("sag_free is %d: model %d has no bending that could hold a groom's "
-                            "shape, %s have",
-                            s.sag_free, s.model, list_models(&ModelTraits::bends).c_str())};
-    if (s.material_count > 0 && !traits_of(s.model).switches)
+                     format("sag_free is %d: the model tressfx has no bending that could hold a "
+                            "groom's shape, articulated has",
+                            s.sag_free)};
+    if (s.material_count > 0 && tressfx)
         return Error{PLAIT_INVALID_ARGUMENT,
-                     format("material_count is %zu: the stiffness of model %d is no material's, %s "
-                            "have materials",
-                            s.material_count, s.model,
-                            list_models(&ModelTraits::switches).c_str())};
+                     format("material_count is %zu: strands of the model tressfx have no material, "
+                            "those of articulated do",
+                            s.material_count)};
     PLAIT_TRY(check_params(s.params));
     PLAIT_TRY(check_strand_contact(s.params, s.model));
     return check_volume(s.params, s.model);
 }
 
-Status check_strand_model(const plait_model& model, size_t strand) {
-    const double low = PLAIT_MODEL_CHAIN, high = last_model();
-    if (raw(model) >= low && raw(model) <= high)
-        return {};
-    return Error{PLAIT_INVALID_ARGUMENT,
-                 format("models[%zu] is %g, range is [%g, %g]: %s", strand, raw(model), low, high,
-                        list_models(&ModelTraits::switches).c_str())};
-}
-
 plait_strand_settings default_strand_settings() {
-    return {sizeof(plait_strand_settings), PLAIT_MODEL_ARTICULATED, PLAIT_SETTING_OF_SIM,
-            PLAIT_SETTING_OF_SIM, PLAIT_SETTING_OF_SIM};
+    return {sizeof(plait_strand_settings), PLAIT_SETTING_OF_SIM, PLAIT_SETTING_OF_SIM,
+            PLAIT_SETTING_OF_SIM};
 }
 
 Status check_strand_settings(const plait_strand_settings& s) {
-    PLAIT_TRY(check_range("model", raw(s.model), PLAIT_MODEL_CHAIN, last_model()));
     if (s.substeps != PLAIT_SETTING_OF_SIM)
         PLAIT_RANGE(substeps, 1, 1000);
-    if (s.iterations != PLAIT_SETTING_OF_SIM && s.iterations != PLAIT_ITERATIONS_OF_MODEL)
+    if (s.iterations != PLAIT_SETTING_OF_SIM)
         PLAIT_RANGE(iterations, 0, 64);
     if (s.bdf2 != PLAIT_SETTING_OF_SIM && s.bdf2 != PLAIT_BDF2_OF_MODEL)
         PLAIT_RANGE(bdf2, 0, 1);
     return {};
-}
-
-Status check_model(const plait_model& model, size_t index) {
-    const double high = last_model();
-    if (raw(model) >= 0 && raw(model) <= high)
-        return {};
-    return Error{PLAIT_INVALID_ARGUMENT,
-                 format("models[%zu] is %g, range is [0, %g]", index, raw(model), high)};
 }
 
 Status check_strand_stiffness(std::span<const float> scales, size_t guides) {

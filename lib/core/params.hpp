@@ -15,8 +15,6 @@ Status check_params(const plait_sim_params& params);
 Status check_sim_desc(const plait_sim_desc& desc);
 Status check_volume(const plait_sim_params& params, plait_model model); // whether it has one
 Status check_strand_contact(const plait_sim_params& params, plait_model model); // the same
-Status check_model(const plait_model& model, size_t index);
-Status check_strand_model(const plait_model& model, size_t strand);
 plait_strand_settings default_strand_settings();
 Status check_strand_settings(const plait_strand_settings& settings);
 Status check_strand_stiffness(std::span<const float> scales, size_t guides);

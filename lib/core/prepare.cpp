@@ -12,10 +12,7 @@
 namespace plait {
 namespace {
 
-constexpr uint32_t tressfx = 1u << PLAIT_MODEL_TRESSFX, chain = 1u << PLAIT_MODEL_CHAIN,
-                   cosserat = 1u << PLAIT_MODEL_COSSERAT, rod = 1u << PLAIT_MODEL_ROD,
-                   articulated = 1u << PLAIT_MODEL_ARTICULATED;
-constexpr uint32_t bending = cosserat | rod | articulated, lanes = chain | bending,
+constexpr uint32_t tressfx = 1u << PLAIT_MODEL_TRESSFX, lanes = 1u << PLAIT_MODEL_ARTICULATED,
                    any = tressfx | lanes;
 
 constexpr uint32_t always = ~0u;
@@ -56,21 +53,18 @@ constexpr Need needs[] = {
     {PLAIT_STAGE_collide, tressfx},
     {PLAIT_STAGE_clamp, tressfx},
     {PLAIT_STAGE_attach, tressfx},
-    {PLAIT_STAGE_chain, chain},
-    {PLAIT_STAGE_cosserat, cosserat},
-    {PLAIT_STAGE_rod, rod},
-    {PLAIT_STAGE_articulated, articulated},
+    {PLAIT_STAGE_articulated, lanes},
     {PLAIT_STAGE_lane_accelerate, lanes, PLAIT_FEATURE_ACCELERATIONS},
     {PLAIT_STAGE_pins, lanes, PLAIT_FEATURE_PINS},
     {PLAIT_STAGE_lane_pin, lanes, PLAIT_FEATURE_PINS},
     {PLAIT_STAGE_lane_groom, lanes, PLAIT_FEATURE_GROOM},
     {PLAIT_STAGE_mesh_contact, lanes, PLAIT_FEATURE_MESHES},
     {PLAIT_STAGE_mesh_nearest, lanes, PLAIT_FEATURE_BENDING_MESHES},
-    {PLAIT_STAGE_pair_count, bending, PLAIT_FEATURE_STRAND_CONTACT},
-    {PLAIT_STAGE_pair_scan, bending, PLAIT_FEATURE_STRAND_CONTACT},
-    {PLAIT_STAGE_pair_fill, bending, PLAIT_FEATURE_STRAND_CONTACT},
-    {PLAIT_STAGE_pair_find, bending, PLAIT_FEATURE_STRAND_CONTACT},
-    {PLAIT_STAGE_strand_contact, bending, PLAIT_FEATURE_STRAND_CONTACT},
+    {PLAIT_STAGE_pair_count, lanes, PLAIT_FEATURE_STRAND_CONTACT},
+    {PLAIT_STAGE_pair_scan, lanes, PLAIT_FEATURE_STRAND_CONTACT},
+    {PLAIT_STAGE_pair_fill, lanes, PLAIT_FEATURE_STRAND_CONTACT},
+    {PLAIT_STAGE_pair_find, lanes, PLAIT_FEATURE_STRAND_CONTACT},
+    {PLAIT_STAGE_strand_contact, lanes, PLAIT_FEATURE_STRAND_CONTACT},
     {PLAIT_STAGE_lane_reset, lanes},
     {PLAIT_STAGE_lane_teleport, lanes},
     {PLAIT_STAGE_lane_set_off, lanes},
@@ -87,7 +81,6 @@ constexpr Need needs[] = {
     {PLAIT_STAGE_wetness, lanes, PLAIT_FEATURE_WETNESS},
     {PLAIT_STAGE_lane_wetness, lanes, PLAIT_FEATURE_WETNESS},
     {PLAIT_STAGE_lane_move, lanes, PLAIT_FEATURE_SWITCHES},
-    {PLAIT_STAGE_lane_orient, chain, PLAIT_FEATURE_SWITCHES},
     {PLAIT_STAGE_lane_fit, lanes, PLAIT_FEATURE_SWITCHES},
     {PLAIT_STAGE_grid_clear, any, clears},
     {PLAIT_STAGE_grid_slots, any, PLAIT_FEATURE_SLOTS},

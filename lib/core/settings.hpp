@@ -1,9 +1,10 @@
-// How a strand is solved: by which model, in how many substeps and with how much work in each.
+// How a strand is solved: in how many substeps and with how much work in each.
 #pragma once
 
-#include "core/models/traits.hpp"
+#include <plait/plait.h>
 
 #include <memory_resource>
+#include <span>
 #include <vector>
 
 namespace plait {
@@ -11,7 +12,6 @@ namespace plait {
 // One strand's. `iterations` and `bdf2` may be PLAIT_SETTING_OF_SIM: what the parameters say, which
 // may change under it.
 struct Settings {
-    plait_model model;
     uint32_t substeps; // of a fixed step
     uint32_t iterations = PLAIT_SETTING_OF_SIM, bdf2 = PLAIT_SETTING_OF_SIM;
 
@@ -19,15 +19,14 @@ struct Settings {
 
     // The numbers that a solve takes.
     uint32_t iterations_of(const plait_sim_params& params) const {
-        const uint32_t n = iterations == PLAIT_SETTING_OF_SIM ? params.iterations : iterations;
-        return n == PLAIT_ITERATIONS_OF_MODEL ? traits_of(model).iterations : n;
+        return iterations == PLAIT_SETTING_OF_SIM ? params.iterations : iterations;
     }
     uint32_t bdf2_of(const plait_sim_params& params) const {
         const uint32_t own = bdf2 == PLAIT_SETTING_OF_SIM ? params.bdf2 : bdf2;
         if (own != PLAIT_BDF2_OF_MODEL)
             return own;
         // what it remembers of the step before throws off strands that others have pushed
-        return params.strand_contact == PLAIT_STRAND_CONTACT_OFF ? traits_of(model).bdf2 : 0;
+        return params.strand_contact == PLAIT_STRAND_CONTACT_OFF ? 1 : 0;
     }
 };
 using SettingsList = std::pmr::vector<Settings>; // [guides]
@@ -35,7 +34,7 @@ using SettingsList = std::pmr::vector<Settings>; // [guides]
 // Of settings that were checked, in a sim of so many substeps.
 inline Settings make_settings(const plait_strand_settings& given, uint32_t sim_substeps) {
     const bool own = given.substeps != PLAIT_SETTING_OF_SIM;
-    return {given.model, own ? given.substeps : sim_substeps, given.iterations, given.bdf2};
+    return {own ? given.substeps : sim_substeps, given.iterations, given.bdf2};
 }
 
 // The numbers of substeps in a list of settings, each once, in the order of their first strand.

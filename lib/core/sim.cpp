@@ -2,7 +2,6 @@
 
 #include "base/format.hpp"
 #include "base/hash.hpp"
-#include "core/models/traits.hpp"
 #include "core/params.hpp"
 
 #include <algorithm>
@@ -183,11 +182,10 @@ Status Sim::set_params(const plait_sim_params& params) {
 }
 
 Status Sim::set_materials(StrandMaterialsPtr materials) {
-    if (!traits_of(desc_.model).switches)
+    if (desc_.model == PLAIT_MODEL_TRESSFX)
         return Error{PLAIT_INVALID_STATE,
-                     format("the sim is of model 0 (tressfx), whose stiffness is no material's; "
-                            "strands of the models %s have one",
-                            list_models(&ModelTraits::switches).c_str())};
+                     "the sim is of model 0 (tressfx), whose strands have no material; those of "
+                     "articulated do"};
     const Discard discard{*model_};
     const std::string warned = context_.log.callback ? warning() : "";
     Trial trial([&] { model_->exchange(materials); });
@@ -217,11 +215,10 @@ Status Sim::set_wind(const plait_wind_desc* desc) {
         model_->close_wind();
         return {};
     }
-    if (!traits_of(desc_.model).switches)
+    if (desc_.model == PLAIT_MODEL_TRESSFX)
         return Error{PLAIT_INVALID_STATE,
-                     format("the sim is of model 0 (tressfx), whose wind is that of the params; "
-                            "strands of the models %s take plait_sim_set_wind",
-                            list_models(&ModelTraits::switches).c_str())};
+                     "the sim is of model 0 (tressfx), whose wind is that of the params; strands of "
+                     "articulated take plait_sim_set_wind"};
     Wind next;
     PLAIT_TRY(next.begin(device(), wind_, *desc, hair_));
     if (!wind_.blows())
@@ -273,7 +270,7 @@ Status Sim::set_detail(const plait_detail_desc* desc, std::span<const uint32_t> 
 }
 
 SettingsList Sim::settings() const {
-    SettingsList list(layout_.guides, own_settings(desc_.model), &context_.memory);
+    SettingsList list(layout_.guides, own_settings(), &context_.memory);
     model_->read_settings(list);
     return list;
 }
@@ -281,9 +278,8 @@ SettingsList Sim::settings() const {
 Status Sim::check_settings(std::span<const Settings> settings) const {
     if (desc_.model == PLAIT_MODEL_TRESSFX)
         return Error{PLAIT_INVALID_STATE,
-                     format("the sim is of model 0 (tressfx); strands of the models %s can be "
-                            "switched",
-                            list_models(&ModelTraits::switches).c_str())};
+                     "the sim is of model 0 (tressfx), whose strands have no settings; those of "
+                     "articulated do"};
     if (settings.size() != layout_.guides)
         return Error{PLAIT_INVALID_ARGUMENT, format("count is %zu, the sim has %u guides",
                                                     settings.size(), layout_.guides)};

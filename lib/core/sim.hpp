@@ -88,7 +88,7 @@ class Sim {
     Status set_settings(std::span<const Settings> settings);
     SettingsList settings() const;
     // The sim's own, with this model.
-    Settings own_settings(plait_model model) const { return {model, desc_.substeps}; }
+    Settings own_settings() const { return {desc_.substeps}; }
     // Null: roots are free again. `places`: [guides], or empty.
     Status bind_roots(const Mesh* mesh, std::span<plait_root_place> places);
     Status set_roots(const RootsInput& input);
@@ -272,7 +272,6 @@ class Sim {
     Status take_substeps(const std::pmr::vector<uint32_t>& substeps);
     Result<uint64_t> accelerations_ignored() const;
     uint64_t device_bytes() const;
-    uint32_t models_in_use() const;    // bits 1u << plait_model
     std::string warning() const;       // plait_sim_info.warning
     const char* no_accelerate() const; // why no kernel of the caller's accelerates; "": one does
     // To the log: `warning()` unless it is `said`, and what parameters changed from `before` to

@@ -1,7 +1,6 @@
 // Colliders that are made of meshes.
 #include "base/format.hpp"
 #include "core/mesh_distance.hpp"
-#include "core/models/traits.hpp"
 #include "core/sim.hpp"
 
 namespace plait {
@@ -64,9 +63,8 @@ Result<plait_collider_id> Sim::create_mesh_collider(const Mesh& mesh,
                                                     const plait_collider_mesh_desc& desc) {
     if (desc_.model == PLAIT_MODEL_TRESSFX)
         return Error{PLAIT_INVALID_STATE,
-                     format("the sim is of model 0 (tressfx), whose strands do not meet meshes; "
-                            "those of the models %s do",
-                            list_models(&ModelTraits::switches).c_str())};
+                     "the sim is of model 0 (tressfx), whose strands do not meet meshes; those of "
+                     "articulated do"};
     const auto id = colliders_.create_mesh(device(), desc);
     if (!id)
         return id.error();

@@ -88,7 +88,7 @@ Result<SimParts> make_sim_parts(Context& context, const Groom& groom, const plai
     const Layout layout = make_layout(groom, desc, strands.follows);
     Device& device = context.device;
     auto model =
-        make_model({desc.model, desc.substeps},
+        make_model(desc.model, {desc.substeps},
                    {layout, groom, strands.stiffness, strands.materials, context.info.tile,
                     Clock(desc.step, 1).step(), desc.sag_free, std::to_array(desc.params.gravity),
                     desc.accelerations != 0, desc.pins != 0, &context.memory});

@@ -8,7 +8,6 @@
 
 #include "base/format.hpp"
 #include "base/hash.hpp"
-#include "core/models/traits.hpp"
 #include "core/params.hpp"
 
 #include <algorithm>
@@ -136,7 +135,7 @@ SnapshotHeader Sim::snapshot_header() {
     h.scale = scale_;
     const auto strands = settings();
     h.switched = std::ranges::any_of(
-        strands, [&](const Settings& s) { return s != own_settings(desc_.model); });
+        strands, [&](const Settings& s) { return s != own_settings(); });
     const auto all = roots_.all_poses();
     for (size_t i = 0; i < all.size(); ++i) {
         const bool meant = all[i] != all[1] || roots_.aimed; // no target: nothing to keep
@@ -182,8 +181,7 @@ Status Sim::save(std::span<unsigned char> dst) {
     put(colliders_.slots().data(), colliders_.slots().size_bytes());
     if (h.switched)
         for (const Settings& s : settings()) {
-            const SavedSettings saved = {static_cast<uint32_t>(s.model), s.substeps, s.iterations,
-                                         s.bdf2};
+            const SavedSettings saved = {s.substeps, s.iterations, s.bdf2};
             put(&saved, sizeof saved);
         }
     for (size_t i = 0; i < colliders_.slots().size(); ++i) {
@@ -236,14 +234,13 @@ Status Sim::save(std::span<unsigned char> dst) {
 // The settings of every strand, as a snapshot says from `from` on; the sim's own where it says
 // nothing.
 Result<SettingsList> Sim::saved_settings(const SnapshotHeader& h, const unsigned char* from) const {
-    SettingsList list(layout_.guides, own_settings(desc_.model), &context_.memory);
+    SettingsList list(layout_.guides, own_settings(), &context_.memory);
     if (!h.switched)
         return list;
     for (size_t i = 0; i < list.size(); ++i) {
         SavedSettings saved;
         std::memcpy(&saved, from + i * sizeof saved, sizeof saved);
         plait_strand_settings settings = default_strand_settings();
-        std::memcpy(&settings.model, &saved.model, sizeof saved.model); // it may be any number
         settings.substeps = saved.substeps;
         settings.iterations = saved.iterations;
         settings.bdf2 = saved.bdf2;
@@ -271,7 +268,7 @@ Status Sim::check_fits(const SnapshotHeader& h) const {
         return Error{PLAIT_INVALID_ARGUMENT,
                      format("the snapshot is of model %u, the sim's is %d", h.model, desc_.model)};
     if (h.switched && desc_.model == PLAIT_MODEL_TRESSFX)
-        return malformed("switched is 1, strands of model 0 do not switch");
+        return malformed("switched is 1, strands of model 0 have no settings");
     if (h.step != desc_.step || h.substeps != desc_.substeps)
         return Error{PLAIT_INVALID_ARGUMENT,
                      format("the snapshot has steps of %g s in %u substeps, the sim %g s in %u",

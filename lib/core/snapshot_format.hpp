@@ -9,7 +9,7 @@ namespace plait {
 
 // Of a strand, as Settings has it.
 struct SavedSettings {
-    uint32_t model, substeps, iterations, bdf2;
+    uint32_t substeps, iterations, bdf2;
 };
 
 // Of a collider that is a mesh, in the order of their slots; then come the values of its nodes, and
@@ -68,7 +68,7 @@ static_assert(sizeof(Colliders::Slot) == sizeof(float) * (2 + 22 + 36),
 namespace snapshots {
 
 constexpr uint32_t magic = 0x74696c70; // "plit"
-constexpr uint32_t version = 11;
+constexpr uint32_t version = 12;
 
 // BAD_DATA.
 Error malformed(const std::string& what);

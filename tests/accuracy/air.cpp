@@ -23,8 +23,7 @@ double tilt_on_a_moving_head(const plait_sim_desc& desc) {
 class Air : public testing::TestWithParam<plait_model> {};
 
 INSTANTIATE_TEST_SUITE_P(Models, Air,
-                         testing::Values(PLAIT_MODEL_CHAIN, PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD,
-                                         PLAIT_MODEL_ARTICULATED));
+                         testing::Values(PLAIT_MODEL_ARTICULATED));
 
 TEST_P(Air, with_the_head_leaves_hair_hanging) {
     plait_sim_desc desc = plait_sim_desc_defaults();
@@ -36,7 +35,7 @@ TEST_P(Air, with_the_head_leaves_hair_hanging) {
 // A limp strand hangs along the sum of weight and drag: c v/g.
 TEST(Air, drags_hair_by_the_head_s_own_speed) {
     plait_sim_desc desc = plait_sim_desc_defaults();
-    desc.model = PLAIT_MODEL_CHAIN;
+    desc.model = PLAIT_MODEL_ARTICULATED;
     desc.params.drag = 2.0f; // 1/s
     for (const float share : {0.0f, 0.25f}) {
         desc.params.air_with_head = share;

@@ -40,7 +40,7 @@ std::vector<Vec3> curled() {
 
 plait_sim_desc desc_of(float scale, float ratio, size_t axis) {
     plait_sim_desc desc = plait_sim_desc_defaults();
-    desc.model = PLAIT_MODEL_ROD;
+    desc.model = PLAIT_MODEL_ARTICULATED;
     plait_sim_params& p = desc.params;
     p.drag = 20.0f;
     p.bend_stiffness *= scale;
@@ -69,36 +69,13 @@ TEST(Section, and_by_the_other_one_across) {
     EXPECT_NEAR(sag(desc_of(1, 4, 2), 2), stiff, 0.05f * stiff); // twists a little, besides
 }
 
-// Hanging straight down, a strand of which every piece pulls what is above it gives
-// rho g L^2 (1/2 + (ratio - 1)/3) / EA.
-TEST(TipDensity, is_what_the_hair_above_carries) {
-    constexpr float length = 0.3f;
-    std::vector<Vec3> points;
-    for (uint32_t i = 0; i < 17; ++i)
-        points.push_back({0.0f, -length * static_cast<float>(i) / 16.0f, 0.0f});
-    for (const plait_model model : {PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD})
-        for (const float ratio : {0.01f, 1.0f, 100.0f}) {
-            plait_sim_desc desc = plait_sim_desc_defaults();
-            desc.model = model;
-            plait_sim_params& p = desc.params;
-            p.drag = 20.0f;
-            p.tip_density = ratio;
-            p.stretch_stiffness =
-                100 * p.line_density * 9.81f * length * (0.5f + (ratio - 1) / 3); // gives 1 %
-            OneStrand strand(points, desc);
-            strand.run(5.0);
-            EXPECT_NEAR(strand.tip()[1], -1.01f * length, 0.01f * 0.01f * length)
-                << "model " << model << ", ratio " << ratio;
-        }
-}
-
 TEST(StrandStiffness, scales_strand_by_strand) {
     std::vector<Vec3> points = curled();
     const size_t row = points.size();
     const std::vector<Vec3> one = points;
     points.insert(points.end(), one.begin(), one.end());
     for (const plait_model model :
-         {PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD, PLAIT_MODEL_ARTICULATED}) {
+         {PLAIT_MODEL_ARTICULATED}) {
         plait_sim_desc desc = desc_of(1, 1, 1);
         desc.model = model;
         const float scales[] = {1.0f, 4.0f};

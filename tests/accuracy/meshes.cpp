@@ -36,8 +36,7 @@ plait_collider_mesh_desc mesh_at(Vec3 t, float friction, uint32_t cells, plait_m
 class Meshes : public testing::TestWithParam<Use> {};
 
 INSTANTIATE_TEST_SUITE_P(Models, Meshes,
-                         testing::Values(Use{PLAIT_MODEL_CHAIN, 4}, Use{PLAIT_MODEL_COSSERAT, 1},
-                                         Use{PLAIT_MODEL_ROD, 1}, Use{PLAIT_MODEL_ARTICULATED, 1}));
+                         testing::Values(Use{PLAIT_MODEL_ARTICULATED, 1}));
 
 // A round bar along z of 2,000 triangles.
 ShapeMesh bar_mesh(double radius, double half) {
@@ -60,8 +59,6 @@ TEST_P(Meshes, a_round_bar_is_a_capsule) {
     const Vec3 middle = {0.12f, -0.1f, 0.0f};
     plait_sim_desc damped = desc_of(GetParam());
     damped.params.drag = 10;
-    if (GetParam().model == PLAIT_MODEL_COSSERAT)
-        damped.params.iterations = 32; // fewer creep to their rest
     const auto fallen = [&](bool mesh, plait_mesh_form form = PLAIT_MESH_FORM_FIELD) {
         OneStrand strand({17, length, {1.0f, 0.0f, 0.0f}}, damped);
         if (mesh) {
@@ -121,7 +118,7 @@ class Slope {
 
 TEST(MeshSlope, holds_a_degree_below_the_angle_of_friction) {
     for (const plait_mesh_form form : forms)
-        for (const plait_model model : {PLAIT_MODEL_CHAIN, PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD}) {
+        for (const plait_model model : {PLAIT_MODEL_ARTICULATED}) {
             Slope slope(model, 0.3f, -1, form);
             slope.speed(60);
             EXPECT_LT(slope.speed(60), 1e-3 * double(length))
@@ -131,7 +128,7 @@ TEST(MeshSlope, holds_a_degree_below_the_angle_of_friction) {
 
 TEST(MeshSlope, lets_go_a_degree_above) {
     for (const plait_mesh_form form : forms)
-        for (const plait_model model : {PLAIT_MODEL_CHAIN, PLAIT_MODEL_ROD}) {
+        for (const plait_model model : {PLAIT_MODEL_ARTICULATED}) {
             Slope slope(model, 0.3f, 1, form);
             slope.speed(20);
             EXPECT_GT(slope.speed(5), 0.02) << "model " << model << ", form " << form;
@@ -195,7 +192,7 @@ int passed_through(bool two_sided, plait_model model, float pace, plait_mesh_for
 TEST(MeshTunnelling, no_vertex_passes_through_what_is_thin) {
     for (const bool two_sided : {false, true})
         for (const plait_model model :
-             {PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD, PLAIT_MODEL_ARTICULATED})
+             {PLAIT_MODEL_ARTICULATED})
             for (const float segments : {0.5f, 1.0f, 2.0f, 5.0f}) {
                 if (model == PLAIT_MODEL_ARTICULATED && segments > 2)
                     continue;

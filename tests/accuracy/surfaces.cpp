@@ -82,8 +82,7 @@ Points rest_on(const Use& use, const plait_collider_desc& collider, double secon
 class Surfaces : public testing::TestWithParam<Use> {};
 
 INSTANTIATE_TEST_SUITE_P(Models, Surfaces,
-                         testing::Values(Use{PLAIT_MODEL_CHAIN, 4}, Use{PLAIT_MODEL_COSSERAT, 1},
-                                         Use{PLAIT_MODEL_ROD, 1}, Use{PLAIT_MODEL_ARTICULATED, 1}));
+                         testing::Values(Use{PLAIT_MODEL_ARTICULATED, 1}));
 
 // The root is 1 cm above; the plane leans about an axis of its own.
 TEST_P(Surfaces, hair_rests_on_a_plane_at_any_tilt) {
@@ -147,7 +146,7 @@ class Slope {
 };
 
 TEST(SlopeFriction, holds_a_degree_below_its_angle) {
-    for (const plait_model model : {PLAIT_MODEL_CHAIN, PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD})
+    for (const plait_model model : {PLAIT_MODEL_ARTICULATED})
         for (const bool hull : {false, true}) {
             Slope slope(model, 0.3f, -1, hull);
             slope.speed(60);
@@ -156,7 +155,7 @@ TEST(SlopeFriction, holds_a_degree_below_its_angle) {
 }
 
 TEST(SlopeFriction, lets_go_a_degree_above) {
-    for (const plait_model model : {PLAIT_MODEL_CHAIN, PLAIT_MODEL_ROD})
+    for (const plait_model model : {PLAIT_MODEL_ARTICULATED})
         for (const bool hull : {false, true}) {
             Slope slope(model, 0.3f, 1, hull);
             slope.speed(20);
@@ -165,7 +164,7 @@ TEST(SlopeFriction, lets_go_a_degree_above) {
 }
 
 TEST(SlopeFriction, is_mu_times_the_push_while_it_slides) {
-    for (const plait_model model : {PLAIT_MODEL_CHAIN, PLAIT_MODEL_ROD}) {
+    for (const plait_model model : {PLAIT_MODEL_ARTICULATED}) {
         Slope slope(model, 0.3f, 10);
         slope.speed(2);
         const double before = slope.speed(1);
@@ -296,7 +295,7 @@ TEST(Tunnelling, no_vertex_passes_through_a_slab) {
             points.push_back({-0.1f + 0.2f * static_cast<float>(s * 37 % 60) / 60.0f,
                               -length * static_cast<float>(i) / 16.0f,
                               -0.006f + 0.012f * static_cast<float>(s) / 60.0f});
-    for (const plait_model model : {PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD, PLAIT_MODEL_ARTICULATED})
+    for (const plait_model model : {PLAIT_MODEL_ARTICULATED})
         for (const auto& [pace, is_hull] : {std::pair(1.0f, false), std::pair(2.0f, false),
                                             std::pair(5.0f, false), std::pair(2.0f, true)}) {
             OneStrand hair(points, 17, desc_of({model, 1}), shared_context());

@@ -148,25 +148,13 @@ class Ball : public testing::TestWithParam<Use> {};
 
 // Few strands have less around them to rest on.
 INSTANTIATE_TEST_SUITE_P(Few, Ball,
-                         testing::Values(Use{PLAIT_MODEL_CHAIN, 60, 2000, 6e-4f},
-                                         Use{PLAIT_MODEL_COSSERAT, 60, 2000, 2e-4f},
-                                         Use{PLAIT_MODEL_ROD, 60, 2000, 1.5e-4f},
-                                         Use{PLAIT_MODEL_ARTICULATED, 60, 2000, 1.5e-4f},
-                                         Use{PLAIT_MODEL_CHAIN, 120, 2000, 2e-4f},
-                                         Use{PLAIT_MODEL_COSSERAT, 120, 2000, 1.5e-4f},
-                                         Use{PLAIT_MODEL_ROD, 120, 2000, 1.5e-4f},
+                         testing::Values(Use{PLAIT_MODEL_ARTICULATED, 60, 2000, 1.5e-4f},
                                          Use{PLAIT_MODEL_ARTICULATED, 120, 2000, 1.5e-4f}));
 // `chain` does not come to rest on the ball without volume, either.
 INSTANTIATE_TEST_SUITE_P(Many, Ball,
-                         testing::Values(Use{PLAIT_MODEL_CHAIN, 60, 10000, 4e-4f},
-                                         Use{PLAIT_MODEL_COSSERAT, 60, 10000, 1e-4f},
-                                         Use{PLAIT_MODEL_ROD, 60, 10000, 1e-4f},
-                                         Use{PLAIT_MODEL_ARTICULATED, 60, 10000, 1e-4f}));
+                         testing::Values(Use{PLAIT_MODEL_ARTICULATED, 60, 10000, 1e-4f}));
 INSTANTIATE_TEST_SUITE_P(Long, Ball,
-                         testing::Values(Use{PLAIT_MODEL_CHAIN, 120, 10000, 1e-4f},
-                                         Use{PLAIT_MODEL_COSSERAT, 120, 10000, 1e-4f},
-                                         Use{PLAIT_MODEL_ROD, 120, 10000, 1e-4f},
-                                         Use{PLAIT_MODEL_ARTICULATED, 120, 10000, 1e-4f}));
+                         testing::Values(Use{PLAIT_MODEL_ARTICULATED, 120, 10000, 1e-4f}));
 
 TEST_P(Ball, keeps_its_volume_and_height_for_ten_seconds_and_rests) {
     expect_kept(after(10, GetParam(), true), GetParam());
@@ -188,10 +176,7 @@ class BareBall : public testing::TestWithParam<Use> {};
 
 INSTANTIATE_TEST_SUITE_P(
     Models, BareBall,
-    testing::Values(Use{PLAIT_MODEL_CHAIN, 60, 500, 0}, Use{PLAIT_MODEL_COSSERAT, 60, 500, 0},
-                    Use{PLAIT_MODEL_ROD, 60, 500, 0}, Use{PLAIT_MODEL_ARTICULATED, 60, 500, 0},
-                    Use{PLAIT_MODEL_CHAIN, 120, 500, 0}, Use{PLAIT_MODEL_COSSERAT, 120, 500, 0},
-                    Use{PLAIT_MODEL_ROD, 120, 500, 0}, Use{PLAIT_MODEL_ARTICULATED, 120, 500, 0}));
+    testing::Values(Use{PLAIT_MODEL_ARTICULATED, 60, 500, 0}, Use{PLAIT_MODEL_ARTICULATED, 120, 500, 0}));
 
 TEST_P(BareBall, sinks_without_volume) {
     const Outcome got = after(2, GetParam(), false);
@@ -251,9 +236,7 @@ class FewStrands : public testing::TestWithParam<Sparse> {};
 INSTANTIATE_TEST_SUITE_P(Models, FewStrands,
                          testing::Values(Sparse{PLAIT_MODEL_ARTICULATED, 300, true, false, 60},
                                          Sparse{PLAIT_MODEL_ARTICULATED, 300, true, true, 60},
-                                         Sparse{PLAIT_MODEL_ARTICULATED, 3000, false, true, 20},
-                                         Sparse{PLAIT_MODEL_COSSERAT, 300, true, false, 60},
-                                         Sparse{PLAIT_MODEL_COSSERAT, 300, true, true, 150}));
+                                         Sparse{PLAIT_MODEL_ARTICULATED, 3000, false, true, 20}));
 
 // Voxels that a strand or two cross: hair comes and goes in them from step to step, and what their
 // pressure did to it may not come back on what is left there.

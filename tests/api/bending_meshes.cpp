@@ -29,8 +29,7 @@ plait_sim_desc desc_of(plait_model model) {
     return desc;
 }
 
-constexpr plait_model models[] = {PLAIT_MODEL_CHAIN, PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD,
-                                  PLAIT_MODEL_ARTICULATED};
+constexpr plait_model models[] = {PLAIT_MODEL_ARTICULATED};
 
 std::vector<float> bent(const std::vector<float>& rest, const Bend& bend) {
     std::vector<float> positions;
@@ -180,9 +179,6 @@ double strayed(plait::Context& context, plait_model model, float friction) {
     auto desc = desc_of(model);
     desc.params.bend_stiffness = 1e-11f;
     desc.params.drag = 2;
-    if (model ==
-        PLAIT_MODEL_ROD) // whose two Newton steps do not find out what slides: 2 mm with one
-        desc.substeps = 4;
     plait::Sim sim(context, make_groom({strand}), desc);
     const auto mesh = make_mesh(skin_mesh());
     const auto rest = mesh.read<float>(PLAIT_MESH_FIELD_POSITIONS);

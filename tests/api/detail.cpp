@@ -104,8 +104,7 @@ void shake(plait::Sim& sim, int i) {
     sim.step(frame);
 }
 
-constexpr plait_model models[] = {PLAIT_MODEL_TRESSFX, PLAIT_MODEL_CHAIN, PLAIT_MODEL_COSSERAT,
-                                  PLAIT_MODEL_ROD, PLAIT_MODEL_ARTICULATED};
+constexpr plait_model models[] = {PLAIT_MODEL_TRESSFX, PLAIT_MODEL_ARTICULATED};
 
 // Never set, set to nothing, set to ramps of 0, dropped: the same launches, bytes and bits.
 TEST_P(Detail, CostsNothingWhereThereIsNone) {

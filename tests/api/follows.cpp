@@ -81,8 +81,7 @@ TEST_P(Follows, AreAtRestWhereTheGroomHasThem) {
 // On a head that shakes, whatever moves the guides.
 TEST_P(Follows, KeepTheirLengths) {
     const Strands strands = field(6);
-    for (const plait_model model : {PLAIT_MODEL_TRESSFX, PLAIT_MODEL_CHAIN, PLAIT_MODEL_COSSERAT,
-                                    PLAIT_MODEL_ROD, PLAIT_MODEL_ARTICULATED}) {
+    for (const plait_model model : {PLAIT_MODEL_TRESSFX, PLAIT_MODEL_ARTICULATED}) {
         const auto [groom, map] = make_groom(strands).guides(4, 7);
         const auto origin = map.read<uint32_t>(PLAIT_FOLLOW_MAP_FIELD_STRANDS);
         plait::Sim sim(context, groom, with(map, model));
@@ -125,7 +124,7 @@ TEST_P(Follows, TurnAsTheirGuideDoesAtTheSameShareOfLength) {
     desc.weights = plait::view(weights, 4);
     const plait::FollowMap map(desc);
     EXPECT_TRUE(map.read<uint32_t>(PLAIT_FOLLOW_MAP_FIELD_STRANDS).empty());
-    plait::Sim sim(context, groom, with(map, PLAIT_MODEL_CHAIN));
+    plait::Sim sim(context, groom, with(map, PLAIT_MODEL_ARTICULATED));
     const size_t row = sim.describe().vertices_per_strand;
     ASSERT_EQ(row, 65u);
     std::vector<float> bent(4 * row);

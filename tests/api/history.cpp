@@ -325,11 +325,11 @@ std::vector<Call> calls() {
         {"substeps",
          {"plait_sim_set_settings", "plait_sim_get_settings"},
          [](Ride& r) {
-             with_settings(r, 3, PLAIT_ITERATIONS_OF_MODEL, PLAIT_SETTING_OF_SIM);
+             with_settings(r, 3, PLAIT_SETTING_OF_SIM, PLAIT_SETTING_OF_SIM);
              r.step(2);
-             with_settings(r, 2, PLAIT_ITERATIONS_OF_MODEL, PLAIT_SETTING_OF_SIM);
+             with_settings(r, 2, PLAIT_SETTING_OF_SIM, PLAIT_SETTING_OF_SIM);
              r.step(2);
-             with_settings(r, 1, PLAIT_ITERATIONS_OF_MODEL, PLAIT_SETTING_OF_SIM);
+             with_settings(r, 1, PLAIT_SETTING_OF_SIM, PLAIT_SETTING_OF_SIM);
          },
          true},
         {"integrator",
@@ -339,10 +339,6 @@ std::vector<Call> calls() {
              r.step();
              with_settings(r, 1, 2, 1);
          },
-         true},
-        {"models",
-         {"plait_sim_set_models", "plait_sim_get_models"},
-         [](Ride& r) { r.sim().set_models({r.model().model}); },
          true},
         {"pins",
          {"plait_sim_set_pins"},

@@ -22,8 +22,7 @@ class Hulls : public OnBackend {
 };
 ON_EVERY_BACKEND(Hulls);
 
-constexpr plait_model models[] = {PLAIT_MODEL_TRESSFX, PLAIT_MODEL_CHAIN, PLAIT_MODEL_COSSERAT,
-                                  PLAIT_MODEL_ROD, PLAIT_MODEL_ARTICULATED};
+constexpr plait_model models[] = {PLAIT_MODEL_TRESSFX, PLAIT_MODEL_ARTICULATED};
 constexpr double half[3] = {0.05, 0.02, 0.06}; // m
 
 plait_sim_desc desc_of(plait_model model) {
@@ -91,7 +90,7 @@ TEST_P(Hulls, OfABoxIsTheBox) {
 }
 
 TEST_P(Hulls, AreDescribedAndKeepTheirShape) {
-    plait::Sim sim(context, make_groom({curl({0, 0, 0}, 8)}), desc_of(PLAIT_MODEL_CHAIN));
+    plait::Sim sim(context, make_groom({curl({0, 0, 0}, 8)}), desc_of(PLAIT_MODEL_ARTICULATED));
     ShapeMesh shape = box_mesh(half[0], half[1], half[2]);
     for (auto& p : shape.positions)
         p[0] += 0.25f;
@@ -160,7 +159,7 @@ bool says(const std::string& message, const std::string& part) {
 }
 
 TEST_P(Hulls, SayWhatIsWrongWithAMesh) {
-    plait::Sim sim(context, make_groom({curl({0, 0, 0}, 8)}), desc_of(PLAIT_MODEL_CHAIN));
+    plait::Sim sim(context, make_groom({curl({0, 0, 0}, 8)}), desc_of(PLAIT_MODEL_ARTICULATED));
     ShapeMesh open = box_mesh(0.1, 0.1, 0.1);
     open.triangles.pop_back();
     EXPECT_TRUE(says(refused(sim, open), "has 3 open edges")) << plait_last_error();
@@ -204,7 +203,7 @@ TEST_P(Hulls, SayWhatIsWrongWithAMesh) {
 // A slightly dented face, of triangles a tenth of the tolerance off their plane, is one face that holds
 // all of them.
 TEST_P(Hulls, TakeTrianglesOfOnePlaneTogether) {
-    plait::Sim sim(context, make_groom({curl({0, 0, 0}, 8)}), desc_of(PLAIT_MODEL_CHAIN));
+    plait::Sim sim(context, make_groom({curl({0, 0, 0}, 8)}), desc_of(PLAIT_MODEL_ARTICULATED));
     ShapeMesh shape = box_mesh(0.1, 0.1, 0.1);
     shape.positions[7][0] += 3e-6f;
     EXPECT_NO_THROW(sim.create_hull(make_mesh(shape)));

@@ -8,8 +8,7 @@ namespace {
 class Lengths : public OnBackend {};
 ON_EVERY_BACKEND(Lengths);
 
-constexpr plait_model every_model[] = {PLAIT_MODEL_ARTICULATED, PLAIT_MODEL_CHAIN,
-                                       PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD};
+constexpr plait_model every_model[] = {PLAIT_MODEL_ARTICULATED};
 constexpr size_t strands = 240, shorter = 4, longer = 22;
 
 bool is_long(size_t strand) {
@@ -74,11 +73,11 @@ class Some {
         sim_.write(PLAIT_FIELD_ACCELERATION, pull);
     }
 
-    void set_models(const std::vector<plait_model>& of_all) {
-        std::vector<plait_model> own;
+    void take(const std::vector<uint32_t>& substeps) {
+        std::vector<uint32_t> own;
         for (const size_t i : list_)
-            own.push_back(of_all[i]);
-        sim_.set_models(own);
+            own.push_back(substeps[i]);
+        take_substeps(sim_, own);
     }
     // Of each strand of `list`, its own vertices alone.
     std::vector<float> read(plait_field field, const std::vector<size_t>& list) {
@@ -182,37 +181,37 @@ TEST_P(Lengths, SoIsAStrandShorterThanItsClass) {
 }
 
 // Switched before every third step.
-TEST_P(Lengths, SoIsOneThatSwitchesItsModel) {
+TEST_P(Lengths, SoIsOneThatSwitchesItsSubsteps) {
     const auto switching = [](Some& some) {
         return [&](int step) {
-            std::vector<plait_model> models(strands);
+            std::vector<uint32_t> substeps(strands);
             for (size_t i = 0; i < strands; ++i)
-                models[i] = every_model[(i + static_cast<size_t>(step / 3)) % 4];
-            some.set_models(models);
+                substeps[i] = 1 + (static_cast<uint32_t>(i) + static_cast<uint32_t>(step / 3)) % 4;
+            some.take(substeps);
         };
     };
-    Some both(context, list_strands(of_both), PLAIT_MODEL_CHAIN);
+    Some both(context, list_strands(of_both), PLAIT_MODEL_ARTICULATED);
     live(both.sim(), 9, switching(both));
     for (const auto& list : {list_strands(is_long), list_strands(of_short)}) {
-        Some alone(context, list, PLAIT_MODEL_CHAIN);
+        Some alone(context, list, PLAIT_MODEL_ARTICULATED);
         live(alone.sim(), 9, switching(alone));
         EXPECT_EQ(both.read(PLAIT_FIELD_POSITION, list), alone.read(PLAIT_FIELD_POSITION, list));
     }
 }
 
 TEST_P(Lengths, AreSavedAndRestored) {
-    std::vector<plait_model> models(strands);
+    std::vector<uint32_t> substeps(strands);
     for (size_t i = 0; i < strands; ++i)
-        models[i] = every_model[i / 2 % 4];
-    Some a(context, list_strands(of_both), PLAIT_MODEL_COSSERAT),
-        b(context, list_strands(of_both), PLAIT_MODEL_COSSERAT);
+        substeps[i] = 1 + static_cast<uint32_t>(i) / 2 % 4;
+    Some a(context, list_strands(of_both), PLAIT_MODEL_ARTICULATED),
+        b(context, list_strands(of_both), PLAIT_MODEL_ARTICULATED);
     run(a.sim(), 3);
-    const auto of_one_model = a.sim().save();
-    a.set_models(models);
+    const auto of_one_kind = a.sim().save();
+    a.take(substeps);
     run(a.sim(), 3);
     const auto saved = a.sim().save();
     b.sim().restore(saved);
-    EXPECT_EQ(b.sim().models(), a.sim().models());
+    EXPECT_EQ(substeps_of(b.sim()), substeps_of(a.sim()));
     EXPECT_EQ(b.sim().save(), saved);
     run(a.sim(), 3);
     run(b.sim(), 3);
@@ -220,8 +219,8 @@ TEST_P(Lengths, AreSavedAndRestored) {
     EXPECT_LT(
         largest_difference(a.read(PLAIT_FIELD_POSITION, list), b.read(PLAIT_FIELD_POSITION, list)),
         GetParam() == "opencl" ? 1e-30f : 1e-4f); // `reference` saves floats of its doubles
-    b.sim().restore(of_one_model);
-    EXPECT_EQ(b.sim().save(), of_one_model);
+    b.sim().restore(of_one_kind);
+    EXPECT_EQ(b.sim().save(), of_one_kind);
 }
 
 TEST_P(Lengths, OfOneKindTakeTheStagesOfOne) {

@@ -38,8 +38,7 @@ class MadeUp : public testing::TestWithParam<plait_model> {
     std::vector<unsigned char> saved;
 };
 INSTANTIATE_TEST_SUITE_P(Models, MadeUp,
-                         testing::Values(PLAIT_MODEL_TRESSFX, PLAIT_MODEL_CHAIN,
-                                         PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD));
+                         testing::Values(PLAIT_MODEL_TRESSFX, PLAIT_MODEL_ARTICULATED));
 
 TEST_P(MadeUp, TheTestSignsAsTheLibraryDoes) {
     auto bytes = saved;

@@ -58,8 +58,7 @@ Strands groom_on_head(size_t strands, size_t vertices) {
 class MeshColliders : public OnBackend {};
 ON_EVERY_BACKEND(MeshColliders);
 
-constexpr plait_model models[] = {PLAIT_MODEL_CHAIN, PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD,
-                                  PLAIT_MODEL_ARTICULATED};
+constexpr plait_model models[] = {PLAIT_MODEL_ARTICULATED};
 
 TEST_P(MeshColliders, HairFallsOnAMeshAndStaysOutside) {
     const auto mesh = make_mesh(head_mesh());
@@ -83,7 +82,7 @@ TEST_P(MeshColliders, HairFallsOnAMeshAndStaysOutside) {
     }
 }
 
-// Against the same hair without a mesh: at 1.6 m float32 moves it by itself, `cosserat` most.
+// Against the same hair without a mesh: at 1.6 m float32 moves it by itself.
 TEST_P(MeshColliders, HairAtRestIsNotPushed) {
     const auto mesh = make_mesh(head_mesh());
     const auto groom = make_groom(groom_on_head(9, 12));

@@ -90,19 +90,16 @@ TEST_P(Output, TangentsOfTheModelAreThoseOfTheStage) {
         desc.follows_per_guide = follows;
         desc.interpolate_output = 0; // what is shown is what is written
         plait::Sim sim(context, make_groom(groom), desc);
-        std::vector<plait_model> models(groom.size(), PLAIT_MODEL_ARTICULATED);
-        for (size_t strand = 0; strand < models.size(); ++strand)
-            if (strand % 5 < 3)
-                models[strand] = strand % 5 == 0   ? PLAIT_MODEL_CHAIN
-                                 : strand % 5 == 1 ? PLAIT_MODEL_COSSERAT
-                                                   : PLAIT_MODEL_ROD;
+        std::vector<uint32_t> substeps;
+        for (uint32_t strand = 0; strand < groom.size(); ++strand)
+            substeps.push_back(1 + strand % 4);
         const auto of_guides = [&](const std::vector<float>& of_all) {
             const auto guides = of_all.size() / (1 + follows);
             return std::vector<float>(of_all.begin(), of_all.begin() + static_cast<long>(guides));
         };
         for (const bool several : {false, true}) {
             if (several)
-                sim.set_models(models);
+                take_substeps(sim, substeps);
             sim.set_roots(head_at({0.01f, 0.02f, 0}));
             sim.step(several ? 0.05 : 0.02);
             const auto positions = sim.read(PLAIT_FIELD_POSITION);

@@ -133,8 +133,6 @@ void set_interhair(plait_sim_desc& desc, plait_interhair interhair, plait_volume
 }
 
 const std::vector<Case>& cases() {
-    constexpr uint32_t lanes =
-        1u << PLAIT_MODEL_CHAIN | 1u << PLAIT_MODEL_COSSERAT | 1u << PLAIT_MODEL_ARTICULATED;
     static const std::vector<Case> list = {
         {"nothing", 0, [](auto& d) { d.keep_last_frame = 1; }, use_all_calls},
         {"lengths", 0, same(), use_all_calls, [] { return make_groom(short_and_long()); }},
@@ -158,16 +156,11 @@ const std::vector<Case>& cases() {
          [] { return make_groom(tuft(3, 7)); }, 1u << PLAIT_MODEL_TRESSFX},
         {"switches", PLAIT_FEATURE_SWITCHES, same(),
          [](plait::Sim& sim) {
-             for (const plait_model model : {PLAIT_MODEL_CHAIN, PLAIT_MODEL_COSSERAT}) {
-                 sim.set_models({model, PLAIT_MODEL_CHAIN, PLAIT_MODEL_ARTICULATED});
-                 run(sim, 1);
-             }
-             sim.set_models(std::vector(3, PLAIT_MODEL_ARTICULATED));
-             auto settings = plait_strand_settings_defaults();
-             settings.substeps = 2;
-             sim.set_settings({settings});
+             take_substeps(sim, {1, 2, 4});
+             run(sim, 1);
+             sim.set_settings({of_substeps(2)});
          },
-         [] { return make_groom(tuft(3, 7)); }, lanes},
+         [] { return make_groom(tuft(3, 7)); }},
         {"skin", PLAIT_FEATURE_SKIN, same(),
          [](plait::Sim& sim) {
              const std::vector<float> bones = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};

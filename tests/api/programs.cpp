@@ -41,7 +41,7 @@ ON_EVERY_BACKEND(Programs);
 TEST_P(Programs, AllThatASimRunsIsThereOnceItIs) {
     Log log;
     plait::Context own(logging(GetParam().c_str(), log));
-    for (const plait_model model : {PLAIT_MODEL_TRESSFX, PLAIT_MODEL_COSSERAT}) {
+    for (const plait_model model : {PLAIT_MODEL_TRESSFX, PLAIT_MODEL_ARTICULATED}) {
         auto desc = plait_sim_desc_defaults();
         desc.model = model;
         desc.follows_per_guide = 1;
@@ -61,12 +61,12 @@ TEST_P(Programs, AllThatASimRunsIsThereOnceItIs) {
 }
 
 // Drivers compile again when a kernel is first enqueued, so each is before a step wants it: also
-// what a switch of models takes, which only the calls that want it know of.
+// what a switch of settings takes, which only the calls that want it know of.
 TEST(Programs, NothingIsEnqueuedThatWasNotPrepared) {
     Faults& faults = faulty();
     const auto context = make_context("faulty");
     auto desc = plait_sim_desc_defaults();
-    desc.model = PLAIT_MODEL_CHAIN;
+    desc.model = PLAIT_MODEL_ARTICULATED;
     desc.follows_per_guide = 1;
     desc.keep_last_frame = 1;
     plait::Sim sim(context, make_groom(tuft(3, 7)), desc);
@@ -81,10 +81,8 @@ TEST(Programs, NothingIsEnqueuedThatWasNotPrepared) {
     sim.stats();
     sim.read(PLAIT_FIELD_BOUNDS);
     done("calls of a sim");
-    for (const plait_model model : {PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ARTICULATED,
-                                    PLAIT_MODEL_CHAIN, PLAIT_MODEL_ROD, PLAIT_MODEL_ARTICULATED}) {
-        const std::vector<plait_model> models{model, model, PLAIT_MODEL_CHAIN};
-        ASSERT_EQ(plait_sim_set_models(sim, models.data(), 3), PLAIT_OK) << plait_last_error();
+    for (const uint32_t substeps : {2u, 1u}) {
+        take_substeps(sim, {substeps, substeps, 4});
         done("the switch itself");
         run(sim, 1);
         done("the step after it");

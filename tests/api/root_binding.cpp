@@ -61,8 +61,7 @@ TEST_P(RootBinding, ARigidMeshCarriesHairAsTheHeadDoes) {
     const auto positions = bent(mesh, [](const Point& p) {
         return Point{0.3 - p[1], -0.1 + p[0], 0.2 + p[2]};
     });
-    for (const plait_model model : {PLAIT_MODEL_TRESSFX, PLAIT_MODEL_CHAIN, PLAIT_MODEL_COSSERAT,
-                                    PLAIT_MODEL_ROD, PLAIT_MODEL_ARTICULATED}) {
+    for (const plait_model model : {PLAIT_MODEL_TRESSFX, PLAIT_MODEL_ARTICULATED}) {
         auto desc = plait_sim_desc_defaults();
         desc.model = model;
         plait::Sim bound(context, groom, desc), held(context, groom, desc);
@@ -179,7 +178,7 @@ TEST_P(RootBinding, HairGrowsOnWhatBendsAndStaysOutside) {
         strands.push_back(strand);
     }
     for (const plait_model model :
-         {PLAIT_MODEL_CHAIN, PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD, PLAIT_MODEL_ARTICULATED}) {
+         {PLAIT_MODEL_ARTICULATED}) {
         auto desc = plait_sim_desc_defaults();
         desc.model = model;
         desc.substeps = 2;

@@ -131,8 +131,22 @@ inline float largest_difference(const std::vector<float>& a, const std::vector<f
     return largest;
 }
 
-// m, between strands of one material in two sims: of `rod`, whose lanes look together at which steps they
-// need.
-inline float allowed(plait_model model) {
-    return model == PLAIT_MODEL_ROD ? 5e-6f : 0;
+// Settings with so many substeps and nothing else.
+inline plait_strand_settings of_substeps(uint32_t substeps) {
+    auto settings = plait_strand_settings_defaults();
+    settings.substeps = substeps;
+    return settings;
+}
+// Each guide in so many substeps, 1 to 4.
+inline void take_substeps(plait::Sim& sim, const std::vector<uint32_t>& substeps) {
+    std::vector<uint32_t> of;
+    for (const uint32_t n : substeps)
+        of.push_back(n - 1);
+    sim.set_settings({of_substeps(1), of_substeps(2), of_substeps(3), of_substeps(4)}, of);
+}
+inline std::vector<uint32_t> substeps_of(const plait::Sim& sim) {
+    std::vector<uint32_t> substeps;
+    for (const plait_strand_settings& settings : sim.settings())
+        substeps.push_back(settings.substeps);
+    return substeps;
 }

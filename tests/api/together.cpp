@@ -8,8 +8,7 @@
 
 namespace {
 
-constexpr plait_model every_model[] = {PLAIT_MODEL_ARTICULATED, PLAIT_MODEL_CHAIN,
-                                       PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD, PLAIT_MODEL_TRESSFX};
+constexpr plait_model every_model[] = {PLAIT_MODEL_ARTICULATED, PLAIT_MODEL_TRESSFX};
 
 // Of one context: every model, of another size each, alone and with everything.
 class Crowd {

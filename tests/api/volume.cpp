@@ -7,8 +7,7 @@
 
 namespace {
 
-constexpr plait_model every_model[] = {PLAIT_MODEL_ARTICULATED, PLAIT_MODEL_CHAIN,
-                                       PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD};
+constexpr plait_model every_model[] = {PLAIT_MODEL_ARTICULATED};
 constexpr size_t vertices = 10, side = 9;
 constexpr float spacing = 0.009f;
 
@@ -165,7 +164,7 @@ TEST_P(VolumeOf, SnapshotsHoldThePressure) {
 }
 
 TEST_P(VolumeOf, BeginsAnewWithAReset) {
-    plait::Sim sim = on_floor(context, with_volume(PLAIT_MODEL_COSSERAT));
+    plait::Sim sim = on_floor(context, with_volume(PLAIT_MODEL_ARTICULATED));
     const uint64_t begin = sim.hash();
     run(sim, 7);
     const auto first = sim.read(PLAIT_FIELD_POSITION);
@@ -211,19 +210,17 @@ TEST_P(VolumeOf, AddsUpWithAccelerationsAndWind) {
 TEST_P(VolumeOf, StaysOverSwitches) {
     plait::Sim sim = on_floor(context, with_volume(PLAIT_MODEL_ARTICULATED));
     run(sim, 20);
-    auto chain = plait_strand_settings_defaults();
-    chain.model = PLAIT_MODEL_CHAIN;
-    chain.substeps = 2;
+    const auto twice = of_substeps(2);
     std::vector<uint32_t> indices;
     for (size_t strand = 0; strand < side * side; ++strand)
         indices.push_back(strand % 3 == 0);
-    sim.set_settings({plait_strand_settings_defaults(), chain}, indices);
+    sim.set_settings({plait_strand_settings_defaults(), twice}, indices);
     run(sim, 1);
     const auto saved = sim.save();
     run(sim, 40);
     plait::Sim bare = on_floor(context, limp(PLAIT_MODEL_ARTICULATED));
     run(bare, 20);
-    bare.set_settings({plait_strand_settings_defaults(), chain}, indices);
+    bare.set_settings({plait_strand_settings_defaults(), twice}, indices);
     run(bare, 41);
     EXPECT_GT(height_of(sim), 2.5f * height_of(bare)) << height_of(bare);
     EXPECT_LT(height_of(sim), 1.1f);
@@ -237,8 +234,8 @@ TEST_P(VolumeOf, StaysOverSwitches) {
 }
 
 TEST_P(VolumeOf, NeedsTheExactGridAndStrandsOverLanes) {
-    plait::Sim sim(context, make_groom(layers()), limp(PLAIT_MODEL_CHAIN));
-    plait_sim_params params = with_volume(PLAIT_MODEL_CHAIN).params;
+    plait::Sim sim(context, make_groom(layers()), limp(PLAIT_MODEL_ARTICULATED));
+    plait_sim_params params = with_volume(PLAIT_MODEL_ARTICULATED).params;
     for (const plait_interhair interhair : {PLAIT_INTERHAIR_OFF, PLAIT_INTERHAIR_SLOTS}) {
         params.interhair = interhair;
         EXPECT_EQ(plait_sim_set_params(sim, &params), PLAIT_INVALID_ARGUMENT);
@@ -258,7 +255,7 @@ TEST_P(VolumeOf, NeedsTheExactGridAndStrandsOverLanes) {
 
 // A step in which hair falls by a quarter of a voxel, or more.
 TEST_P(VolumeOf, WarnsOfStepsThatAreTooLongForItsVoxels) {
-    plait_sim_desc desc = with_volume(PLAIT_MODEL_CHAIN);
+    plait_sim_desc desc = with_volume(PLAIT_MODEL_ARTICULATED);
     plait::Sim fine(context, make_groom(layers()), desc);
     EXPECT_EQ(std::strstr(fine.describe().warning, "volume"), nullptr);
     desc.step = 1.0f / 30;

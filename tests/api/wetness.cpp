@@ -9,10 +9,8 @@
 
 namespace {
 
-constexpr plait_model every_model[] = {PLAIT_MODEL_ARTICULATED, PLAIT_MODEL_CHAIN,
-                                       PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD};
-constexpr plait_model bending_models[] = {PLAIT_MODEL_ARTICULATED, PLAIT_MODEL_COSSERAT,
-                                          PLAIT_MODEL_ROD};
+constexpr plait_model every_model[] = {PLAIT_MODEL_ARTICULATED};
+constexpr plait_model bending_models[] = {PLAIT_MODEL_ARTICULATED};
 constexpr size_t vertices = 13;
 constexpr float segment = 1.0f / 64; // m: sums and products of it are exact
 constexpr float dry_below = 1e-3f;
@@ -90,7 +88,7 @@ TEST_P(WetnessOf, StrandsAreThoseOfASimOfThatMaterial) {
                 run(alone, 20);
                 EXPECT_LE(largest_difference(strand_of(positions, i),
                                              strand_of(alone.read(PLAIT_FIELD_POSITION), i)),
-                          allowed(model))
+                          0)
                     << model << ", BDF2 " << bdf2 << ", strand " << i;
             }
             EXPECT_GT(std::abs(tip_height(positions, 1) - tip_height(positions, 0)), 1e-4f)
@@ -125,11 +123,9 @@ TEST_P(WetnessOf, OtherMaterialIsThatOfASimOfThatMaterial) {
         soaked.twist_stiffness *= 0.5f;
         const auto expected = hangs(0, soaked);
         EXPECT_LT(largest_difference(hangs(1, material), expected),
-                  model == PLAIT_MODEL_ROD ? 1e-4f : 2e-5f) // whose searches decide by rounding
+                  2e-5f)
             << model;
-        if (model != PLAIT_MODEL_CHAIN) { // whose way is the same at any weight
-            EXPECT_GT(largest_difference(hangs(0, material), expected), 2e-3f) << model;
-        }
+        EXPECT_GT(largest_difference(hangs(0, material), expected), 2e-3f) << model;
     }
 }
 
@@ -142,8 +138,6 @@ TEST_P(WetnessOf, WetCantileversSagThreeTimesAsFar) {
         desc.params.bend_stiffness = static_cast<float>(bend);
         desc.params.stretch_stiffness = 1; // what follows from the weight shears by an eighth of it
         desc.params.drag = 20;
-        if (model == PLAIT_MODEL_COSSERAT)
-            desc.params.iterations = 50;
         plait::Sim sim(context, make_groom(level_ones(3)), desc);
         wet(sim, {0, 1, 0.5f});
         run(sim, 180);
@@ -183,7 +177,7 @@ TEST_P(WetnessOf, LimpHairSwingsAsBefore) {
 
 TEST_P(WetnessOf, DriesByItsTime) {
     for (const double tau : {0.5, 7.0, 1e6}) {
-        auto desc = desc_of(PLAIT_MODEL_CHAIN);
+        auto desc = desc_of(PLAIT_MODEL_ARTICULATED);
         desc.params.drying_time = static_cast<float>(tau);
         plait::Sim sim(context, make_groom(level_ones(3)), desc);
         const std::vector<float> given{1, 0.5f, 0};
@@ -198,7 +192,7 @@ TEST_P(WetnessOf, DriesByItsTime) {
                     << tau << " s, " << steps << " steps";
         }
     }
-    plait::Sim stays(context, make_groom(level_ones(2)), desc_of(PLAIT_MODEL_CHAIN));
+    plait::Sim stays(context, make_groom(level_ones(2)), desc_of(PLAIT_MODEL_ARTICULATED));
     wet(stays, {0.3f, 1});
     run(stays, 60);
     EXPECT_EQ(wetness_of(stays), (std::vector<float>{0.3f, 1}));
@@ -236,8 +230,6 @@ TEST_P(WetnessOf, DryingHairRises) {
         auto desc = desc_of(model);
         desc.params.bend_stiffness = 1e-5f;
         desc.params.drag = 20;
-        if (model == PLAIT_MODEL_COSSERAT)
-            desc.params.iterations = 50;
         plait::Sim sim(context, make_groom(level_ones(2)), desc);
         wet(sim, {0, 1});
         run(sim, 120);
@@ -335,7 +327,7 @@ TEST_P(WetnessOf, OfDryHairCostsNothingAndChangesNoBit) {
 }
 
 TEST_P(WetnessOf, OutsideItsRangeIsRefused) {
-    plait::Sim sim(context, make_groom(tuft(3, vertices)), desc_of(PLAIT_MODEL_ROD));
+    plait::Sim sim(context, make_groom(tuft(3, vertices)), desc_of(PLAIT_MODEL_ARTICULATED));
     const std::vector<float> before{0.25f, 0, 1};
     wet(sim, before);
     const auto refused = [&](const std::vector<float>& wetness, const char* message) {
@@ -370,7 +362,7 @@ TEST_P(WetnessOf, TressfxHasNone) {
 
 // ---- where it is kept --------------------------------------------------------------------------
 
-TEST_P(WetnessOf, StaysOverResetTeleportMaterialAndModel) {
+TEST_P(WetnessOf, StaysOverResetTeleportMaterialAndSettings) {
     for (const plait_model model : every_model) {
         const std::vector<float> wetness{1, 0, 0.5f};
         plait::Sim plain(context, make_groom(tuft(3, vertices)), desc_of(model));
@@ -378,24 +370,23 @@ TEST_P(WetnessOf, StaysOverResetTeleportMaterialAndModel) {
         run(plain, 12);
         const auto expected = plain.read(PLAIT_FIELD_POSITION);
 
-        auto other = desc_of(model == PLAIT_MODEL_ROD ? PLAIT_MODEL_COSSERAT : PLAIT_MODEL_ROD);
+        auto other = desc_of(model);
         other.params.line_density *= 2;
         plait::Sim sim(context, make_groom(tuft(3, vertices)), other);
         wet(sim, wetness);
         run(sim, 4);
         sim.set_params(desc_of(model).params);
         run(sim, 4);
-        sim.set_models({model, PLAIT_MODEL_CHAIN, model});
+        take_substeps(sim, {1, 2, 1});
         run(sim, 4);
-        sim.set_models(std::vector<plait_model>(3, model));
+        take_substeps(sim, {1, 1, 1});
         sim.teleport(head_at({1, 2, 3}));
         EXPECT_EQ(wetness_of(sim), wetness);
         sim.teleport(head_at({0, 0, 0}));
         plait_sim_reset(sim);
         run(sim, 12);
         EXPECT_EQ(wetness_of(sim), wetness);
-        EXPECT_LE(largest_difference(sim.read(PLAIT_FIELD_POSITION), expected), allowed(model))
-            << model;
+        EXPECT_EQ(sim.read(PLAIT_FIELD_POSITION), expected) << model;
     }
 }
 
@@ -431,7 +422,7 @@ TEST_P(WetnessOf, SnapshotsHoldItAndWhatMaterialIsScaledBy) {
 }
 
 TEST_P(WetnessOf, IsCheckedInSnapshots) {
-    plait::Sim sim(context, make_groom(tuft(2, vertices)), desc_of(PLAIT_MODEL_CHAIN));
+    plait::Sim sim(context, make_groom(tuft(2, vertices)), desc_of(PLAIT_MODEL_ARTICULATED));
     wet(sim, {1, 0.5f});
     run(sim, 2);
     const auto hash = sim.hash();
@@ -507,7 +498,7 @@ TEST_P(WetnessOf, FollowsOfAMapAreDrawnToTheirFirstGuide) {
     map_desc.guides = plait::view(guides, 4);
     map_desc.weights = plait::view(weights, 4);
     const plait::FollowMap map(map_desc);
-    auto desc = desc_of(PLAIT_MODEL_CHAIN);
+    auto desc = desc_of(PLAIT_MODEL_ARTICULATED);
     desc.follow_map = map;
     plait::Sim sim(context, make_groom(level_ones(2)), desc);
     wet(sim, {0, 0.5f});
@@ -533,7 +524,7 @@ TEST_P(WetnessOf, WetHairLiesCloserAndHoldsTogether) {
                 strand.push_back({0.02f * float(i), spacing * float(j), spacing * float(k)});
             strands.push_back(strand);
         }
-    auto desc = desc_of(PLAIT_MODEL_ROD);
+    auto desc = desc_of(PLAIT_MODEL_ARTICULATED);
     desc.params.bend_stiffness = 1e-11f;
     desc.params.interhair = PLAIT_INTERHAIR_EXACT;
     desc.params.volume = PLAIT_VOLUME_PRESSURE;

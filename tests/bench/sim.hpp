@@ -29,9 +29,6 @@ struct NamedModel {
     const char* name;
 };
 inline constexpr NamedModel models[] = {{PLAIT_MODEL_TRESSFX, "tressfx"},
-                                        {PLAIT_MODEL_CHAIN, "chain"},
-                                        {PLAIT_MODEL_COSSERAT, "cosserat"},
-                                        {PLAIT_MODEL_ROD, "rod"},
                                         {PLAIT_MODEL_ARTICULATED, "articulated"}};
 
 } // namespace bench

@@ -279,7 +279,7 @@ void play_all() {
     plait_sim_desc desc = plait_sim_desc_defaults();
     desc.params.interhair = PLAIT_INTERHAIR_OFF;
     for (const plait_model model :
-         {PLAIT_MODEL_CHAIN, PLAIT_MODEL_COSSERAT, PLAIT_MODEL_ROD, PLAIT_MODEL_ARTICULATED})
+         {PLAIT_MODEL_ARTICULATED})
         for (const bool capsules : {false, true}) {
             desc.model = model;
             scene = capsules ? "capsules" : "alone";

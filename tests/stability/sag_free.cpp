@@ -15,13 +15,11 @@ using Points = std::vector<std::array<float, 4>>;
 constexpr float line_density = 5e-6f; // kg/m, the default
 constexpr float g = 9.81f;
 
-plait_sim_desc desc_of(plait_model model, plait_sag_free mode) {
+plait_sim_desc desc_of(plait_sag_free mode) {
     plait_sim_desc desc = plait_sim_desc_defaults();
-    desc.model = model;
     desc.sag_free = mode;
-    // One Newton step leaves hair bent this hard trembling; see docs/models/rod.md.
-    if (model == PLAIT_MODEL_ROD)
-        desc.params.iterations = 2;
+    // One Newton step leaves hair bent this hard trembling; see docs/models/articulated.md.
+    desc.params.iterations = 2;
     return desc;
 }
 
@@ -92,24 +90,22 @@ class Hair {
 };
 
 struct GroomCase {
-    plait_model model;
     const char* file;
 };
 
 void PrintTo(const GroomCase& c, std::ostream* out) {
-    *out << "model " << c.model << ", " << c.file;
+    *out << c.file;
 }
 
 std::string name_of(const testing::TestParamInfo<GroomCase>& info) {
-    return (info.param.model == PLAIT_MODEL_ROD ? "rod_" : "cosserat_") +
-           std::filesystem::path(info.param.file).stem().string();
+    return std::filesystem::path(info.param.file).stem().string();
 }
 
 class SagFree : public testing::TestWithParam<GroomCase> {
   protected:
-    // Drift in 5 s, and 5 s after a shake (drag 3/s), in lengths. `cosserat` creeps: `returned`.
-    static void expect_stays(const std::string& path, double returned) {
-        plait_sim_desc desc = desc_of(GetParam().model, PLAIT_SAG_FREE_STIFFEN);
+    // Drift in 5 s, and 5 s after a shake (drag 3/s), in lengths.
+    static void expect_stays(const std::string& path) {
+        plait_sim_desc desc = desc_of(PLAIT_SAG_FREE_STIFFEN);
         desc.params.drag = 3.0f;
         Hair hair(path, desc);
         const plait_sim_stats stats = hair.stats();
@@ -126,18 +122,18 @@ class SagFree : public testing::TestWithParam<GroomCase> {
         EXPECT_GT(hair.drift(), 0.02); // it did move
         hair.run(5.0);
         const double after = hair.drift();
-        EXPECT_LT(after, GetParam().model == PLAIT_MODEL_ROD ? 1e-3 : returned);
+        EXPECT_LT(after, 1e-3);
         std::printf("off by %.0e lengths, after the shake by %.0e\n", still, after);
     }
 };
 
 TEST_P(SagFree, groom_stays_and_comes_back) {
-    expect_stays(std::string(PLAIT_SOURCE_DIR "/assets/") + GetParam().file, 5e-3);
+    expect_stays(std::string(PLAIT_SOURCE_DIR "/assets/") + GetParam().file);
 }
 
 // Host and device agree on what is not round: curls of a flat hair that twists easily.
 TEST(SagFreeSection, flat_curls_stay) {
-    plait_sim_desc desc = desc_of(PLAIT_MODEL_ROD, PLAIT_SAG_FREE_STIFFEN);
+    plait_sim_desc desc = desc_of(PLAIT_SAG_FREE_STIFFEN);
     desc.params.twist_stiffness = 0.6f * desc.params.bend_stiffness;
     desc.params.section_ratio = 3.0f;
     desc.params.iterations = 4; // with two it trembles by 3e-3 L
@@ -149,14 +145,10 @@ TEST(SagFreeSection, flat_curls_stay) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Assets, SagFree,
-                         testing::Values(GroomCase{PLAIT_MODEL_COSSERAT, "long.tfx"},
-                                         GroomCase{PLAIT_MODEL_COSSERAT, "braid.tfx"},
-                                         GroomCase{PLAIT_MODEL_COSSERAT, "curly.tfx"},
-                                         GroomCase{PLAIT_MODEL_COSSERAT, "short.tfx"},
-                                         GroomCase{PLAIT_MODEL_ROD, "long.tfx"},
-                                         GroomCase{PLAIT_MODEL_ROD, "braid.tfx"},
-                                         GroomCase{PLAIT_MODEL_ROD, "curly.tfx"},
-                                         GroomCase{PLAIT_MODEL_ROD, "short.tfx"}),
+                         testing::Values(GroomCase{"long.tfx"},
+                                         GroomCase{"braid.tfx"},
+                                         GroomCase{"curly.tfx"},
+                                         GroomCase{"short.tfx"}),
                          name_of);
 
 class SagFreeReal : public SagFree {};
@@ -164,14 +156,12 @@ class SagFreeReal : public SagFree {};
 TEST_P(SagFreeReal, groom_stays_and_comes_back) {
     const std::string path = real_groom(GetParam().file);
     PLAIT_SKIP_WITHOUT(path);
-    expect_stays(path, 1.5e-2);
+    expect_stays(path);
 }
 
 INSTANTIATE_TEST_SUITE_P(Long, SagFreeReal,
-                         testing::Values(GroomCase{PLAIT_MODEL_COSSERAT, "sintel_16.tfx"},
-                                         GroomCase{PLAIT_MODEL_COSSERAT, "ratboy_mohawk.tfx"},
-                                         GroomCase{PLAIT_MODEL_ROD, "sintel_16.tfx"},
-                                         GroomCase{PLAIT_MODEL_ROD, "ratboy_mohawk.tfx"}),
+                         testing::Values(GroomCase{"sintel_16.tfx"},
+                                         GroomCase{"ratboy_mohawk.tfx"}),
                          name_of);
 
 // ---- one strand ---------------------------------------------------------------------------------
@@ -187,7 +177,7 @@ float bend_stiffness(float gamma) {
 TEST(SagFreeStrand, upright_one_is_unstable_where_a_column_buckles) {
     const StrandShape upright{65, 0.3f, {0.0f, 1.0f, 0.0f}};
     for (const auto& [gamma, unstable] : {std::pair{7.6f, 0u}, std::pair{8.1f, 1u}}) {
-        plait_sim_desc desc = desc_of(PLAIT_MODEL_COSSERAT, PLAIT_SAG_FREE_REST);
+        plait_sim_desc desc = desc_of(PLAIT_SAG_FREE_REST);
         desc.params.bend_stiffness = bend_stiffness(gamma);
         const plait_sim_stats stats = OneStrand(upright, desc).stats();
         EXPECT_EQ(stats.sag_unstable, unstable) << "gamma " << gamma;
@@ -199,7 +189,7 @@ TEST(SagFreeStrand, upright_one_is_unstable_where_a_column_buckles) {
 TEST(SagFreeStrand, upright_one_is_stiffened_and_stands_up_again) {
     StrandShape upright = level;
     upright.direction = {0.0f, 1.0f, 0.0f};
-    plait_sim_desc desc = desc_of(PLAIT_MODEL_ROD, PLAIT_SAG_FREE_STIFFEN);
+    plait_sim_desc desc = desc_of(PLAIT_SAG_FREE_STIFFEN);
     desc.params.drag = 10.0f;
     OneStrand strand(upright, desc);
     EXPECT_EQ(strand.stats().sag_unstable, 0u);
@@ -215,20 +205,20 @@ TEST(SagFreeStrand, upright_one_is_stiffened_and_stands_up_again) {
 }
 
 TEST(SagFreeStrand, rest_keeps_the_material_and_says_what_is_left) {
-    const OneStrand weak(level, desc_of(PLAIT_MODEL_ROD, PLAIT_SAG_FREE_REST));
+    const OneStrand weak(level, desc_of(PLAIT_SAG_FREE_REST));
     EXPECT_EQ(weak.stats().joints_stiffened, 0u);
     EXPECT_EQ(weak.stats().worst_stiffening, 1.0f);
     EXPECT_GT(weak.stats().sag_residual, 0.1f); // of 0.5, a level strand held by nothing
-    const OneStrand stiffened(level, desc_of(PLAIT_MODEL_ROD, PLAIT_SAG_FREE_STIFFEN));
+    const OneStrand stiffened(level, desc_of(PLAIT_SAG_FREE_STIFFEN));
     EXPECT_LT(stiffened.stats().sag_residual, 1e-5f);
     // one strong enough needs nothing
-    plait_sim_desc strong = desc_of(PLAIT_MODEL_ROD, PLAIT_SAG_FREE_STIFFEN);
+    plait_sim_desc strong = desc_of(PLAIT_SAG_FREE_STIFFEN);
     strong.params.bend_stiffness = bend_stiffness(1.0f);
     EXPECT_EQ(OneStrand(level, strong).stats().joints_stiffened, 0u);
 }
 
 TEST(SagFreeStrand, without_bend_stiffness_nothing_holds_it) {
-    plait_sim_desc desc = desc_of(PLAIT_MODEL_ROD, PLAIT_SAG_FREE_STIFFEN);
+    plait_sim_desc desc = desc_of(PLAIT_SAG_FREE_STIFFEN);
     desc.params.bend_stiffness = 0.0f;
     OneStrand strand(level, desc);
     EXPECT_EQ(strand.stats().joints_stiffened, 0u);
@@ -238,7 +228,7 @@ TEST(SagFreeStrand, without_bend_stiffness_nothing_holds_it) {
 }
 
 TEST(SagFreeStrand, is_found_anew_for_other_gravity_and_material) {
-    plait_sim_desc desc = desc_of(PLAIT_MODEL_ROD, PLAIT_SAG_FREE_STIFFEN);
+    plait_sim_desc desc = desc_of(PLAIT_SAG_FREE_STIFFEN);
     desc.params.bend_stiffness = bend_stiffness(2.0f);
     OneStrand strand(level, desc);
     plait_sim_params params = desc.params;
@@ -256,7 +246,7 @@ TEST(SagFreeStrand, is_found_anew_for_other_gravity_and_material) {
 }
 
 TEST(SagFreeStrand, reset_puts_it_back_into_balance) {
-    plait_sim_desc desc = desc_of(PLAIT_MODEL_ROD, PLAIT_SAG_FREE_STIFFEN);
+    plait_sim_desc desc = desc_of(PLAIT_SAG_FREE_STIFFEN);
     OneStrand strand(level, desc);
     strand.move_head({0.1f, 0.0f, 0.0f});
     strand.run(0.2);
@@ -267,20 +257,19 @@ TEST(SagFreeStrand, reset_puts_it_back_into_balance) {
     EXPECT_NEAR(strand.tip()[1], 0.0f, 3e-5f);
 }
 
-TEST(SagFreeStrand, models_without_bending_refuse_it) {
-    for (const plait_model model : {PLAIT_MODEL_TRESSFX, PLAIT_MODEL_CHAIN}) {
+TEST(SagFreeStrand, tressfx_refuses_it) {
         const std::vector<Vec3> points = straight(level);
         plait_groom_desc given = plait_groom_desc_defaults();
         given.positions = {points.data(), points.size(), 0};
         given.vertices_per_strand = level.vertices;
         plait_groom* groom = nullptr;
         PLAIT_EXPECT(plait_groom_create(&given, nullptr, &groom));
-        const plait_sim_desc desc = desc_of(model, PLAIT_SAG_FREE_REST);
+        plait_sim_desc desc = desc_of(PLAIT_SAG_FREE_REST);
+        desc.model = PLAIT_MODEL_TRESSFX;
         plait_sim* sim = nullptr;
         EXPECT_EQ(plait_sim_create(shared_context(), groom, &desc, &sim), PLAIT_INVALID_ARGUMENT);
         EXPECT_NE(std::string(plait_last_error()).find("sag_free"), std::string::npos);
         plait_groom_destroy(groom);
-    }
 }
 
 } // namespace

@@ -8,7 +8,7 @@
 
 namespace common {
 
-const std::array<const char*, 5> model_names{"tressfx", "chain", "cosserat", "rod", "articulated"};
+const std::array<const char*, 2> model_names{"tressfx", "articulated"};
 const std::array<const char*, 3> interhair_names{"off", "slots", "exact"};
 const std::array<const char*, 3> sag_free_names{"off", "rest", "stiffen"};
 

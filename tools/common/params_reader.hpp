@@ -9,7 +9,7 @@
 
 namespace common {
 
-extern const std::array<const char*, 5> model_names;
+extern const std::array<const char*, 2> model_names;
 extern const std::array<const char*, 3> interhair_names;
 extern const std::array<const char*, 3> sag_free_names;
 

@@ -19,13 +19,13 @@ struct Variant {
     Scene of(Scene scene) const;     // the scene run this way
 };
 
-// "TressFX", "TressFX + inter-hair step of the thesis", "cosserat + inter-hair step (slots)"
+// "TressFX", "TressFX + inter-hair step of the thesis", "articulated + inter-hair step (slots)"
 std::string label_of(const plait_sim_desc& sim);
 
-// That of the run itself, its detail after the simulation in it: "rod + clumps, frizz".
+// That of the run itself, its detail after the simulation in it: "articulated + clumps, frizz".
 std::string label_of(const Scene& scene);
 
-// The same in few letters, for films: "TressFX", "TressFX + thesis's step", "cosserat".
+// The same in few letters, for films: "TressFX", "TressFX + thesis's step", "articulated".
 std::string short_label_of(const plait_sim_desc& sim);
 
 // What the model TressFX is set to, in words: its stiffness and stretch are iteration counts.

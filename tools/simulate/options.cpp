@@ -25,7 +25,7 @@ void option(CLI::App& app, Json& keys, const char* flag, const char* key, const 
         ->type_name(type);
 }
 
-// "tressfx, chain, ... [the library's default]"
+// "tressfx, ... [the library's default]"
 std::string model_choices() {
     std::string list;
     for (const char* name : model_names)

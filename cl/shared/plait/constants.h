@@ -106,55 +106,11 @@
  * counted by G. Ours. */
 #define PLAIT_ENERGY_BDF2_CHANGE PLAIT_NUMBER(0.2)
 
-/* ---- chain -------------------------------------------------------------------------------------
- */
-
-/* Rounds of contact and length solves of a strand in contact. Ours. */
-#define PLAIT_CHAIN_CONTACT_ROUNDS 4
-/* h'^2 T/(m l) at rest above which the first length solve takes its tension implicitly; below it
- * the lengths alone are more accurate. Ours. */
-#define PLAIT_CHAIN_IMPLICIT_TENSION PLAIT_NUMBER(0.2)
-/* Share of the sweep's displacement over h' that the vertex before loses in velocity: s_damping of
- * Mueller et al. 2012. */
-#define PLAIT_CHAIN_VELOCITY_CORRECTION PLAIT_NUMBER(0.5)
-/* Fewest length solves of a strand with a pin: the sweep moves the pinned vertex by what they leave;
- * and above how many times the inertia m/h'^2 of its vertex a pin is so stiff that this matters.
- * Ours. */
-#define PLAIT_CHAIN_PIN_SOLVES 4
-#define PLAIT_CHAIN_PIN_STIFFNESS PLAIT_NUMBER(10.0)
-
-/* ---- cosserat and rod --------------------------------------------------------------------------
- */
-
-/* Share of the last substep's rotation that an orientation starts with. All of it would be the most
- * accurate start, none costs ten times the error, but a truncated solve never loses a wrong
- * rotation. Less with BDF2, whose budget keeps the rotation. Ours. */
-#define PLAIT_ROD_EXTRAPOLATION PLAIT_NUMBER(0.99)
-#define PLAIT_ROD_EXTRAPOLATION_BDF2 PLAIT_NUMBER(0.97)
-/* m/s^2: strain bound in contact, the strain that this acceleration of all the strand's mass causes:
- * 9 g, under 1 % with the EA the library chooses. Ours. */
-#define PLAIT_ROD_MAX_ACCELERATION PLAIT_NUMBER(88.26)
-/* Smallest such bound in rod: held closer, hair is not dragged along by what turns. Ours. */
-#define PLAIT_ROD_CONTACT_STRAIN PLAIT_NUMBER(0.04)
-/* In cosserat: what solves leave in stiff EA. Ours. */
-#define PLAIT_ROD_MIN_STRAIN PLAIT_NUMBER(1e-3)
-/* Squared residual (of quaternions) added to Anderson's denominator: residuals of a millionth are
- * float32's rounding, which extrapolation would multiply by up to 20. Ours. */
-#define PLAIT_ANDERSON_REGULARISATION PLAIT_NUMBER(1e-12)
-/* Bounds of Anderson's coefficient theta. Ours. */
-#define PLAIT_ANDERSON_MIN (-PLAIT_NUMBER(20.0))
-#define PLAIT_ANDERSON_MAX PLAIT_NUMBER(0.9)
-/* A potential has risen if it exceeds this factor of the one before, plus the smallest difference
- * (J) where it is compared in `rod` and `articulated`. Ours. */
-#define PLAIT_ROD_POTENTIAL_FACTOR PLAIT_NUMBER(1.000001)
-#define PLAIT_ROD_POTENTIAL_MIN PLAIT_NUMBER(1e-20)
-/* Step halvings of the line search; where all fail, so many iterations of cosserat. Ours. */
-#define PLAIT_ROD_HALVINGS 4
-#define PLAIT_ROD_FALLBACK_ITERATIONS 2
-
 /* ---- articulated -------------------------------------------------------------------------------
  */
 
+/* J: smallest difference of two potentials. Ours. */
+#define PLAIT_ARTICULATED_POTENTIAL_MIN PLAIT_NUMBER(1e-20)
 /* mu l^2: stiffness of the rotation about a segment's own axis, beside its joint's: that of limp
  * hair alone would be singular. Ours. */
 #define PLAIT_ARTICULATED_TWIST PLAIT_NUMBER(1e-3)
@@ -255,12 +211,6 @@
 #define PLAIT_FOLLOW_STEEPEST PLAIT_NUMBER(0.9)
 /* Turns of a segment towards one surface: the second is for its curvature. Ours. */
 #define PLAIT_FOLLOW_TURNS 2
-
-/* ---- switching ---------------------------------------------------------------------------------
- */
-
-/* Of a length: lane_fit leaves a segment that is off by less, float32's rounding. Ours. */
-#define PLAIT_LANE_FIT_TOLERANCE PLAIT_NUMBER(1e-5)
 
 /* ---- set_off and lane_set_off ------------------------------------------------------------------
  */

@@ -360,15 +360,14 @@ typedef struct plait_lane_grid_params {
  * in them; `row_stride`, V or more, that of buffers which hold all strands of the sim, one after
  * the other: rest, position, accelerations, pins.
  *
- * chain, cosserat, rod, articulated: one substep of a strand model over lanes. mesh_contact,
+ * articulated: one substep of strands over lanes. mesh_contact,
  * mesh_nearest: the planes for one; there `collider_count` and `collider_first` are of their meshes. */
 typedef struct plait_lane_params {
     plait_u32 vertex_stride;
     plait_u32 tile; /* strands per tile of the lane layout */
     plait_u32 row_stride;
     float h; /* s */
-    plait_u32
-        iterations;   /* chain: length solves; cosserat: sweeps; rod, articulated: Newton steps */
+    plait_u32 iterations; /* Newton steps */
     plait_u32 bdf2;   /* 0: backward Euler; 1: BDF2, needs the step before */
     float drag;       /* c, 1/s, relative to the air */
     float gravity[3]; /* m/s^2 */
@@ -525,7 +524,6 @@ typedef struct plait_lane_air_params {
     plait_u32 pins;         /* 1: lane_spring holds pins, to which the spring is added */
     plait_u32 accelerates;  /* 1: vertices have accelerations; 0: `acceleration` is null */
     plait_u32 pressure;     /* 1: lane_pressure is added; 0: it is null */
-    plait_u32 equal_masses; /* 1: a vertex has the segment before it; 0: half of both */
     float drag;             /* rho d/2, kg/m^2: drag per length and squared speed at C = 1 */
     float viscous;          /* 10 (nu/d)^(2/3), (m/s)^(2/3) */
     float tangential;       /* drag along the strand over that across it */
@@ -617,14 +615,6 @@ typedef struct plait_lane_tile_params {
     plait_u32 pressure; /* 1: lane_pressure is added; 0: it is null */
 } plait_lane_tile_params;
 
-/* lane_orient. */
-typedef struct plait_lane_layout_params {
-    plait_u32 vertex_stride;
-    plait_u32 tile;
-    plait_u32 row_stride;
-    float h; /* s: the step before is h ago */
-} plait_lane_layout_params;
-
 /* lane_unpack. */
 typedef struct plait_lane_unpack_params {
     plait_u32 vertex_stride;
@@ -655,9 +645,7 @@ typedef struct plait_bounds_params {
 typedef struct plait_lane_fit_params {
     plait_u32 vertex_stride;
     plait_u32 tile;
-    float h;           /* s: the step before is h ago */
-    plait_u32 history; /* 1: BDF2's step before is written; 0: its buffers are null */
-    plait_u32 lengths; /* 1: segments are taken to theirs; 0: lane_x is kept */
+    float h; /* s: the step before is h ago */
 } plait_lane_fit_params;
 
 /* lane_pack. */
@@ -679,10 +667,10 @@ typedef struct plait_lane_move_params {
 /* lane_material: per vertex row, components of the lane layout. */
 #define PLAIT_LANE_LENGTH 0 /* l_i of the segment after vertex i, m; 0 past the tip */
 #define PLAIT_LANE_STRETCH                                                                         \
-    1 /* EA_i/l_i, N/m; 0 past the tip; chain, articulated: bounds friction alone */
+    1 /* EA_i/l_i, N/m; 0 past the tip; bounds friction */
 #define PLAIT_LANE_BEND 2 /* 4EI/lbar of the joint before segment i, N m; 0 past the tip */
 #define PLAIT_LANE_MASS 3 /* m_i, kg; 1 past the tip */
-/* `cosserat`, `rod`, `articulated`; 0 where a strand is round and twists as it bends. The
+/* 0 where a strand is round and twists as it bends. The
  * joint's axes are those of q_(i-1) r_i: x along the segment, about y a strand bends by EI, about z
  * by EI2. */
 #define PLAIT_LANE_TWIST 4 /* 4(GJ - EI)/lbar of the joint before segment i, N m */

@@ -16,11 +16,6 @@ Status check_part(const Buffer& buffer, size_t first, size_t count, const char* 
                         first, first + count, buffer.count)};
 }
 
-bool is_solve(plait_stage stage) {
-    return stage == PLAIT_STAGE_chain || stage == PLAIT_STAGE_cosserat ||
-           stage == PLAIT_STAGE_rod || stage == PLAIT_STAGE_articulated;
-}
-
 } // namespace
 
 Device::Device(Session session, Log log, const Calls& calls, ProgramFolder folder)
@@ -55,7 +50,7 @@ Variant Device::variant_of(const plait_stage_info& stage, const plait_dispatch& 
     if (own_texts_.test(stage.stage))
         return variant;
     variant.group_sums = group_sums(dispatch, info());
-    if (is_solve(stage.stage))
+    if (stage.stage == PLAIT_STAGE_articulated)
         variant.idle_local_bytes = session_.idle_local_bytes;
     return variant;
 }

@@ -25,7 +25,7 @@ const Group groups[] = {
      {PLAIT_STAGE_lane_reset, PLAIT_STAGE_lane_teleport, PLAIT_STAGE_lane_set_off,
       PLAIT_STAGE_lane_carry}},
     {"lane_forces", {PLAIT_STAGE_lane_pin, PLAIT_STAGE_lane_groom, PLAIT_STAGE_lane_accelerate}},
-    {"lane_switch", {PLAIT_STAGE_lane_move, PLAIT_STAGE_lane_orient, PLAIT_STAGE_lane_fit}},
+    {"lane_switch", {PLAIT_STAGE_lane_move, PLAIT_STAGE_lane_fit}},
     {"tressfx",
      {PLAIT_STAGE_reset, PLAIT_STAGE_teleport, PLAIT_STAGE_set_off, PLAIT_STAGE_carry,
       PLAIT_STAGE_integrate, PLAIT_STAGE_strand_data, PLAIT_STAGE_velocity_shock,

@@ -171,7 +171,7 @@ void RodModel::follow_turns(const RodModel& from, const Eigen::VectorXd& w) {
 bool RodModel::turn_segments() {
     const double before = energy(), limit = before +
                                             std::abs(before) * PLAIT_ARTICULATED_POTENTIAL_RISE +
-                                            PLAIT_ROD_POTENTIAL_MIN;
+                                            PLAIT_ARTICULATED_POTENTIAL_MIN;
     const RodModel from = *this;
     const Eigen::VectorXd w = turns();
     follow_turns(from, w);
@@ -261,9 +261,22 @@ bool RodModel::wants_step(uint32_t k, bool moved) const {
 
 void articulated(uint32_t item_count, const plait_lane_params& params,
                  const articulated_args& args) {
-    step_rods(
-        item_count, params, args, [&](RodModel& model) { model.articulate(params.iterations); },
-        true);
+    const RodBuffers buffers{args.lane_strand,
+                             args.rest,
+                             args.pose,
+                             args.lane_material,
+                             args.lane_rest,
+                             args.collider,
+                             args.lane_q,
+                             args.lane_q_before,
+                             {args.lane_x, args.lane_v, args.lane_x_before, args.lane_v_before,
+                              args.lane_material, args.lane_acceleration, args.lane_pin,
+                              args.lane_plane}};
+    for (size_t slot = 0; slot < item_count; ++slot) {
+        RodModel rod(buffers, params, slot);
+        rod.articulate(params.iterations);
+        rod.store(buffers);
+    }
 }
 
 } // namespace plait::reference

@@ -270,14 +270,6 @@ Vec3 Contacts::force(size_t vertex, const Vec3& x) const {
            at.friction * at.push * direction;
 }
 
-double Contacts::energy(size_t vertex, const Vec3& x) const {
-    const Contact& at = at_[vertex];
-    const double depth = std::max(at.offset - at.normal.dot(x), 0.0);
-    const double e = params_.contact_slip, u = slip_of(at, x).norm();
-    return at.stiffness / 2 * depth * depth +
-           at.friction * at.push * (u < e ? u * u / (2 * e) : u - e / 2);
-}
-
 double Contacts::model(size_t vertex, const Vec3& x) const {
     const Contact& at = at_[vertex];
     const double depth = std::max(at.offset - at.normal.dot(x), 0.0), e = params_.contact_slip;
@@ -324,29 +316,6 @@ Vec3 Contacts::put_back(size_t vertex, const Vec3& leader, double length,
     return leader + above * n + std::sqrt((length - above) * (length + above)) * direction(across);
 }
 
-void Contacts::clip(std::vector<Vec3>& x) {
-    renew(x);
-    for (size_t i = 1; i < x.size(); ++i)
-        x[i] += excess(i, x[i]) * at_[i].normal;
-}
-
-// The depth where the solve left it holds the push; on the sphere around the leader the nearest
-// point of that depth lies on a circle. Length goes first.
-Vec3 Contacts::keep_off(size_t i, const Vec3& leader, double length, const Vec3& solved,
-                        const Vec3& exact) const {
-    const Contact& at = at_[i];
-    const double height = std::max(at.normal.dot(solved), at.offset - depth_allowed(i));
-    const bool holds = at.stiffness > 0;
-    const bool enters = !at.normal.isZero(0) && at.normal.dot(exact) < std::min(height, at.offset);
-    if (!holds && !enters)
-        return exact;
-    const double above = std::clamp(height - at.normal.dot(leader), -length, length);
-    const Vec3 out = exact - leader;
-    const Vec3 across = out - out.dot(at.normal) * at.normal;
-    return leader + above * at.normal +
-           std::sqrt((length - above) * (length + above)) * direction(across);
-}
-
 // From the depth `begin` on, of the spring that is stiff all along, but holds no more than at the
 // depth from which on a vertex counts as started inside.
 double Contacts::released(size_t vertex, const Vec3& x, double begin) const {
@@ -369,14 +338,6 @@ double Contacts::work(const std::vector<Vec3>& x) const {
         sum += push * rise + at.friction * at.push * (way - rise * at.normal).norm() +
                released(i, x[i], at.begin);
     }
-    return sum;
-}
-
-double Contacts::work_of_springs(const std::vector<Vec3>& x) const {
-    double sum = 0;
-    for (size_t i = 1; i < x.size(); ++i)
-        if (at_[i].stiffness > 0)
-            sum += released(i, x[i], at_[i].begin);
     return sum;
 }
 

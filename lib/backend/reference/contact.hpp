@@ -34,22 +34,16 @@ class Contacts {
     Mat3 hessian(size_t vertex, const Vec3& x) const;
     Vec3 force(size_t vertex,
                const Vec3& x) const; // minus the gradient, slip in its last direction
-    double energy(size_t vertex, const Vec3& x) const;
-    // The same with friction as `force` and `hessian` have it: linear along the direction of slip
+    // The potential with friction as `force` and `hessian` have it: linear along the direction of slip
     // whatever way the vertex went, quadratic where it sticks.
     double model(size_t vertex, const Vec3& x) const;
 
     // At most, J, that contact gave vertices on their way to x: push and friction along the way of
-    // the surface, and what the springs let go. Of the last solve, before `clip`.
+    // the surface, and what the springs let go, of the last solve.
     double work(const std::vector<Vec3>& x) const;
-    // Of these, what the springs let go, for a solve that presses vertices in without paying.
-    double work_of_springs(const std::vector<Vec3>& x) const;
-    // Less what the springs hold that no solve has pushed yet, after `clip`.
+    // Less what the springs hold that no solve has pushed yet.
     double work_of_new(const std::vector<Vec3>& x) const;
 
-    // Where a chain's sweep keeps vertex `i`, `length` from its leader.
-    Vec3 keep_off(size_t i, const Vec3& leader, double length, const Vec3& solved,
-                  const Vec3& exact) const;
     // Are strands among what is met? They give way: nothing is stopped by them, or put back.
     bool of_strands() const { return params_.planes > 1; }
     // Where a step that would carry the vertex to `to` leaves it, if its surface did not push in it.
@@ -58,7 +52,6 @@ class Contacts {
     Vec3 put_back(size_t vertex, const Vec3& leader, double length, const Vec3& solved) const;
     // How much deeper the vertex is than a solve may leave it.
     double excess(size_t vertex, const Vec3& x) const;
-    void clip(std::vector<Vec3>& x);
     // Positions and velocities; what is pressed to a surface moves with it.
     void store(const Lane& lane, const LaneState& state, const std::vector<Vec3>& x,
                const std::vector<Vec3>& solved) const;

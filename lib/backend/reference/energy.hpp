@@ -1,6 +1,6 @@
 // The energy budget of a substep: what a strand's velocities relative to its root may carry, given
 // what they carried, what its potential released, and the work of the forces on it, pins' too.
-// docs/models/cosserat.md derives it.
+// docs/models/energy.md derives it.
 #pragma once
 
 #include "backend/reference/lanes.hpp"

@@ -85,7 +85,7 @@ class Strand {
     Vertex vertex(uint32_t i, bool tip) const {
         const double before = material(i - 1, PLAIT_LANE_LENGTH);
         const double behind = material(i, PLAIT_LANE_LENGTH); // 0 at the tip
-        const double length = params_.equal_masses ? before : (before + behind) / 2;
+        const double length = (before + behind) / 2;
         return {direction(position(tip ? i : i + 1) - position(i - 1)),
                 drag_ * length / material(i, PLAIT_LANE_MASS)};
     }

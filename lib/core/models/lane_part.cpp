@@ -83,7 +83,7 @@ void LaneSource::measure_rest(const RestGrid& grid) {
 
 LanePart::LanePart(const LaneSource& source, const Settings& settings, uint32_t row,
                    Members members)
-    : source_(source), settings_(settings), traits_(traits_of(settings.model)),
+    : source_(source), settings_(settings),
       members_(std::move(members)), lanes_{static_cast<uint32_t>(members_.size()), row,
                                            source.tile},
       fill_(source.memory), next_fill_(source.memory) {}
@@ -135,10 +135,8 @@ Materials LanePart::materials_of(const plait_sim_params& params) const {
                          const Ramp& stiffness, const Ramp& density, float groom,
                          const Ramp& groom_ramp) {
         all.list.push_back({of.line_density, of.bend_stiffness, of.stretch_stiffness,
-                            traits_.bends ? of.twist_stiffness : 0.0f,
-                            traits_.flat ? of.section_ratio : 1.0f, curl, clamp, drag, friction,
-                            stiffness, density, groom, groom_ramp, !traits_.halves_tip,
-                            !traits_.stretches});
+                            of.twist_stiffness, of.section_ratio, curl, clamp, drag, friction,
+                            stiffness, density, groom, groom_ramp});
     };
     add(params, 1, 1, 1, 1, Ramp::to_tip(double(params.tip_stiffness)),
         Ramp::to_tip(double(params.tip_density)), 0, {});
@@ -152,7 +150,7 @@ Materials LanePart::materials_of(const plait_sim_params& params) const {
 
 // Gravity that changes is felt: the load stays that of the balance until that is sought anew.
 RestLoad LanePart::load() const {
-    if (source_.sag_free == PLAIT_SAG_FREE_OFF || !traits_.bends)
+    if (source_.sag_free == PLAIT_SAG_FREE_OFF)
         return {};
     return {source_.sag_free, source_.gravity};
 }
@@ -334,7 +332,6 @@ void LanePart::blow(Schedule& schedule, const Substep& at, const WindStep& wind)
     params.pins = source_.pins || holds(at.params) ? 1 : 0;
     params.accelerates = source_.accelerates ? 1 : 0;
     params.pressure = volume_.pressure ? 1 : 0;
-    params.equal_masses = traits_.halves_tip ? 0 : 1;
     params.drag = wind.drag;
     params.viscous = wind.viscous;
     params.tangential = wind.tangential;
@@ -407,7 +404,7 @@ void LanePart::substep(Schedule& schedule, const Substep& at, float mean_length)
         params.gravity[i] = p.gravity[i];
         params.air[i] = at.air[i];
     }
-    const bool meets = at.pairs && traits_.meets;
+    const bool meets = at.pairs != nullptr;
     params.collider_count = at.collider_count;
     params.collider_first = at.collider_first;
     params.contact_rate = contact_rate(p.gravity, at.h, params.bdf2, mean_length);
@@ -427,17 +424,11 @@ void LanePart::substep(Schedule& schedule, const Substep& at, float mean_length)
         find_nearest(schedule, at, params);
     if (meets && plane_)
         find_strands(schedule, at);
-    if (!traits_.bends)
-        schedule.add(traits_.stage, lanes_.strands, params,
-                     {&lane_strand_, &at.state.rest, &at.state.pose, &material(), &at.colliders,
-                      &push(), &spring_, &plane_, &x_, &v_, &history_.x, &history_.v},
-                     lanes_.row);
-    else
-        schedule.add(traits_.stage, lanes_.strands, params,
-                     {&lane_strand_, &at.state.rest, &at.state.pose, &material(), &fill_.rest,
-                      &at.colliders, &push(), &spring_, &plane_, &x_, &v_, &q_, &q_before_,
-                      &history_.x, &history_.v},
-                     lanes_.row);
+    schedule.add(PLAIT_STAGE_articulated, lanes_.strands, params,
+                 {&lane_strand_, &at.state.rest, &at.state.pose, &material(), &fill_.rest,
+                  &at.colliders, &push(), &spring_, &plane_, &x_, &v_, &q_, &q_before_,
+                  &history_.x, &history_.v},
+                 lanes_.row);
 }
 
 void LanePart::publish(Schedule& schedule, const Substep& at, const Buffer* tangent) const {

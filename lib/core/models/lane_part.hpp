@@ -8,7 +8,6 @@
 #include "core/interhair.hpp"
 #include "core/model.hpp"
 #include "core/models/material.hpp"
-#include "core/models/traits.hpp"
 #include "core/rest_density.hpp"
 
 #include <algorithm>
@@ -148,21 +147,18 @@ class LanePart {
     void find_planes(Schedule& schedule, const Substep& at, const plait_lane_params& solve) const;
     void find_nearest(Schedule& schedule, const Substep& at, const plait_lane_params& solve) const;
     void find_strands(Schedule& schedule, const Substep& at) const;
-    bool keeps_fill_of(const LanePart& other) const;
+    bool keeps_fill() const;
     bool takes_history_of(const LanePart& other) const;
     template <typename Place> Result<Moves> list_moves(Device& device, const Place& place) const;
     void move(Schedule& schedule, const Moves& moves, uint32_t components, const Buffer& from,
               const Buffer& to) const;
-    Status fill_arrivals(Device& device, Schedule& schedule, std::span<const LanePlace> from);
+    Status fill_anew(Device& device);
     Status move_from(Device& device, Schedule& schedule, const Substep& at, const LanePart& other,
                      std::span<const LanePlace> from);
     void fit(Schedule& schedule, const Substep& at, const Moves& moves,
              const LanePart& other) const;
     // The strand of a lane; those that fill up the last tile repeat the last strand.
     uint32_t member(size_t lane) const { return members_[std::min(lane, members_.size() - 1)]; }
-    plait_lane_layout_params layout_params(const Substep& at) const {
-        return {lanes_.row, lanes_.tile, source_.layout.row, at.h};
-    }
     plait_lane_history_params history_params(const Substep& at) const {
         return {lanes_.row, lanes_.tile, source_.layout.row, at.h, history_.x ? 1u : 0u};
     }
@@ -173,7 +169,6 @@ class LanePart {
 
     const LaneSource& source_;
     Settings settings_;
-    const ModelTraits& traits_;
     Members members_;
     LaneLayout lanes_;
     Fill fill_, next_fill_;

@@ -1,8 +1,6 @@
-// Strands that change their settings: a part of the new ones takes them over from the parts they
-// are in, on the device and bit by bit. x and v stay as they are, and so does q between the rods; a
-// strand that was a chain has had none, and gets those of least turn in every joint. What stretched
-// and becomes an articulated strand is taken to its lengths. BDF2's step before stays where it is as
-// long ago as the new substeps are; else it follows from x and v.
+// Strands that change their settings: a part of the new ones takes them over from the parts they are
+// in, on the device and bit by bit. BDF2's step before stays where it is as long ago as the new
+// substeps are; else it follows from x and v.
 #include "core/models/lane_part.hpp"
 
 namespace plait {
@@ -24,8 +22,8 @@ Status run_now(Device& device, Schedule& schedule) {
 
 // Material and rest shape of a strand do not depend on which others are there; a sag-free part's
 // are found anew, with the report on all of them.
-bool LanePart::keeps_fill_of(const LanePart& other) const {
-    return other.settings_.model == settings_.model && fill_.load.mode == PLAIT_SAG_FREE_OFF;
+bool LanePart::keeps_fill() const {
+    return fill_.load.mode == PLAIT_SAG_FREE_OFF;
 }
 
 // The lanes here whose strand has a place, place(strand, lane&), to come from.
@@ -50,33 +48,12 @@ void LanePart::move(Schedule& schedule, const Moves& moves, uint32_t components,
                  {&moves.list, &from, &to});
 }
 
-// Material and rest shape of the strands whose rows no part has.
-Status LanePart::fill_arrivals(Device& device, Schedule& schedule,
-                               std::span<const LanePlace> from) {
-    Members arrivals(source_.memory);
-    for (const uint32_t strand : members_)
-        if (!keeps_fill_of(*from[strand].part))
-            arrivals.push_back(strand);
-    if (arrivals.empty())
+// Where other parts' rows of material and rest shape are not to be had.
+Status LanePart::fill_anew(Device& device) {
+    if (keeps_fill())
         return {};
-    Fill fill(source_.memory);
-    PLAIT_TRY(make_fill(device, fill, arrivals, fill_.of, fill_.load, bool(fill_.groom)));
-    uint32_t next = 0; // arrivals keep the order of the lanes
-    const auto moves = list_moves(device, [&](uint32_t strand, uint32_t& lane) {
-        next += next + 1 < arrivals.size() && arrivals[next + 1] == strand;
-        lane = next;
-        return arrivals[next] == strand;
-    });
-    if (!moves)
-        return moves.error();
-    fill_.sag = fill.sag;
-    move(schedule, *moves, PLAIT_LANE_MATERIAL_COMPONENTS, fill.material, fill_.material);
-    move(schedule, *moves, 4, fill.rest, fill_.rest);
-    if (fill.start)
-        move(schedule, *moves, 4, fill.start, fill_.start);
-    if (fill.groom)
-        move(schedule, *moves, PLAIT_LANE_GROOM_COMPONENTS, fill.groom, fill_.groom);
-    return run_now(device, schedule);
+    const Materials of = fill_.of;
+    return make_fill(device, fill_, members_, of, fill_.load, bool(fill_.groom));
 }
 
 // After the rest rotations are there.
@@ -90,7 +67,7 @@ Status LanePart::move_from(Device& device, Schedule& schedule, const Substep& at
         return moves.error();
     if (moves->count == 0)
         return {};
-    if (keeps_fill_of(other)) {
+    if (keeps_fill()) {
         move(schedule, *moves, PLAIT_LANE_MATERIAL_COMPONENTS, other.fill_.material,
              fill_.material);
         move(schedule, *moves, 4, other.fill_.rest, fill_.rest);
@@ -109,11 +86,6 @@ Status LanePart::move_from(Device& device, Schedule& schedule, const Substep& at
         move(schedule, *moves, 3, other.history_.x, history_.x);
         move(schedule, *moves, 3, other.history_.v, history_.v);
     }
-    if (!other.traits_.bends && traits_.bends) {
-        schedule.add(
-            PLAIT_STAGE_lane_orient, moves->count, layout_params(at),
-            {&moves->list, &lane_strand_, &at.state.pose, &fill_.rest, &x_, &v_, &q_, &q_before_});
-    }
     fit(schedule, at, *moves, other);
     return run_now(device, schedule);
 }
@@ -122,20 +94,14 @@ bool LanePart::takes_history_of(const LanePart& other) const {
     return history_.x && other.history_.x && other.settings_.substeps == settings_.substeps;
 }
 
-// The first solve of what cannot stretch takes its velocities from strands that have not; BDF2 has
-// a step before also of those that came without.
+// BDF2 has a step before also of strands that come without one.
 void LanePart::fit(Schedule& schedule, const Substep& at, const Moves& moves,
                    const LanePart& other) const {
-    const bool stretched = other.traits_.stretches && !traits_.stretches && traits_.bends;
-    const bool anew = history_.x && (stretched || !takes_history_of(other));
-    if (!stretched && !anew)
+    if (!history_.x || takes_history_of(other))
         return;
     const auto h = static_cast<float>(at.step / settings_.substeps);
-    schedule.add(
-        PLAIT_STAGE_lane_fit, moves.count,
-        plait_lane_fit_params{lanes_.row, lanes_.tile, h, anew ? 1u : 0u, stretched ? 1u : 0u},
-        {&moves.list, &fill_.material, &v_, &x_, anew ? &history_.x : nullptr,
-         anew ? &history_.v : nullptr});
+    schedule.add(PLAIT_STAGE_lane_fit, moves.count, plait_lane_fit_params{lanes_.row, lanes_.tile, h},
+                 {&moves.list, &v_, &x_, &history_.x, &history_.v});
 }
 
 Status LanePart::take_over(Device& device, Schedule& schedule, const Substep& at,
@@ -156,7 +122,7 @@ Status LanePart::take_over(Device& device, Schedule& schedule, const Substep& at
         PLAIT_TRY(make(device, history_.v, 3, "lane_v_before"));
     }
     PLAIT_TRY(make_pressed(device, volume_, source_.rest_grid_of(at.params)));
-    PLAIT_TRY(fill_arrivals(device, schedule, from));
+    PLAIT_TRY(fill_anew(device));
     std::pmr::vector<const LanePart*> others(source_.memory);
     for (const uint32_t strand : members_)
         if (std::find(others.begin(), others.end(), from[strand].part) == others.end())

@@ -1,4 +1,4 @@
-// The strand models over lanes: chain, cosserat, rod, articulated, each strand of one of them. They
+// The model articulated, over lanes. Strands
 // keep their own state in the lane layout and publish it to position and its history, which
 // display, the inter-hair step and interop read.
 #include "core/groom.hpp"
@@ -11,13 +11,12 @@ namespace {
 
 constexpr uint32_t pinned = 1; // the root; the clamp is a joint
 
-// Settings in use, each once: by model, then in the order of their first strand.
+// Settings in use, each once, in the order of their first strand.
 SettingsList kinds_of(std::span<const Settings> settings, std::pmr::memory_resource* memory) {
     SettingsList list(memory);
     for (const Settings& strand : settings)
         if (std::ranges::find(list, strand) == list.end())
             list.push_back(strand);
-    std::ranges::stable_sort(list, {}, [](const Settings& s) { return s.model; });
     return list;
 }
 
@@ -77,7 +76,7 @@ class LaneModel final : public Model {
   private:
     using PartPtr = std::shared_ptr<LanePart>; // a switch keeps parts whose strands stay
     // Calls visit(settings, V of the lanes, strands in the order of the lanes) for every part there
-    // is with strands of these settings: by model, then by settings and by length.
+    // is with strands of these settings: by settings and by length.
     template <typename Visit>
     Status for_each_part(std::span<const Settings> settings, const Visit& visit) const;
     PartPtr make_part(const Settings& settings, uint32_t row, LanePart::Members&& members) const;

@@ -70,7 +70,7 @@ void Writer::groom(size_t strand, const RestStrand& s, const Material& own) {
     double along = 0;
     for (size_t i = 1; i < s.x.size(); ++i) {
         along += s.edge(i - 1).norm();
-        const double hair = own.groom_ramp.at(along / s.whole) * s.hair_of(i, own);
+        const double hair = own.groom_ramp.at(along / s.whole) * s.hair_of(i);
         const auto put = [&](size_t component, double value) {
             rows_.groom[layout_.index(strand, i, component, PLAIT_LANE_GROOM_COMPONENTS)] =
                 static_cast<float>(value);

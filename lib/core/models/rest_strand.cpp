@@ -26,7 +26,7 @@ double Ramp::at(double share) const {
 
 RestStrand::RestStrand(std::span<const float> positions, const Material& material,
                        std::pmr::memory_resource* memory)
-    : x(memory), inextensible(material.inextensible), length(memory), stretch(memory), bend(memory),
+    : x(memory), length(memory), stretch(memory), bend(memory),
       frame(memory), rest(memory), mass(memory) {
     for (size_t i = 0; i < positions.size(); i += 3)
         x.emplace_back(positions[i], positions[i + 1], positions[i + 2]);
@@ -46,13 +46,13 @@ RestStrand::RestStrand(std::span<const float> positions, const Material& materia
         const double joint = 0.5 * (before + length[i]);
         stretch.push_back(EA / length[i]);
         bend.push_back(4 * EI * material.stiffness.at(along / whole) / joint);
-        mass.push_back(material.equal_masses ? mass_before : 0.5 * (mass_before + own_mass));
+        mass.push_back(0.5 * (mass_before + own_mass));
         along += length[i];
         before = length[i];
         mass_before = own_mass;
     }
     bend.front() *= double(material.clamp);
-    mass.push_back(material.equal_masses ? mass_before : 0.5 * mass_before);
+    mass.push_back(0.5 * mass_before);
     set_frames();
     if (cross != 1) {
         roll = curl_direction();
@@ -60,10 +60,10 @@ RestStrand::RestStrand(std::span<const float> positions, const Material& materia
     }
 }
 
-double RestStrand::hair_of(size_t vertex, const Material& material) const {
+double RestStrand::hair_of(size_t vertex) const {
     const double before = vertex > 0 ? edge(vertex - 1).norm() : 0;
     const double after = vertex < segments() ? edge(vertex).norm() : 0;
-    return material.equal_masses ? before : 0.5 * (before + after);
+    return 0.5 * (before + after);
 }
 
 void RestStrand::set_frames() {

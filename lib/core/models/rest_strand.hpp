@@ -38,8 +38,6 @@ struct Material {
     Ramp stiffness, density;
     float groom; // N/m^2, to the groom, beside what the parameters' slider gives
     Ramp groom_ramp;
-    bool equal_masses; // a limp chain's; a rod has half a mass at the tip
-    bool inextensible;
 
     void scale(float by) {
         bend_stiffness *= by;
@@ -57,7 +55,7 @@ struct RestStrand {
 
     size_t segments() const { return length.size(); }
     Vec3 edge(size_t segment) const { return x[segment + 1] - x[segment]; }
-    double hair_of(size_t vertex, const Material& material) const; // m that its mass is of
+    double hair_of(size_t vertex) const;                     // m that its mass is of
     void frame_along(size_t segment, const Vec3& direction);       // from the frame before it
     void scale_curl(double by); // the turn of every joint at rest but the clamp
     Quat frame_before(size_t segment) const {
@@ -68,7 +66,6 @@ struct RestStrand {
     double whole = 0;         // length as groomed, m
     double twist = 1;         // GJ/EI
     double cross = 1;         // EI2/EI
-    bool inextensible;        // EA bears every load
     double roll = 0;          // about itself, of the first frame, rad
     // Per segment; the joint of segment i is the one before it, the first one the clamp.
     std::pmr::vector<double> length;  // m

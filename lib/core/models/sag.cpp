@@ -1,11 +1,9 @@
-// For fixed orientations the energy of cl/common/rod.clh is quadratic in the vertices, and in
-// equilibrium the tension T_i of segment i is the weight below it, whatever the orientations. So
-//   x_{i+1} - x_i = l_i (t_i + T_i/EA), |t_i| = 1      gives l_i and t_i,
+// In equilibrium the tension T_i of segment i is the weight below it, whatever the orientations.
+// Strands do not stretch: l_i and t_i stay as they are. So
 //   M_i = M_{i+1} - l_i t_i x T_i                      the moments, from the tip on,
 //   M_i = -g(u_i)/2 in the joint's axes               the rest rotations: (u, w) is the turn from
 //                                                      q_{i-1} r_i to q_i and
 //   g(u) = kb (u + w d u + u x d u), d = diag(GJ/EI - 1, 0, EI2/EI - 1).
-// An inextensible strand is EA without bound: l_i and t_i stay as they are.
 // What remains is E(q) = sum of the joints' energies - l_i T_i.t_i(q_i), exactly: the equilibrium
 // is stable where its Hessian in rotation vectors is positive definite,
 //   segment:  l (T.t I - (t T' + T t')/2)
@@ -43,14 +41,6 @@ Mat3 cross_matrix(const Vec3& v) {
     return m;
 }
 
-// Length of a segment that tension T stretches to `edge`; that as it is where there is none.
-double unstretched(const Vec3& edge, const Vec3& T, double EA) {
-    const double along = edge.dot(T) / EA, square = edge.squaredNorm();
-    const double root = along * along + (1 - T.squaredNorm() / (EA * EA)) * square;
-    const double length = square / (along + std::sqrt(std::max(root, 0.0)));
-    return root >= 0 && length > 0 ? length : edge.norm();
-}
-
 // Of every segment: the weight below it.
 std::pmr::vector<Vec3> tensions(const RestStrand& s, const Vec3& gravity) {
     std::pmr::vector<Vec3> T(s.segments(), s.length.get_allocator());
@@ -58,16 +48,6 @@ std::pmr::vector<Vec3> tensions(const RestStrand& s, const Vec3& gravity) {
     for (size_t i = s.segments(); i-- > 0;)
         T[i] = weight += s.mass[i + 1] * gravity;
     return T;
-}
-
-// Lengths and directions under tension, and frames along them.
-void unstretch(RestStrand& s, const std::pmr::vector<Vec3>& T) {
-    for (size_t i = 0; i < s.segments(); ++i) {
-        const double EA = s.stretch[i] * s.length[i];
-        s.length[i] = unstretched(s.edge(i), T[i], EA);
-        s.stretch[i] = EA / s.length[i];
-        s.frame_along(i, s.edge(i) / s.length[i] - T[i] / EA);
-    }
 }
 
 // How a joint that is turned by (u, w) pushes back.
@@ -178,11 +158,6 @@ void Joints::hold(size_t i, const Vec3& T) {
     carried_ = S - before * pivot.ldlt().solve(before.transpose());
 }
 
-// Force on the far end of a segment.
-Vec3 stretch_force(const RestStrand& s, size_t i) {
-    return s.stretch[i] * (s.length[i] * (s.frame[i] * Vec3::UnitX()) - s.edge(i));
-}
-
 // Of joint i on segment i.
 Vec3 bend_moment(const RestStrand& s, size_t i) {
     const Quat from = s.frame_before(i) * s.rest[i];
@@ -199,7 +174,7 @@ double residual(const RestStrand& s, const Vec3& gravity) {
     Vec3 stretch_after = Vec3::Zero(), bend_after = Vec3::Zero();
     for (size_t i = s.segments(); i-- > 0;) {
         mass += s.mass[i + 1];
-        const Vec3 stretch = s.inextensible ? Vec3(-mass * gravity) : stretch_force(s, i);
+        const Vec3 stretch = -mass * gravity; // lengths bear every load
         const Vec3 bend = bend_moment(s, i);
         tension += s.mass[i + 1] * gravity + stretch - stretch_after;
         moment += bend - bend_after - s.length[i] * (s.frame[i] * Vec3::UnitX()).cross(stretch);
@@ -238,8 +213,6 @@ void SagReport::add(SagReport of_one, uint64_t strand) {
 
 SagReport remove_sag(RestStrand& strand, const Vec3& gravity, plait_sag_free mode) {
     const std::pmr::vector<Vec3> T = tensions(strand, gravity);
-    if (!strand.inextensible)
-        unstretch(strand, T);
     Joints joints(strand, mode == PLAIT_SAG_FREE_STIFFEN);
     for (size_t i = strand.segments(); i-- > 0;)
         joints.hold(i, T[i]);

@@ -24,7 +24,7 @@ constexpr Need needs[] = {
     {"free_tip", "holds both ends of its first segment",
      [](const Model& m) { return m.pinned == 1; }},
     {"pins", "takes no pins",
-     [](const Model& m) { return !m.baseline() && m.model != PLAIT_MODEL_TRESSFX; }},
+     [](const Model& m) { return m.pins; }},
     {"free_root", "every root is held; tests/unit/rod_energy.cpp measures its energy",
      [](const Model&) { return false; }},
     {"tip_clamp", "no tip can be clamped; tests/unit/rod_energy.cpp measures its energy",

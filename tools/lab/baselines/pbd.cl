@@ -1,4 +1,4 @@
-/* Baseline: position based dynamics of a limp strand, the stage `chain`.
+/* Baseline: position based dynamics of a limp strand.
  *
  * Source    Mueller et al. 2007: predict, `iterations` Gauss-Seidel sweeps over the distance
  *           constraints, root to tip, by inverse mass; velocity from the displacement. With one
@@ -7,7 +7,7 @@
  */
 #pragma OPENCL FP_CONTRACT OFF
 #include "collide.clh"
-#include "common/lane_step.clh"
+#include "kernel.clh"
 
 static inline void pbd_sweep(const lane_step* step, vec3* x) {
     real w0 = (real)(0.0f); /* the root is pinned */
@@ -25,13 +25,7 @@ static inline void pbd_sweep(const lane_step* step, vec3* x) {
     }
 }
 
-__kernel void plait_chain(const uint item_count, const plait_lane_params params,
-                          __global const uint* lane_strand, __global const float4* rest,
-                          __global const float4* pose, __global const real* lane_material,
-                          __global const float4* collider, __global const real* lane_acceleration,
-                          __global const real* lane_pin, __global const real* lane_plane,
-                          __global real* lane_x, __global real* lane_v,
-                          __global real* lane_x_before, __global real* lane_v_before) {
+__kernel void plait_articulated(BASELINE_ARGUMENTS) {
     lane_step step;
     if (!lane_begin(&step, item_count, &params, lane_strand, rest, pose, lane_material,
                     lane_acceleration, 0 /* no pins */))

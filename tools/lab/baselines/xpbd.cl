@@ -1,4 +1,4 @@
-/* Baseline: XPBD rods with the inertia their mass has, the stage `cosserat`. */
+/* Baseline: XPBD rods with the inertia their mass has. */
 #pragma OPENCL FP_CONTRACT OFF
 #define XPBD_INERTIA 1.0f
 #include "xpbd_rod.clh"

@@ -30,16 +30,25 @@ double verlet_step(double w) { // (h w)^2 + 2 h t w^2 < 4
     return std::sqrt(lag * lag + 4 / (w * w)) - lag;
 }
 
+// Every baseline takes the place of the stage `articulated`.
+Model baseline(std::string label, std::string source, bool bends, bool twists,
+               std::vector<Setting> settings) {
+    return {std::move(label),
+            PLAIT_MODEL_ARTICULATED,
+            "articulated",
+            std::move(source),
+            "",
+            bends,
+            twists,
+            true,
+            1,
+            std::move(settings)};
+}
+
 Model explicit_one(const char* name, bool bends, double (*longest_step)(double)) {
-    Model model{std::string(name) + (bends ? "" : "_limp"),
-                bends ? PLAIT_MODEL_COSSERAT : PLAIT_MODEL_CHAIN,
-                bends ? "cosserat" : "chain",
-                std::string(name) + ".cl",
-                bends,
-                false,
-                bends,
-                1,
-                {{0, 1, false}}};
+    Model model = baseline(std::string(name) + (bends ? "" : "_limp"), std::string(name) + ".cl",
+                           bends, false, {{0, 1, false}});
+    model.define = bends ? "" : "SPRING_LIMP";
     model.longest_step = longest_step;
     return model;
 }
@@ -50,11 +59,9 @@ std::vector<Model> make_baselines() {
                                    {5, 1, false},  {10, 1, false}, {50, 1, false}, {100, 1, false}};
     const std::vector<Setting> xpbd{{20, 1, false}, {1, 4, false},  {1, 20, false},
                                     {6, 1, false},  {50, 1, false}, {100, 1, false}};
-    std::vector<Model> all{
-        {"pbd", PLAIT_MODEL_CHAIN, "chain", "pbd.cl", false, false, false, 1, pbd},
-        {"xpbd", PLAIT_MODEL_COSSERAT, "cosserat", "xpbd.cl", true, true, true, 1, xpbd},
-        {"xpbd_heavy", PLAIT_MODEL_COSSERAT, "cosserat", "xpbd_heavy.cl", true, true, true, 1,
-         xpbd}};
+    std::vector<Model> all{baseline("pbd", "pbd.cl", false, false, pbd),
+                           baseline("xpbd", "xpbd.cl", true, true, xpbd),
+                           baseline("xpbd_heavy", "xpbd_heavy.cl", true, true, xpbd)};
     for (const bool bends : {false, true}) {
         all.push_back(explicit_one("explicit_euler", bends, euler_step));
         all.push_back(explicit_one("rk2", bends, midpoint_step));
@@ -64,10 +71,8 @@ std::vector<Model> make_baselines() {
     return all;
 }
 
-std::vector<Model> make_models() {
-    const std::vector<Setting> tressfx{{1, 2, false},  {2, 2, false},  {4, 2, false},
-                                       {8, 2, false},  {1, 8, false},  {1, 32, false},
-                                       {4, 32, false}, {16, 2, false}, {1, 128, false}};
+// What were models of plait, and are measured against.
+std::vector<Model> make_retired() {
     const std::vector<Setting> chain{{1, 1, false},  {1, 0, false}, {2, 1, false}, {4, 1, false},
                                      {4, 0, false},  {8, 1, false}, {1, 1, true},  {4, 1, true},
                                      {16, 1, false}, {16, 1, true}};
@@ -77,19 +82,33 @@ std::vector<Model> make_models() {
     const std::vector<Setting> rod{{1, 1, false}, {1, 2, false}, {2, 1, false},
                                    {4, 1, false}, {1, 1, true},  {2, 1, true},
                                    {4, 1, true},  {8, 1, true},  {16, 1, true}};
+    std::vector<Model> all{baseline("chain", "chain.cl", false, false, chain),
+                           baseline("cosserat", "cosserat.cl", true, true, cosserat),
+                           baseline("rod", "rod.cl", true, true, rod)};
+    const Setting quality[] = {{4, 1, false}, {4, 2, true}, {2, 1, true}};
+    for (size_t i = 0; i < all.size(); ++i) {
+        all[i].quality = quality[i];
+        all[i].pins = true;
+    }
+    return all;
+}
+
+std::vector<Model> make_models() {
+    const std::vector<Setting> tressfx{{1, 2, false},  {2, 2, false},  {4, 2, false},
+                                       {8, 2, false},  {1, 8, false},  {1, 32, false},
+                                       {4, 32, false}, {16, 2, false}, {1, 128, false}};
     const std::vector<Setting> articulated{{1, 1, true}, {1, 1, false}, {1, 2, true}, {2, 1, true},
                                            {4, 1, true}, {8, 1, true},  {16, 1, true}};
+    const Setting quality[] = {{1, 32, false}, {2, 1, true}};
     std::vector<Model> all{
-        {"tressfx", PLAIT_MODEL_TRESSFX, nullptr, "", true, false, false, 2, tressfx},
-        {"chain", PLAIT_MODEL_CHAIN, nullptr, "", false, false, false, 1, chain},
-        {"cosserat", PLAIT_MODEL_COSSERAT, nullptr, "", true, true, true, 1, cosserat},
-        {"rod", PLAIT_MODEL_ROD, nullptr, "", true, true, true, 1, rod},
-        {"articulated", PLAIT_MODEL_ARTICULATED, nullptr, "", true, true, true, 1, articulated},
+        {"tressfx", PLAIT_MODEL_TRESSFX, nullptr, "", "", true, false, false, 2, tressfx},
+        {"articulated", PLAIT_MODEL_ARTICULATED, nullptr, "", "", true, true, true, 1, articulated},
     };
-    const Setting quality[] = {
-        {1, 32, false}, {4, 1, false}, {4, 2, true}, {2, 1, true}, {2, 1, true}};
     for (size_t i = 0; i < all.size(); ++i)
         all[i].quality = quality[i];
+    all[1].pins = true;
+    for (Model& retired : make_retired())
+        all.push_back(std::move(retired));
     for (Model& baseline : make_baselines())
         all.push_back(std::move(baseline));
     return all;
@@ -148,8 +167,9 @@ plait_context* Contexts::of(const Model& model) {
     desc.backend = backend_.empty() ? nullptr : backend_.c_str();
     desc.device = device_.empty() ? nullptr : device_.c_str();
     desc.profile = profile_;
-    const std::string text =
-        model.baseline() ? baseline_source(PLAIT_LAB_KERNELS, model.source) : "";
+    std::string text = model.define.empty() ? "" : "#define " + model.define + "\n";
+    if (model.baseline())
+        text += baseline_source(PLAIT_LAB_KERNELS, model.source);
     const plait_stage_source source{model.stage, text.c_str(), model.source.c_str()};
     if (model.baseline()) {
         desc.stage_sources = &source;

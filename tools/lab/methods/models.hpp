@@ -24,6 +24,7 @@ struct Model {
     plait_model model;
     const char* stage;  // what a baseline replaces; null: nothing
     std::string source; // its kernel, a file in baselines/
+    std::string define; // what it is built with, if anything
     bool bends, twists;
     bool half_tip;                       // masses: half a segment's at the tip, or a whole one
     uint32_t pinned;                     // vertices
@@ -31,6 +32,7 @@ struct Model {
     std::optional<Setting> quality = {}; // for accuracy at several times the cost
     // Of explicit methods: the longest step, s, borne by a motion of w rad/s.
     double (*longest_step)(double w) = nullptr;
+    bool pins = false; // takes them
 
     bool baseline() const { return stage != nullptr; }
 };

@@ -7,7 +7,7 @@
 
 namespace lab {
 
-// Straight at rest and clamped, as in `cosserat` and `rod` (docs/models/cosserat.md).
+// Straight at rest and clamped, as rods are.
 struct ElasticStrand {
     std::vector<double> lengths; // m
     double EA, EI;               // N, N m^2

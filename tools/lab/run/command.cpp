@@ -56,7 +56,7 @@ void add_run(CLI::App& app, Command& chosen) {
     CLI::App* command = app.add_subcommand("run", "run one scene and measure it");
     command->add_option("scene", options->scene, "scene file; see docs/lab.md")->required();
     add_key<std::string>(*command, options->overrides, "model",
-                         ("tressfx, chain, cosserat, rod, articulated, ... [" +
+                         ("tressfx, articulated, chain, cosserat, rod, ... [" +
                           default_model().label + ", the library's]")
                              .c_str());
     add_key<uint64_t>(*command, options->overrides, "substeps", "per step");

@@ -93,7 +93,7 @@ uint64_t count_nonfinite(const Frame& frame) {
 } // namespace
 
 plait_sim_desc describe(const Scene& scene, const Method& method) {
-    if (scene.tip_pin && (method.model->baseline() || method.model->model == PLAIT_MODEL_TRESSFX))
+    if (scene.tip_pin && !method.model->pins)
         throw Failure("the scene has a tip_pin, and " + method.model->label + " takes no pins");
     plait_sim_desc desc = plait_sim_desc_defaults();
     desc.model = method.model->model;

@@ -67,7 +67,7 @@ void add_stability(CLI::App& app, Command& chosen) {
     CLI::App* command = app.add_subcommand("stability", "shake the models till they fail");
     command
         ->add_option("--models", options->sweep.models,
-                     "labels [tressfx,chain,cosserat,rod,articulated]")
+                     "labels [tressfx,articulated,chain,cosserat,rod]")
         ->delimiter(',');
     command
         ->add_option("--scenes", options->sweep.scenes,

@@ -52,7 +52,8 @@ Subject subject_of(const Model& model, const Setting& setting, const Place& plac
             own ? substeps_of(model, place.rate, w) : setting.substeps,
             setting.iterations,
             setting.bdf2,
-            contexts.of(model)};
+            contexts.of(model),
+            !model.bends};
 }
 
 void add_map(std::vector<Work>& work, const Model& model, const Setting& setting,
@@ -82,9 +83,8 @@ std::string scene_of(const std::string& axis) {
 void add_axes(std::vector<Work>& work, const Model& model, const Setting& setting,
               Contexts& contexts, const SweepOptions& options) {
     const Subject subject = subject_of(model, setting, Place{}, contexts);
-    const bool takes_pins = !model.baseline() && model.model != PLAIT_MODEL_TRESSFX;
     for (const AxisPoint& point : axis_points())
-        if (wanted(options.scenes, scene_of(point.axis)) && (takes_pins || !point.pins) &&
+        if (wanted(options.scenes, scene_of(point.axis)) && (model.pins || !point.pins) &&
             (options.full || !(point.axis == "substeps" && std::stoi(point.value) > 100)))
             work.push_back({subject,
                             {point.axis, model.label, setting.label(), Place{}, point.value},

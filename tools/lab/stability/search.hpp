@@ -8,7 +8,7 @@
 namespace lab::stability {
 
 struct SweepOptions {
-    std::vector<std::string> models{"tressfx", "chain", "cosserat", "rod", "articulated"};
+    std::vector<std::string> models{"tressfx", "articulated", "chain", "cosserat", "rod"};
     std::vector<std::string> scenes; // of scene_names(); empty: all
     std::string out = "out/stability";
     bool full = false, fresh = false, pictures = true;

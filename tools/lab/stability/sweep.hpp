@@ -10,16 +10,14 @@ namespace lab::stability {
 
 // What is tried: a model, or a kernel that stands in for it, and how it is run.
 struct Subject {
-    std::string label; // "cosserat 1x3"
+    std::string label; // "articulated 1x1 BDF2"
     plait_model model;
     uint32_t substeps = 1, iterations = 1;
     bool bdf2 = false;
     plait_context* context = nullptr;
+    bool limp = false; // a kernel that bends for nothing, whatever the material is
 
-    bool bends() const {
-        return model == PLAIT_MODEL_COSSERAT || model == PLAIT_MODEL_ROD ||
-               model == PLAIT_MODEL_ARTICULATED;
-    }
+    bool bends() const { return model == PLAIT_MODEL_ARTICULATED && !limp; }
 };
 
 // One place of the map; its strands' motions are its columns.

@@ -59,7 +59,7 @@ class Elastic {
 Elastic::Elastic(const std::vector<Point>& rest, const plait_sim_desc& desc)
     : length_(length_of(rest)),
       density_(desc.params.line_density * 0.5 * (1 + desc.params.tip_density)),
-      EI_(desc.model == PLAIT_MODEL_CHAIN ? 0 : desc.params.bend_stiffness),
+      EI_(desc.params.bend_stiffness),
       EA_(desc.params.stretch_stiffness) {
     if (EA_ == 0)
         EA_ = density_ * length_ * 10 * gravity / 0.01; // the library's choice
@@ -78,10 +78,9 @@ Elastic::Elastic(const std::vector<Point>& rest, const plait_sim_desc& desc)
         own.push_back(desc.params.line_density * l * (1 + (desc.params.tip_density - 1) * share));
         above += l;
     }
-    const bool limp_masses = desc.model == PLAIT_MODEL_CHAIN;
     for (size_t i = 0; i < own.size(); ++i) {
         const double after = i + 1 < own.size() ? own[i + 1] : 0;
-        masses_.push_back(limp_masses ? own[i] : 0.5 * (own[i] + after));
+        masses_.push_back(0.5 * (own[i] + after));
     }
 }
 
@@ -155,7 +154,7 @@ Watch::Watch(const TrialStrand& strand, const Trial& trial)
 double Watch::expected_response(const TrialStrand& strand, const plait_sim_desc& desc) const {
     if (desc.model == PLAIT_MODEL_TRESSFX)
         return 0.05 * length_;
-    const double EI = desc.model == PLAIT_MODEL_CHAIN ? 0 : double(desc.params.bend_stiffness);
+    const double EI = double(desc.params.bend_stiffness);
     const double gamma =
         double(desc.params.line_density) * gravity * std::pow(length_, 3) / std::max(EI, 1e-300);
     const double deflection = std::min(0.5, gamma * std::max(1.0, strand.stir) / 8);

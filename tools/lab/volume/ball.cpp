@@ -20,7 +20,7 @@ double now_ms() {
 
 plait_sim_desc desc_of(const Method& method, const std::string& model, bool free) {
     plait_sim_desc desc = plait_sim_desc_defaults();
-    desc.model = free ? PLAIT_MODEL_COSSERAT : find_model(model)->model; // the others are stiff
+    desc.model = find_model(model)->model;
     desc.step = static_cast<float>(1 / rate);
     desc.substeps = 1;
     desc.params.bdf2 = 0; // a velocity that is written is all the history there is

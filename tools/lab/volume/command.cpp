@@ -39,7 +39,7 @@ void add_volume(CLI::App& app, Command& chosen) {
         "limp hair on a ball: what different methods keep of its volume, and what it costs");
     command->add_option("--model", options->run.model, "that the hair is simulated by")
         ->capture_default_str()
-        ->check(CLI::IsMember({"chain", "cosserat", "rod", "articulated"}));
+        ->check(CLI::IsMember({"articulated", "chain", "cosserat", "rod"}));
     command->add_option("--strands", options->run.strands, "hairs")
         ->capture_default_str()
         ->check(CLI::Range(2u, 100000u));

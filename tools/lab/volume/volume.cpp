@@ -139,7 +139,8 @@ std::vector<VolumeRow> measure_volume(Contexts& contexts, const VolumeOptions& o
         rows[i].height_least = *std::min_element(heights[i].end() - last_second, heights[i].end());
         rows[i].cost = least(times[i]) - (rows[i].method->program ? 0 : bare);
     }
-    measure_free(context, options, rows);
+    // by the one that stretches: in the others strands pull their vertices along
+    measure_free(contexts.of(*find_model("cosserat")), options, rows);
     return rows;
 }
 

@@ -7,7 +7,7 @@
 namespace lab::volume {
 
 struct VolumeOptions {
-    std::string model = "cosserat"; // of those that bend or hang as chains; one step of history
+    std::string model = "articulated"; // of those that bend or hang as chains; one step of history
     uint32_t strands = 2000;
     double seconds = 3;
     std::vector<std::string> methods; // names; none: all

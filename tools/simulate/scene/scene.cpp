@@ -323,12 +323,8 @@ Hang hang_of(const std::string& groom) {
     return {10.0f, 1.0f, PLAIT_SAG_FREE_STIFFEN, 0.0f};
 }
 
-bool bends(plait_model model) {
-    return model != PLAIT_MODEL_TRESSFX && model != PLAIT_MODEL_CHAIN;
-}
-
 void hang(Scene& scene) {
-    if (!bends(scene.sim.model))
+    if (scene.sim.model == PLAIT_MODEL_TRESSFX) // which has no bending
         return;
     const Hang hang = hang_of(scene.groom.name);
     scene.sim.sag_free = hang.sag_free;

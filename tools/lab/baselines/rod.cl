@@ -1,15 +1,14 @@
-/* rod: one substep of the Cosserat rod by damped Gauss-Newton with a direct solve.
+/* Baseline: a Cosserat rod by damped Gauss-Newton with a direct solve.
  *
- * Items   strands, over lanes.
- * Reads   lane_strand, rest, pose, lane_material, lane_rest, collider.
- * Moves   lane_x, lane_v, lane_q, and the steps before.
- * Source  the potential of common/rod.clh; unknowns per segment k are the displacement of vertex
+ * Source  the potential of stretch_rod.clh; unknowns per segment k are the displacement of vertex
  * k+1 and the rotation vector of q_k, so the Hessian is block tridiagonal, 6x6. Gauss-Newton plus
  *         the geometric term of tension, without which it diverges; backtracking on the potential;
  *         one iteration of `cosserat` before, two where the search fails.
  */
 #pragma OPENCL FP_CONTRACT ON
-#include "common/cosserat.clh"
+#include "cosserat.clh"
+#include "constants.clh"
+#include "kernel.clh"
 
 #define ROD_UNKNOWNS                                                                               \
     6 /* loops over them have constant bounds, so that all compilers unroll them                   \
@@ -318,18 +317,18 @@ static inline void rod_newton(const rod_problem* rod, rod_state* s) {
     if (rod->contacts)
         contact_renew(rod->contacts, s->x);
     rod_state from = *s;
-    const real limit = rod_potential(rod, s) * PLAIT_ROD_POTENTIAL_FACTOR + PLAIT_ROD_POTENTIAL_MIN;
+    const real limit = rod_potential(rod, s) * ROD_POTENTIAL_FACTOR + ROD_POTENTIAL_MIN;
     rod_direction(rod, s, u);
     real alpha = (real)(1.0f);
     rod_move(rod, s, &from, u, alpha);
     mask rose = !(rod_potential(rod, s) <= limit);
-    for (int trial = 0; trial < PLAIT_ROD_HALVINGS && any_lane(rose); ++trial) {
+    for (int trial = 0; trial < ROD_HALVINGS && any_lane(rose); ++trial) {
         alpha = pick(rose, 0.5f * alpha, alpha);
         rod_move(rod, s, &from, u, alpha);
         rose = !(rod_potential(rod, s) <= limit);
     }
     if (any_lane(rose)) {
-        cosserat_iterate(rod, &from, PLAIT_ROD_FALLBACK_ITERATIONS, 0);
+        cosserat_iterate(rod, &from, ROD_FALLBACK_ITERATIONS, 0);
         rod_pick(rod, rose, s, &from);
     }
 }
@@ -350,14 +349,7 @@ static inline void rod_solve(const rod_problem* rod, rod_state* s, uint iteratio
         rod_pick(rod, !rod->contacts->lanes, s, &untouched);
 }
 
-__kernel void plait_rod(const uint item_count, const plait_lane_params params,
-                        __global const uint* lane_strand, __global const float4* rest,
-                        __global const float4* pose, __global const real* lane_material,
-                        __global const real* lane_rest, __global const float4* collider,
-                        __global const real* lane_acceleration, __global const real* lane_pin,
-                        __global const real* lane_plane, __global real* lane_x,
-                        __global real* lane_v, __global real* lane_q, __global real* lane_q_before,
-                        __global real* lane_x_before, __global real* lane_v_before) {
+__kernel void plait_articulated(BASELINE_ARGUMENTS) {
     HOLD_IDLE_LOCAL(item_count, lane_x)
     lane_step step;
     if (!lane_begin(&step, item_count, &params, lane_strand, rest, pose, lane_material,
@@ -377,5 +369,5 @@ __kernel void plait_rod(const uint item_count, const plait_lane_params params,
     cosserat_iterate(&rod, &s, 1, 1);
     rod_solve(&rod, &s, params.iterations);
 
-    rod_store(&rod, &params, state, &s, w, lane_q, lane_q_before, PLAIT_ROD_CONTACT_STRAIN);
+    rod_store(&rod, &params, state, &s, w, lane_q, lane_q_before, ROD_CONTACT_STRAIN);
 }

@@ -1,18 +1,17 @@
-/* chain: one step of an inextensible chain without bending.
+/* Baseline: an inextensible chain without bending.
  *
- * Items   strands, over lanes.
- * Reads   lane_strand, rest, pose, lane_material, collider.
- * Moves   lane_x, lane_v, and the step before.
  * Source  inertial targets; K tridiagonal length solves (Han & Harada 2013); one exact
  *         follow-the-leader sweep with the velocity correction of Mueller et al. 2012, of which
  *         K = 0 is the dynamic follow-the-leader.
  * Changed the first length solve has its tension implicit where the step is coarse
- *         (common/chain_tension.clh); the velocity correction counts the sweep's displacement
+ *         (chain_tension.clh); the velocity correction counts the sweep's displacement
  *         alone.
  */
 #pragma OPENCL FP_CONTRACT OFF
-#include "common/chain_tension.clh"
+#include "chain_tension.clh"
 #include "common/energy.clh"
+#include "constants.clh"
+#include "kernel.clh"
 
 /* Project x on linearised edge lengths: J W J^T lambda = C, C capped at one rest length; W is the
  * inverse mass, less where contacts hold. Past the tip there is no constraint: lambda is 0. */
@@ -71,19 +70,19 @@ static inline void chain_solve_lengths(const lane_step* step, const lane_contact
 static inline mask chain_pinned(const lane_step* step) {
     mask pinned = (real)(0.0f) > (real)(0.0f);
     for (int i = 1; i <= step->segments && step->pin; ++i)
-        pinned |= lane_pin_stiffness(step, i) > PLAIT_CHAIN_PIN_STIFFNESS * lane_inertia(step) *
+        pinned |= lane_pin_stiffness(step, i) > CHAIN_PIN_STIFFNESS * lane_inertia(step) *
                                                     lane_material_at(step, i, PLAIT_LANE_MASS);
     return pinned;
 }
 
 /* K solves; those of strands in `pulled` had their first with an implicit tension, those in
- * `pinned` get PLAIT_CHAIN_PIN_SOLVES at least. */
+ * `pinned` get CHAIN_PIN_SOLVES at least. */
 static inline void chain_iterate_lengths(const lane_step* step, const lane_contacts* contacts,
                                          const chain_mobility* hold, uint iterations, mask pulled,
                                          mask pinned, vec3* x) {
     vec3 kept[PLAIT_VERTICES];
     const mask all = (real)(0.0f) == (real)(0.0f);
-    const uint most = any_lane(pinned) ? max(iterations, (uint)PLAIT_CHAIN_PIN_SOLVES) : iterations;
+    const uint most = any_lane(pinned) ? max(iterations, (uint)CHAIN_PIN_SOLVES) : iterations;
     for (uint k = 0; k < most; ++k) {
         mask takes = k < iterations ? all : pinned;
         if (k == 0)
@@ -139,7 +138,7 @@ static inline void chain_solve(const lane_step* step, lane_contacts* contacts, u
     vec3 before[PLAIT_VERTICES];
     chain_mobility hold[PLAIT_VERTICES];
     const mask all = (real)(0.0f) == (real)(0.0f);
-    const int rounds = contacts ? PLAIT_CHAIN_CONTACT_ROUNDS : 1;
+    const int rounds = contacts ? CHAIN_CONTACT_ROUNDS : 1;
     for (int round = 0; round < rounds; ++round) {
         mask touched = !all;
         if (contacts) {
@@ -163,13 +162,7 @@ static inline void chain_solve(const lane_step* step, lane_contacts* contacts, u
     }
 }
 
-__kernel void plait_chain(const uint item_count, const plait_lane_params params,
-                          __global const uint* lane_strand, __global const float4* rest,
-                          __global const float4* pose, __global const real* lane_material,
-                          __global const float4* collider, __global const real* lane_acceleration,
-                          __global const real* lane_pin, __global const real* lane_plane,
-                          __global real* lane_x, __global real* lane_v,
-                          __global real* lane_x_before, __global real* lane_v_before) {
+__kernel void plait_articulated(BASELINE_ARGUMENTS) {
     HOLD_IDLE_LOCAL(item_count, lane_x)
     lane_step step;
     if (!lane_begin(&step, item_count, &params, lane_strand, rest, pose, lane_material,
@@ -204,7 +197,7 @@ __kernel void plait_chain(const uint item_count, const plait_lane_params params,
     for (int i = 1; i <= step.segments; ++i) {
         /* the sweep moved vertex i+1 as if pulled by i: i recoils */
         if (i < step.segments) {
-            const real recoil = (real)(-PLAIT_CHAIN_VELOCITY_CORRECTION / step.h);
+            const real recoil = (real)(-CHAIN_VELOCITY_CORRECTION / step.h);
             w[i] = axpy3(pick(chain_ends(&step, i - 1), (real)(0.0f), recoil),
                          sub3(x[i + 1], solved[i + 1]), w[i]);
         }
