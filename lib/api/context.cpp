@@ -3,8 +3,8 @@
 
 #include "api/objects.hpp"
 #include "api/structs.hpp"
-#include "core/models/length_classes.hpp"
-#include "core/prepare.hpp"
+#include "core/sim/prepare.hpp"
+#include "core/strands/length_classes.hpp"
 
 #include <plait/params.h>
 
@@ -25,7 +25,8 @@ plait_prepare_desc default_prepare_desc() {
 }
 
 Status check_prepare(const plait_prepare_desc& desc) {
-    const uint32_t models = 1u << PLAIT_MODEL_TRESSFX | 1u << PLAIT_MODEL_ARTICULATED, features = PLAIT_FEATURE_ALL;
+    const uint32_t models = 1u << PLAIT_MODEL_TRESSFX | 1u << PLAIT_MODEL_ARTICULATED,
+                   features = PLAIT_FEATURE_ALL;
     if (desc.models == 0 || desc.models & ~models)
         return invalid(format("desc->models is 0x%x, range is [1, 0x%x]", desc.models, models));
     if (desc.features & ~features)

@@ -1,6 +1,6 @@
 // The energy of a rod's joints: it knows neither where a free strand is nor
 // which way it is turned, and a clamped one buckles under twist where rods do.
-#include "backend/reference/rod_model.hpp"
+#include "backend/reference/strands/rod_model.hpp"
 
 #include <gtest/gtest.h>
 

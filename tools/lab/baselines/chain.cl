@@ -9,9 +9,9 @@
  */
 #pragma OPENCL FP_CONTRACT OFF
 #include "chain_tension.clh"
-#include "common/energy.clh"
 #include "constants.clh"
 #include "kernel.clh"
+#include "strands/energy.clh"
 
 /* Project x on linearised edge lengths: J W J^T lambda = C, C capped at one rest length; W is the
  * inverse mass, less where contacts hold. Past the tip there is no constraint: lambda is 0. */
