@@ -11,7 +11,7 @@ namespace {
 
 // Still air below y = 0, full wind from 0.2 m above it; linear drag.
 constexpr const char* boundary_layer = R"(
-#include "common/strand.clh"
+#include "base/strand.clh"
 #include "plait/params.h"
 
 __kernel void plait_wind(const uint item_count, const plait_wind_params params,

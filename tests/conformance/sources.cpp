@@ -61,9 +61,9 @@ TEST_P(Sources, a_build_failure_tells_file_line_and_the_compilers_words) {
 
 TEST_P(Sources, a_failure_inside_an_include_names_the_included_file) {
     const std::string source = std::string("#define pose_load )\n"
-                                           "#include \"common/pose.clh\"\n") +
+                                           "#include \"base/pose.clh\"\n") +
                                good;
-    expect_holds(refusal("grid_clear", source).message, "cl/common/pose.clh:");
+    expect_holds(refusal("grid_clear", source).message, "cl/base/pose.clh:");
 }
 
 TEST_P(Sources, an_unknown_include_is_refused_with_its_place) {

@@ -1,6 +1,6 @@
 // What `cosserat` and `rod` minimise, as an energy: it knows neither where a free strand is nor
 // which way it is turned, and a clamped one buckles under twist where rods do.
-#include "backend/reference/rod_model.hpp"
+#include "backend/reference/strands/rod_model.hpp"
 
 #include <gtest/gtest.h>
 

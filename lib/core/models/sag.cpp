@@ -1,4 +1,4 @@
-// For fixed orientations the energy of cl/common/rod.clh is quadratic in the vertices, and in
+// For fixed orientations the energy of cl/strands/rod.clh is quadratic in the vertices, and in
 // equilibrium the tension T_i of segment i is the weight below it, whatever the orientations. So
 //   x_{i+1} - x_i = l_i (t_i + T_i/EA), |t_i| = 1      gives l_i and t_i,
 //   M_i = M_{i+1} - l_i t_i x T_i                      the moments, from the tip on,

@@ -1,6 +1,6 @@
 // Distances to a cube and to a bent tube, sides among them, against a table that another program made.
 #include "closed_forms.hpp"
-#include "mesh_inputs.hpp"
+#include "mesh/mesh_inputs.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 // No solve raises its potential, and no substep gives energy: in float64, from what went into a
 // stage over lanes and what came out, for strands that move hard. V and its names are
-// common/rod.clh's.
+// strands/rod.clh's.
 #include "closed_forms.hpp"
 #include "lane_inputs.hpp"
 

@@ -6,8 +6,8 @@
  * Standard  all of it. No bending: that of PBD has no modulus; xpbd.cl has.
  */
 #pragma OPENCL FP_CONTRACT OFF
+#include "base/lane_step.clh"
 #include "collide.clh"
-#include "common/lane_step.clh"
 
 static inline void pbd_sweep(const lane_step* step, vec3* x) {
     real w0 = (real)(0.0f); /* the root is pinned */

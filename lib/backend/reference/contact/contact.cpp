@@ -1,0 +1,418 @@
+// Source: Alart & Curnier 1991 (stick or slip from the last solve's forces), Li et al. 2020
+// (friction lagged in a potential). Ours: tangent planes of the first crossing, the push that is
+// remembered as a depth, the way out for what starts inside.
+#include "backend/reference/contact/contact.hpp"
+
+#include <plait/constants.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace plait::reference {
+namespace {
+
+// A tangent plane of a collider's distance: `height` of the end of the way above it.
+struct Tangent {
+    Vec3 normal;
+    double height;
+};
+
+// The distance along the way is convex: Newton from outside comes to the first zero and not beyond.
+// Nothing if the way ends or turns away before.
+std::optional<Tangent> first_crossing(const Collider& collider, const Vec3& from, const Vec3& to) {
+    const Vec3 way = to - from;
+    double t = 0;
+    Surface at = collider.surface(from);
+    for (int k = 0; k < PLAIT_SWEEP_STEPS; ++k) {
+        const double slope = at.normal.dot(way);
+        if (slope >= 0)
+            return {};
+        t += std::max(at.distance, 0.0) / -slope;
+        if (t >= 1)
+            return {};
+        at = collider.surface(from + t * way);
+    }
+    return Tangent{at.normal, at.distance + (1 - t) * at.normal.dot(way)};
+}
+
+// At least this far from a collider, and from most no farther than that: of a capsule with the
+// greater radius all along, of a hull also of the box around it.
+double clearance(const Collider& collider, const Vec3& x) {
+    if (collider.inward)
+        return collider.surface(x).distance;
+    if (const Hull* hull = std::get_if<Hull>(&collider.body))
+        return std::max(surface(*hull, x).distance, surface(hull->around, x).distance);
+    const Capsule* capsule = std::get_if<Capsule>(&collider.body);
+    if (!capsule)
+        return collider.surface(x).distance;
+    Capsule wide = *capsule;
+    if ((wide.b - wide.a).norm() <= std::abs(wide.ra - wide.rb)) // one sphere holds the other
+        wide.a = wide.b = wide.ra < wide.rb ? wide.b : wide.a;
+    wide.ra = wide.rb = std::max(wide.ra, wide.rb);
+    return surface(wide, x).distance;
+}
+
+} // namespace
+
+Contacts::Contacts(const plait_lane_params& params, const View<const Vec4>& colliders,
+                   const Motion& motion, std::vector<double> length, std::vector<double> stretch,
+                   std::vector<double> mass, std::vector<std::optional<MeshPlane>> planes)
+    : params_(params), colliders_(colliders), motion_(motion), length_(std::move(length)),
+      stretch_(std::move(stretch)), mass_(std::move(mass)), arc_(length_.size()),
+      planes_(std::move(planes)), at_(params.vertex_stride) {
+    std::partial_sum(length_.begin(), length_.end(), arc_.begin());
+}
+
+// Under a surface that holds the root deeper, a vertex need come no farther out of it than half the
+// length from the root.
+Contacts::Touch Contacts::touch(const Collider& collider, size_t vertex, const Vec3& x) const {
+    Touch found = touch_surface(collider, vertex, x);
+    const double root_depth = -collider.surface(motion_.root).distance;
+    if (found.gap < 0) {
+        const double sunk = std::max(root_depth - PLAIT_CONTACT_ROOT_CLEARANCE * arc_[vertex], 0.0);
+        found.gap += sunk;
+        found.start += sunk;
+    }
+    return found;
+}
+
+Contacts::Touch Contacts::touch_surface(const Collider& collider, size_t vertex,
+                                        const Vec3& x) const {
+    const Vec3 start = motion_.root + motion_.start[vertex], end = motion_.root + x;
+    const Vec3 anchor = collider.carried(start);
+    const Surface at_anchor = collider.surface(anchor), at_end = collider.surface(end);
+    Touch nearest{at_end.distance, at_anchor.distance, collider.friction, at_end.normal,
+                  anchor - motion_.root};
+    if (collider.inward) // what is inside of a convex body is above all its tangents
+        return nearest;
+    Touch swept = nearest;
+    bool crosses = true;
+    if (at_anchor.distance > 0) {
+        const auto plane = first_crossing(collider, anchor, end);
+        crosses = plane.has_value();
+        if (crosses) {
+            swept.normal = plane->normal;
+            swept.gap = plane->height;
+        }
+    } else {
+        swept.normal = at_anchor.normal;
+        swept.gap = at_anchor.distance + at_anchor.normal.dot(end - anchor);
+    }
+    if (!crosses)
+        return nearest;
+    const bool inside = at_anchor.distance < -PLAIT_CONTACT_TOLERANCE * length_[vertex];
+    const bool beyond = at_anchor.distance > 0 && at_end.distance > 0;
+    const bool other_side = !(at_end.normal.dot(swept.normal) > PLAIT_SWEEP_SAME_SIDE);
+    return inside || beyond || other_side ? swept : nearest;
+}
+
+// No farther from the collider than from where it would have carried the vertex.
+bool Contacts::meets(const Collider& collider, size_t vertex, const Vec3& x) const {
+    const Vec3 end = motion_.root + x;
+    const Vec3 anchor = collider.carried(motion_.root + motion_.start[vertex]);
+    return clearance(collider, end) <=
+           (end - anchor).norm() + PLAIT_CONTACT_TOLERANCE * length_[vertex];
+}
+
+std::optional<Contacts::Touch> Contacts::nearest(size_t vertex, const Vec3& x) const {
+    std::optional<Touch> best;
+    for (size_t index = 0; index < params_.collider_count; ++index) {
+        const Collider collider = collider_at(colliders_, params_.collider_first + index);
+        if (!meets(collider, vertex, x))
+            continue;
+        const Touch candidate = touch(collider, vertex, x);
+        if (!best || candidate.gap < best->gap)
+            best = candidate;
+    }
+    if (planes_.empty() || !planes_[vertex])
+        return best;
+    const MeshPlane& plane = *planes_[vertex];
+    const double gap = plane.height + plane.normal.dot(x - plane.anchor);
+    if (!best || gap < best->gap)
+        best = Touch{gap, plane.start, plane.friction, plane.normal, plane.anchor};
+    return best;
+}
+
+Vec3 Contacts::slip_of(const Contact& at, const Vec3& x) const {
+    return (Mat3::Identity() - at.normal * at.normal.transpose()) * (x - at.anchor);
+}
+
+// A new contact slides where friction cannot stop a free vertex; one that slid, until it turns
+// back; one that stuck, once the spring that held it pulls with more than mu N. One that is tried
+// gets a weaker spring before it slides, drawn so far by mu N: what draws that one by more, slides.
+void Contacts::rub(const Contact& before, const Vec3& u, double mobility, bool tries,
+                   Contact& now) const {
+    const double slip = params_.contact_slip, size = u.norm(), most = now.friction * now.push;
+    now.grip = slip;
+    bool slides = false;
+    if (before.stiffness == 0 || before.push == 0) {
+        slides = size > slip + most * mobility;
+    } else if (!before.sticks()) {
+        slides = before.slide.dot(u) > 0;
+    } else {
+        const double pull = before.friction * before.push * size / before.grip;
+        if (before.grip > slip)
+            slides = pull + size / mobility > PLAIT_CONTACT_BREAKS * most;
+        else if (pull > most && tries)
+            now.grip = std::max(size, slip);
+        else
+            slides = pull > most;
+    }
+    if (slides)
+        now.slide = u.normalized();
+}
+
+// The way that the vertex slid along the surface, if it was pressed to it.
+Vec3 Contacts::slid_before(size_t vertex, const Touch& found) const {
+    if (solved_ || !slides_on_ || !(found.start < 0))
+        return Vec3::Zero();
+    const Vec3 surface = found.anchor - motion_.start[vertex];
+    const Vec3 way = motion_.whole * motion_.v[vertex] - surface;
+    const Vec3 along = way - found.normal * found.normal.dot(way);
+    return along.norm() > params_.contact_slip ? along : Vec3(Vec3::Zero());
+}
+
+Contacts::Contact Contacts::renewed(size_t vertex, const Vec3& x) const {
+    const Contact& before = at_[vertex];
+    const auto found = nearest(vertex, x);
+    Contact now;
+    now.anchor = motion_.start[vertex];
+    if (!found || length_[vertex] == 0)
+        return now;
+    const double tolerance = PLAIT_CONTACT_TOLERANCE * length_[vertex];
+    const double left = -before.stiffness * (before.normal.dot(x) - before.offset);
+    const bool was = solved_ && before.stiffness > 0;
+    const bool pressed = solved_ ? was && left > 0 : found->start < 0;
+
+    // Force against depth: stiff from the surface on; for what started at depth D, a soft spring
+    // that pushes with `most` at D, and stiff beyond D.
+    const double stiff = mass_[vertex] * params_.contact_rate, most = stiff * tolerance;
+    const double depth = -found->gap, D = -found->start;
+    double stiffness = stiff, level = 0;
+    now.stiff = true;
+    if (D > tolerance) {
+        now.stiff = depth > D;
+        if (!now.stiff)
+            stiffness =
+                std::max(PLAIT_CONTACT_RECOVERY_STIFFNESS * mass_[vertex] / (motion_.h * motion_.h),
+                         most / D);
+        level = D - most / stiffness;
+    }
+    now.normal = found->normal;
+    now.anchor = found->anchor;
+    now.offset = now.normal.dot(x) + depth - level;
+    now.level = level;
+    now.begin = D;
+    if (!(depth > 0 || (pressed && -depth < tolerance)))
+        return now;
+    now.stiffness = stiffness;
+    now.push = was ? std::max(left, 0.0) : std::min(stiff * std::max(D, 0.0), most);
+    now.friction = std::min(motion_.friction * found->friction,
+                            PLAIT_CONTACT_MAX_FRICTION * stretch_[vertex] * length_[vertex] /
+                                std::max(now.push, 1e-30));
+    const Vec3 u = slip_of(now, x);
+    // A surface that comes from farther, as the root sees it, strikes: what it throws is not tried. Of
+    // strands that meet, as the world sees it.
+    const Vec3 moved = params_.planes > 1 ? Vec3(Vec3::Zero()) : motion_.start[0];
+    const Vec3 carried = found->anchor - (motion_.start[vertex] - moved);
+    const bool tries = slides_on_ && carried.norm() < length_[vertex];
+    rub(solved_ ? before : Contact{}, u, motion_.h * motion_.h / mass_[vertex], tries, now);
+    if (const Vec3 slid = slid_before(vertex, *found); !slid.isZero(0)) {
+        now.slide = tries ? Vec3(Vec3::Zero()) : Vec3(slid.normalized());
+        now.grip = tries ? slid.norm() : now.grip;
+    }
+    return now;
+}
+
+// In whether they touch or slide, or in friction's bound.
+bool Contacts::differ(const Contact& before, const Contact& now) {
+    if ((before.stiffness > 0) != (now.stiffness > 0))
+        return true;
+    const double bound = now.friction * now.push, had = before.friction * before.push;
+    return now.stiffness > 0 && (before.sticks() != now.sticks() || before.grip != now.grip ||
+                                 std::abs(bound - had) > PLAIT_CONTACT_FRICTION_CHANGE * bound);
+}
+
+void Contacts::renew(const std::vector<Vec3>& x) {
+    changed_ = false;
+    for (size_t i = 1; i < x.size(); ++i) {
+        const Contact before = at_[i];
+        at_[i] = renewed(i, x[i]);
+        changed_ = changed_ || differ(before, at_[i]);
+    }
+    solved_ = true;
+    touched_ = touched_ || touching();
+}
+
+void Contacts::press(const std::vector<Vec3>& x) {
+    for (size_t i = 1; i < x.size(); ++i)
+        at_[i].push = at_[i].stiffness * std::max(at_[i].offset - at_[i].normal.dot(x[i]), 0.0);
+}
+
+bool Contacts::touching() const {
+    return std::any_of(at_.begin(), at_.end(), [](const Contact& at) { return at.stiffness > 0; });
+}
+
+// Across the direction of slip friction turns as mu N/|u|; along it, it stays as it is.
+Mat3 Contacts::hessian(size_t vertex, const Vec3& x) const {
+    const Contact& at = at_[vertex];
+    const Mat3 n = at.normal * at.normal.transpose(), d = at.slide * at.slide.transpose();
+    const double length =
+        at.sticks() ? at.grip : std::max(slip_of(at, x).norm(), double(params_.contact_slip));
+    return at.stiffness * n + at.friction * at.push / length * (Mat3::Identity() - n - d);
+}
+
+Vec3 Contacts::force(size_t vertex, const Vec3& x) const {
+    const Contact& at = at_[vertex];
+    const Vec3 direction = at.sticks() ? Vec3(slip_of(at, x) / at.grip) : at.slide;
+    return -at.stiffness * (at.normal.dot(x) - at.offset) * at.normal -
+           at.friction * at.push * direction;
+}
+
+double Contacts::energy(size_t vertex, const Vec3& x) const {
+    const Contact& at = at_[vertex];
+    const double depth = std::max(at.offset - at.normal.dot(x), 0.0);
+    const double e = params_.contact_slip, u = slip_of(at, x).norm();
+    return at.stiffness / 2 * depth * depth +
+           at.friction * at.push * (u < e ? u * u / (2 * e) : u - e / 2);
+}
+
+double Contacts::model(size_t vertex, const Vec3& x) const {
+    const Contact& at = at_[vertex];
+    const double depth = std::max(at.offset - at.normal.dot(x), 0.0), e = params_.contact_slip;
+    const Vec3 u = slip_of(at, x);
+    const double along = at.slide.dot(u), across = (u - along * at.slide).squaredNorm();
+    const double reach = at.sticks() ? at.grip : std::max(u.norm(), e);
+    return at.stiffness / 2 * depth * depth +
+           at.friction * at.push * (along + across / (2 * reach));
+}
+
+double Contacts::depth_allowed(size_t vertex) const {
+    return at_[vertex].stiff ? PLAIT_CONTACT_MAX_PENETRATION * length_[vertex] : INFINITY;
+}
+
+double Contacts::excess(size_t vertex, const Vec3& x) const {
+    const Contact& at = at_[vertex];
+    if (at.stiffness == 0)
+        return 0;
+    return std::max(at.offset - at.normal.dot(x) - depth_allowed(vertex), 0.0);
+}
+
+// On the surface, but for the depth at which it outweighs what inertia presses the vertex in with.
+Vec3 Contacts::stopped(size_t vertex, const Vec3& to, double inertia) const {
+    const Contact& at = at_[vertex];
+    const double depth = at.offset - at.normal.dot(to);
+    if (of_strands() || at.stiffness > 0 || at.normal.isZero(0) || depth <= 0)
+        return to;
+    const double most = PLAIT_ARTICULATED_PRESSED * PLAIT_CONTACT_TOLERANCE * length_[vertex];
+    const double stop = depth - std::min(depth * inertia / params_.contact_rate, most);
+    return stop > PLAIT_ARTICULATED_STOP * length_[vertex] ? Vec3(to + stop * at.normal) : to;
+}
+
+Vec3 Contacts::put_back(size_t vertex, const Vec3& leader, double length,
+                        const Vec3& solved) const {
+    const Vec3& n = at_[vertex].normal;
+    const Vec3 out = solved + excess(vertex, solved) * n - leader;
+    const Vec3 end = leader + length * direction(out);
+    const double low = excess(vertex, end);
+    if (low == 0)
+        return end;
+    // the circle of that height on the sphere around the leader
+    const double above = std::clamp(n.dot(end - leader) + low, -length, length);
+    const Vec3 across = out - n.dot(out) * n;
+    return leader + above * n + std::sqrt((length - above) * (length + above)) * direction(across);
+}
+
+void Contacts::clip(std::vector<Vec3>& x) {
+    renew(x);
+    for (size_t i = 1; i < x.size(); ++i)
+        x[i] += excess(i, x[i]) * at_[i].normal;
+}
+
+// The depth where the solve left it holds the push; on the sphere around the leader the nearest
+// point of that depth lies on a circle. Length goes first.
+Vec3 Contacts::keep_off(size_t i, const Vec3& leader, double length, const Vec3& solved,
+                        const Vec3& exact) const {
+    const Contact& at = at_[i];
+    const double height = std::max(at.normal.dot(solved), at.offset - depth_allowed(i));
+    const bool holds = at.stiffness > 0;
+    const bool enters = !at.normal.isZero(0) && at.normal.dot(exact) < std::min(height, at.offset);
+    if (!holds && !enters)
+        return exact;
+    const double above = std::clamp(height - at.normal.dot(leader), -length, length);
+    const Vec3 out = exact - leader;
+    const Vec3 across = out - out.dot(at.normal) * at.normal;
+    return leader + above * at.normal +
+           std::sqrt((length - above) * (length + above)) * direction(across);
+}
+
+// From the depth `begin` on, of the spring that is stiff all along, but holds no more than at the
+// depth from which on a vertex counts as started inside.
+double Contacts::released(size_t vertex, const Vec3& x, double begin) const {
+    const Contact& at = at_[vertex];
+    const double most = PLAIT_CONTACT_TOLERANCE * length_[vertex];
+    const double before = std::clamp(begin, 0.0, most);
+    const double after = std::clamp(at.level + at.offset - at.normal.dot(x), 0.0, most);
+    return mass_[vertex] * params_.contact_rate / 2 * (before * before - after * after);
+}
+
+double Contacts::work(const std::vector<Vec3>& x) const {
+    double sum = 0;
+    for (size_t i = 1; i < x.size(); ++i) {
+        const Contact& at = at_[i];
+        if (at.stiffness == 0)
+            continue;
+        const Vec3 way = params_.h / motion_.h * (at.anchor - motion_.from[i]);
+        const double push = at.stiffness * std::max(at.offset - at.normal.dot(x[i]), 0.0);
+        const double rise = at.normal.dot(way);
+        sum += push * rise + at.friction * at.push * (way - rise * at.normal).norm() +
+               released(i, x[i], at.begin);
+    }
+    return sum;
+}
+
+double Contacts::work_of_springs(const std::vector<Vec3>& x) const {
+    double sum = 0;
+    for (size_t i = 1; i < x.size(); ++i)
+        if (at_[i].stiffness > 0)
+            sum += released(i, x[i], at_[i].begin);
+    return sum;
+}
+
+double Contacts::work_of_new(const std::vector<Vec3>& x) const {
+    double sum = 0;
+    for (size_t i = 1; i < x.size(); ++i)
+        if (at_[i].stiffness > 0 && at_[i].push == 0)
+            sum += released(i, x[i], 0);
+    return sum;
+}
+
+void Contacts::store(const Lane& lane, const LaneState& state, const std::vector<Vec3>& x,
+                     const std::vector<Vec3>& solved) const {
+    motion_.store(lane, state, x, solved);
+    const Vec3 root_start = motion_.root + motion_.start[0];
+    for (size_t i = 1; i < x.size(); ++i) {
+        const Contact& at = at_[i];
+        if (!(at.stiffness > 0 && at.push > 0))
+            continue;
+        const Vec3 surface = (at.anchor - motion_.start[i]) / params_.h;
+        Vec3 v = lane.vector(state.v, i);
+        v += at.normal.dot(surface - v) * at.normal;
+        lane.store(state.v, i, v);
+        if (!params_.bdf2)
+            continue;
+        // The step before becomes one that leads to this one: all of it where the vertex sticks,
+        // else what is normal to the surface.
+        const Mat3 part =
+            at.sticks() ? Mat3(Mat3::Identity()) : Mat3(at.normal * at.normal.transpose());
+        const Vec3 v_before = lane.vector(state.v_before, i);
+        const Vec3 x_before = lane.vector(state.x_before, i);
+        const Vec3 x_led = motion_.root + x[i] - params_.h * v - root_start;
+        lane.store(state.v_before, i,
+                   Vec3(v_before + part * ((at.sticks() ? v : surface) - v_before)));
+        lane.store(state.x_before, i, Vec3(x_before + part * (x_led - x_before)));
+    }
+}
+
+} // namespace plait::reference

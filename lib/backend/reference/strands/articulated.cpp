@@ -1,0 +1,269 @@
+// articulated: Newton's method on the rod's potential over the turns w_i of the segments alone:
+// vertices are x_{i+1} = x_i + l_i t_i, so that lengths hold whatever the solve finds. Here the
+// system is assembled and solved densely,
+//   H = J' M J + joints + tension + eps I,   g = -J' f - moments,
+// J the derivative of the vertices by the turns, column i of vertex j > i being -l_i [t_i]x; M and
+// f inertia, pins and contact of the vertices. A joint whose turn from q_i to p_i = q_{i-1} r_i has
+// the scalar part c0 and the vector part e adds, with N = c0 I + [e]x and k = kb/4,
+//   K to (i, i),  -K N' to (i, i-1),  N K N' + k e e' to (i-1, i-1),
+// K = k I + diag(kt, 0, kc)/4 in its axes. Of a round joint these are the second derivatives but
+// for (1 - c0) k on the diagonal, which keeps them positive. Tension: max(0, P.t) l (I - t t'), P
+// the force on all that hangs on the segment. Source: docs/models/articulated.md.
+#include "backend/reference/strands/rod_model.hpp"
+
+#include <plait/constants.h>
+
+#include <algorithm>
+
+namespace plait::reference {
+namespace {
+
+Mat3 cross_matrix(const Vec3& t) {
+    Mat3 m;
+    m << 0, -t.z(), t.y(), t.z(), 0, -t.x(), -t.y(), t.x(), 0;
+    return m;
+}
+
+Quat turned_towards(const Quat& q, const Vec3& direction) {
+    return (Quat::FromTwoVectors(q * Vec3::UnitX(), direction) * q).normalized();
+}
+
+// What Newton's step turns by need not be an exact rotation vector.
+Quat turned(const Quat& q, const Vec3& w) {
+    return (Quat(1, w.x() / 2, w.y() / 2, w.z() / 2) * q).normalized();
+}
+
+Vec3 unit_or(const Vec3& v, const Vec3& instead) {
+    const double length = v.norm();
+    return length > 1e-30 ? Vec3(v / length) : instead;
+}
+
+} // namespace
+
+void RodModel::rebuild() {
+    x[0].setZero();
+    for (size_t i = 0; i < segments(); ++i)
+        x[i + 1] = x[i] + length_[i] * director(i);
+}
+
+// The substep's begin as it is stored, where something else moved vertices along their segments.
+void RodModel::load() {
+    const std::vector<Vec3> start = motion_.relative_start();
+    q = q_start_;
+    for (size_t i = 0; i < segments(); ++i) {
+        const Vec3 along = unit_or(start[i + 1] - start[i], director(i));
+        if ((along - director(i)).squaredNorm() > PLAIT_ARTICULATED_MISALIGNED)
+            q[i] = turned_towards(q[i], along);
+    }
+    rebuild();
+}
+
+// Every segment towards where inertia takes its end, if that is lower.
+void RodModel::follow_target() {
+    const double stays = energy();
+    const RodModel from = *this;
+    for (size_t i = 0; i < segments(); ++i)
+        turn_to(i, motion_.goal(i + 1, mass_[i + 1]));
+    if (!(energy() <= stays * (1 + PLAIT_ARTICULATED_POTENTIAL_RISE)))
+        *this = from;
+}
+
+// J' M J, -J' f and the tension; the force on what hangs on a segment comes from the tip on.
+void RodModel::add_vertices(Eigen::MatrixXd& H, Eigen::VectorXd& g) const {
+    const Eigen::Index n = g.size() / 3;
+    Eigen::MatrixXd J = Eigen::MatrixXd::Zero(3 * n, 3 * n), MJ = J;
+    Eigen::VectorXd f(3 * n);
+    for (Eigen::Index j = 0; j < n; ++j) { // of vertex j + 1
+        const auto vertex = static_cast<size_t>(j) + 1;
+        Mat3 M = vertex_stiffness(vertex) * Mat3::Identity();
+        Vec3 force = vertex_force(vertex);
+        if (contacts_) {
+            M += contacts_->hessian(vertex, x[vertex]);
+            force += contacts_->force(vertex, x[vertex]);
+        }
+        for (Eigen::Index i = 0; i <= j; ++i) {
+            const auto segment = static_cast<size_t>(i);
+            J.block<3, 3>(3 * j, 3 * i) = -length_[segment] * cross_matrix(director(segment));
+        }
+        MJ.middleRows<3>(3 * j) = M * J.middleRows<3>(3 * j);
+        f.segment<3>(3 * j) = force;
+    }
+    H += J.transpose() * MJ;
+    g -= J.transpose() * f;
+    Vec3 pull = Vec3::Zero();
+    for (Eigen::Index i = n - 1; i >= 0; --i) {
+        const auto segment = static_cast<size_t>(i);
+        pull += f.segment<3>(3 * i);
+        const Vec3 t = director(segment);
+        const double length = length_[segment];
+        H.block<3, 3>(3 * i, 3 * i) +=
+            std::max(0.0, pull.dot(t)) * length * (Mat3::Identity() - t * t.transpose());
+        H.block<3, 3>(3 * i, 3 * i) += PLAIT_ARTICULATED_TWIST * mass_[segment + 1] *
+                                       motion_.inertia * length * length * Mat3::Identity();
+    }
+}
+
+void RodModel::add_joints(Eigen::MatrixXd& H, Eigen::VectorXd& g) const {
+    for (Eigen::Index i = 0; i < g.size(); i += 3) {
+        const auto segment = static_cast<size_t>(i / 3);
+        const Eigen::Index p = i - 3;
+        const Quat r = expected(segment) * q[segment].conjugate();
+        const double side = std::copysign(1.0, r.w()), c0 = side * r.w();
+        const Vec3 e = side * r.vec();
+        const double k = bend_[segment] / 4;
+        const Mat3 axes = expected(segment).toRotationMatrix();
+        const Mat3 K =
+            k * Mat3::Identity() + axes * section_[segment].asDiagonal() * axes.transpose() / 4;
+        const Mat3 N = c0 * Mat3::Identity() + cross_matrix(e);
+        // (u, u.w) turns from expected to q; the section's energy is u.ku/2.
+        const Quat u = bent(segment);
+        const Vec3 ku = section_[segment].cwiseProduct(u.vec());
+        const Vec3 moment = 2 * k * e - axes * (u.w() * ku + u.vec().cross(ku)) / 2;
+        H.block<3, 3>(i, i) += K;
+        g.segment<3>(i) -= moment;
+        if (segment == 0)
+            continue;
+        H.block<3, 3>(i, p) -= K * N.transpose();
+        H.block<3, 3>(p, i) -= N * K;
+        H.block<3, 3>(p, p) += N * K * N.transpose() + k * e * e.transpose();
+        g.segment<3>(p) += moment;
+    }
+}
+
+// Past the tip nothing turns; with rows for it the factors of the others would round otherwise.
+Eigen::VectorXd RodModel::turns() const {
+    const auto own =
+        3 * std::count_if(length_.begin(), length_.end(), [](double l) { return l > 0; });
+    Eigen::MatrixXd H = Eigen::MatrixXd::Zero(own, own);
+    Eigen::VectorXd g = Eigen::VectorXd::Zero(own);
+    add_vertices(H, g);
+    add_joints(H, g);
+    Eigen::VectorXd w = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(segments()));
+    w.head(own) = H.ldlt().solve(-g);
+    return w;
+}
+
+// What would pass a surface that did not push in the step stays there.
+Vec3 RodModel::stopped(size_t vertex, const Vec3& to) const {
+    return contacts_ ? contacts_->stopped(vertex, to, motion_.inertia) : to;
+}
+
+// Its end goes towards a place; past the tip there is no direction.
+void RodModel::turn_to(size_t segment, const Vec3& place) {
+    const Vec3 along = unit_or(place - x[segment], director(segment));
+    if (length_[segment] > 0)
+        q[segment] = turned_towards(q[segment], along);
+    x[segment + 1] = x[segment] + length_[segment] * along;
+}
+
+// Turns alone would leave errors of second order that add up along the strand as false velocity:
+// every segment goes along where the linear step puts its end.
+void RodModel::follow_turns(const RodModel& from, const Eigen::VectorXd& w) {
+    Vec3 d = Vec3::Zero();
+    for (size_t i = 0; i < segments(); ++i) {
+        const Vec3 turn = w.segment<3>(3 * static_cast<Eigen::Index>(i));
+        d += length_[i] * turn.cross(from.director(i));
+        q[i] = turned(from.q[i], turn);
+        turn_to(i, stopped(i + 1, from.x[i + 1] + d));
+    }
+}
+
+bool RodModel::turn_segments() {
+    const double before = energy(), limit = before +
+                                            std::abs(before) * PLAIT_ARTICULATED_POTENTIAL_RISE +
+                                            PLAIT_ROD_POTENTIAL_MIN;
+    const RodModel from = *this;
+    const Eigen::VectorXd w = turns();
+    follow_turns(from, w);
+    double share = 1;
+    for (int trial = 0; trial < PLAIT_ARTICULATED_SHORTER_STEPS && !(energy() <= limit); ++trial) {
+        share *= PLAIT_ARTICULATED_SHORTEN;
+        for (size_t i = 0; i < segments(); ++i) {
+            q[i] = turned(from.q[i], share * w.segment<3>(3 * static_cast<Eigen::Index>(i)));
+            turn_to(i, stopped(i + 1, x[i] + length_[i] * director(i)));
+        }
+    }
+    if (!(energy() <= limit))
+        *this = from;
+    for (size_t i = 1; i < x.size(); ++i)
+        if (length_before_[i] > 0 && // not past the tip
+            (x[i] - from.x[i]).norm() > PLAIT_ARTICULATED_CONVERGED * length_before_[i])
+            return true;
+    return false;
+}
+
+bool RodModel::deep() const {
+    for (size_t i = 1; contacts_ && i < x.size(); ++i)
+        if (contacts_->excess(i, x[i]) >
+            (PLAIT_ARTICULATED_DEEP - PLAIT_CONTACT_MAX_PENETRATION) * length_before_[i])
+            return true;
+    return false;
+}
+
+bool RodModel::off_pin() const {
+    for (size_t i = 1; i < x.size(); ++i) {
+        const Pin& pin = motion_.pin[i];
+        if (pin.stiffness > PLAIT_ARTICULATED_PIN_STIFFNESS * mass_[i] * motion_.inertia &&
+            (pin.target - x[i]).norm() > PLAIT_ARTICULATED_PIN_DISTANCE * length_before_[i])
+            return true;
+    }
+    return false;
+}
+
+void RodModel::articulate(uint32_t steps) {
+    load();
+    follow_target();
+    if (contacts_)
+        contacts_->slide_on();
+    bool moved = true;
+    for (uint32_t k = 0;; ++k) {
+        renew_contacts();
+        if (k >= steps && !wants_step(k, moved))
+            break;
+        moved = turn_segments();
+    }
+    put_back();
+}
+
+// Where it was, but for a leader that moves by more than half a segment: that would turn it back on
+// itself.
+Vec3 RodModel::hung(size_t segment, const std::vector<Vec3>& solved) const {
+    const Vec3 moved = x[segment] - solved[segment];
+    const double half = length_[segment] / 2, far = moved.norm();
+    return solved[segment + 1] + (far > half ? 1 - half / far : 0) * moved;
+}
+
+// What the last step left too deep, since it did not know what it would touch.
+void RodModel::put_back() {
+    if (!contacts_ || contacts_->of_strands())
+        return;
+    for (int round = 0; round < PLAIT_ARTICULATED_PUT_BACK; ++round) {
+        const std::vector<Vec3> solved = x;
+        double most = 0;
+        for (size_t i = 1; i < x.size(); ++i)
+            most = std::max(most, contacts_->excess(i, x[i]));
+        if (most == 0)
+            return;
+        for (size_t i = 0; i < segments(); ++i)
+            turn_to(i, contacts_->put_back(i + 1, x[i], length_[i], hung(i, solved)));
+        renew_contacts();
+    }
+}
+
+// Beyond those that every strand takes.
+bool RodModel::wants_step(uint32_t k, bool moved) const {
+    if (k < PLAIT_ARTICULATED_PIN_STEPS && off_pin())
+        return true;
+    if (!touched() || k >= PLAIT_ARTICULATED_DEEP_STEPS)
+        return false;
+    return k < PLAIT_ARTICULATED_CONTACT_STEPS ? moved || contacts_->changed() : deep();
+}
+
+void articulated(uint32_t item_count, const plait_lane_params& params,
+                 const articulated_args& args) {
+    step_rods(
+        item_count, params, args, [&](RodModel& model) { model.articulate(params.iterations); },
+        true);
+}
+
+} // namespace plait::reference
