@@ -174,7 +174,7 @@ PLAIT_API void plait_device_info_init(plait_device_info* info, size_t size);
  * made. See docs/backends.md. */
 typedef struct plait_stage_source {
     const char* stage;  /* "wind" */
-    const char* source; /* OpenCL C, defines plait_<stage>; may include the headers in cl/ */
+    const char* source; /* OpenCL C, defines plait_<stage>; may include those of cl/base */
     const char* name;   /* file name for the compiler's messages; NULL: "<stage>" */
 } plait_stage_source;
 
