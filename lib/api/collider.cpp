@@ -2,7 +2,7 @@
 #include "api/objects.hpp"
 #include "api/structs.hpp"
 #include "api/view.hpp"
-#include "core/params.hpp"
+#include "core/params/params.hpp"
 
 #include <algorithm>
 

@@ -3,9 +3,9 @@
 
 #include "api/objects.hpp"
 #include "api/structs.hpp"
-#include "core/models/length_classes.hpp"
-#include "core/models/traits.hpp"
-#include "core/prepare.hpp"
+#include "core/sim/prepare.hpp"
+#include "core/strands/length_classes.hpp"
+#include "core/strands/traits.hpp"
 
 #include <plait/params.h>
 

@@ -1,7 +1,7 @@
 // Making contexts, for plait.h and for plait_opencl.h.
 #pragma once
 
-#include "core/context.hpp"
+#include "core/sim/context.hpp"
 
 namespace plait::api {
 

@@ -1,5 +1,5 @@
 // Weights of follow maps from hair in motion.
-#include "core/follow_learner.hpp"
+#include "core/follows/follow_learner.hpp"
 
 #include "api/objects.hpp"
 #include "api/roots.hpp"

@@ -1,5 +1,5 @@
 // Strands that follow: what they are and what of.
-#include "core/follow_map.hpp"
+#include "core/follows/follow_map.hpp"
 
 #include "api/objects.hpp"
 #include "api/structs.hpp"

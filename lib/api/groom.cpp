@@ -3,9 +3,9 @@
 #include "api/options.hpp"
 #include "api/structs.hpp"
 #include "api/view.hpp"
-#include "core/import_frame.hpp"
-#include "core/root_ends.hpp"
-#include "core/units.hpp"
+#include "core/base/units.hpp"
+#include "core/groom/root_ends.hpp"
+#include "core/sim/import_frame.hpp"
 #include "io/io.hpp"
 
 #include <cmath>

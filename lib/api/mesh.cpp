@@ -1,8 +1,8 @@
 // Meshes.
-#include "core/mesh.hpp"
-#include "core/import_frame.hpp"
-#include "core/mesh_fit.hpp"
-#include "core/pose.hpp"
+#include "core/mesh/mesh.hpp"
+#include "core/base/pose.hpp"
+#include "core/mesh/mesh_fit.hpp"
+#include "core/sim/import_frame.hpp"
 
 #include "api/objects.hpp"
 #include "api/options.hpp"

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "base/memory.hpp"
-#include "core/follow_learner.hpp"
-#include "core/follow_map.hpp"
-#include "core/mesh.hpp"
-#include "core/sim.hpp"
+#include "core/follows/follow_learner.hpp"
+#include "core/follows/follow_map.hpp"
+#include "core/mesh/mesh.hpp"
+#include "core/sim/sim.hpp"
 
 struct plait_context {
     plait::Context context;

@@ -2,7 +2,7 @@
 #include "api/options.hpp"
 
 #include "api/structs.hpp"
-#include "core/pose.hpp"
+#include "core/base/pose.hpp"
 
 #include <plait/params.h>
 

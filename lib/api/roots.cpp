@@ -2,7 +2,7 @@
 
 #include "api/structs.hpp"
 #include "api/view.hpp"
-#include "core/ranges.hpp"
+#include "core/base/ranges.hpp"
 
 #include <cmath>
 

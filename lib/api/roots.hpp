@@ -1,7 +1,7 @@
 // A plait_roots of the caller's, checked and copied.
 #pragma once
 
-#include "core/sim.hpp"
+#include "core/sim/sim.hpp"
 
 namespace plait::api {
 

@@ -1,15 +1,15 @@
 // Simulation: creating, steering and stepping.
-#include "core/sim.hpp"
+#include "core/sim/sim.hpp"
 
 #include "api/objects.hpp"
 #include "api/roots.hpp"
 #include "api/structs.hpp"
 #include "api/view.hpp"
-#include "core/detail.hpp"
-#include "core/materials.hpp"
-#include "core/param_table.hpp"
-#include "core/params.hpp"
-#include "core/wind.hpp"
+#include "core/follows/detail.hpp"
+#include "core/groom/materials.hpp"
+#include "core/params/param_table.hpp"
+#include "core/params/params.hpp"
+#include "core/wind/wind.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // Many sims in one call.
-#include "core/together.hpp"
+#include "core/sim/together.hpp"
 
 #include "api/objects.hpp"
 #include "api/wall.hpp"

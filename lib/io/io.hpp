@@ -3,8 +3,8 @@
 #pragma once
 
 #include "base/result.hpp"
-#include "core/mesh.hpp"
-#include "core/strand_set.hpp"
+#include "core/groom/strand_set.hpp"
+#include "core/mesh/mesh.hpp"
 
 #include <memory_resource>
 #include <string>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/result.hpp"
-#include "core/mesh.hpp"
+#include "core/mesh/mesh.hpp"
 
 #include <assimp/scene.h>
 

@@ -1,5 +1,5 @@
 // Where on a guide the middles of a follow's segments are.
-#include "core/follow_places.hpp"
+#include "core/follows/follow_places.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // How strands are divided by length.
-#include "core/models/length_classes.hpp"
+#include "core/strands/length_classes.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Distances to meshes: exact ones against closed forms and against another way to reckon them, and
 // those of the field against the exact ones.
-#include "core/mesh_field.hpp"
-#include "core/mesh_distance.hpp"
+#include "core/mesh/mesh_field.hpp"
+#include "core/mesh/mesh_distance.hpp"
 
 #include "../api/mesh_shapes.hpp"
 

@@ -1,6 +1,6 @@
 // Weights that are not negative and sum to 1: the least of the objective, against all that are on a
 // fine mesh of such weights, and against what can be worked out.
-#include "core/simplex_fit.hpp"
+#include "core/follows/simplex_fit.hpp"
 
 #include <gtest/gtest.h>
 

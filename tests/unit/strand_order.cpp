@@ -1,5 +1,5 @@
 // The order in which strands take lanes: every strand once, neighbours side by side.
-#include "core/models/strand_order.hpp"
+#include "core/base/strand_order.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The four winds: each as fast as the wind, each leaning by the cone's angle, together along it.
-#include "core/models/wind_cone.hpp"
+#include "core/tressfx/wind_cone.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,59 @@
+// A frame of reference that carries the hair and is felt by a share: a vehicle, a lift, a horse.
+#pragma once
+
+#include "core/base/pose.hpp"
+
+#include <array>
+
+namespace plait {
+
+plait_frame_desc default_frame_desc();
+// The pose's quaternion is normalised. INVALID_ARGUMENT names the field, its value and its range.
+Result<plait_frame_desc> checked_frame(const plait_frame_desc& desc);
+
+// On the same path as the roots: `at` and `target` of the call, `from` and `to` of the fixed step.
+class Frame {
+  public:
+    // Where it will be at the end of the next call; a frame that is new is there at once. Null: none.
+    // True: what hair feels of the head's motion is not what it felt in the step before.
+    bool aim(const plait_frame_desc* desc);
+    bool is_on() const { return aims_ > 0; }
+    // As Roots.
+    void advance(double end);
+    void arrive() { at_ = target_; }
+    void stop() { from_ = to_ = at_; }
+    void jump(double end);
+    // As Roots, with its target.
+    void rescale(double ratio);
+
+    // The part of the step's motion that hair does not feel, p -> q*p + t, and of the step before; the
+    // identity without a frame.
+    const plait_pose& unfelt() const { return unfelt_; }
+    const plait_pose& unfelt_before() const { return unfelt_before_; }
+    // m/s by which the wind's air moves at the point `p` of the world, in the step of `step` s, relative
+    // to what is carried along unfelt.
+    std::array<float, 3> air(const float p[3], double step) const;
+
+    // What snapshots hold.
+    struct State {
+        uint32_t aims = 0; // Frame::aims_
+        uint32_t air = 0;
+        float felt_translation = 1, felt_rotation = 1;
+        plait_pose at = identity_pose, target = identity_pose;
+        plait_pose from = identity_pose, to = identity_pose, unfelt = identity_pose;
+    };
+    State state() const;
+    void restore(const State& state);
+
+  private:
+    plait_pose part(double translation, double rotation) const;
+
+    uint32_t aims_ = 0; // up to 2, since there is a frame: its way is known from the second on
+    plait_frame_air air_ = PLAIT_FRAME_AIR_UNFELT;
+    float felt_translation_ = 1, felt_rotation_ = 1;
+    plait_pose at_ = identity_pose, target_ = identity_pose;
+    plait_pose from_ = identity_pose, to_ = identity_pose;
+    plait_pose unfelt_before_ = identity_pose, unfelt_ = identity_pose;
+};
+
+} // namespace plait

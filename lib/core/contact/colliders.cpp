@@ -1,0 +1,438 @@
+#include "core/contact/colliders.hpp"
+
+#include "base/format.hpp"
+
+#include <plait/params.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <numeric>
+
+namespace plait {
+namespace {
+
+constexpr size_t collider_floats = size_t{4} * PLAIT_COLLIDER_STRIDE;
+
+// Id: generation above, slot index + 1 below, so that zero is no collider.
+plait_collider_id make_id(size_t index, uint32_t generation) {
+    return {(uint64_t{generation} << 32) | (index + 1)};
+}
+
+void take_shape(Colliders::Slot& slot, const plait_collider_desc& desc) {
+    std::copy_n(desc.a, 3, slot.a);
+    std::copy_n(desc.b, 3, slot.b);
+    slot.radius_a = desc.radius_a;
+    slot.radius_b = desc.radius_b;
+    slot.friction = desc.friction;
+    slot.kind = static_cast<uint32_t>(desc.kind);
+    std::copy_n(desc.normal, 3, slot.normal);
+    std::copy_n(desc.half_extents, 3, slot.half_extents);
+    slot.rounding = desc.rounding;
+    std::copy_n(desc.orientation, 4, slot.orientation);
+    slot.form = desc.inward;
+    slot.scale = desc.scale;
+}
+
+// Its shape, `size` times as large.
+Colliders::Slot resized(Colliders::Slot slot, float size) {
+    for (float* vector : {slot.a, slot.b, slot.half_extents})
+        std::for_each(vector, vector + 3, [&](float& x) { x *= size; });
+    for (float* length : {&slot.radius_a, &slot.radius_b, &slot.rounding})
+        *length *= size;
+    return slot;
+}
+
+void pack_capsule(const Colliders::Slot& slot, const plait_pose& pose, float* out) {
+    transform(pose, slot.a, out);
+    out[3] = slot.radius_a;
+    transform(pose, slot.b, out + 4);
+    out[7] = slot.radius_b;
+}
+
+void pack_plane(const Colliders::Slot& slot, const plait_pose& pose, float* out) {
+    transform(pose, slot.a, out);
+    const double x = double(slot.normal[0]), y = double(slot.normal[1]), z = double(slot.normal[2]);
+    const double length = std::hypot(x, y, z);
+    const float unit[3] = {static_cast<float>(x / length), static_cast<float>(y / length),
+                           static_cast<float>(z / length)};
+    plait_pose turned = pose;
+    std::fill_n(turned.t, 3, 0.0f);
+    transform(turned, unit, out + 4);
+    out[3] = out[7] = 0;
+}
+
+// Its orientation lies where a capsule has its other end at the substep's begin.
+void pack_box(const Colliders::Slot& slot, const plait_pose& begin, const plait_pose& end,
+              float* out) {
+    float* const now = out + size_t{4} * PLAIT_COLLIDER_END;
+    transform(begin, slot.a, out);
+    transform(end, slot.a, now);
+    out[3] = now[3] = slot.rounding;
+    plait_pose own = identity_pose;
+    std::copy_n(slot.orientation, 4, own.q);
+    rotation_product(end, own, out + 4);
+    std::copy_n(slot.half_extents, 3, now + 4);
+    now[7] = 0;
+}
+
+// All of it is in the box; faces are behind the rows.
+void pack_hull(const Colliders::Slot& slot, const plait_pose& begin, const plait_pose& end,
+               float* out) {
+    pack_box(slot, begin, end, out);
+    float* const half_extents = out + size_t{4} * (PLAIT_COLLIDER_END + 1);
+    for (size_t k = 0; k < 3; ++k)
+        half_extents[k] += slot.rounding;
+    if (Colliders::is_inward(slot)) // its faces come in
+        out[3] = out[size_t{4} * PLAIT_COLLIDER_END + 3] = -slot.rounding;
+}
+
+// A box of no size about its origin, and which part of the step the substep is.
+void pack_mesh(const Colliders::Slot& slot, const plait_pose& begin, const plait_pose& end,
+               std::array<float, 2> shares, float* out) {
+    pack_box(slot, begin, end, out);
+    out[3] = shares[0];
+    out[size_t{4} * PLAIT_COLLIDER_END + 3] = shares[1];
+}
+
+// The path from `begin` to `end`; returns where the next collider goes.
+float* pack(const Colliders::Slot& slot, const plait_pose& begin, const plait_pose& end,
+            std::array<float, 2> shares, float* out) {
+    float* const now = out + size_t{4} * PLAIT_COLLIDER_END;
+    switch (static_cast<plait_collider_kind>(slot.kind)) {
+    case PLAIT_COLLIDER_KIND_PLANE:
+        pack_plane(slot, begin, out);
+        pack_plane(slot, end, now);
+        break;
+    case PLAIT_COLLIDER_KIND_BOX:
+        pack_box(slot, begin, end, out);
+        break;
+    case PLAIT_COLLIDER_KIND_HULL:
+        pack_hull(slot, begin, end, out);
+        break;
+    case PLAIT_COLLIDER_KIND_MESH:
+        pack_mesh(slot, begin, end, shares, out);
+        break;
+    default:
+        pack_capsule(slot, begin, out);
+        pack_capsule(slot, end, now);
+    }
+    turn(begin, end, out + size_t{4} * PLAIT_COLLIDER_TURN);
+    float* const last = out + size_t{4} * PLAIT_COLLIDER_FRICTION;
+    std::fill_n(last, 4, 0.0f);
+    last[0] = slot.friction;
+    last[1] =
+        static_cast<float>(slot.kind) + (Colliders::is_inward(slot) ? PLAIT_KIND_INWARD : 0.0f);
+    return out + collider_floats;
+}
+
+// Which rows come first in a substep.
+int order_of(const Colliders::Slot& slot) {
+    return Colliders::is_mesh(slot) + Colliders::bends(slot);
+}
+
+} // namespace
+
+Result<uint32_t> Colliders::find(plait_collider_id id) const {
+    const uint64_t index = (id.value & 0xffffffffu) - 1;
+    const auto generation = static_cast<uint32_t>(id.value >> 32);
+    if (index < slots_.size() && slots_[index].alive && slots_[index].generation == generation)
+        return static_cast<uint32_t>(index);
+    return Error{PLAIT_NOT_FOUND, format("collider id 0x%llx is not in this sim",
+                                         static_cast<unsigned long long>(id.value))};
+}
+
+size_t Colliders::rows(size_t count) const {
+    return count * std::accumulate(substeps_.begin(), substeps_.end(), size_t{0});
+}
+
+Status Colliders::set_substeps(Device& device, std::span<const uint32_t> numbers) {
+    std::pmr::vector<uint32_t> substeps(numbers.begin(), numbers.end(), substeps_.get_allocator());
+    substeps_.swap(substeps);
+    Status status = reserve(device, count_, face_count_);
+    if (!status)
+        substeps_.swap(substeps);
+    else if (substeps_ != substeps)
+        uploaded_ = false;
+    return status;
+}
+
+// Room for the paths of `count` colliders on the device and for faces of hulls; doubles, so that adding
+// many is cheap. Rows say as floats how far from them faces are.
+Status Colliders::reserve(Device& device, size_t count, size_t faces) {
+    constexpr size_t farthest = size_t{1} << 24;
+    const size_t need = rows(count) * PLAIT_COLLIDER_STRIDE + faces;
+    if (faces > 0 && need > farthest)
+        return Error{PLAIT_INVALID_ARGUMENT,
+                     format("%zu colliders in all substeps of a step take %zu rows; with hulls %zu "
+                            "are the most",
+                            count, rows(count), (farthest - faces) / PLAIT_COLLIDER_STRIDE)};
+    if (buffer_.count() >= need)
+        return {};
+    const size_t room = std::max(need, buffer_.count() * 2);
+    packed_.reserve(room * 4);
+    PLAIT_TRY(device.create(buffer_, PLAIT_ELEMENT_FLOAT4, room, "collider"));
+    uploaded_ = false;
+    return {};
+}
+
+Colliders::Slot& Colliders::take_slot(const plait_pose& pose) {
+    auto slot = std::find_if(slots_.begin(), slots_.end(), [](const Slot& s) { return !s.alive; });
+    if (slot == slots_.end())
+        slot = slots_.emplace(slots_.end());
+    faces_.resize(slots_.size());
+    slot->generation += 1;
+    slot->alive = 1;
+    slot->target = pose;
+    slot->at = slot->before = slot->from = slot->to = goal(*slot);
+    ++count_;
+    uploaded_ = false;
+    return *slot;
+}
+
+Result<plait_collider_id> Colliders::create(Device& device, const plait_collider_desc& desc) {
+    PLAIT_TRY(reserve(device, count_ + 1, face_count_));
+    Slot& slot = take_slot(desc.pose);
+    take_shape(slot, desc);
+    return make_id(static_cast<size_t>(&slot - slots_.data()), slot.generation);
+}
+
+Result<plait_collider_id> Colliders::create_mesh(Device& device,
+                                                 const plait_collider_mesh_desc& desc) {
+    PLAIT_TRY(reserve(device, count_ + 1, face_count_));
+    Slot& slot = take_slot(desc.pose);
+    slot.kind = PLAIT_COLLIDER_KIND_MESH;
+    slot.form = static_cast<uint32_t>(desc.form);
+    slot.friction = desc.friction;
+    slot.orientation[3] = 1;
+    ++meshes_;
+    bending_ += bends(slot);
+    return make_id(static_cast<size_t>(&slot - slots_.data()), slot.generation);
+}
+
+Result<plait_collider_id>
+Colliders::create_hull(Device& device, const plait_collider_hull_desc& desc, const Hull& hull) {
+    PLAIT_TRY(reserve(device, count_ + 1, face_count_ + hull.faces.size()));
+    Slot& slot = take_slot(desc.pose);
+    slot.kind = PLAIT_COLLIDER_KIND_HULL;
+    std::ranges::copy(hull.centre, slot.a);
+    std::ranges::copy(hull.half_extents, slot.half_extents);
+    slot.rounding = desc.margin;
+    slot.friction = desc.friction;
+    slot.form = desc.inward;
+    slot.scale = desc.scale;
+    slot.orientation[3] = 1;
+    const auto index = static_cast<size_t>(&slot - slots_.data());
+    faces_[index].assign(hull.faces.begin(), hull.faces.end());
+    face_count_ += hull.faces.size();
+    return make_id(index, slot.generation);
+}
+
+Status Colliders::set_pose(plait_collider_id id, const plait_pose& pose) {
+    const auto index = find(id);
+    if (!index)
+        return index.error();
+    slots_[*index].target = pose;
+    return {};
+}
+
+Status Colliders::place(plait_collider_id id, const plait_pose& pose) {
+    const auto index = find(id);
+    if (!index)
+        return index.error();
+    Slot& slot = slots_[*index];
+    slot.target = pose;
+    slot.at = slot.before = slot.from = slot.to = goal(slot);
+    uploaded_ = false;
+    return {};
+}
+
+Status Colliders::set_shape(plait_collider_id id, const plait_collider_desc& desc) {
+    const auto index = find(id);
+    if (!index)
+        return index.error();
+    if (is_mesh(slots_[*index]) || is_hull(slots_[*index]))
+        return Error{PLAIT_INVALID_STATE,
+                     format("collider id 0x%llx is a %s, which keeps its shape: destroy it and "
+                            "create another",
+                            static_cast<unsigned long long>(id.value),
+                            is_hull(slots_[*index]) ? "hull" : "mesh")};
+    take_shape(slots_[*index], desc);
+    uploaded_ = false;
+    return {};
+}
+
+Result<plait_collider_desc> Colliders::describe(plait_collider_id id) const {
+    const auto index = find(id);
+    if (!index)
+        return index.error();
+    plait_collider_desc desc = shape_of(slots_[*index]);
+    desc.pose = slots_[*index].target;
+    return desc;
+}
+
+plait_collider_desc Colliders::shape_of(const Slot& slot) {
+    plait_collider_desc desc{};
+    std::copy_n(slot.a, 3, desc.a);
+    std::copy_n(slot.b, 3, desc.b);
+    desc.radius_a = slot.radius_a;
+    desc.radius_b = slot.radius_b;
+    desc.friction = slot.friction;
+    std::memcpy(&desc.kind, &slot.kind, sizeof desc.kind); // of a snapshot it may be any number
+    std::copy_n(slot.normal, 3, desc.normal);
+    std::copy_n(slot.half_extents, 3, desc.half_extents);
+    desc.rounding = slot.rounding;
+    std::copy_n(slot.orientation, 4, desc.orientation);
+    if (!is_mesh(slot))
+        desc.inward = slot.form;
+    desc.scale = slot.scale;
+    return desc;
+}
+
+size_t Colliders::list(std::span<plait_collider_id> dst) const {
+    size_t number = 0;
+    for (size_t i = 0; i < slots_.size() && number < dst.size(); ++i)
+        if (slots_[i].alive)
+            dst[number++] = make_id(i, slots_[i].generation);
+    return number;
+}
+
+Status Colliders::destroy(plait_collider_id id) {
+    const auto index = find(id);
+    if (!index)
+        return index.error();
+    Slot& slot = slots_[*index];
+    const uint32_t generation = slot.generation;
+    meshes_ -= is_mesh(slot);
+    bending_ -= bends(slot);
+    face_count_ -= faces_[*index].size();
+    faces_[*index].clear();
+    slot = {}; // equal states have equal bytes
+    slot.generation = generation;
+    --count_;
+    uploaded_ = false;
+    return {};
+}
+
+plait_pose Colliders::on_path(const Slot& slot, double share) const {
+    return bends_ ? on_parabola(slot.before, slot.from, slot.to, share)
+                  : interpolate(slot.from, slot.to, share);
+}
+
+Status Colliders::advance(Device& device, double end, bool bends) {
+    bends_ = bends;
+    for (Slot& slot : slots_) {
+        const bool rested = same_pose(slot.from, slot.to) && same_pose(slot.before, slot.to);
+        slot.before = slot.from;
+        slot.from = slot.to;
+        slot.to = interpolate(slot.at, goal(slot), end);
+        uploaded_ = uploaded_ && (!slot.alive || (rested && same_pose(slot.from, slot.to)));
+    }
+    return upload(device);
+}
+
+Status Colliders::upload(Device& device) {
+    if (uploaded_ || count_ == 0)
+        return {};
+    packed_.resize(rows(count_) * collider_floats + 4 * face_count_);
+    float* out = packed_.data();
+    const auto pack_all = [&](double first, double last) { // shares of the step
+        for (const int order : {0, 1, 2})
+            for (const Slot& slot : slots_)
+                if (slot.alive && order_of(slot) == order)
+                    out = pack(resized(slot, size(slot)), on_path(slot, first), on_path(slot, last),
+                               {static_cast<float>(first), static_cast<float>(last)}, out);
+    };
+    for (const uint32_t substeps : substeps_)
+        for (uint32_t i = 0; i < substeps; ++i) // as the roots go
+            pack_all(double(i) / substeps, double(i + 1) / substeps);
+    pack_faces(out);
+    PLAIT_TRY(device.upload(buffer_, 0, packed_.size() / 4, packed_.data()));
+    uploaded_ = true;
+    return {};
+}
+
+// Behind all rows, which are told where their own lie.
+void Colliders::pack_faces(float* out) {
+    const size_t per_substep = count_;
+    size_t row = 0; // of the first substep
+    for (const int order : {0, 1, 2})
+        for (size_t i = 0; i < slots_.size(); ++i) {
+            if (!slots_[i].alive || order_of(slots_[i]) != order)
+                continue;
+            for (size_t at = row; at < rows(count_) && is_hull(slots_[i]); at += per_substep) {
+                float* const first = packed_.data() + at * collider_floats;
+                float* const last = first + size_t{4} * PLAIT_COLLIDER_FRICTION;
+                last[2] = static_cast<float>((out - first) / 4);
+                last[3] = static_cast<float>(faces_[i].size());
+            }
+            for (HullFace face : faces_[i]) {
+                face[3] *= size(slots_[i]);
+                out = std::ranges::copy(face, out).out;
+            }
+            ++row;
+        }
+}
+
+void Colliders::arrive() {
+    for (Slot& slot : slots_)
+        slot.at = goal(slot);
+}
+
+void Colliders::stop() {
+    for (Slot& slot : slots_)
+        slot.before = slot.from = slot.to = slot.at;
+    uploaded_ = false;
+}
+
+void Colliders::jump(double end) {
+    for (Slot& slot : slots_)
+        slot.before = slot.from = slot.to = interpolate(slot.at, goal(slot), end);
+    uploaded_ = false;
+}
+
+void Colliders::carry(const plait_pose& motion) {
+    for (Slot& slot : slots_) {
+        if (!slot.alive) // all of it stays zero
+            continue;
+        for (plait_pose* pose : {&slot.before, &slot.from, &slot.to})
+            *pose = carried(*pose, identity_pose, motion);
+    }
+    uploaded_ = false;
+}
+
+void Colliders::rescale(float scale, const HeadWays& ways) {
+    scale_ = scale;
+    for (Slot& slot : slots_) {
+        if (!slot.alive)
+            continue;
+        for (const auto& [pose, way] :
+             {std::pair{&slot.at, &ways.at}, std::pair{&slot.before, &ways.before},
+              std::pair{&slot.from, &ways.from}, std::pair{&slot.to, &ways.to}})
+            for (size_t i = 0; i < 3; ++i)
+                pose->t[i] += (*way)[i];
+    }
+    uploaded_ = false;
+}
+
+Status Colliders::assign(Device& device, std::span<const Slot> slots, FacesOf&& faces,
+                         float scale) {
+    const auto alive = static_cast<uint32_t>(
+        std::count_if(slots.begin(), slots.end(), [](const Slot& s) { return s.alive != 0; }));
+    size_t face_count = 0;
+    for (const Faces& each : faces)
+        face_count += each.size();
+    PLAIT_TRY(reserve(device, alive, face_count));
+    slots_.assign(slots.begin(), slots.end());
+    faces_ = std::move(faces);
+    face_count_ = face_count;
+    meshes_ = static_cast<uint32_t>(std::count_if(slots.begin(), slots.end(), is_mesh));
+    bending_ = static_cast<uint32_t>(std::count_if(slots.begin(), slots.end(), bends));
+    count_ = alive;
+    scale_ = scale;
+    uploaded_ = false;
+    return {};
+}
+
+} // namespace plait

@@ -1,0 +1,292 @@
+// Weights that make follows move as they do where all strands are simulated.
+//
+// Source  Chai, Zheng & Zhou 2014: weights of guides, not negative and of sum 1, by least squares over
+//         the frames of a full simulation.
+// Changed Strands follow by turns here, not by moved positions. A turn is linear in the weights before
+//         it is normalised: q = sum_g w_g s_g Q_g, as follow_turns has it. It takes the segment r to
+//         e where e q - q r = 0, as a product of quaternions; and e q - q r = (e - R(q) r) q. So the
+//         distance of vertex i from where weights w place it is
+//
+//             d_i = x_0 - sum_g w_g P_g p_0 + sum_(j <= i) (e_j q_j - q_j r_j) / q0_j,
+//
+//         q0 the q of the map's own weights: right at these, 0 where w moves the follow as it moves,
+//         whatever the map's weights, and else off by a share |q / q0 - 1|. It is linear in w, since
+//         these sum to 1, and sum_i |d_i|^2 = w' G w, G a 4 x 4 sum over frames. No frame is kept.
+#include "core/follows/follow_learner.hpp"
+
+#include "base/format.hpp"
+#include "core/follows/follow_places.hpp"
+#include "core/follows/simplex_fit.hpp"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <numeric>
+
+namespace plait {
+namespace {
+
+using Eigen::Matrix4d;
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+using Eigen::Vector4d;
+
+constexpr size_t most = FollowMap::per_strand;
+constexpr float far = 1e6f; // m
+// m, rms: what guides differ by less decides nothing, and the map's own weights stay.
+constexpr double unseen = 1e-6;
+// Of what the least squares leave: what weights cannot explain in one motion, others will not explain
+// by them. Of 0, 0.3 and 1, 1 had the least errors in motion other than that of 1 or 2 s learnt from.
+constexpr double doubt = 1;
+// Of q0, squared: guides that are more than 150 degrees apart count less.
+constexpr double least_turn = 0.0625;
+
+Vector3d point(const float* p) {
+    return {double(p[0]), double(p[1]), double(p[2])};
+}
+
+Vector3d read(const FollowLearner::Frame& frame, size_t strand, size_t vertex) {
+    float p[3];
+    std::memcpy(p, frame.positions + (strand * frame.row + vertex) * frame.stride, sizeof p);
+    return point(p) / frame.scale;
+}
+
+struct RootPose {
+    Quaterniond q = Quaterniond::Identity();
+    Vector3d t = Vector3d::Zero();
+    Vector3d apply(const Vector3d& p) const { return q * p + t; }
+};
+
+RootPose of(const plait_pose& pose) {
+    const float* q = pose.q;
+    return {Quaterniond(double(q[3]), double(q[0]), double(q[1]), double(q[2])).normalized(),
+            point(pose.t)};
+}
+
+RootPose pose_of(const RootsInput& roots, size_t strand) {
+    const RootPose head = of(in_units(roots.head, roots.scale));
+    if (roots.own.empty())
+        return head;
+    const RootPose own = of(in_units(roots.own[strand], roots.scale));
+    return {head.q * own.q, head.apply(own.t)};
+}
+
+Quaterniond pure(const Vector3d& v) {
+    return {0, v[0], v[1], v[2]};
+}
+
+using Turns = std::span<const std::array<double, 4>>;
+
+// As the stage does between two of a guide's segments.
+Vector4d turn_at(Turns turns, float place) {
+    const auto a = static_cast<size_t>(place);
+    const double t = double(place) - static_cast<double>(a);
+    const Vector4d from(turns[a].data());
+    if (t == 0)
+        return from;
+    const Vector4d to(turns[a + 1].data());
+    return ((1 - t) * from + (from.dot(to) < 0 ? -t : t) * to).normalized();
+}
+
+// What would be 0 if the follow moved as a guide alone does, for each guide.
+using Columns = Eigen::Matrix<double, 4, most>;
+
+// (e q - q r) / q0, the columns of `turns` being q; a vector and a scalar part.
+Columns misses(const Vector3d& e, const Vector3d& r, const Columns& turns, const Vector4d& q0) {
+    const Quaterniond back(
+        Vector4d(Quaterniond(q0).conjugate().coeffs() / std::max(q0.squaredNorm(), least_turn)));
+    Columns columns;
+    for (Eigen::Index k = 0; k < columns.cols(); ++k) {
+        const Quaterniond q(Vector4d(turns.col(k)));
+        const Vector4d miss = (pure(e) * q).coeffs() - (q * pure(r)).coeffs();
+        columns.col(k) = (Quaterniond(miss) * back).coeffs();
+    }
+    return columns;
+}
+
+Vector4d weights_of(const FollowMap& map, size_t follow) {
+    return Eigen::Map<const Eigen::Vector4f>(&map.weights[most * follow]).cast<double>();
+}
+
+// Weights that are 0 come last.
+int guides_of(const Vector4d& weights) {
+    return static_cast<int>((weights.array() > 0).count());
+}
+
+// The least squares, once to see what they leave, and again with a pull to the map's own weights by a
+// share of that (ridge regression, Hoerl & Kennard 1970).
+Vector4d learnt(const Matrix4d& gram, const Vector4d& had, double vertices) {
+    const auto fit = [&](double pull) -> Vector4d {
+        return fit_on_simplex(gram + pull * Matrix4d::Identity(), pull * had, guides_of(had));
+    };
+    const double least_pull = unseen * unseen * vertices;
+    const Vector4d first = fit(least_pull);
+    return fit(least_pull + doubt * first.dot(gram * first));
+}
+
+} // namespace
+
+FollowLearner::FollowLearner(std::pmr::memory_resource* memory)
+    : map_(memory), rest_(memory), origin_(memory), first_(memory), place_(memory), turns_(memory),
+      grams_(memory) {}
+
+Status FollowLearner::check_strands(const Groom& groom, const FollowMap& map) const {
+    const size_t strands = size_t{map.guide_count} + map.count();
+    if (groom.shape.strands != strands)
+        return Error{PLAIT_INVALID_ARGUMENT,
+                     format("the groom has %zu strands, the map is of %u guides and %zu follows",
+                            size_t(groom.shape.strands), map.guide_count, map.count())};
+    for (size_t follow = 0; follow < map.count(); ++follow) {
+        const size_t strand = origin_[map.guide_count + follow];
+        const uint32_t has = groom.strands.vertex_counts[strand];
+        if (has != map.strands.vertex_counts[follow])
+            return Error{PLAIT_INVALID_ARGUMENT,
+                         format("strand %zu of the groom has %u vertices, the map's follow %zu, "
+                                "which should be it, has %u",
+                                strand, has, follow, map.strands.vertex_counts[follow])};
+    }
+    return {};
+}
+
+void FollowLearner::place_follows(const Groom& groom) {
+    const Middles middles = middles_of(groom.strands, place_.get_allocator().resource());
+    place_.resize(groom.shape.vertices);
+    for (size_t follow = 0; follow < map_.count(); ++follow) {
+        const size_t strand = origin_[map_.guide_count + follow];
+        const auto own = middles.of(strand);
+        for (size_t k = 0; k < most; ++k) {
+            const auto guide = middles.of(origin_[map_.guides[most * follow + k]]);
+            for (size_t i = 0; i < own.size(); ++i)
+                place_[first_[strand] + i + 1][k] = place_in(guide, own[i]);
+        }
+    }
+}
+
+Status FollowLearner::create(const Groom& groom, const FollowMap& map) {
+    origin_ = map.origin;
+    if (origin_.empty()) {
+        origin_.resize(size_t{map.guide_count} + map.count());
+        std::iota(origin_.begin(), origin_.end(), 0u);
+    }
+    PLAIT_TRY(check_strands(groom, map));
+    map_ = map;
+    rest_ = groom.strands;
+    longest_ = groom.shape.max_vertices;
+    size_t vertices = 0;
+    for (const uint32_t count : rest_.vertex_counts) {
+        first_.push_back(vertices);
+        vertices += count;
+    }
+    place_follows(groom);
+    turns_.resize(size_t{map.guide_count} * longest_);
+    grams_.resize(map.count());
+    return {};
+}
+
+Status FollowLearner::check_frame(const RootsInput& roots, const Frame& frame) const {
+    if (!roots.bones.empty() || !roots.mesh.empty())
+        return Error{PLAIT_UNSUPPORTED,
+                     format("roots->%s are given: give root_poses in their place",
+                            roots.mesh.empty() ? "bones" : "mesh_positions")};
+    if (!roots.own.empty() && roots.own.size() != strands())
+        return Error{PLAIT_INVALID_ARGUMENT,
+                     format("roots->root_poses.count is %zu, the groom has %zu strands",
+                            roots.own.size(), strands())};
+    for (size_t strand = 0; strand < strands(); ++strand)
+        for (size_t i = 0; i < rest_.vertex_counts[strand]; ++i) {
+            const Vector3d x = read(frame, strand, i) * frame.scale;
+            for (Eigen::Index axis = 0; axis < 3; ++axis)
+                if (!(std::abs(x[axis]) <= far))
+                    return Error{PLAIT_INVALID_ARGUMENT,
+                                 format("positions[%zu][%zu][%zu], of strand, vertex and axis, is "
+                                        "%g, range is [-1e6, 1e6] m",
+                                        strand, i, size_t(axis), x[axis])};
+        }
+    return {};
+}
+
+// As the stage guide_turns does.
+void FollowLearner::turn_guide(const RootsInput& roots, const Frame& frame, size_t guide) {
+    const size_t strand = origin_[guide];
+    const uint32_t count = rest_.vertex_counts[strand];
+    const float* rest = &rest_.positions[3 * first_[strand]];
+    Quaterniond q = pose_of(roots, strand).q;
+    for (size_t i = 0; i < longest_; ++i) {
+        if (i + 1 < count) {
+            const Vector3d r = point(rest + 3 * (i + 1)) - point(rest + 3 * i);
+            const Vector3d e = read(frame, strand, i + 1) - read(frame, strand, i);
+            q = (Quaterniond::FromTwoVectors(q * r, e) * q).normalized();
+        }
+        Eigen::Map<Vector4d>(turns_[guide * longest_ + i].data()) = q.coeffs();
+    }
+}
+
+void FollowLearner::add_follow(const RootsInput& roots, const Frame& frame, size_t follow) {
+    const size_t strand = origin_[map_.guide_count + follow];
+    const float* const rest = &rest_.positions[3 * first_[strand]];
+    const Vector4d weights = weights_of(map_, follow);
+    const int guides = guides_of(weights);
+    std::array<Turns, most> turns;
+    Vector4d signs = Vector4d::Zero(), first = Vector4d::Zero();
+    Columns miss = Columns::Zero();
+    const Vector3d root = read(frame, strand, 0);
+    for (int k = 0; k < guides; ++k) {
+        const size_t guide = map_.guides[most * follow + static_cast<size_t>(k)];
+        const RootPose pose = pose_of(roots, origin_[guide]);
+        if (k == 0)
+            first = pose.q.coeffs();
+        signs[k] = first.dot(pose.q.coeffs()) < 0 ? -1 : 1;
+        turns[static_cast<size_t>(k)] = Turns(turns_).subspan(guide * longest_, longest_);
+        miss.col(k).head<3>() = root - pose.apply(point(rest));
+    }
+    Eigen::Map<Matrix4d> gram(grams_[follow].data());
+    gram += miss.transpose() * miss;
+    for (size_t i = 1; i < rest_.vertex_counts[strand]; ++i) {
+        Columns q = Columns::Zero();
+        for (int k = 0; k < guides; ++k) {
+            const auto at = static_cast<size_t>(k);
+            q.col(k) = signs[k] * turn_at(turns[at], place_[first_[strand] + i][at]);
+        }
+        miss += misses(read(frame, strand, i) - read(frame, strand, i - 1),
+                       point(rest + 3 * i) - point(rest + 3 * (i - 1)), q, q * weights);
+        gram += miss.transpose() * miss;
+    }
+}
+
+Status FollowLearner::add(const RootsInput& roots, const Frame& frame) {
+    PLAIT_TRY(check_frame(roots, frame));
+    for (size_t guide = 0; guide < map_.guide_count; ++guide)
+        turn_guide(roots, frame, guide);
+    for (size_t follow = 0; follow < map_.count(); ++follow)
+        add_follow(roots, frame, follow);
+    ++frames_;
+    return {};
+}
+
+Status FollowLearner::learn(FollowMap& out, Fit& fit) const {
+    if (frames_ == 0)
+        return Error{PLAIT_INVALID_STATE, "no frame was added"};
+    std::pmr::vector<float> weights(out.guides.get_allocator());
+    double before = 0, after = 0, all = 0;
+    for (size_t follow = 0; follow < map_.count(); ++follow) {
+        const Vector4d had = weights_of(map_, follow);
+        const Matrix4d gram(grams_[follow].data());
+        const double vertices = double(frames_) * map_.strands.vertex_counts[follow];
+        const Vector4d has = learnt(gram, had, vertices);
+        for (const double weight : has)
+            weights.push_back(static_cast<float>(weight));
+        before += had.dot(gram * had);
+        after += has.dot(gram * has);
+        all += vertices;
+    }
+    fit = {all > 0 ? std::sqrt(before / all) : 0, all > 0 ? std::sqrt(after / all) : 0};
+    out.strands = map_.strands;
+    out.max_vertices = map_.max_vertices;
+    out.guide_count = map_.guide_count;
+    out.origin = map_.origin;
+    return set_guides(out, map_.guides, weights);
+}
+
+} // namespace plait

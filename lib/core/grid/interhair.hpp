@@ -1,0 +1,90 @@
+// The inter-hair step: its grid's buffers and the stages it takes, once per fixed step.
+#pragma once
+
+#include "core/base/schedule.hpp"
+#include "core/strands/model.hpp"
+#include "core/strands/state.hpp"
+#include "core/volume/volume.hpp"
+
+#include <array>
+
+namespace plait {
+
+// The cube a grid covers when none is given, in rest space.
+struct GridCube {
+    float origin[3]; // corner, m
+    float edge;      // whole, m
+
+    std::array<float, 3> middle() const {
+        return {origin[0] + 0.5f * edge, origin[1] + 0.5f * edge, origin[2] + 0.5f * edge};
+    }
+};
+GridCube cube_around(const Groom& groom);
+
+class InterHair {
+  public:
+    // Buffers for `params`; none if the step is off.
+    static Result<InterHair> create(Device& device, const plait_sim_params& params);
+    // For append_density() alone, with exact sums.
+    static Result<InterHair> create_density(Device& device, const plait_sim_params& params);
+    bool fits(const plait_sim_params& params) const;
+
+    // Work-items that share a voxel's slots. On a CPU, whose work-items have lanes, those of a group
+    // take turns: one alone is faster than a sum in parts.
+    static uint32_t group_width(const plait_device_info& device, uint32_t capacity);
+
+    struct Step {
+        const Layout& layout;
+        const State& state;
+        const plait_sim_params& params;
+        const GridCube& cube;
+        const plait_pose& head; // at the end of the step
+        float h;                // s, of a substep: the histories span one
+        uint64_t frame;
+        uint64_t seed;
+        const plait_device_info& device;
+    };
+    // On positions and their history.
+    void append(Schedule& schedule, const Step& step) const;
+    // The same on the model's lanes, with exact sums; the caller publishes them afterwards.
+    void append_over_lanes(Schedule& schedule, const Step& step, const Model& model,
+                           const Substep& at) const;
+    // The hair alone, with exact sums: density and velocity. `lanes`: where they are read, else
+    // positions are.
+    void append_density(Schedule& schedule, const Step& step, const Model* lanes,
+                        const Substep& at) const;
+    bool is_on() const { return mode_ != PLAIT_INTERHAIR_OFF; }
+    // With volume, in their place; see Volume.
+    void append_volume_start(Schedule& schedule, const Step& step, const Model& model,
+                             const Substep& at) const;
+    void append_volume(Schedule& schedule, const Step& step, const Model& model,
+                       const Substep& at) const;
+    Volume& volume() { return volume_; }
+    const Volume& volume() const { return volume_; }
+    bool is_exact() const { return mode_ == PLAIT_INTERHAIR_EXACT; }
+
+    const Buffer& density() const { return density_; }
+    const Buffer& velocity() const { return velocity_; }
+    const Buffer& outside() const { return outside_; } // uint [1]
+    uint64_t device_bytes() const;
+
+  private:
+    static Result<InterHair> make_buffers(Device& device, const plait_sim_params& params);
+    void append_slots(Schedule& schedule, const Step& step, const plait_grid_params& params) const;
+    void append_exact(Schedule& schedule, const Step& step, const plait_grid_params& params) const;
+
+    plait_interhair mode_ = PLAIT_INTERHAIR_OFF;
+    uint32_t edge_count_ = 0;
+    uint32_t capacity_ = 0;
+    Buffer slots_;    // uint [nv^3*C], slots
+    Buffer sums_;     // uint [nv^3*10], exact
+    Buffer density_;  // float [nv^3]
+    Buffer velocity_; // float4 [nv^3]
+    Buffer outside_;  // uint [1]
+    Volume volume_;
+};
+
+// Where the grid is and how fine, for the grid stages.
+plait_grid_params grid_params(const InterHair::Step& step);
+
+} // namespace plait

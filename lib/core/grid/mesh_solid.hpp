@@ -1,0 +1,34 @@
+// Which nodes of a grid lie in colliders that are meshes, for who closes them to hair or to the wind.
+#pragma once
+
+#include "core/base/schedule.hpp"
+#include "core/strands/model.hpp"
+
+namespace plait {
+
+// Its nodes are the centres of its voxels.
+struct NodeGridPlace {
+    uint32_t edge_count;
+    float voxel_edge; // m
+    float q[4], t[4]; // orientation, and the corner in the world
+};
+
+class MeshSolid {
+  public:
+    static Result<MeshSolid> create(Device& device, uint32_t edge_count);
+
+    // Appends what finds them, at the end of a substep: float4 [edge_count^3], velocity along the
+    // grid's axes, m/s, and 1 inside. Null, and nothing appended, where no mesh has an inside.
+    const Buffer* append(Schedule& schedule, const NodeGridPlace& grid, const Substep& at) const;
+    uint64_t device_bytes() const { return solid_.bytes() + passed_.bytes() + met_.bytes(); }
+
+  private:
+    void append_bending(Schedule& schedule, const NodeGridPlace& grid, const Substep& at,
+                        uint32_t mesh, bool others) const;
+
+    Buffer solid_;
+    Buffer passed_; // uint [edge_count^3/32], bits
+    Buffer met_;    // uint [edge_count^3]
+};
+
+} // namespace plait

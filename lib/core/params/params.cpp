@@ -1,0 +1,339 @@
+#include "core/params/params.hpp"
+
+#include "core/base/pose.hpp"
+#include "core/base/ranges.hpp"
+#include "core/params/param_table.hpp"
+#include "core/strands/traits.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+#include <limits>
+#include <numbers>
+
+namespace plait {
+namespace {
+
+// C callers can put any number into an enum, which C++ may not even look at as one.
+template <typename Enum> double raw(const Enum& value) {
+    int32_t number;
+    static_assert(sizeof number == sizeof value);
+    std::memcpy(&number, &value, sizeof number);
+    return number;
+}
+
+// The message names the component.
+Status check_vector(const char* field, const float (&vector)[3], double low, double high) {
+    for (size_t i = 0; i < 3; ++i)
+        PLAIT_TRY(check_range(format("%s[%zu]", field, i).c_str(), double(vector[i]), low, high));
+    return {};
+}
+
+#define PLAIT_RANGE_OPEN(field, low, high)                                                         \
+    PLAIT_TRY(check_range(#field, double(s.field), low, high, true))
+#define PLAIT_RANGE_ENUM(field, high) PLAIT_TRY(check_range(#field, raw(s.field), 0, high))
+#define PLAIT_RANGE_3(field, low, high) PLAIT_TRY(check_vector(#field, s.field, low, high))
+
+// A bound is what float32 makes of it: 1e-9 itself is inside [1e-9, 1e3].
+double bound(const plait_param_info& param, double value) {
+    return param.kind == PLAIT_PARAM_KIND_FLOAT ? double(static_cast<float>(value)) : value;
+}
+
+double component(const plait_param_info& param, const unsigned char* at) {
+    if (param.kind == PLAIT_PARAM_KIND_FLOAT) {
+        float number;
+        std::memcpy(&number, at, sizeof number);
+        return double(number);
+    }
+    // C callers can put any number into an enum: a negative one is outside, too
+    uint32_t number;
+    std::memcpy(&number, at, sizeof number);
+    return param.kind == PLAIT_PARAM_KIND_UINT ? double(number)
+                                               : double(static_cast<int32_t>(number));
+}
+
+Status check_param(const plait_param_info& param, const plait_sim_params& params) {
+    const auto* at = reinterpret_cast<const unsigned char*>(&params) + param.offset;
+    for (uint32_t i = 0; i < param.count; ++i) {
+        const std::string name = param.count > 1 ? format("%s[%u]", param.name, i) : param.name;
+        PLAIT_TRY(check_range(name.c_str(), component(param, at + size_t{4} * i),
+                              bound(param, param.least), bound(param, param.most),
+                              param.least_excluded != 0));
+    }
+    return {};
+}
+
+// Values beside the range that leave a choice to the model.
+bool left_to_model(const plait_param_info& param, const plait_sim_params& params) {
+    switch (param.offset) {
+    case offsetof(plait_sim_params, iterations):
+        return params.iterations == PLAIT_ITERATIONS_OF_MODEL;
+    case offsetof(plait_sim_params, bdf2):
+        return params.bdf2 == PLAIT_BDF2_OF_MODEL;
+    default:
+        return false;
+    }
+}
+
+// Buffers are indexed with 32 bits.
+Status check_slot_total(const plait_sim_params& s) {
+    const double n = s.grid_edge_count;
+    if (s.interhair != PLAIT_INTERHAIR_SLOTS)
+        return {};
+    return check_range("grid_edge_count^3 * slot_capacity", n * n * n * s.slot_capacity, 1,
+                       std::numeric_limits<uint32_t>::max());
+}
+
+} // namespace
+
+plait_sim_params default_params() {
+    plait_sim_params p{};
+    p.struct_size = sizeof p;
+    p.gravity[1] = -9.81f;
+    p.damping = 0.08f;
+    p.local_stiffness = 0.9f;
+    p.local_iterations = 2;
+    p.length_iterations = 2;
+    p.vsp_coeff = 0.8f;
+    p.vsp_accel_threshold = 1.4f;
+    p.max_displacement = 1e6f;
+    p.iterations = PLAIT_ITERATIONS_OF_MODEL;
+    p.bdf2 = PLAIT_BDF2_OF_MODEL;
+    p.line_density = 5e-6f;
+    p.bend_stiffness = 4.7e-9f;
+    p.section_ratio = 1;
+    p.tip_stiffness = 1;
+    p.tip_density = 1;
+    p.drag = 2;
+    p.wind_form = PLAIT_WIND_FORM_DRAG;
+    p.follow_form = PLAIT_FOLLOW_FORM_ROTATING;
+    p.wind_cone = 0.7f;
+    p.grid_edge_count = 8;
+    p.slot_capacity = 1024;
+    p.slot_hash = PLAIT_SLOT_HASH_RULE_PCG;
+    p.diffuse_rule = PLAIT_DIFFUSE_RULE_FLOORED;
+    p.diffuse_ratio = 2;
+    p.diffuse_factor = 0.9f;
+    p.diffuse_floor = 0.5f;
+    p.volume_share = 1;
+    p.volume_sweeps = 10;
+    p.volume_rate = 5;
+    p.wet_cohesion = 0.03f;
+    p.volume_viscosity = 5;
+    p.strand_radius = 0.002f;
+    p.strand_friction = 0.3f;
+    p.follow_contact = 1;
+    return p;
+}
+
+plait_sim_desc default_sim_desc() {
+    plait_sim_desc desc{};
+    desc.struct_size = sizeof desc;
+    desc.model = PLAIT_MODEL_ARTICULATED;
+    desc.step = 1.0f / 60;
+    desc.substeps = 1;
+    desc.max_steps_per_call = 8;
+    desc.interpolate_output = 2;
+    desc.follow_radius = 0.003f;
+    desc.params = default_params();
+    return desc;
+}
+
+Status check_params(const plait_sim_params& params) {
+    for (const plait_param_info& param : param_table())
+        if (!left_to_model(param, params))
+            PLAIT_TRY(check_param(param, params));
+    if (params.volume != PLAIT_VOLUME_OFF && params.interhair != PLAIT_INTERHAIR_EXACT)
+        return Error{PLAIT_INVALID_ARGUMENT,
+                     format("volume is %d (pressure), interhair is %d: volume needs interhair 2 "
+                            "(exact)",
+                            params.volume, params.interhair)};
+    return check_slot_total(params);
+}
+
+Status check_volume(const plait_sim_params& params, plait_model model) {
+    if (params.volume == PLAIT_VOLUME_OFF || traits_of(model).switches)
+        return {};
+    return Error{PLAIT_INVALID_ARGUMENT,
+                 format("volume is %d: strands of model %d have none; those of the models %s do",
+                        params.volume, model, list_models(&ModelTraits::switches).c_str())};
+}
+
+Status check_strand_contact(const plait_sim_params& params, plait_model model) {
+    if (params.strand_contact == PLAIT_STRAND_CONTACT_OFF || traits_of(model).meets)
+        return {};
+    return Error{PLAIT_INVALID_ARGUMENT,
+                 format("strand_contact is %d (on): strands of model %d do not meet each other; "
+                        "those of the models %s do",
+                        params.strand_contact, model, list_models(&ModelTraits::meets).c_str())};
+}
+
+Status check_sim_desc(const plait_sim_desc& s) {
+    PLAIT_RANGE_ENUM(model, last_model());
+    PLAIT_RANGE(step, 1e-5f, 1);
+    PLAIT_RANGE(substeps, 1, 1000);
+    PLAIT_RANGE(max_steps_per_call, 1, 1000);
+    PLAIT_RANGE(interpolate_output, 0, 2);
+    PLAIT_RANGE(keep_last_frame, 0, 1);
+    PLAIT_RANGE(accelerations, 0, 1);
+    PLAIT_RANGE(pins, 0, 1);
+    if (s.pins && !traits_of(s.model).switches)
+        return Error{PLAIT_INVALID_ARGUMENT,
+                     format("pins is 1: strands of model %d take none; those of the models %s do",
+                            s.model, list_models(&ModelTraits::switches).c_str())};
+    PLAIT_RANGE(follows_per_guide, 0, 64);
+    PLAIT_RANGE(follow_radius, 0, 1);
+    PLAIT_RANGE_ENUM(sag_free, PLAIT_SAG_FREE_STIFFEN);
+    if (s.sag_free != PLAIT_SAG_FREE_OFF && !traits_of(s.model).bends)
+        return Error{PLAIT_INVALID_ARGUMENT,
+                     format("sag_free is %d: model %d has no bending that could hold a groom's "
+                            "shape, %s have",
+                            s.sag_free, s.model, list_models(&ModelTraits::bends).c_str())};
+    if (s.material_count > 0 && !traits_of(s.model).switches)
+        return Error{PLAIT_INVALID_ARGUMENT,
+                     format("material_count is %zu: the stiffness of model %d is no material's, %s "
+                            "have materials",
+                            s.material_count, s.model,
+                            list_models(&ModelTraits::switches).c_str())};
+    PLAIT_TRY(check_params(s.params));
+    PLAIT_TRY(check_strand_contact(s.params, s.model));
+    return check_volume(s.params, s.model);
+}
+
+Status check_strand_model(const plait_model& model, size_t strand) {
+    const double low = PLAIT_MODEL_CHAIN, high = last_model();
+    if (raw(model) >= low && raw(model) <= high)
+        return {};
+    return Error{PLAIT_INVALID_ARGUMENT,
+                 format("models[%zu] is %g, range is [%g, %g]: %s", strand, raw(model), low, high,
+                        list_models(&ModelTraits::switches).c_str())};
+}
+
+plait_strand_settings default_strand_settings() {
+    return {sizeof(plait_strand_settings), PLAIT_MODEL_ARTICULATED, PLAIT_SETTING_OF_SIM,
+            PLAIT_SETTING_OF_SIM, PLAIT_SETTING_OF_SIM};
+}
+
+Status check_strand_settings(const plait_strand_settings& s) {
+    PLAIT_TRY(check_range("model", raw(s.model), PLAIT_MODEL_CHAIN, last_model()));
+    if (s.substeps != PLAIT_SETTING_OF_SIM)
+        PLAIT_RANGE(substeps, 1, 1000);
+    if (s.iterations != PLAIT_SETTING_OF_SIM && s.iterations != PLAIT_ITERATIONS_OF_MODEL)
+        PLAIT_RANGE(iterations, 0, 64);
+    if (s.bdf2 != PLAIT_SETTING_OF_SIM && s.bdf2 != PLAIT_BDF2_OF_MODEL)
+        PLAIT_RANGE(bdf2, 0, 1);
+    return {};
+}
+
+Status check_model(const plait_model& model, size_t index) {
+    const double high = last_model();
+    if (raw(model) >= 0 && raw(model) <= high)
+        return {};
+    return Error{PLAIT_INVALID_ARGUMENT,
+                 format("models[%zu] is %g, range is [0, %g]", index, raw(model), high)};
+}
+
+Status check_strand_stiffness(std::span<const float> scales, size_t guides) {
+    if (!scales.empty() && scales.size() != guides)
+        return Error{PLAIT_INVALID_ARGUMENT,
+                     format("strand_stiffness.count is %zu, the groom has %zu strands",
+                            scales.size(), guides)};
+    for (size_t i = 0; i < scales.size(); ++i)
+        PLAIT_TRY(
+            check_range(format("strand_stiffness[%zu]", i).c_str(), double(scales[i]), 0, 1e6));
+    return {};
+}
+
+plait_fibre default_fibre() {
+    return {sizeof(plait_fibre), 1300, 35e-6f, 1, 4e9f, 1.5e9f};
+}
+
+Status set_fibre(plait_sim_params& params, const plait_fibre& s) {
+    PLAIT_RANGE(density, 1, 1e5);
+    PLAIT_RANGE(radius, 1e-7f, 0.1f);
+    PLAIT_RANGE(flatness, 0.05f, 1);
+    PLAIT_RANGE(youngs_modulus, 0, 1e13);
+    PLAIT_RANGE(shear_modulus, 0, 1e13);
+    const double a = double(s.radius), f = double(s.flatness), b = a * f;
+    const double quarter = std::numbers::pi / 4 * a * b;
+    plait_sim_params with = params;
+    with.line_density = static_cast<float>(4 * quarter * double(s.density));
+    with.bend_stiffness = static_cast<float>(quarter * b * b * double(s.youngs_modulus));
+    with.section_ratio = static_cast<float>(1 / (f * f));
+    // Saint-Venant's torsion constant of an ellipse
+    with.twist_stiffness =
+        static_cast<float>(4 * quarter * a * a * b * b / (a * a + b * b) * double(s.shear_modulus));
+    PLAIT_TRY(check_params(with));
+    params = with;
+    return {};
+}
+
+namespace {
+
+Status check_capsule(const plait_collider_desc& s) {
+    PLAIT_RANGE_3(b, -1e6, 1e6);
+    PLAIT_RANGE_OPEN(radius_a, 0, 1e3);
+    PLAIT_RANGE_OPEN(radius_b, 0, 1e3);
+    return {};
+}
+
+Status check_plane(const plait_collider_desc& s) {
+    PLAIT_RANGE_3(normal, -1e6, 1e6);
+    const double length = std::hypot(double(s.normal[0]), double(s.normal[1]), double(s.normal[2]));
+    return check_range("length of normal", length, 1e-6, 2e6);
+}
+
+Status check_box(const plait_collider_desc& s) {
+    PLAIT_RANGE_3(half_extents, 0, 1e3);
+    PLAIT_RANGE(rounding, 0, 1e3);
+    plait_pose turned = identity_pose;
+    std::copy_n(s.orientation, 4, turned.q);
+    if (const auto checked = checked_pose(turned, "orientation"); !checked)
+        return checked.error();
+    return {};
+}
+
+// 0: as the roots.
+Status check_body_scale(float scale) {
+    return scale == 0 ? Status{} : check_range("scale", double(scale), 1e-3f, 1e3);
+}
+
+} // namespace
+
+Status check_collider(const plait_collider_desc& s) {
+    PLAIT_TRY(check_body_scale(s.scale));
+    PLAIT_RANGE_ENUM(kind, PLAIT_COLLIDER_KIND_BOX);
+    PLAIT_RANGE_3(a, -1e6, 1e6);
+    PLAIT_RANGE(friction, 0, 10);
+    PLAIT_RANGE(inward, 0, 1);
+    switch (s.kind) {
+    case PLAIT_COLLIDER_KIND_PLANE:
+        return check_plane(s);
+    case PLAIT_COLLIDER_KIND_BOX:
+        return check_box(s);
+    default:
+        return check_capsule(s);
+    }
+}
+
+Status check_hull_collider(const plait_collider_hull_desc& s) {
+    PLAIT_TRY(check_body_scale(s.scale));
+    PLAIT_RANGE(margin, 0, 1e3);
+    PLAIT_RANGE(friction, 0, 10);
+    PLAIT_RANGE(tolerance, double(1e-6f), double(0.1f)); // as float32 has them
+    PLAIT_RANGE(inward, 0, 1);
+    return {};
+}
+
+Status check_mesh_collider(const plait_collider_mesh_desc& s) {
+    PLAIT_RANGE(cells, 8, 256);
+    PLAIT_RANGE(margin, 0, 0.05);
+    PLAIT_RANGE(friction, 0, 10);
+    PLAIT_RANGE(clearance, 0, 1);
+    PLAIT_RANGE(two_sided, 0, 1);
+    PLAIT_RANGE_ENUM(form, PLAIT_MESH_FORM_NEAREST);
+    return {};
+}
+
+} // namespace plait

@@ -1,0 +1,159 @@
+// What a sim says about itself without asking the device, and what it warns of.
+#include "core/base/units.hpp"
+#include "core/params/param_table.hpp"
+#include "core/params/params.hpp"
+#include "core/sim/sim.hpp"
+
+#include "base/format.hpp"
+
+#include <cmath>
+#include <cstring>
+#include <utility>
+
+namespace plait {
+namespace {
+
+using Count = unsigned long long;
+
+// A strand that is held by joints so much stiffer than its material is hardly of that material, or
+// not of that size: what a joint holds grows with the cube of the unit.
+constexpr double much_stiffening = 1000;
+
+void append(std::string& text, const std::string& sentence) {
+    if (!text.empty() && !sentence.empty())
+        text += "; ";
+    text += sentence;
+}
+
+std::string residual_warning(const SagReport& sag, uint64_t guides, plait_sag_free mode) {
+    if (sag.unreached == 0)
+        return {};
+    return format(
+        "sag-free start: %llu of %llu strands are not in balance (residual above %g), the "
+        "worst, strand %llu, lacks %.2g of its weight x length%s",
+        Count(sag.unreached), Count(guides), SagReport::reached, Count(sag.residual_strand),
+        sag.residual,
+        mode == PLAIT_SAG_FREE_REST ? ": too weak, PLAIT_SAG_FREE_STIFFEN holds such" : "");
+}
+
+// `told`: that the lengths are wrong has been said.
+std::string stiffening_warning(const SagReport& sag, bool told) {
+    if (sag.stiffening <= much_stiffening)
+        return {};
+    return format("sag-free start: %llu of %llu joints were stiffened, the worst, of strand %llu, "
+                  "%.3g times: %s",
+                  Count(sag.stiffened), Count(sag.joints), Count(sag.stiffening_strand),
+                  sag.stiffening,
+                  told ? "as such lengths need"
+                       : "if the groom is in centimetres, import it with scale 0.01; if not, "
+                         "bend_stiffness is far from what holds this hairstyle");
+}
+
+// In such a step hair falls farther than the pressure's sweeps bring back.
+std::string volume_warning(const plait_sim_desc& desc, const GridCube& cube) {
+    const plait_sim_params& p = desc.params;
+    if (p.volume == PLAIT_VOLUME_OFF)
+        return {};
+    const float voxel =
+        (p.grid_edge > 0 ? p.grid_edge : cube.edge) / static_cast<float>(p.grid_edge_count);
+    const float g = std::hypot(p.gravity[0], p.gravity[1], p.gravity[2]);
+    const float fall = g * desc.step * desc.step;
+    if (fall <= voxel / 4)
+        return {};
+    return format(
+        "volume: hair falls by %.2g m in a step of %.2g s, more than a quarter of a voxel "
+        "of %.2g m: shorter steps or larger voxels hold it",
+        double(fall), double(desc.step), double(voxel));
+}
+
+// A kernel of the caller's that is not run.
+constexpr const char* accelerate_off =
+    "the context has a kernel of yours for the stage accelerate, and this sim was made with "
+    "accelerations = 0, which leaves it out";
+constexpr const char* accelerate_none =
+    "the context has no kernel of yours for the stage accelerate";
+
+} // namespace
+
+const char* Sim::no_accelerate() const {
+    if (!context_.replaced[PLAIT_STAGE_accelerate])
+        return accelerate_none;
+    return state_.acceleration ? "" : accelerate_off;
+}
+
+std::string Sim::warning() const {
+    const SagReport sag = model_->sag();
+    std::string text = size_warning_;
+    const bool told = !text.empty();
+    append(text, groom_warning_);
+    append(text, residual_warning(sag, layout_.guides, desc_.sag_free));
+    append(text, stiffening_warning(sag, told));
+    append(text, volume_warning(desc_, cube_));
+    if (no_accelerate() == accelerate_off)
+        append(text, accelerate_off);
+    return text;
+}
+
+uint32_t Sim::models_in_use() const {
+    uint32_t used = 0;
+    for (const Settings& strand : settings())
+        used |= 1u << strand.model;
+    return used;
+}
+
+void Sim::log_warnings(const plait_sim_params& before, const std::string& said) const {
+    if (!context_.log.callback)
+        return;
+    const auto log = [&](const std::string& text) {
+        if (!text.empty())
+            context_.log(PLAIT_LOG_LEVEL_WARNING, "sim: " + text);
+    };
+    if (const std::string text = warning(); text != said)
+        log(text);
+    const Readers readers{models_in_use(), no_accelerate()};
+    for (const plait_param_info& param : param_table())
+        log(ignored_warning(param, before, desc_.params, readers));
+}
+
+// Features that calls open, as wetness, are open by the first step or are not meant.
+void Sim::log_off() {
+    const plait_sim_params said = std::exchange(said_, desc_.params);
+    if (!context_.log.callback || std::memcmp(&said, &said_, sizeof said) == 0)
+        return;
+    const OpenFeatures open{bool(state_.wetness), desc_.follows_per_guide > 0};
+    for (const plait_param_info& param : param_table())
+        if (const std::string text = off_warning(param, said, said_, open); !text.empty())
+            context_.log(PLAIT_LOG_LEVEL_WARNING, "sim: " + text);
+}
+
+plait_sim_info Sim::describe() const {
+    plait_sim_info info{};
+    info.model = desc_.model;
+    info.guides = layout_.guides;
+    info.strands = layout_.strands();
+    info.follows_per_guide = desc_.follows_per_guide;
+    info.vertices_per_strand = layout_.row;
+    info.step = desc_.step;
+    info.substeps = desc_.substeps;
+    info.steps = clock_.steps;
+    info.steps_dropped = clock_.dropped;
+    info.time = clock_.time();
+    info.device_bytes = device_bytes();
+    info.colliders = colliders_.count();
+    info.sag_free = desc_.sag_free;
+    const SagReport sag = model_->sag();
+    info.sag_joints = sag.joints;
+    info.joints_stiffened = sag.stiffened;
+    info.sag_unreached = sag.unreached;
+    info.sag_unstable = sag.unstable;
+    info.worst_residual_strand = sag.residual_strand;
+    info.worst_stiffening_strand = sag.stiffening_strand;
+    info.sag_residual = static_cast<float>(sag.residual);
+    info.worst_stiffening = static_cast<float>(sag.stiffening);
+    info.scale = scale_;
+    const std::string text = warning();
+    text.copy(info.warning, sizeof info.warning - 1);
+    return info;
+}
+
+} // namespace plait

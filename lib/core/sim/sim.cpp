@@ -1,0 +1,552 @@
+#include "core/sim/sim.hpp"
+
+#include "base/format.hpp"
+#include "base/hash.hpp"
+#include "core/params/params.hpp"
+#include "core/strands/traits.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace plait {
+namespace {
+
+// Drops what was prepared and not taken, however the call ends.
+struct Discard {
+    Model& model;
+    ~Discard() { model.discard(); }
+};
+
+// Swaps in what is new, and out again however the call ends, also by an exception, unless it is kept:
+// Trial(swap).keep_if(check()) checks with the new in place.
+template <typename Swap> class Trial {
+  public:
+    explicit Trial(Swap swap) : swap_(swap) { swap_(); }
+    ~Trial() {
+        if (!kept_)
+            swap_();
+    }
+    Trial(const Trial&) = delete;
+    Trial& operator=(const Trial&) = delete;
+    Status keep_if(Status status) {
+        kept_ = static_cast<bool>(status);
+        return status;
+    }
+
+  private:
+    Swap swap_;
+    bool kept_ = false;
+};
+
+// Whether the grid is where it was.
+bool same_place(const plait_sim_params& a, const plait_sim_params& b) {
+    return a.grid_edge == b.grid_edge && a.grid_in_world == b.grid_in_world &&
+           std::ranges::equal(a.grid_origin, b.grid_origin);
+}
+
+} // namespace
+
+Sim::Sim(Context& context, SimParts parts)
+    : context_(context), layout_(parts.layout), desc_(parts.desc),
+      size_warning_(std::move(parts.size_warning)), hair_(parts.hair),
+      groom_warning_(std::move(parts.groom_warning)), groom_(parts.fingerprint), cube_(parts.cube),
+      skin_(std::move(parts.skin)), model_(std::move(parts.model)), state_(std::move(parts.state)),
+      grid_(std::move(parts.grid)), pairs_(std::move(parts.pairs)),
+      display_(std::move(parts.display)), roots_(layout_, &context.memory),
+      colliders_(desc_.substeps, &context.memory), meshes_(&context.memory),
+      bending_(&context.memory), substeps_(1, desc_.substeps, &context.memory),
+      clock_(desc_.step, desc_.max_steps_per_call), schedule_(&context.memory),
+      pin_table_(&context.memory), pose_before_(&context.memory) {}
+
+Sim::~Sim() {
+    if (context_.measured == this)
+        context_.measured = nullptr;
+}
+
+Status Sim::start() {
+    PLAIT_TRY(make_poses(pose_spare_, "pose_spare"));
+    PLAIT_TRY(make_poses(pose_was_, "pose_was"));
+    PLAIT_TRY(make_poses(pose_next_, "pose_next"));
+    PLAIT_TRY(make_poses_before(pose_before_, substeps_.size()));
+    PLAIT_TRY(check_stages());
+    PLAIT_TRY(prepare_calls());
+    model_->reset(schedule_, present());
+    append_no_motion();
+    display_.append_step_before(schedule_, layout_, state_);
+    PLAIT_TRY(show_at_once());
+    PLAIT_TRY(wait());
+    log_warnings(default_params(), "");
+    return {};
+}
+
+Status Sim::check_stages() {
+    schedule_.clear();
+    append_dry_step();
+    return check_schedule();
+}
+
+// That what was appended can run; it is not run.
+Status Sim::check_schedule() {
+    Status status = check_supported(device(), schedule_.list());
+    if (status)
+        status = device().prepare(schedule_.list());
+    schedule_.clear();
+    return status;
+}
+
+// What steps do not take, but the calls around them.
+Status Sim::prepare_calls() {
+    model_->reset(schedule_, present());
+    display_.append_step_before(schedule_, layout_, state_);
+    display_.append_frame_before(schedule_, layout_, state_);
+    append_shown();
+    if (desc_.interpolate_output == 2)
+        display_.append_interpolation(schedule_, layout_, state_);
+    model_->teleport(schedule_, present(), state_.pose);
+    model_->set_off(schedule_, present(), pose_before_.front(), pose_was_, pose_next_, 0);
+    skin_.append(schedule_, layout_, state_, state_.pose);
+    binding_.append(schedule_, layout_, state_, state_.pose);
+    add_stats();
+    add_bounds();
+    std::pmr::vector<plait_dispatch> list(&context_.memory);
+    for (const plait_dispatch& dispatch : schedule_.list())
+        if (device().supports(dispatch.stage)) // else the call that wants it says so
+            list.push_back(dispatch);
+    Status status = device().prepare(list);
+    schedule_.clear();
+    return status;
+}
+
+// All work passes here, so that device time is counted for the sim that caused it.
+Status Sim::submit() {
+    if (context_.profile) {
+        PLAIT_TRY(begin_measuring());
+        schedule_.reckon_traffic(layout_.row);
+    }
+    for (const plait_dispatch& dispatch : schedule_.list())
+        ++costs_[dispatch.stage].calls;
+    return schedule_.submit(device());
+}
+
+// What jumped has moved on no way: the frame before is where it is now.
+Status Sim::show_at_once() {
+    append_shown();
+    PLAIT_TRY(submit());
+    display_.append_frame_before(schedule_, layout_, state_);
+    return submit();
+}
+
+// All or nothing: what is new is made aside, taken, and given back if its stages cannot run.
+Status Sim::set_params(const plait_sim_params& params) {
+    const Discard discard{*model_};
+    PLAIT_TRY(check_volume(params, desc_.model));
+    PLAIT_TRY(check_strand_contact(params, desc_.model));
+    PLAIT_TRY(model_->prepare(device(), params));
+    InterHair grid;
+    const bool same_grid = grid_.fits(params);
+    if (!same_grid) {
+        auto made = InterHair::create(device(), params);
+        if (!made)
+            return made.error();
+        grid = std::move(*made);
+        PLAIT_TRY(grid.volume().keep_wetness(device(), bool(state_.wetness)));
+    }
+    Pairs pairs;
+    const bool same_pairs = pairs_.fits(params);
+    if (!same_pairs) {
+        auto made = Pairs::create(device(), params, layout_, pairs_.longest_segment());
+        if (!made)
+            return made.error();
+        pairs = std::move(*made);
+    }
+    PLAIT_TRY(model_->keep_planes(device(), needs_planes() || pairs.buffers()));
+    plait_sim_params next = params;
+    const std::string warned = context_.log.callback ? warning() : "";
+    const auto swap = [&] {
+        model_->swap();
+        std::swap(desc_.params, next);
+        if (!same_grid)
+            std::swap(grid_, grid);
+        if (!same_pairs)
+            std::swap(pairs_, pairs);
+    };
+    const Status status = Trial(swap).keep_if(check_stages());
+    if (status) {
+        log_warnings(next, warned);
+        if (!same_place(next, desc_.params))
+            grid_.volume().carries = false;
+    }
+    if (!needs_planes())
+        PLAIT_TRY(model_->keep_planes(device(), false));
+    return status;
+}
+
+Status Sim::set_materials(StrandMaterialsPtr materials) {
+    if (!traits_of(desc_.model).switches)
+        return Error{PLAIT_INVALID_STATE,
+                     format("the sim is of model 0 (tressfx), whose stiffness is no material's; "
+                            "strands of the models %s have one",
+                            list_models(&ModelTraits::switches).c_str())};
+    const Discard discard{*model_};
+    const std::string warned = context_.log.callback ? warning() : "";
+    Trial trial([&] { model_->exchange(materials); });
+    PLAIT_TRY(trial.keep_if(model_->prepare(device(), desc_.params)));
+    model_->swap();
+    log_warnings(desc_.params, warned);
+    return {};
+}
+
+Status Sim::find_balance() {
+    if (desc_.sag_free == PLAIT_SAG_FREE_OFF)
+        return Error{PLAIT_INVALID_STATE,
+                     "sag_free is 0 (off): the sim's groom is not in balance with any gravity"};
+    const Discard discard{*model_};
+    const std::string warned = context_.log.callback ? warning() : "";
+    auto gravity = std::to_array(desc_.params.gravity);
+    Trial trial([&] { model_->exchange(gravity); });
+    PLAIT_TRY(trial.keep_if(model_->prepare(device(), desc_.params)));
+    model_->swap();
+    log_warnings(desc_.params, warned);
+    return {};
+}
+
+Status Sim::set_wind(const plait_wind_desc* desc) {
+    if (!desc) {
+        wind_ = {};
+        model_->close_wind();
+        return {};
+    }
+    if (!traits_of(desc_.model).switches)
+        return Error{PLAIT_INVALID_STATE,
+                     format("the sim is of model 0 (tressfx), whose wind is that of the params; "
+                            "strands of the models %s take plait_sim_set_wind",
+                            list_models(&ModelTraits::switches).c_str())};
+    Wind next;
+    PLAIT_TRY(next.begin(device(), wind_, *desc, hair_));
+    if (!wind_.blows())
+        PLAIT_TRY(model_->open_wind(device()));
+    const Status status = Trial([&] { std::swap(wind_, next); }).keep_if(check_stages());
+    if (!wind_.blows())
+        model_->close_wind();
+    return status;
+}
+
+Status Sim::open_wetness() {
+    struct Closer { // also where memory ends half-way
+        Sim* sim;
+        ~Closer() {
+            if (sim)
+                sim->close_wetness();
+        }
+    } closer{this};
+    PLAIT_TRY(Wetness::open(device(), layout_, state_, &context_.memory));
+    PLAIT_TRY(model_->open_wetness(device()));
+    PLAIT_TRY(grid_.volume().keep_wetness(device(), true));
+    PLAIT_TRY(display_.keep_wetness(device(), layout_, state_, true, &context_.memory));
+    PLAIT_TRY(check_stages());
+    closer.sim = nullptr;
+    return {};
+}
+
+// The material of dry strands is where it was.
+void Sim::close_wetness() {
+    (void)display_.keep_wetness(device(), layout_, state_, false, &context_.memory);
+    (void)grid_.volume().keep_wetness(device(), false);
+    model_->close_wetness();
+    Wetness::close(state_);
+}
+
+Status Sim::set_detail(const plait_detail_desc* desc, std::span<const uint32_t> centres) {
+    Detail next;
+    if (desc) {
+        auto made =
+            display_.make_detail(device(), layout_, state_, *desc, centres, &context_.memory);
+        if (!made)
+            return made.error();
+        next = std::move(*made);
+    }
+    Trial trial([&] { display_.exchange(next); });
+    schedule_.clear();
+    append_shown();
+    return trial.keep_if(check_schedule());
+}
+
+SettingsList Sim::settings() const {
+    SettingsList list(layout_.guides, own_settings(desc_.model), &context_.memory);
+    model_->read_settings(list);
+    return list;
+}
+
+Status Sim::check_settings(std::span<const Settings> settings) const {
+    if (desc_.model == PLAIT_MODEL_TRESSFX)
+        return Error{PLAIT_INVALID_STATE,
+                     format("the sim is of model 0 (tressfx); strands of the models %s can be "
+                            "switched",
+                            list_models(&ModelTraits::switches).c_str())};
+    if (settings.size() != layout_.guides)
+        return Error{PLAIT_INVALID_ARGUMENT, format("count is %zu, the sim has %u guides",
+                                                    settings.size(), layout_.guides)};
+    return {};
+}
+
+Status Sim::take_substeps(const std::pmr::vector<uint32_t>& substeps) {
+    PLAIT_TRY(colliders_.set_substeps(device(), substeps));
+    substeps_ = substeps;
+    return {};
+}
+
+Status Sim::set_settings(std::span<const Settings> settings) {
+    PLAIT_TRY(check_settings(settings));
+    if (std::ranges::equal(settings, this->settings()))
+        return {};
+    const Discard discard{*model_};
+    schedule_.clear();
+    PLAIT_TRY(model_->prepare_settings(device(), schedule_, present(), settings));
+    const std::pmr::vector<uint32_t> before(substeps_, &context_.memory);
+    const auto after = substeps_of(settings, &context_.memory);
+    std::pmr::vector<Buffer> poses(&context_.memory);
+    PLAIT_TRY(make_poses_before(poses, after.size()));
+    PLAIT_TRY(take_substeps(after));
+    const auto swap = [&] {
+        model_->swap();
+        std::swap(pose_before_, poses);
+    };
+    swap();
+    Status status = check_stages();
+    if (!status) {
+        swap();
+        (void)take_substeps(before); // there is room for them
+        return status;
+    }
+    schedule_.clear();
+    append_motion_of_substeps(poses[0], before);
+    for (size_t g = 0; g < after.size(); ++g) // those that stay keep theirs, bit by bit
+        if (const auto place = std::ranges::find(before, after[g]); place != before.end())
+            std::swap(pose_before_[g], poses[static_cast<size_t>(place - before.begin())]);
+    return submit();
+}
+
+Status Sim::bind_roots(const Mesh* mesh, std::span<plait_root_place> places) {
+    RootBinding next;
+    if (mesh) {
+        std::pmr::vector<float> rest(4 * size_t{layout_.guide_vertices()}, &context_.memory);
+        PLAIT_TRY(device().read(state_.rest, 0, layout_.guide_vertices(), rest.data()));
+        auto made = RootBinding::create(device(), *mesh, layout_, rest, places, &context_.memory);
+        if (!made)
+            return made.error();
+        next = std::move(*made);
+    }
+    PLAIT_TRY(Trial([&] { std::swap(binding_, next); }).keep_if(check_stages()));
+    const std::string turned =
+        binding_.turned() == 0
+            ? ""
+            : format("; of %u the tip is nearer to it than the root: are they stored from tip to "
+                     "root (plait_import_options.root_end)?",
+                     binding_.turned());
+    if (binding_.far() > 0 && context_.log.callback)
+        context_.log(PLAIT_LOG_LEVEL_WARNING,
+                     format("sim: %u of %u roots are more than 1 cm from the mesh that they are "
+                            "bound to, that of guide %u %.3g m%s",
+                            binding_.far(), layout_.guides, binding_.farthest_root(),
+                            double(binding_.farthest()), turned.c_str()));
+    return {};
+}
+
+Status Sim::aim(const RootsInput& input) {
+    if (!input.own.empty() && input.own.size() != layout_.guides)
+        return Error{PLAIT_INVALID_ARGUMENT,
+                     format("root_poses.count is %zu, the sim has %u guides", input.own.size(),
+                            layout_.guides)};
+    const auto scale = scale_of(input);
+    if (!scale)
+        return scale.error();
+    if (!input.mesh.empty())
+        PLAIT_TRY(binding_.check(input.mesh));
+    PLAIT_TRY(open_scale(*scale));
+    const plait_pose head = plait::in_units(input.head, *scale);
+    if (input.bones.empty() && input.mesh.empty()) {
+        PLAIT_TRY(roots_.aim(device(), head, input.own, *scale));
+        return rescale(*scale);
+    }
+    const auto poses = roots_.target_poses(device());
+    if (!poses)
+        return poses.error();
+    schedule_.clear();
+    PLAIT_TRY(input.mesh.empty() ? skin_.append(device(), schedule_, layout_, state_, input.bones,
+                                                *scale / input.scale, *scale, **poses)
+                                 : binding_.append(device(), schedule_, layout_, state_, input.mesh,
+                                                   *scale, **poses));
+    PLAIT_TRY(submit());
+    Hash given;
+    given.add(input.bones.data(), input.bones.size_bytes());
+    given.add(*scale);
+    // positions on the device, which nobody reads here, do what the same from the host do
+    roots_.aim_at_target_poses(head, input.mesh.empty() ? given.value() : 0);
+    return rescale(*scale);
+}
+
+// The first aim is where the hair is. An aim at the present place says nothing of the head's motion: a
+// game aims in every frame, in that of a teleport, too.
+Status Sim::aimed() {
+    told_ = begun_ && roots_.moves();
+    if (std::exchange(begun_, true))
+        return {};
+    first_aim_ = true;
+    return place_head();
+}
+
+Status Sim::set_roots(const RootsInput& input) {
+    PLAIT_TRY(aim(input));
+    return aimed();
+}
+
+Status Sim::set_frame(const plait_frame_desc* desc) {
+    if (desc && !frame_.is_on()) {
+        schedule_.clear();
+        model_->carry(schedule_, present(), identity_pose);
+        PLAIT_TRY(check_schedule());
+    }
+    plait_frame_desc own{};
+    if (desc) {
+        own = *desc;
+        own.pose = in_units(desc->pose);
+    }
+    if (frame_.aim(desc ? &own : nullptr) && motion_ == Motion::known)
+        motion_ = Motion::framed;
+    return {};
+}
+
+// One for each number of substeps that strands take.
+Status Sim::make_poses_before(std::pmr::vector<Buffer>& to, size_t count) {
+    to.resize(count);
+    for (Buffer& before : to)
+        PLAIT_TRY(make_poses(before, "pose_before"));
+    return {};
+}
+
+// Of a head that has not moved, as far as anybody knows.
+void Sim::append_no_motion() {
+    roots_.append_poses_now(schedule_, pose_was_);
+    for (const Buffer& before : pose_before_)
+        roots_.append_poses_now(schedule_, before);
+}
+
+// A head that was placed and has not set off since has moved in the last of other substeps as it did in
+// that of the `known` ones; `first`: where it was before the first of these.
+void Sim::append_motion_of_substeps(const Buffer& first, std::span<const uint32_t> known) {
+    if (motion_ == Motion::known || motion_ == Motion::framed)
+        return; // the next step says it
+    for (size_t g = 0; g < substeps_.size(); ++g) {
+        if (std::ranges::find(known, substeps_[g]) != known.end())
+            continue;
+        const float ways = static_cast<float>(known[0]) / static_cast<float>(substeps_[g]);
+        roots_.append_between(schedule_, first, pose_was_, 1 - ways, pose_before_[g]);
+    }
+}
+
+// How the head has moved in the last substep; where it was placed before and has not set off since, that
+// is known already.
+void Sim::append_last_motion() {
+    if (motion_ != Motion::known && motion_ != Motion::framed)
+        return;
+    roots_.append_poses(schedule_, 1, pose_was_);
+    for (size_t g = 0; g < substeps_.size(); ++g)
+        roots_.append_poses(schedule_, 1 - 1 / static_cast<float>(substeps_[g]), pose_before_[g]);
+}
+
+Status Sim::make_poses(Buffer& to, const char* name) {
+    return device().create(to, PLAIT_ELEMENT_FLOAT4, size_t{2} * layout_.guides, name);
+}
+
+// Where the last step left them, for strands that follow and are shown before the next one. Nothing moves
+// on: the next step's path begins where that one ended, however many calls lie between.
+Status Sim::place_colliders() {
+    if (!display_.meets_colliders(desc_.params))
+        return {};
+    bending_.fit_new(schedule_);
+    return colliders_.upload(device());
+}
+
+// Of sheets that do not come along with the head.
+Status Sim::forget_sides_of_left(const plait_pose& before, const plait_pose& after) {
+    for (const BendingMeshes::Entry& mesh : bending_.entries()) {
+        const Colliders::Slot& slot = colliders_.slots()[mesh.slot];
+        if (mesh.two_sided && !goes_along(before, slot.to, after, colliders_.goal(slot)))
+            PLAIT_TRY(bending_.forget_sides(device(), mesh.slot));
+    }
+    return {};
+}
+
+// The roots are where they were aimed at, and hair is carried along.
+Status Sim::place_head() {
+    schedule_.clear();
+    append_last_motion();
+    roots_.arrive();
+    roots_.stop(schedule_);
+    roots_.append_poses_now(schedule_, pose_spare_);
+    append_placed();
+    return show_at_once();
+}
+
+void Sim::append_placed() {
+    grid_.volume().carries = false;
+    model_->teleport(schedule_, present(), pose_spare_);
+    std::swap(state_.pose, pose_spare_);
+    motion_ = Motion::as_before;
+    placed_from_ = roots_.step_begin();
+    placed_to_ = roots_.step_head();
+    told_ = waited_ = knows_velocity_ = false;
+}
+
+// The same with all that goes along with the head, which has come no way either.
+Status Sim::place() {
+    append_last_motion();
+    const plait_pose before = roots_.step_head();
+    roots_.arrive();
+    roots_.stop(schedule_);
+    PLAIT_TRY(forget_sides_of_left(before, roots_.step_head()));
+    frame_.arrive();
+    frame_.stop();
+    colliders_.place();
+    bending_.arrive();
+    bending_.stop(schedule_);
+    roots_.append_poses_now(schedule_, pose_spare_);
+    PLAIT_TRY(place_colliders());
+    append_stopped_pins(schedule_, layout_, state_, scale_);
+    append_placed();
+    return {};
+}
+
+Status Sim::teleport(const RootsInput& input) {
+    PLAIT_TRY(aim(input));
+    schedule_.clear();
+    begun_ = true;
+    PLAIT_TRY(place());
+    return show_at_once();
+}
+
+Status Sim::reset() {
+    schedule_.clear();
+    clock_.reset();
+    wind_.reset();
+    grid_.volume().carries = false;
+    motion_ = roots_.stands() ? Motion::as_before : Motion::unknown;
+    told_ = waited_ = false;
+    roots_.stop(schedule_);
+    roots_.forget();
+    placed_from_ = placed_to_ = roots_.step_head();
+    frame_.stop();
+    colliders_.stop();
+    bending_.stop(schedule_);
+    PLAIT_TRY(bending_.forget_sides(device()));
+    PLAIT_TRY(place_colliders());
+    append_stopped_pins(schedule_, layout_, state_, scale_);
+    roots_.append_poses_now(schedule_, state_.pose);
+    append_no_motion();
+    model_->reset(schedule_, present());
+    display_.append_step_before(schedule_, layout_, state_);
+    return show_at_once();
+}
+
+} // namespace plait

@@ -1,0 +1,378 @@
+// One groom moving on one context: the schedule of a call, and the state it moves.
+#pragma once
+
+#include "backend/launches.hpp"
+#include "core/base/clock.hpp"
+#include "core/base/frame.hpp"
+#include "core/contact/colliders.hpp"
+#include "core/grid/interhair.hpp"
+#include "core/mesh/bending_meshes.hpp"
+#include "core/mesh/mesh_colliders.hpp"
+#include "core/output/display.hpp"
+#include "core/params/params.hpp"
+#include "core/pins/pins.hpp"
+#include "core/roots/root_binding.hpp"
+#include "core/roots/roots.hpp"
+#include "core/roots/skin.hpp"
+#include "core/sim/context.hpp"
+#include "core/strand_contact/pairs.hpp"
+#include "core/strands/model.hpp"
+#include "core/wetness/wetness.hpp"
+#include "core/wind/wind.hpp"
+
+#include <memory>
+
+namespace plait {
+
+// Where the roots shall be: a head, and either nothing, a pose per guide, bones for the skin, or
+// where the vertices of the mesh are that they are bound to. Places are in metres of the world, and hair
+// is `scale` times as large as the groom, by bones that are scaled still more.
+//
+// A sim is in the groom's units, of which each is so many metres: what comes in is divided by it, what
+// is shown or read is multiplied. Nothing else knows of a scale.
+struct RootsInput {
+    plait_pose head = identity_pose;
+    float scale = 1;
+    std::span<const plait_pose> own;
+    std::span<BoneMatrix> bones; // taken apart into scale and pose
+    std::span<const MeshPoint> mesh;
+};
+
+// Everything on the host that a sim is made of; moved into the Sim once all of it is there.
+struct SimParts {
+    Layout layout;
+    plait_sim_desc desc;
+    std::string size_warning;
+    HairSizes hair;
+    std::string groom_warning;
+    uint64_t fingerprint; // of the groom's strands
+    GridCube cube;
+    Skin skin;
+    std::unique_ptr<Model> model;
+    State state;
+    InterHair grid;
+    Pairs pairs;
+    Display display;
+};
+// What of a descriptor belongs to single guides, checked.
+struct StrandInput {
+    std::span<const float> stiffness; // what scales each guide's, or empty
+    StrandMaterialsPtr materials;
+    const FollowMap* follows = nullptr;
+};
+Result<SimParts> make_sim_parts(Context& context, const Groom& groom, const plait_sim_desc& desc,
+                                const StrandInput& strands);
+
+struct SnapshotHeader; // snapshot.cpp
+
+class Sim {
+  public:
+    Sim(Context& context, SimParts parts);
+    Sim(const Sim&) = delete;
+    Sim& operator=(const Sim&) = delete;
+    ~Sim();
+
+    // Fills what is shown before the first step, and waits for it: else the first step would.
+    // UNSUPPORTED if the backend lacks a stage.
+    Status start();
+
+    Status reset();
+    Status set_params(const plait_sim_params& params);
+    const plait_sim_params& params() const { return desc_.params; }
+    // INVALID_STATE: strands of this model have no material of their own.
+    Status set_materials(StrandMaterialsPtr materials);
+    Status find_balance();
+    size_t guides() const { return layout_.guides; }
+    uint32_t substeps() const { return desc_.substeps; }
+    // The settings of every guide strand, checked; the same as they have costs nothing.
+    Status set_settings(std::span<const Settings> settings);
+    SettingsList settings() const;
+    // The sim's own, with this model.
+    Settings own_settings(plait_model model) const { return {model, desc_.substeps}; }
+    // Null: roots are free again. `places`: [guides], or empty.
+    Status bind_roots(const Mesh* mesh, std::span<plait_root_place> places);
+    Status set_roots(const RootsInput& input);
+    Status teleport(const RootsInput& input);
+    // Null: none. What fails changes nothing.
+    Status set_frame(const plait_frame_desc* desc);
+    // Null: none. INVALID_STATE: the model takes none. What fails changes nothing.
+    Status set_wind(const plait_wind_desc* desc);
+    // Null: none. INVALID_STATE: there are no follows. What fails changes nothing.
+    Status set_detail(const plait_detail_desc* desc, std::span<const uint32_t> centres);
+    Status step(double dt);
+    Status wait() { return device().wait(); }
+
+    Result<plait_collider_id> create_collider(const plait_collider_desc& desc) {
+        return if_built(colliders_.create(device(), desc));
+    }
+    Status set_collider_pose(plait_collider_id id, const plait_pose& pose) {
+        return colliders_.set_pose(id, pose);
+    }
+    Status place_collider(plait_collider_id id, const plait_pose& pose); // sim_meshes.cpp
+    Status set_collider_shape(plait_collider_id id, const plait_collider_desc& desc) {
+        return colliders_.set_shape(id, desc);
+    }
+    const Colliders& colliders() const { return colliders_; }
+    // sim_meshes.cpp
+    Result<plait_collider_id> create_mesh_collider(const Mesh& mesh,
+                                                   const plait_collider_mesh_desc& desc);
+    Result<plait_collider_id> create_hull_collider(const Mesh& mesh,
+                                                   const plait_collider_hull_desc& desc);
+    Status set_collider_positions(plait_collider_id id, std::span<const float> positions);
+    // The same on the device: `count` vertices, whose floats the caller puts into what this gives,
+    // `words` from one to the next, before it has them taken.
+    Result<const Buffer*> room_for_positions(plait_collider_id id, size_t count, size_t words);
+    Status take_positions(plait_collider_id id, uint32_t words);
+    Result<const Buffer*> room_for_root_positions(size_t count, size_t words);
+    Status take_root_positions(const plait_pose& head, uint32_t words);
+    Status destroy_collider(plait_collider_id id);
+
+    // fields.cpp
+    Result<size_t> field_bytes(plait_field field) const;
+    Status read(plait_field field, void* dst);
+    // What field_buffer() gives, or for BOUNDS reckoned into a buffer now.
+    Result<const Buffer*> filled_field(plait_field field);
+    Status write(plait_field field, const void* src);
+    Status set_pins(std::span<const plait_pin> pins); // all of them; INVALID_STATE: pins is off
+    Result<const Buffer*> field_buffer(plait_field field) const; // INVALID_STATE: the field is off
+
+    // describe.cpp
+    plait_sim_info describe() const; // from the host alone
+
+    // stats.cpp
+    Status stats(plait_sim_stats& out);
+    size_t stage_time_count() const;
+    Status stage_times(std::span<plait_stage_time> dst, bool reset);
+    Status harvest();              // takes the device's times and launches so far as this sim's
+    Result<size_t> launch_count(); // that are kept; waits. INVALID_STATE without profiling
+    const plait_stage_launch& launch(size_t i) const { return launches_[i]; } // the oldest is 0
+    void forget_launches(size_t count) { launches_.forget(count); }
+
+    // snapshot.cpp
+    size_t snapshot_size();
+    Status save(std::span<unsigned char> dst); // [snapshot_size()]
+    Status restore(std::span<const unsigned char> src);
+    Result<uint64_t> hash();
+
+    Context& context() { return context_; }
+
+  private:
+    Device& device() const { return context_.device; }
+    float substep_length() const { return length_of(desc_.substeps); }
+    float length_of(uint32_t substeps) const {
+        return static_cast<float>(clock_.step() / substeps);
+    }
+
+    Status submit();
+    struct Measured;
+    Status take_measured(Measured& out) const;
+    Status begin_measuring();
+    // A number of substeps that some strands take.
+    struct Group {
+        uint32_t substeps;
+        uint32_t first; // those of the groups before
+    };
+    // Those that take one number of substeps take all of them before those that take another: what
+    // strands know of each other's motion within a fixed step (strand_contact) is then that old.
+    template <typename Visit> Status for_each_group(const Visit& visit) const {
+        uint32_t first = 0;
+        for (const uint32_t substeps : substeps_) {
+            PLAIT_TRY(visit(Group{substeps, first}));
+            first += substeps;
+        }
+        return {};
+    }
+    Substep at(const Group& group, uint32_t substep) const;
+    std::array<float, 3> air() const;           // m/s, in this fixed step
+    std::array<float, 3> head_velocity() const; // m/s, of its middle, in the same
+    Substep present() const {                   // between steps
+        return at({desc_.substeps, 0}, desc_.substeps - 1);
+    }
+
+    // sim_step.cpp
+    enum class Moment { call_begins, step_begins, substep, step_ends, call_ends };
+    struct At {
+        Moment moment;
+        Substep substep;
+        uint32_t step = 0, steps = 0; // which fixed step of how many in the call
+        float end = 1;                // share of the call at which that step ends
+    };
+    using Phase = void (Sim::*)(const At&); // appends what it does at a moment, if anything
+    static const Phase phases[];
+    void append_phases(const At& at);
+    void append_roots(const At& at);
+    void append_meshes(const At& at);
+    void append_pins(const At& at);
+    void append_wetness(const At& at);
+    void append_air(const At& at);
+    void append_accelerations(const At& at);
+    void append_pairs(const At& at);
+    void append_solve(const At& at);
+    void append_volume(const At& at);
+    void append_grid_over_lanes(const At& at);
+    void append_publish(const At& at);
+    void append_grid(const At& at);
+    void append_display(const At& at);
+    // The last substep of some strands: colliders are there at the end of the step.
+    Substep first_group() const { return at({substeps_.front(), 0}, substeps_.front() - 1); }
+    Status fixed_step(double end, uint32_t step, uint32_t steps);
+    void append_carried(double end);
+    void append_set_off();
+    void append_reframed();
+    plait_pose next_as_before(double part) const;
+    bool goes_on_as_before() const;
+    Status skip(double end);
+    bool ends_between_steps(double dt) const;
+    void warn_of_jump(double dt);
+    void append_dry_step();
+    bool model_shows_guides() const;
+    void append_shown(Tangents tangents = Tangents::of_all);
+    InterHair::Step grid_step(const plait_pose& head) const;
+    bool grid_is_over_lanes() const;
+    bool hair_is_over_lanes() const;
+
+    Status show_at_once();
+    // sim_scale.cpp
+    Result<float> scale_of(const RootsInput& input);
+    Status open_scale(float scale);
+    Status rescale(float scale);
+    plait_pose in_units(const plait_pose& pose) const { return plait::in_units(pose, scale_); }
+    Status aim(const RootsInput& input);
+    Status aimed();
+    Status place();
+    Status place_head();
+    void append_placed();
+    Status make_poses(Buffer& to, const char* name);
+    Status make_poses_before(std::pmr::vector<Buffer>& to, size_t count);
+    void append_no_motion();
+    void append_motion_of_substeps(const Buffer& first, std::span<const uint32_t> known);
+    void append_last_motion();
+    Status forget_sides_of_left(const plait_pose& before, const plait_pose& after);
+    Status place_colliders();
+    // What was made, once its stages are built; else it is destroyed.
+    Result<plait_collider_id> if_built(Result<plait_collider_id> made);
+    Status check_stages(); // and builds them
+    Status check_schedule();
+    Status prepare_calls();
+    void add_stats();
+    void add_bounds();
+    Status make_bounds();
+    Status check_settings(std::span<const Settings> settings) const;
+    using MeshDistanceOf = std::function<double(const std::array<double, 3>&)>;
+    Result<std::pmr::vector<float>> clearance_of(const MeshDistanceOf& distance,
+                                                 const plait_collider_mesh_desc& desc);
+    Status add_field(uint32_t slot, const Mesh& mesh, const plait_collider_mesh_desc& desc);
+    Status add_bending(uint32_t slot, const Mesh& mesh, const plait_collider_mesh_desc& desc);
+    Result<uint32_t> bending_slot(plait_collider_id id) const;
+    Result<const Buffer*> room_for(size_t count, size_t words);
+    Status take_meshes(MeshColliders::Entries&& meshes, BendingMeshes::Entries&& bending);
+    bool needs_planes() const {
+        return meshes_.buffers() || bending_.buffers() || pairs_.buffers();
+    }
+    Status take_substeps(const std::pmr::vector<uint32_t>& substeps);
+    Result<uint64_t> accelerations_ignored() const;
+    uint64_t device_bytes() const;
+    uint32_t models_in_use() const;    // bits 1u << plait_model
+    std::string warning() const;       // plait_sim_info.warning
+    const char* no_accelerate() const; // why no kernel of the caller's accelerates; "": one does
+    // To the log: `warning()` unless it is `said`, and what parameters changed from `before` to
+    // what nothing reads.
+    void log_warnings(const plait_sim_params& before, const std::string& said) const;
+    // Once, in the first step after: of what was set while its feature is off.
+    void log_off();
+    Status read_velocity(std::span<float> dst);
+    Status write_velocity(const float* src);
+    Status write_places(const Buffer& to, const float* src);
+    Status write_positions(const float* src);
+    Status write_acceleration(std::span<const float> src);
+    Status write_pins(std::span<const float> src);
+    Status check_gets_wet() const;
+    Status write_wetness(std::span<const float> src);
+    Status open_wetness(); // of all that needs it, or of nothing
+    void close_wetness();
+    void dry();
+    // A run of floats that a snapshot holds.
+    struct Block {
+        enum class Of {
+            vertices,
+            histories,
+            poses,
+            motion,
+            turns,
+            pushes,
+            pressures,
+            wetness
+        }; // what its values may be
+        const Buffer* buffer;
+        size_t floats;
+        Of of;
+        LaneBuffer lanes; // no buffer: saved as it lies
+    };
+    std::pmr::vector<Block> blocks(const SnapshotHeader& header);
+    std::pmr::vector<Block> saved_blocks(const SnapshotHeader& header,
+                                         std::span<const Settings> strands);
+    SnapshotHeader snapshot_header();
+    size_t snapshot_bytes(const SnapshotHeader& header) const;
+    Status check_fits(const SnapshotHeader& header) const;
+    Result<SettingsList> saved_settings(const SnapshotHeader& header,
+                                        const unsigned char* from) const;
+    Status check_block(const Block& block, const unsigned char* from, float scale) const;
+    Status restore_roots(const SnapshotHeader& header);
+    Status save_block(const Block& block, unsigned char* out);
+    Status restore_block(const Block& block, const unsigned char* from);
+    Status restore_blocks(std::span<const Block> list, const unsigned char* from);
+
+    Context& context_;
+    Layout layout_;
+    plait_sim_desc desc_;
+    std::string size_warning_;
+    HairSizes hair_;
+    plait_sim_params said_ = default_params(); // of which log_off() has spoken
+    std::string groom_warning_;
+    uint64_t groom_; // its fingerprint: snapshots are of one groom
+    GridCube cube_;
+    Skin skin_;
+    RootBinding binding_;
+    std::unique_ptr<Model> model_;
+    State state_;
+    InterHair grid_;
+    Pairs pairs_;
+    Display display_;
+    // What is known of the head's motion, that hair goes along with: after a teleport, how it moved
+    // before; after a reset, or a step without an aim after either, nothing; of a frame whose share has
+    // changed, all but that the step before had another part of it.
+    enum class Motion : uint32_t { known, as_before, unknown, framed };
+    Motion motion_ = Motion::as_before;
+    plait_pose placed_from_ = identity_pose, placed_to_ = identity_pose; // how it moved
+    bool told_ = false;                     // since then, where the head goes
+    bool waited_ = false;                   // since then, for a step without an aim
+    bool begun_ = false;                    // roots have been set, or time has passed
+    std::array<double, 3> call_velocity_{}; // m/s, of the head in the last call
+    bool knows_velocity_ = false, said_jump_ = false;
+    bool first_aim_ = false;   // it has placed the head, and no step has been since
+    float scale_ = 1;          // m, one of the groom's units
+    bool resized_ = false;     // and another than what is shown has
+    bool said_uneven_ = false; // of bones
+    Roots roots_;
+    Frame frame_;
+    Colliders colliders_;
+    MeshColliders meshes_; // of those colliders that are, by form
+    BendingMeshes bending_;
+    std::pmr::vector<uint32_t> substeps_; // that strands take, each number once
+    Clock clock_;
+    Schedule schedule_;
+    Wind wind_;
+    Wetness wetness_;    // where state_.wetness is there
+    Buffer taken_;       // float, from the first vertices on that are taken on the device
+    PinTable pin_table_; // filled by the first set_pins
+    Buffer pose_spare_, pose_next_; // float4 [2*guides]
+    // How hair has the head's motion, from a substep before to when it was placed; float4 [2*guides].
+    Buffer pose_was_;
+    std::pmr::vector<Buffer> pose_before_; // [substeps_]
+    Buffer strand_stats_;                  // float4 [guides], from the first measurement on
+    Buffer boxes_, box_; // float4 [2*runs], [2], from the first time on that bounds are asked for
+    std::array<plait_stage_cost, PLAIT_STAGE_COUNT> costs_{};
+    Launches launches_;
+};
+
+} // namespace plait

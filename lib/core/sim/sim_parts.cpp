@@ -1,0 +1,142 @@
+// How a sim is made: everything that may fail, before there is a Sim.
+#include "base/format.hpp"
+#include "core/base/clock.hpp"
+#include "core/base/polyline.hpp"
+#include "core/base/units.hpp"
+#include "core/sim/sim.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace plait {
+namespace {
+
+Status check_follows(const Groom& groom, const plait_sim_desc& desc, const FollowMap* follows) {
+    if (!follows)
+        return {};
+    if (desc.follows_per_guide > 0)
+        return Error{PLAIT_INVALID_ARGUMENT,
+                     format("follows_per_guide is %u and follow_map is given, give one",
+                            desc.follows_per_guide)};
+    if (follows->guide_count != groom.shape.strands)
+        return Error{PLAIT_INVALID_ARGUMENT,
+                     format("follow_map is of %u guides, the groom has %llu strands",
+                            follows->guide_count,
+                            static_cast<unsigned long long>(groom.shape.strands))};
+    return {};
+}
+
+uint32_t row_of(const Groom& groom, const FollowMap* follows) {
+    return std::max(groom.shape.max_vertices, follows ? follows->max_vertices : 0);
+}
+
+Status check_size(const Context& context, const Groom& groom, const plait_sim_desc& desc,
+                  const FollowMap* follows) {
+    const double strands = double(groom.shape.strands) * (1 + desc.follows_per_guide) +
+                           (follows ? double(follows->count()) : 0);
+    const uint32_t row = row_of(groom, follows);
+    if (strands * row > std::numeric_limits<uint32_t>::max())
+        return Error{
+            PLAIT_INVALID_ARGUMENT,
+            format("%g strands of %u vertices are more than 2^32 - 1 vertices", strands, row)};
+    if (desc.model == PLAIT_MODEL_TRESSFX && row > context.info.max_group_size)
+        return Error{PLAIT_UNSUPPORTED,
+                     format("strands have up to %u vertices, device %s takes %u work-items in a "
+                            "work-group",
+                            row, context.info.name, context.info.max_group_size)};
+    return {};
+}
+
+Layout make_layout(const Groom& groom, const plait_sim_desc& desc, const FollowMap* follows) {
+    const auto guides = static_cast<uint32_t>(groom.shape.strands);
+    const auto count =
+        follows ? static_cast<uint32_t>(follows->count()) : guides * desc.follows_per_guide;
+    return {guides, count, row_of(groom, follows)};
+}
+
+float longest_segment_of(const Groom& groom) {
+    double longest = 0;
+    const float* p = groom.strands.positions.data();
+    for (const uint32_t count : groom.strands.vertex_counts) {
+        for (uint32_t i = 0; i + 1 < count; ++i, p += 3)
+            longest = std::max(longest, distance({p[0], p[1], p[2]}, {p[3], p[4], p[5]}));
+        p += 3;
+    }
+    return static_cast<float>(longest);
+}
+
+// A hair's diameter where the groom says nothing.
+HairSizes hair_sizes(const Groom& groom, const Layout& layout) {
+    double sum = 0, count = 0;
+    for (const float d : groom.strands.thickness) {
+        sum += is_hair_diameter(d) ? double(d) : 0;
+        count += is_hair_diameter(d);
+    }
+    const double vertices = double(groom.shape.vertices) / double(groom.shape.strands);
+    return {count > 0 ? static_cast<float>(sum / count) : 70e-6f,
+            static_cast<float>(groom.shape.mean_length / vertices),
+            static_cast<float>(double(layout.strands()) / double(layout.guides))};
+}
+
+} // namespace
+
+Result<SimParts> make_sim_parts(Context& context, const Groom& groom, const plait_sim_desc& desc,
+                                const StrandInput& strands) {
+    PLAIT_TRY(check_follows(groom, desc, strands.follows));
+    PLAIT_TRY(check_size(context, groom, desc, strands.follows));
+    const Layout layout = make_layout(groom, desc, strands.follows);
+    Device& device = context.device;
+    auto model =
+        make_model({desc.model, desc.substeps},
+                   {layout, groom, strands.stiffness, strands.materials, context.info.tile,
+                    Clock(desc.step, 1).step(), desc.sag_free, std::to_array(desc.params.gravity),
+                    desc.accelerations != 0, desc.pins != 0, &context.memory});
+    if (!model)
+        return model.error();
+    PLAIT_TRY((*model)->prepare(device, desc.params));
+    (*model)->swap();
+    (*model)->discard();
+    auto pairs = Pairs::create(device, desc.params, layout, longest_segment_of(groom));
+    if (!pairs)
+        return pairs.error();
+    PLAIT_TRY((*model)->keep_planes(device, bool(pairs->buffers())));
+    const bool interpolate = desc.interpolate_output == 1;
+    const StateNeeds needs{interpolate ? layout.guides : layout.strands(),
+                           (*model)->pinned_vertices(),
+                           (*model)->keeps_two_steps(),
+                           desc.accelerations != 0,
+                           desc.pins != 0,
+                           strands.follows};
+    auto state = create_state(device, groom, layout, needs, &context.memory);
+    if (!state)
+        return state.error();
+    auto grid = InterHair::create(device, desc.params);
+    if (!grid)
+        return grid.error();
+    auto skin = Skin::create(device, groom);
+    if (!skin)
+        return skin.error();
+    auto display =
+        Display::create(device, groom, layout,
+                        {desc.follows_per_guide, desc.follow_radius, desc.seed, strands.follows,
+                         (*model)->pinned_vertices(), context.info.tile},
+                        {interpolate, desc.keep_last_frame != 0}, &context.memory);
+    if (!display)
+        return display.error();
+    return SimParts{layout,
+                    desc,
+                    size_warning(groom.shape.mean_length, groom.shape.extent()),
+                    hair_sizes(groom, layout),
+                    groom_warning(groom),
+                    fingerprint(groom),
+                    cube_around(groom),
+                    std::move(*skin),
+                    std::move(*model),
+                    std::move(*state),
+                    std::move(*grid),
+                    std::move(*pairs),
+                    std::move(*display)};
+}
+
+} // namespace plait

@@ -1,0 +1,360 @@
+#include "core/snapshot/snapshot_format.hpp"
+
+#include "base/format.hpp"
+#include "base/hash.hpp"
+#include "core/base/ranges.hpp"
+#include "core/params/params.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace plait::snapshots {
+namespace {
+
+// Of a position (m) or a velocity (m/s): a head and a groom may be 1e6 m away each.
+constexpr float largest = 4e6f;
+constexpr double unit_error = 1e-2; // of a quaternion's square
+
+// A place in the groom's units, of which each is `scale` metres.
+Status check_pose(plait_pose pose, const char* name, float scale) {
+    rescale(pose, std::min(1.0, double(scale)));
+    const auto checked = checked_pose(pose, name);
+    return checked ? Status{} : malformed(checked.error().message);
+}
+
+// All but kind, friction and poses is as create_mesh() makes it.
+Status check_mesh_slot(const Colliders::Slot& slot) {
+    plait_collider_mesh_desc desc{};
+    desc.cells = 8;
+    desc.friction = slot.friction;
+    std::memcpy(&desc.form, &slot.form, sizeof desc.form); // it may be any number
+    PLAIT_TRY(check_mesh_collider(desc));
+    Colliders::Slot bare = slot;
+    for (float* vector : {bare.a, bare.b, bare.normal, bare.half_extents})
+        std::fill_n(vector, 3, 0.0f);
+    bare.radius_a = bare.radius_b = bare.rounding = bare.scale = 0;
+    std::copy_n(identity_pose.q, 4, bare.orientation);
+    if (std::memcmp(&bare, &slot, sizeof slot) != 0)
+        return Error{PLAIT_INVALID_ARGUMENT, "is a mesh, and has a shape besides"};
+    return {};
+}
+
+// As create_hull() makes it, and as a box it is none that may not be.
+Status check_hull_slot(const Colliders::Slot& slot) {
+    plait_collider_desc around = Colliders::shape_of(slot);
+    around.kind = PLAIT_COLLIDER_KIND_BOX;
+    PLAIT_TRY(check_collider(around));
+    Colliders::Slot bare = slot;
+    for (float* vector : {bare.b, bare.normal})
+        std::fill_n(vector, 3, 0.0f);
+    bare.radius_a = bare.radius_b = 0;
+    std::copy_n(identity_pose.q, 4, bare.orientation);
+    if (std::memcmp(&bare, &slot, sizeof slot) != 0)
+        return Error{PLAIT_INVALID_ARGUMENT, "is a hull, and has another shape besides"};
+    return {};
+}
+
+Status check_shape(const Colliders::Slot& slot) {
+    if (Colliders::is_mesh(slot))
+        return check_mesh_slot(slot);
+    return Colliders::is_hull(slot) ? check_hull_slot(slot)
+                                    : check_collider(Colliders::shape_of(slot));
+}
+
+Status check_slot(const Colliders::Slot& slot, size_t index, float scale) {
+    if (slot.alive > 1)
+        return malformed(format("collider %zu: alive is %u, range is [0, 1]", index, slot.alive));
+    if (!slot.alive) {
+        Colliders::Slot gone{};
+        gone.generation = slot.generation;
+        if (std::memcmp(&gone, &slot, sizeof slot) != 0)
+            return malformed(format("collider %zu is gone, but not all of it is zero", index));
+        return {};
+    }
+    if (const auto status = check_shape(slot); !status)
+        return malformed(format("collider %zu: %s", index, status.error().message.c_str()));
+    PLAIT_TRY(check_pose(slot.target, "collider", 1));
+    for (const plait_pose* pose : {&slot.at, &slot.from, &slot.to})
+        PLAIT_TRY(check_pose(*pose, "collider", scale));
+    return {};
+}
+
+// One mesh from `from` on, which it moves on; `vertices`: [guides][V].
+Result<MeshColliders::Entry> saved_mesh(uint32_t slot, size_t vertices,
+                                        std::span<const unsigned char>& from,
+                                        std::pmr::memory_resource* memory) {
+    SavedMesh saved;
+    if (from.size() < sizeof saved)
+        return malformed(format("collider %u: it ends before its mesh", slot));
+    std::memcpy(&saved, from.data(), sizeof saved);
+    from = from.subspan(sizeof saved);
+    uint64_t count = 1;
+    for (const uint32_t nodes : saved.nodes) {
+        if (nodes < 2 || nodes > 1024)
+            return malformed(format("collider %u: %u nodes, range is [2, 1024]", slot, nodes));
+        count *= nodes;
+    }
+    const uint64_t floats = count + vertices;
+    if (from.size() / sizeof(float) < floats)
+        return malformed(format("collider %u: %llu numbers of a mesh, %zu bytes are left", slot,
+                                static_cast<unsigned long long>(floats), from.size()));
+    for (size_t i = 0; i < floats; ++i)
+        PLAIT_TRY(check_range(from.data(), i, "mesh"));
+    for (size_t i = 0; i < 3; ++i)
+        if (!(std::abs(saved.origin[i]) <= largest))
+            return outside("origin", i, double(saved.origin[i]), "[-4e6, 4e6]");
+    for (const float size : {saved.edge, saved.band})
+        if (!(size > 0 && size <= largest))
+            return outside("mesh edge", slot, double(size), "(0, 4e6]");
+    MeshColliders::Entry entry{slot, MeshField(memory), std::pmr::vector<float>(vertices, memory)};
+    std::copy_n(saved.origin, 3, entry.field.origin.begin());
+    std::copy_n(saved.nodes, 3, entry.field.nodes.begin());
+    entry.field.edge = saved.edge;
+    entry.field.band = saved.band;
+    entry.field.value.resize(count);
+    std::memcpy(entry.field.value.data(), from.data(), count * sizeof(float));
+    from = from.subspan(count * sizeof(float));
+    std::memcpy(entry.clearance.data(), from.data(), vertices * sizeof(float));
+    from = from.subspan(vertices * sizeof(float));
+    return entry;
+}
+
+} // namespace
+
+Error malformed(const std::string& what) {
+    return {PLAIT_BAD_DATA, "snapshot: " + what};
+}
+
+uint64_t checksum_of(std::span<const unsigned char> bytes) {
+    constexpr size_t first = offsetof(SnapshotHeader, checksum) + sizeof(uint64_t);
+    Hash hash;
+    hash.add(bytes.data() + first, bytes.size() - first);
+    return hash.value();
+}
+
+Status check_whole(const SnapshotHeader& h, std::span<const unsigned char> bytes) {
+    if (h.magic != magic)
+        return malformed(format("begins with 0x%08x, not 0x%08x", h.magic, magic));
+    if (h.version != version)
+        return Error{
+            PLAIT_UNSUPPORTED,
+            format("snapshot: version %u, this library reads version %u", h.version, version)};
+    if (const uint64_t sum = checksum_of(bytes); sum != h.checksum)
+        return malformed(format("its checksum is 0x%016llx, that of its %zu bytes 0x%016llx: it is "
+                                "damaged or cut",
+                                static_cast<unsigned long long>(h.checksum), bytes.size(),
+                                static_cast<unsigned long long>(sum)));
+    return {};
+}
+
+static Status check_frame(const Frame::State& frame, float scale) {
+    for (const plait_pose* pose : {&frame.at, &frame.target, &frame.from, &frame.to, &frame.unfelt})
+        PLAIT_TRY(check_pose(*pose, "frame", scale));
+    if (frame.aims > 2 || frame.air > PLAIT_FRAME_AIR_WORLD)
+        return malformed(
+            format("frame.aims is %u, frame.air is %u, range is [0, 2]", frame.aims, frame.air));
+    for (const float share : {frame.felt_translation, frame.felt_rotation})
+        if (!(share >= 0 && share <= 1))
+            return malformed(format("the frame is felt by %g, range is [0, 1]", double(share)));
+    return {};
+}
+
+Status check_header(const SnapshotHeader& h) {
+    if (const auto status = plait::check_range("scale", double(h.scale), 1e-3f, 1e3); !status)
+        return malformed(status.error().message);
+    if (!(std::abs(h.waiting) <= 2))
+        return malformed(format("%g s wait for a step, range is [-2, 2]", h.waiting));
+    for (size_t i = 0; i < std::size(h.heads); ++i) {
+        PLAIT_TRY(check_pose(h.heads[i], "head", h.scale));
+        if (h.own[i] > 1)
+            return malformed(format("own[%zu] is %u, range is [0, 1]", i, h.own[i]));
+    }
+    if (!(h.wind_time >= 0 && h.wind_time <= 1e12))
+        return malformed(format("wind_time is %g s, range is [0, 1e12]", h.wind_time));
+    for (size_t i = 0; i < 3; ++i)
+        if (!(std::abs(h.wind_way[i]) <= 1e15 && std::abs(h.wind_jump[i]) <= 1e6f))
+            return malformed(format("wind_way[%zu] is %g m, wind_jump[%zu] %g m/s, ranges are "
+                                    "[-1e15, 1e15] and [-1e6, 1e6]",
+                                    i, h.wind_way[i], i, double(h.wind_jump[i])));
+    if (h.volume > 64)
+        return malformed(format("volume is %u nodes, range is [0, 64]", h.volume));
+    if (!(h.dried >= 0 && h.dried <= 1e12))
+        return malformed(format("dried is %g, range is [0, 1e12]", h.dried));
+    if (h.wet > 1 || h.told > 1 || h.waited > 1 || h.first_aim > 1)
+        return malformed(format("wet is %u, told is %u, waited is %u, first_aim is %u, range is "
+                                "[0, 1]",
+                                h.wet, h.told, h.waited, h.first_aim));
+    if (h.bends > 2 || h.motion > 3)
+        return malformed(
+            format("bends is %u, motion is %u, ranges are [0, 2] and [0, 3]", h.bends, h.motion));
+    PLAIT_TRY(check_frame(h.frame, h.scale));
+    for (const plait_pose& pose : h.placed)
+        PLAIT_TRY(check_pose(pose, "placed", h.scale));
+    if (h.aimed > 1 || h.kept > 1 || h.switched > 1 || h.pins > 1)
+        return malformed(
+            format("aimed is %u, kept is %u, switched is %u, pins is %u, range is [0, 1]", h.aimed,
+                   h.kept, h.switched, h.pins));
+    return {};
+}
+
+Result<std::pmr::vector<Colliders::Slot>>
+saved_slots(const SnapshotHeader& h, const unsigned char* from, std::pmr::memory_resource* memory) {
+    std::pmr::vector<Colliders::Slot> slots(h.colliders, memory);
+    if (!slots.empty())
+        std::memcpy(slots.data(), from, slots.size() * sizeof slots[0]);
+    for (size_t i = 0; i < slots.size(); ++i)
+        PLAIT_TRY(check_slot(slots[i], i, h.scale));
+    return slots;
+}
+
+float float_at(const unsigned char* bytes, size_t index) {
+    float value;
+    std::memcpy(&value, bytes + sizeof value * index, sizeof value);
+    return value;
+}
+
+Error outside(const char* name, size_t index, double value, const char* range) {
+    return malformed(format("%s[%zu] is %g, range is %s", name, index, value, range));
+}
+
+Status check_range(const unsigned char* bytes, size_t index, const char* name, float scale) {
+    if (const float value = float_at(bytes, index);
+        !(std::abs(value) * std::min(1.0f, scale) <= largest))
+        return outside(name, index, double(value), "[-4e6, 4e6]");
+    return {};
+}
+
+Status check_turn(const unsigned char* bytes, size_t first, const char* name, bool blended) {
+    double square = 0;
+    for (size_t i = first; i < first + 4; ++i)
+        square += double(float_at(bytes, i)) * double(float_at(bytes, i));
+    if (blended && !(square <= 1 + unit_error))
+        return outside(name, first / 4, square, "[0, 1.01] (square of a quaternion)");
+    if (!blended && !(std::abs(square - 1) <= unit_error))
+        return outside(name, first / 4, square, "1 +- 0.01 (square of a quaternion)");
+    return {};
+}
+
+Result<Colliders::FacesOf> saved_faces(std::span<const Colliders::Slot> slots,
+                                       std::span<const unsigned char>& from,
+                                       std::pmr::memory_resource* memory) {
+    Colliders::FacesOf list(slots.size(), memory);
+    for (size_t i = 0; i < slots.size(); ++i) {
+        if (!Colliders::is_hull(slots[i]))
+            continue;
+        uint32_t count = 0;
+        if (from.size() >= sizeof count)
+            std::memcpy(&count, from.data(), sizeof count);
+        if (from.size() < sizeof count || (from.size() - sizeof count) / sizeof(HullFace) < count)
+            return malformed(format("collider %zu: it ends before the faces of its hull", i));
+        list[i].resize(count);
+        if (count > 0)
+            std::memcpy(list[i].data(), from.data() + sizeof count, count * sizeof(HullFace));
+        from = from.subspan(sizeof count + count * sizeof(HullFace));
+        if (const auto status = check_hull_faces(list[i]); !status)
+            return malformed(format("collider %zu: %s", i, status.error().message.c_str()));
+    }
+    return list;
+}
+
+Result<MeshColliders::Entries> saved_meshes(std::span<const Colliders::Slot> slots, size_t vertices,
+                                            std::span<const unsigned char>& from,
+                                            std::pmr::memory_resource* memory) {
+    MeshColliders::Entries list(memory);
+    for (uint32_t i = 0; i < slots.size(); ++i) {
+        if (!Colliders::is_mesh(slots[i]) || Colliders::bends(slots[i]))
+            continue;
+        auto entry = saved_mesh(i, vertices, from, memory);
+        if (!entry)
+            return entry.error();
+        list.push_back(std::move(*entry));
+    }
+    return list;
+}
+
+namespace {
+
+// `count` rows of three from `from` on, which it moves on.
+template <typename Row>
+void take_rows(std::span<const unsigned char>& from, size_t count, std::pmr::vector<Row>& to) {
+    to.resize(count);
+    std::memcpy(to.data(), from.data(), count * sizeof(Row));
+    from = from.subspan(count * sizeof(Row));
+}
+
+// The same of points, which it holds to their range.
+Status take_points(std::span<const unsigned char>& from, size_t count,
+                   std::pmr::vector<MeshPoint>& to) {
+    for (size_t i = 0; i < 3 * count; ++i)
+        PLAIT_TRY(check_range(from.data(), i, "mesh"));
+    take_rows(from, count, to);
+    return {};
+}
+
+Status check_bending(const SavedBendingMesh& saved, uint32_t slot, size_t clearances, size_t left) {
+    if (saved.two_sided > 1 || saved.posed > 1)
+        return malformed(format("collider %u: two_sided is %u, posed is %u, range is [0, 1]", slot,
+                                saved.two_sided, saved.posed));
+    if (saved.vertices < 3 || saved.triangles < 1)
+        return malformed(format("collider %u: %u vertices and %u triangles, at least 3 and 1", slot,
+                                saved.vertices, saved.triangles));
+    const uint64_t words = uint64_t{3} * saved.vertices * (saved.posed ? 5 : 1) +
+                           uint64_t{3} * saved.triangles + clearances * (saved.two_sided ? 5 : 1);
+    if (left / sizeof(float) < words)
+        return malformed(format("collider %u: %llu numbers of a mesh, %zu bytes are left", slot,
+                                static_cast<unsigned long long>(words), left));
+    return {};
+}
+
+// One mesh from `from` on, which it moves on.
+Result<BendingMeshes::Entry> saved_bending_mesh(uint32_t slot, size_t vertices,
+                                                std::span<const unsigned char>& from,
+                                                std::pmr::memory_resource* memory) {
+    SavedBendingMesh saved;
+    if (from.size() < sizeof saved)
+        return malformed(format("collider %u: it ends before its mesh", slot));
+    std::memcpy(&saved, from.data(), sizeof saved);
+    from = from.subspan(sizeof saved);
+    PLAIT_TRY(check_bending(saved, slot, vertices, from.size()));
+    BendingMeshes::Entry entry(slot, saved.two_sided != 0, memory);
+    entry.posed = saved.posed != 0;
+    PLAIT_TRY(take_points(from, saved.vertices, entry.surface.positions));
+    BendingMeshes::Places& p = entry.places;
+    for (auto* places : {&p.at, &p.target, &p.from, &p.to})
+        if (entry.posed)
+            PLAIT_TRY(take_points(from, saved.vertices, *places));
+    take_rows(from, saved.triangles, entry.surface.triangles);
+    for (const Triangle& triangle : entry.surface.triangles)
+        for (const uint32_t corner : triangle)
+            if (corner >= saved.vertices)
+                return malformed(format("collider %u: a corner is %u, range is [0, %u)", slot,
+                                        corner, saved.vertices));
+    const size_t numbers = vertices * (entry.two_sided ? 5 : 1);
+    for (size_t i = 0; i < numbers; ++i)
+        PLAIT_TRY(check_range(from.data(), i, "mesh"));
+    entry.begin();
+    take_rows(from, vertices, entry.clearance);
+    if (entry.two_sided)
+        take_rows(from, 4 * vertices, entry.sides);
+    return entry;
+}
+
+} // namespace
+
+Result<BendingMeshes::Entries> saved_bending(std::span<const Colliders::Slot> slots,
+                                             size_t vertices, std::span<const unsigned char>& from,
+                                             std::pmr::memory_resource* memory) {
+    BendingMeshes::Entries list(memory);
+    for (uint32_t i = 0; i < slots.size(); ++i) {
+        if (!Colliders::bends(slots[i]))
+            continue;
+        auto entry = saved_bending_mesh(i, vertices, from, memory);
+        if (!entry)
+            return entry.error();
+        list.push_back(std::move(*entry));
+    }
+    return list;
+}
+
+} // namespace plait::snapshots

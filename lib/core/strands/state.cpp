@@ -1,0 +1,106 @@
+#include "core/strands/state.hpp"
+
+#include "core/base/polyline.hpp"
+#include "core/follows/follow_map.hpp"
+#include "core/groom/groom.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace plait {
+namespace {
+
+using Float4 = std::array<float, 4>;
+
+// Strands of any length as rows of V; padding copies the tip.
+std::pmr::vector<Float4> pad_rows(const Groom& groom, const Layout& layout, uint32_t pinned,
+                                  std::pmr::memory_resource* memory) {
+    std::pmr::vector<Float4> rows(memory);
+    rows.reserve(layout.guide_vertices());
+    const float* strand = groom.strands.positions.data();
+    for (const uint32_t count : groom.strands.vertex_counts) {
+        for (uint32_t i = 0; i < layout.row; ++i) {
+            const float* p = strand + size_t{3} * std::min(i, count - 1);
+            rows.push_back({p[0], p[1], p[2], i < pinned ? 0.0f : 1.0f});
+        }
+        strand += size_t{3} * count;
+    }
+    return rows;
+}
+
+std::pmr::vector<float> edge_lengths(const Groom& groom, const Layout& layout,
+                                     std::pmr::memory_resource* memory) {
+    std::pmr::vector<float> lengths(layout.guide_vertices(), 0.0f, memory);
+    const float* p = groom.strands.positions.data();
+    for (uint32_t strand = 0; strand < layout.guides; ++strand, p += 3)
+        for (uint32_t i = 0; i + 1 < groom.strands.vertex_counts[strand]; ++i, p += 3)
+            lengths[strand * layout.row + i] =
+                static_cast<float>(distance({p[0], p[1], p[2]}, {p[3], p[4], p[5]}));
+    return lengths;
+}
+
+// Guides' counts, then those of a map's strands, or each guide's again for its follows.
+std::pmr::vector<uint32_t> row_counts(const Groom& groom, const Layout& layout,
+                                      const FollowMap* follows, std::pmr::memory_resource* memory) {
+    std::pmr::vector<uint32_t> counts(groom.strands.vertex_counts, memory);
+    counts.reserve(layout.strands());
+    if (follows) {
+        const auto& own = follows->strands.vertex_counts;
+        counts.insert(counts.end(), own.begin(), own.end());
+        return counts;
+    }
+    const uint32_t follows_per_guide = layout.follows / layout.guides;
+    for (uint32_t guide = 0; guide < layout.guides; ++guide)
+        counts.insert(counts.end(), follows_per_guide, groom.strands.vertex_counts[guide]);
+    return counts;
+}
+
+std::pmr::vector<Float4> identity_poses(const Layout& layout, std::pmr::memory_resource* memory) {
+    std::pmr::vector<Float4> poses(size_t{2} * layout.guides, Float4{}, memory);
+    for (size_t i = 0; i < poses.size(); i += 2)
+        poses[i][3] = 1;
+    return poses;
+}
+
+} // namespace
+
+Result<State> create_state(Device& device, const Groom& groom, const Layout& layout,
+                           const StateNeeds& needs, std::pmr::memory_resource* memory) {
+    State state;
+    const auto make = [&](Buffer& to, plait_element element, size_t count, const char* name,
+                          const void* content, size_t content_count) -> Status {
+        PLAIT_TRY(device.create(to, element, count, name));
+        return device.write(to, 0, content_count, content);
+    };
+    const auto rest = pad_rows(groom, layout, needs.pinned, memory);
+    const size_t guides = rest.size();
+    const size_t display = size_t{needs.position_rows} * layout.row;
+    const auto lengths = edge_lengths(groom, layout, memory);
+    const auto counts = row_counts(groom, layout, needs.follows, memory);
+    const auto poses = identity_poses(layout, memory);
+    constexpr auto f4 = PLAIT_ELEMENT_FLOAT4;
+    PLAIT_TRY(make(state.rest, f4, guides, "rest", rest.data(), guides));
+    PLAIT_TRY(make(state.vertex_count, PLAIT_ELEMENT_UINT, counts.size(), "vertex_count",
+                   counts.data(), counts.size()));
+    PLAIT_TRY(make(state.rest_length, PLAIT_ELEMENT_FLOAT, guides, "rest_length", lengths.data(),
+                   guides));
+    PLAIT_TRY(make(state.position, f4, display, "position", rest.data(), guides));
+    PLAIT_TRY(make(state.position_prev, f4, guides, "position_prev", rest.data(), guides));
+    if (needs.two_steps)
+        PLAIT_TRY(make(state.position_prev2, f4, guides, "position_prev2", rest.data(), guides));
+    PLAIT_TRY(make(state.pose, f4, poses.size(), "pose", poses.data(), poses.size()));
+    if (needs.accelerates) {
+        const std::pmr::vector<Float4> none(guides, Float4{}, memory);
+        PLAIT_TRY(make(state.acceleration, f4, guides, "acceleration", none.data(), guides));
+    }
+    if (needs.pins) {
+        const std::pmr::vector<Float4> none(guides, Float4{}, memory);
+        PLAIT_TRY(make(state.pin, f4, guides, "pin", none.data(), guides));
+        PLAIT_TRY(make(state.pin_at, f4, guides, "pin_at", none.data(), guides));
+        PLAIT_TRY(make(state.pin_from, f4, guides, "pin_from", none.data(), guides));
+        PLAIT_TRY(make(state.pin_to, f4, guides, "pin_to", none.data(), guides));
+    }
+    return state;
+}
+
+} // namespace plait

@@ -1,0 +1,105 @@
+#include "core/wind/air_grid.hpp"
+
+#include "core/base/pose.hpp"
+#include "core/params/params.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plait {
+namespace {
+
+constexpr size_t count = size_t{AirGrid::nodes} * AirGrid::nodes * AirGrid::nodes;
+
+// Along the grid's axes.
+std::array<float, 3> components(const plait_pose& grid, const std::array<float, 3>& v) {
+    const plait_pose inverse{{-grid.q[0], -grid.q[1], -grid.q[2], grid.q[3]}, {0, 0, 0}};
+    std::array<float, 3> turned{};
+    transform(inverse, v.data(), turned.data());
+    return turned;
+}
+
+} // namespace
+
+Result<AirGrid> AirGrid::create(Device& device, bool eddies, bool sheltered) {
+    AirGrid grid;
+    grid.eddies_ = eddies;
+    grid.sheltered_ = sheltered;
+    if (eddies || sheltered)
+        PLAIT_TRY(device.create(grid.velocity_, PLAIT_ELEMENT_FLOAT4, count, "air_velocity"));
+    if (!sheltered)
+        return grid;
+    PLAIT_TRY(device.create(grid.extinction_, PLAIT_ELEMENT_FLOAT, count, "air_extinction"));
+    PLAIT_TRY(device.create(grid.depth_, PLAIT_ELEMENT_FLOAT, count, "air_depth"));
+    grid.params_ = default_params();
+    grid.params_.interhair = PLAIT_INTERHAIR_EXACT;
+    grid.params_.tent = PLAIT_TENT_FORM_TRILINEAR;
+    grid.params_.grid_edge_count = nodes;
+    auto hair = InterHair::create_density(device, grid.params_);
+    if (!hair)
+        return hair.error();
+    grid.hair_ = std::move(*hair);
+    auto meshes = MeshSolid::create(device, nodes);
+    if (!meshes)
+        return meshes.error();
+    grid.meshes_ = std::move(*meshes);
+    return grid;
+}
+
+void AirGrid::place(const GridCube& cube, const plait_pose& head) {
+    std::copy_n(head.q, 4, corner_.q);
+    transform(head, cube.origin, corner_.t);
+    voxel_edge_ = cube.edge / float{nodes};
+}
+
+void AirGrid::append_obstacle(Schedule& schedule, const Substep& at, float extinction) const {
+    plait_air_obstacle_params params{};
+    params.edge_count = nodes;
+    params.voxel_edge = voxel_edge_;
+    std::copy_n(corner_.q, 4, params.q);
+    std::copy_n(corner_.t, 3, params.t);
+    params.extinction = extinction / (voxel_edge_ * voxel_edge_ * voxel_edge_);
+    params.collider_count = at.collider_count;
+    params.collider_first = at.collider_first;
+    NodeGridPlace place{nodes, voxel_edge_, {}, {}};
+    std::ranges::copy(params.q, place.q);
+    std::ranges::copy(params.t, place.t);
+    const Buffer* meshes = meshes_.append(schedule, place, at);
+    params.meshes = meshes ? 1 : 0;
+    schedule.add(PLAIT_STAGE_air_obstacle, count, params,
+                 {&hair_.density(), &at.colliders, meshes, &extinction_});
+}
+
+// Plane by plane as the wind goes against the hair, across the axis along which it goes most.
+void AirGrid::append_shelter(Schedule& schedule, const HairNow& hair, const Stream& stream) const {
+    InterHair::Step step{hair.step.layout, hair.step.state, params_,
+                         hair.step.cube,   hair.step.head,  hair.step.h,
+                         hair.step.frame,  hair.step.seed,  hair.step.device};
+    hair_.append_density(schedule, step, hair.lanes, hair.at);
+    append_obstacle(schedule, hair.at, stream.extinction);
+    std::array<float, 3> against{};
+    for (size_t i = 0; i < 3; ++i)
+        against[i] = stream.velocity[i] - stream.still[i];
+    const auto way = components(corner_, against);
+    const auto most = std::ranges::max_element(way, {}, [](float a) { return std::abs(a); });
+    const auto axis = static_cast<size_t>(most - way.begin());
+    plait_air_shelter_params params{};
+    params.edge_count = nodes;
+    params.voxel_edge = voxel_edge_;
+    std::copy_n(corner_.q, 4, params.q);
+    params.axis = static_cast<plait_u32>(axis);
+    params.reversed = *most < 0;
+    if (*most != 0) {
+        params.foot[0] = way[axis == 0 ? 1 : 0] / std::abs(*most);
+        params.foot[1] = way[axis == 2 ? 1 : 2] / std::abs(*most);
+    }
+    params.way = voxel_edge_ * std::hypot(1.0f, params.foot[0], params.foot[1]);
+    params.turbulent = eddies_;
+    std::ranges::copy(stream.velocity, params.air);
+    std::ranges::copy(stream.still, params.still);
+    for (params.plane = 0; params.plane < nodes; ++params.plane)
+        schedule.add(PLAIT_STAGE_air_shelter, nodes * nodes, params,
+                     {&extinction_, &hair_.density(), &hair_.velocity(), &depth_, &velocity_});
+}
+
+} // namespace plait
