@@ -15,8 +15,6 @@ cl/mesh/mesh_nearest.cl            one walk through a tree, whose parts share wh
 cl/strand_contact/pair_find.cl     one walk through cells, whose parts share what it has found
 cl/strands/articulated.clh         one recursion, whose passes share the factors of the joints
 cl/strands/rod.cl                  one elimination, whose passes share its blocks
-lib/core/*.cpp                     not divided into rooms yet
-lib/core/*.hpp                     not divided into rooms yet
 '
 
 {
