@@ -86,7 +86,7 @@ std::string features_of(const FeatureRun& run) {
 std::string grid_of(const grid::GridRun& run, const std::string& prefix) {
     if (run.rows.empty())
         return "";
-    return "\n## Between strands\n\nRows 23 to 25 are of the [grid](../stages/grid_slots.md) "
+    return "\n## Between strands\n\nRows 23 to 25 are of the [grid](../stages/grid.md#grid_slots) "
            "alone, "
            "the same for every model; its cost is of one step of 100,000 vertices, and its error "
            "from the field they move with, each strand at a velocity of its own "
