@@ -44,7 +44,7 @@ class Stability : public testing::TestWithParam<Case> {
 
 constexpr double energy_bar = 0.05; // of m g L and what there was
 
-// docs/stability.md: in one step chain is carried up once by 0.32, and rises by 0.23 under a floor.
+// tools/lab/docs/stability.md: in one step chain is carried up once by 0.32, and rises by 0.23 under a floor.
 double energy_bar_of(const Case& c, const std::string& axis) {
     const bool one_step = c.model == PLAIT_MODEL_CHAIN && c.substeps == 1;
     if (one_step && !c.bdf2 && axis.starts_with("hand on a head"))
