@@ -4,7 +4,7 @@
  *   3         G, m^3/s^2
  *   4         s, m: how near the pull stops growing
  * The headers that stages share are part of plait, and so is the signature
- * (docs/stages/accelerate.md). */
+ * (docs/stages/push.md#accelerate). */
 #include "plait/params.h"
 
 __kernel void plait_accelerate(const uint item_count, const plait_accelerate_params params,

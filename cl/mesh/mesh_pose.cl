@@ -4,7 +4,7 @@
  * Items   vertices of the mesh.
  * Reads   mesh_at, mesh_target, each times a scale, to the groom's units.
  * Moves   mesh_from, mesh_to.
- * Source  ours, as poses go (docs/stages/roots.md).
+ * Source  ours, as poses go (docs/stages/roots.md#roots).
  */
 #pragma OPENCL FP_CONTRACT OFF
 #include "plait/params.h"

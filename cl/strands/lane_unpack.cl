@@ -4,7 +4,7 @@
  * Items   strands, over lanes.
  * Reads   lane_strand, vertex_count, lane_x, lane_v.
  * Writes  position, position_prev = position - h v; w 0 at the root, which is pinned, else 1.
- *         Strands lie in another order there than in lanes: to read w would be to wait for it.
+ *         Output rows are in groom order: reading w back would be a scattered load.
  *         If params.shown: tangent, and padding of position and tangent, to the bit as `tangents`
  *         does, which then has nothing left to read positions again for.
  */

@@ -8,7 +8,7 @@
  * of the two spheres, so cone and ends meet without a crease; the capsule moves within the step,
  * and friction acts relative to its surface, which turns with it. Friction is bounded by
  * coefficient * push and never reverses the slip. Limit   a vertex is tested where it is, not along
- * its way: see docs/stages/collide.md. */
+ * its way: see docs/stages/tressfx.md#collide. */
 #pragma OPENCL FP_CONTRACT OFF
 #include "base/strand.clh"
 #include "contact/collider.clh"

@@ -6,13 +6,13 @@
  *
  * Errors:    every function that can fail returns a plait_result and leaves a sentence that names
  *            what failed, on what, with which value and range, in plait_last_error() of the thread.
- *            Output arguments are untouched on failure unless said otherwise. Any may return
- *            INVALID_ARGUMENT (NULL where nothing says that it may be, a value outside its range),
- *            OUT_OF_MEMORY and, where work reaches a device, DEVICE_LOST and BACKEND; `@errors` are
- *            what else a function returns.
+  *            Output arguments are untouched on failure unless said otherwise. Every function may
+ *            return INVALID_ARGUMENT (for NULL, unless the parameter is documented as optional, or
+ *            for a value out of range), OUT_OF_MEMORY and, where work reaches a device, DEVICE_LOST
+ *            and BACKEND; `@errors` lists the others.
  * Lists:     dst == NULL writes the needed count to *count; otherwise at most *count elements are
- *            written and *count becomes their number. Of what is read as bytes (fields, snapshots)
- *            a *size below the needed one is INVALID_ARGUMENT.
+  *            written and *count becomes their number. For byte buffers (fields, snapshots) a *size
+ *            that is too small is INVALID_ARGUMENT.
  * Threads:   a context and what it made are used by one thread at a time; different contexts are
  *            independent. Grooms are immutable and may be shared by threads and contexts.
  * Ownership: what a `_create` or `_load` returned is released by the `_destroy` of the same noun;
@@ -23,10 +23,10 @@
  *            (plait_version, plait_last_error). A value of `enum plait_x_y` is PLAIT_X_Y_<VALUE>,
  *            but of plait_result, PLAIT_<VALUE>. Every enum takes 32 bits (its _FORCE_32).
  * Structs:   begin with struct_size; initialise all of them, outputs included, with their
- *            `plait_*_init` (or by value, `plait_*_defaults`) and then change fields. Fields that a
- *            shorter one lacks (of an older plait.h) have their defaults. What this library does
- *            not know of a longer one (of a newer) has to be zero: the first byte that is not is
- *            an error. None is longer than PLAIT_STRUCT_SIZE_MAX.
+ *            `plait_*_init` (or by value, `plait_*_defaults`) and then change fields.  Fields that a
+ *            shorter struct lacks (an older plait.h) have their defaults. If a struct is longer
+ *            than this library knows (a newer plait.h), the extra bytes must be zero; otherwise
+ *            the call fails. None is longer than PLAIT_STRUCT_SIZE_MAX.
  *
  * @source  Each stage's formula, paper and equation: docs/stages. Models: docs/models.
  * @since   0.1.0, all of it.
@@ -174,7 +174,7 @@ PLAIT_API void plait_device_info_init(plait_device_info* info, size_t size);
  * made. See docs/backends.md. */
 typedef struct plait_stage_source {
     const char* stage;  /* "wind" */
-    const char* source; /* OpenCL C, defines plait_<stage>; may include the headers in cl/ */
+    const char* source; /* OpenCL C, defines plait_<stage>; may include those of cl/base */
     const char* name;   /* file name for the compiler's messages; NULL: "<stage>" */
 } plait_stage_source;
 
@@ -255,7 +255,7 @@ typedef struct plait_import_options {
     plait_repair_policy policy;
     float min_segment; /* tiny: below this share of the strand's mean, [0, 0.5], default 1e-3 */
     float scale;       /* units of what is read to metres, (0, 1e6], default 1 */
-    uint32_t resample; /* 0: keep; 2..256: every strand to so many vertices by arc length */
+    uint32_t resample; /* 0: keep; 2..256: every strand to this many vertices by arc length */
     plait_allocator allocator;
     plait_axes axes;         /* default Y_UP */
     plait_root_end root_end; /* of strands, default FIRST */
@@ -379,7 +379,7 @@ PLAIT_API void plait_follow_map_destroy(plait_follow_map* map); /* sims keep wha
 
 /* ---- meshes --------------------------------------------------------------------------------- */
 
-/* What is mended of a mesh; by the plait_repair_policy, as of grooms. */
+/* Repairs of a mesh; by the plait_repair_policy, as of grooms. */
 typedef enum plait_mesh_repair {
     /* within 1e-6 of the mesh's size of one before that the same bones move: a seam */
     PLAIT_MESH_REPAIR_WELDED_VERTEX = 0,
@@ -636,11 +636,11 @@ typedef struct plait_sim_params {
     /* wetness, where PLAIT_FIELD_WETNESS was written; docs/wetness.md. All but tressfx */
     float drying_time;  /* tau, s: it falls with e^(-t/tau), [0, 1e9], default 0: it stays */
     float wet_cohesion; /* m^2/s^2, with volume: `cohesion` that wetness 1 adds, [0, 1e4],
-                           default 0.03, which nobody has measured */
+                           default 0.03 (not measured; chosen to look right) */
 
     /* guide strands meet each other; docs/strand_contact.md. Model articulated */
     plait_strand_contact_form strand_contact; /* default OFF */
-    float strand_radius; /* m, (0, 0.1], default 0.002: half of what guides lie apart, of which each
+    float strand_radius;   /* m, (0, 0.1], default 0.002: half the distance of guides, as each
                               stands for many hairs */
     float strand_friction; /* Coulomb coefficient, [0, 10], default 0.3 */
 
@@ -700,7 +700,7 @@ PLAIT_API plait_result plait_sim_params_set_fibre(plait_sim_params* params,
                                                   const plait_fibre* fibre);
 
 /* What some strands of a sim are made of, in place of the params' fields of the same names (and of
- * tip_stiffness and tip_density, which the ramps take the place of). Ramps have knots at the root,
+ * tip_stiffness and tip_density, which the ramps replace). Ramps have knots at the root,
  * a third, two thirds of the arc length and the tip, linear between. Model articulated. */
 typedef struct plait_material {
     uint32_t struct_size;
@@ -857,8 +857,8 @@ typedef struct plait_sim_info {
     uint64_t sag_unstable;     /* strands that cannot stay as groomed: they buckle */
     uint64_t worst_residual_strand;
     uint64_t worst_stiffening_strand;
-    float sag_residual; /* worst joint: moment it lacks / (weight x length of its strand), a limp
-                           level strand's .5; or force its strand lacks / its weight */
+    float sag_residual; /* worst residual of the sag-free start: missing moment / (weight x length),
+                           or missing force / weight; 0.5 is a limp, level strand */
     float worst_stiffening; /* of a joint: its bend stiffness / the material's; 1: none */
     char warning[512];      /* what is likely wrong with groom, units or material, or a kernel
                                of the caller's left out, as logged at creation and now; "": none */
@@ -944,7 +944,7 @@ PLAIT_API void plait_roots_init(plait_roots* roots, size_t size);
  * to start from rest. The log warns once of a jump that no head makes.
  * A scale takes hold at once: hair, bodies, grids and the air's eddies are as they were, seen from the
  * head and in its size, wherever it is; POSITION is as large from the next time on that it is shown. At
- * any scale hair at rest has the same shape, and moves alike where its head moves so many times as far
+ * any scale hair at rest has the same shape, and moves alike where its head moves as many times as far
  * (docs/character.md says what is kept). What roots have of their own stays as it lies around its
  * middle; where they have some a change of scale waits for the device. Of bones the scale is the median
  * of the cube roots of their determinants, to 1 part in 65536; the log warns once of a bone that has
@@ -1048,17 +1048,17 @@ typedef struct plait_pin {
     uint32_t vertex;       /* 1 to its last; 0, the root, its pose holds. 1 alone does not clamp */
     plait_pin_frame frame; /* REST */
     float target[3];       /* m, each [-1e6, 1e6]; REST reads none. Of GROOM at the groom's size */
-    /* N/m, (0, 1e6]. Counted up to max(1e4 m/s^2 M/l, 100 m/h'^2), and to 300 m/s^2 M/d: M the
-       strand's mass, l the segment before the vertex, m its mass, h' the substep (BDF2: 2/3 of it),
-       d how far it is off. Held so fast it is off by l/100 at most where all of the strand pulls
-       with 10 g */
+    /* N/m, (0, 1e6]. Clamped to max(1e4 m/s^2 M/l, 100 m/h'^2), and so that the force stays below
+       300 m/s^2 M: M the strand's mass, l the segment before the vertex, m the vertex's mass, h' the
+       substep (BDF2: 2/3 of it). At the clamp, a vertex that carries the whole strand at 10 g is off by
+       at most l/100 */
     float stiffness;
 } plait_pin;
 
 /* All pins of a sim, `count` of them, in place of those before; 0: none. A target that was pinned
  * before, in the world or not, moves straight from where it was to where it is now in the next
  * plait_sim_step, as roots do; else it is there at once. The vertex feels stiffness x (target - x):
- * what a tie is pulled with, less only what the bound above takes off. They stay until they are set
+ * this is the tension in the tie, unless the clamp above limits it. Pins stay until they are set
  * or written again, over reset, teleport (what is in the world stays there) and switches of models;
  * snapshots hold them. The first call waits.
  * @errors INVALID_STATE: pins is off. A call that fails changes nothing; the message names the pin,
@@ -1115,7 +1115,8 @@ typedef struct plait_detail_desc {
     float frizz[4];     /* m, rms in each of two directions, each [0, 1], default 0 */
     float frizz_length; /* m of hair over which it keeps its direction, [1e-4, 100], default 0.01 */
     uint32_t seed;      /* of clumps, phases and frizz */
-    uint32_t clumps;    /* so many, their centres follows whose roots are spread evenly, [0, all of
+    uint32_t
+        clumps; /* number of clumps, their centres follows whose roots are spread evenly, [0, all of
                            them]; default 0: one for each guide */
     /* uint32_t [follows] or empty: the strand each is drawn to, in place of `clumps`, which must be
        0: a guide, or a follow that is its own centre */
@@ -1158,13 +1159,13 @@ typedef enum plait_field {
     PLAIT_FIELD_ACCELERATION = 11,
     /* float[4] [guides][V]: the target of a vertex that is pinned, m, and the stiffness of what
        holds it there, N/m: w > 0: in the world; w < 0: -w, and the target is a place in the groom
-       that its strand's root carries along; 0, as at first: it is free. What plait_sim_set_pins
-       fills, or the caller, as one array. Not read: vertex 0, past the tip. With pins */
+       that its strand's root carries along; 0, as at first: it is free. Filled by plait_sim_set_pins,
+       or written by the caller as one array. Vertex 0 and rows past the tip are ignored. With pins */
     PLAIT_FIELD_PIN = 12,
     /* float [guides], [0, 1]: how wet a strand is, after the steps so far; 0, as at first: dry. Written
        by the caller, it acts from the next step on, and dries with `drying_time`; below 1e-3 it is 0.
        A wet strand is heavier and softer, with volume it lies closer to others and holds to them, and
-       what follows it is drawn to it: by factors that nobody has measured (docs/wetness.md). Material
+       its follows are drawn to it: by factors that are not measured (docs/wetness.md). Material
        is scaled anew once wetness has moved by more than 0.02. Stays over reset, teleport and
        switches of models; snapshots hold it. While all hair is dry there is no buffer and no stage
        of it. All but tressfx, which refuses it */
@@ -1312,7 +1313,8 @@ typedef enum plait_collider_kind {
     PLAIT_COLLIDER_KIND_CAPSULE = 0, /* tapered: the hull of two spheres */
     PLAIT_COLLIDER_KIND_PLANE = 1,   /* all that lies under a plane */
     PLAIT_COLLIDER_KIND_BOX = 2,     /* with rounded edges */
-    /* of plait_collider_create_mesh and plait_collider_create_hull: said, and not taken, by a desc */
+    /* reported by plait_collider_describe; not accepted by plait_collider_create, but by
+       plait_collider_create_mesh and plait_collider_create_hull */
     PLAIT_COLLIDER_KIND_MESH = 3,
     PLAIT_COLLIDER_KIND_HULL = 4, /* all that lies under each of its faces */
     PLAIT_COLLIDER_KIND_FORCE_32 = 0x7fffffff
@@ -1338,7 +1340,7 @@ typedef struct plait_collider_desc {
     float orientation[4];  /* box: a unit quaternion, x y z w, from its edges to the own frame */
     uint32_t inward; /* capsule, box: 1: hair stays inside of it, as in a hood or a sleeve; 0, the
                               default: outside. Wind, volume and shelter do not see one that is 1 */
-    /* All lengths of its shape are so many times as large, [1e-3, 1e3]; 0, the default: as those of
+    /* Factor of all lengths of its shape, [1e-3, 1e3]; 0, the default: as those of
        the roots (plait_roots.scale), part of the character; 1: it keeps its size, a floor or a wall.
        Its pose is in metres of the world, whatever this is */
     float scale;

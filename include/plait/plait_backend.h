@@ -105,7 +105,7 @@ typedef struct plait_dispatch {
     uint32_t params_size;
     uint32_t buffer_count;
     plait_buffer* const* buffers;
-    uint64_t bytes; /* plait_stage_traffic; handed on with the launch, 0: not reckoned */
+    uint64_t bytes; /* plait_stage_traffic; handed on with the launch, 0: not computed */
 } plait_dispatch;
 
 typedef struct plait_stage_cost {

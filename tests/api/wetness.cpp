@@ -1,5 +1,5 @@
-// Wet strands: what wetness does to each, how it dries, where it is kept, and that dry hair has none of
-// it. That volume and follows take it as they should: here, too; the stages: tests/cases.
+// Tests wetness through the API: its effect on one strand, drying, snapshots, and that dry sims
+// allocate nothing. Also its effect on volume and follows. Kernels are tested in tests/cases.
 #include "forged.hpp"
 #include "support.hpp"
 

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# places.sh ROOT: one name everywhere. Each stage of stages.def has its kernel, reference, test and
-# page under its own name, and no such file is left over for a stage that is gone. The table of stages in
-# docs/stages/README.md is what stages.def generates, row by row.
+# places.sh ROOT: one name everywhere. Each stage of stages.def has its kernel, reference and test under
+# its own name in the folder of its room, and its section on the room's page; no such file is left over for
+# a stage that is gone. The table of stages in docs/stages/README.md is what stages.def generates, row by
+# row.
 set -euo pipefail
 cd "$1"
 bad=0
@@ -10,36 +11,41 @@ complain() {
     bad=1
 }
 
-# What stages.def says of the stages, as the table's rows; LANES and the like in words.
-rows=$(sed -nE 's/^PLAIT_STAGE\(([a-z_]+), ([A-Z_]+), [a-z_]+, "(.*)"\)$/| [\1](\1.md) | \2 | \3 |/p' \
-    cl/shared/plait/stages.def |
-    sed -E 's/\| (VERTEX|STRAND|VOXEL|WORD) \|/| \L\1\E |/; s/\| LANES \|/| strand, over lanes |/
-            s/\| STRAND_GROUP \|/| strand, V work-items |/; s/\| VOXEL_GROUP \|/| voxel, one work-group |/')
-stages=$(sed -nE 's/^PLAIT_STAGE\(([a-z_]+),.*/\1/p' cl/shared/plait/stages.def)
-[ -n "$stages" ] || complain "cl/shared/plait/stages.def: no stage found"
+# "room stage SPACE summary" of each stage.
+table=$(sed -nE 's/^PLAIT_ROOM\(([a-z_]+)\)$/room \1/p
+                 s/^PLAIT_STAGE\(([a-z_]+), ([A-Z_]+), [a-z_]+, "(.*)"\)$/stage \1 \2 \3/p' cl/shared/plait/stages.def |
+    awk '$1 == "room" { room = $2; next } { sub(/^stage/, room == "" ? "none" : room); print }')
+[ -n "$table" ] || complain "cl/shared/plait/stages.def: no stage found"
 
-for stage in $stages; do
-    for place in "cl/$stage.cl" "lib/backend/reference/$stage.cpp" "docs/stages/$stage.md"; do
+# Each as room/stage.
+places=$(awk '{ print $1 "/" $2 }' <<<"$table")
+
+while read -r room stage _; do
+    for place in "cl/$room/$stage.cl" "lib/backend/reference/$room/$stage.cpp"; do
         [ -s "$place" ] || complain "$place: missing, though $stage is in stages.def"
     done
-    if [ -d tests/cases ] && [ ! -s "tests/cases/$stage.cpp" ]; then
-        complain "tests/cases/$stage.cpp: missing, though $stage is in stages.def"
+    if [ -d tests/cases ] && [ ! -s "tests/cases/$room/$stage.cpp" ]; then
+        complain "tests/cases/$room/$stage.cpp: missing, though $stage is in stages.def"
     fi
-    grep -qs "($stage.md)" docs/stages/README.md || complain "docs/stages/README.md: no link to $stage.md"
-    grep -qsE "__kernel .*\bplait_$stage\b|\bplait_$stage\(" "cl/$stage.cl" ||
-        complain "cl/$stage.cl: does not define the kernel plait_$stage"
-done
+    grep -qsxF "## $stage" "docs/stages/$room.md" || complain "docs/stages/$room.md: no section ## $stage"
+    grep -qsE "__kernel .*\bplait_$stage\b|\bplait_$stage\(" "cl/$room/$stage.cl" ||
+        complain "cl/$room/$stage.cl: does not define the kernel plait_$stage"
+done <<<"$table"
 
-for kernel in cl/*.cl; do
-    grep -qx "$(basename "$kernel" .cl)" <<<"$stages" || complain "$kernel: not in stages.def"
-done
+while read -r kernel; do
+    place=${kernel#cl/}
+    grep -qxF "${place%.cl}" <<<"$places" || complain "$kernel: not in stages.def, or in another's room"
+done < <(find cl -name '*.cl')
 for page in docs/stages/*.md; do
     name=$(basename "$page" .md)
-    [ "$name" = README ] || grep -qx "$name" <<<"$stages" || complain "$page: not in stages.def"
+    [ "$name" = README ] || grep -q "^$name/" <<<"$places" || complain "$page: no room of stages.def"
 done
 
-diff <(grep -E '^\| \[' docs/stages/README.md) - <<<"$rows" ||
+rows=$(sed -E 's/^([a-z_]+) ([a-z_]+) ([A-Z_]+) (.*)$/| [\2](\1.md#\2) | \3 | \4 |/' <<<"$table" |
+    sed -E 's/\| (VERTEX|STRAND|VOXEL|WORD) \|/| \L\1\E |/; s/\| LANES \|/| strand, over lanes |/
+            s/\| STRAND_GROUP \|/| strand, V work-items |/; s/\| VOXEL_GROUP \|/| voxel, one work-group |/')
+diff <(grep -E '^\| \[[a-z_]+\]\([a-z_]+\.md#' docs/stages/README.md) - <<<"$rows" ||
     complain "docs/stages/README.md: its table is not that of stages.def; the rows marked > belong there"
 
-echo "$(wc -w <<<"$stages") stages"
+echo "$(wc -l <<<"$table") stages"
 exit $bad

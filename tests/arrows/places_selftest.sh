@@ -7,11 +7,13 @@ trap 'rm -rf "$root"' EXIT
 cd "$root"
 
 plant() {
-    mkdir -p cl/shared/plait lib/backend/reference tests/cases docs/stages
-    echo 'PLAIT_STAGE(drag, VERTEX, plait_drag_params, "air")' >cl/shared/plait/stages.def
-    echo '__kernel void plait_drag(' >cl/drag.cl
-    echo x | tee lib/backend/reference/drag.cpp tests/cases/drag.cpp docs/stages/drag.md >/dev/null
-    echo '| [drag](drag.md) | vertex | air |' >docs/stages/README.md
+    rm -rf "${root:?}"/*
+    mkdir -p cl/shared/plait cl/air lib/backend/reference/air tests/cases/air docs/stages
+    printf '%s\n' 'PLAIT_ROOM(air)' 'PLAIT_STAGE(drag, VERTEX, plait_drag_params, "air")' >cl/shared/plait/stages.def
+    echo '__kernel void plait_drag(' >cl/air/drag.cl
+    echo x | tee lib/backend/reference/air/drag.cpp tests/cases/air/drag.cpp >/dev/null
+    echo '## drag' >docs/stages/air.md
+    printf '%s\n' '| [drag](air.md#drag) | vertex | air |' '| [air](../air.md) | another table |' >docs/stages/README.md
 }
 must_name() {
     if "$check" "$root" >output; then echo "let through: $1"; exit 1; fi
@@ -20,20 +22,34 @@ must_name() {
 
 plant
 "$check" "$root" >/dev/null || { echo "refused a whole stage"; exit 1; }
-for place in cl/drag.cl lib/backend/reference/drag.cpp tests/cases/drag.cpp docs/stages/drag.md; do
+for place in cl/air/drag.cl lib/backend/reference/air/drag.cpp tests/cases/air/drag.cpp docs/stages/air.md; do
     plant
     rm "$place"
     must_name "$place"
 done
+for floor in cl lib/backend/reference tests/cases; do # all there, but in the room of another feature
+    plant
+    mv "$floor/air" "$floor/water"
+    must_name "$(cd "$floor" && find water -type f | sed "s,^water/,$floor/air/,")"
+done
 plant
-echo 'void other(' >cl/drag.cl
-must_name cl/drag.cl
-for row in '| [drag](drag.md) | vertex | water |' '| [drag](drag.md) | strand | air |'; do
+echo 'void other(' >cl/air/drag.cl
+must_name cl/air/drag.cl
+plant
+echo '# drag' >docs/stages/air.md
+must_name docs/stages/air.md
+for row in '| [drag](air.md#drag) | vertex | water |' '| [drag](air.md#drag) | strand | air |' '| [drag](drag.md) | vertex | air |'; do
     plant
     echo "$row" >docs/stages/README.md
     must_name docs/stages/README.md
 done
+for kernel in cl/left_over.cl cl/air/left_over.cl cl/water/drag.cl; do
+    plant
+    mkdir -p "$(dirname "$kernel")"
+    echo x >"$kernel"
+    must_name "$kernel"
+done
 plant
-echo x >cl/left_over.cl
-must_name cl/left_over.cl
+echo '## drag' >docs/stages/drag.md
+must_name docs/stages/drag.md
 echo ok

@@ -20,7 +20,8 @@ constexpr char usage[] =
     "plait-bench [options] [Google Benchmark's options]\n"
     "  --strands=N     strands of the stage rows, 1 to 1000000 (10000)\n"
     "  --vertices=V    vertices per strand, 2 to 256 (32)\n"
-    "  --write=FOLDER  write bench-<device>.md and .csv there\n"
+    "  --write=FOLDER  write bench-<device>.md there\n"
+    "  --csv=FOLDER    write bench-<device>.csv there\n"
     "  --json=FOLDER   write bench-<device>.json there, for compare\n"
     "  --local-memory=0,16384,...  instead of the rows: the solves over strands while each\n"
     "                  work-group holds so many bytes of local memory that it does not use\n"
@@ -64,6 +65,8 @@ Options take_options(int& argc, char** argv) {
             options.vertices = number(argument, value, 2, PLAIT_MAX_VERTICES);
         else if (argument.starts_with("--write="))
             options.write = value;
+        else if (argument.starts_with("--csv="))
+            options.csv = value;
         else if (argument.starts_with("--json="))
             options.json = value;
         else if (argument.starts_with("--local-memory="))
@@ -114,8 +117,7 @@ int run(int argc, char** argv) {
         JsonFiles reporter(results);
         benchmark::RunSpecifiedBenchmarks(&reporter);
     }
-    if (!results.options.write.empty())
-        write_pages(results);
+    write_pages(results);
     std::fputs(results.failures.c_str(), stderr);
     return results.failures.empty() ? 0 : 1;
 }

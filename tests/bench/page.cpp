@@ -293,7 +293,13 @@ std::string csv(const Options& options, const DeviceResults& results) {
     return rows;
 }
 
-void write_file(const std::filesystem::path& path, const std::string& contents) {
+// Nothing without a folder.
+void write_file(const std::filesystem::path& folder, const std::string& name,
+                const std::string& contents) {
+    if (folder.empty())
+        return;
+    std::filesystem::create_directories(folder);
+    const std::filesystem::path path = folder / name;
     std::ofstream file(path, std::ios::binary);
     file << contents;
     file.close();
@@ -304,16 +310,14 @@ void write_file(const std::filesystem::path& path, const std::string& contents) 
 } // namespace
 
 void write_pages(const Results& results) {
-    const std::filesystem::path folder = results.options.write;
-    std::filesystem::create_directories(folder);
     for (const auto& [index, device] : results.devices) {
         if (device.stages.empty() && device.step_seconds.empty() && device.model_seconds.empty() &&
             device.character_seconds.empty() && device.crowd_seconds.empty() &&
             device.extra_seconds.empty())
             continue; // filtered out
         const std::string name = "bench-" + slug(device.device);
-        write_file(folder / (name + ".csv"), csv(results.options, device));
-        write_file(folder / (name + ".md"),
+        write_file(results.options.csv, name + ".csv", csv(results.options, device));
+        write_file(results.options.write, name + ".md",
                    header(results.options, device.device) + ceilings(device) +
                        stage_table(results.options, device) + step_table(results.options, device) +
                        model_table(device) + character_table(device) + extra_table(device) +

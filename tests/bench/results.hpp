@@ -15,7 +15,8 @@ namespace bench {
 struct Options {
     uint32_t strands = 10000; // of the stage rows
     uint32_t vertices = 32;   // per strand, of the rows of stages and of the thesis's table
-    std::string write;        // folder for the page and the CSV file; empty: none
+    std::string write;        // folder for the page; empty: none
+    std::string csv;          // folder for the CSV file; empty: none
     std::string json;         // folder for a file of the rows of each device; empty: none
     std::vector<uint32_t> local_memory; // bytes, of the sweep; empty: none, but the rows
     double load = 0;                    // of the host in the minute before

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# gpu.sh TEXTS TOOLS RESULTS KERNEL_BYTES: compiles every program of one lane that kernel_texts wrote into TEXTS by the
-# compilers of GPUs and writes RESULTS/gpu-compilers.md and .csv. `./dev gpu` runs it, and puts into TOOLS what is
+# gpu.sh TEXTS TOOLS RESULTS KERNEL_BYTES TABLES: compiles every program of one lane that kernel_texts wrote into TEXTS by the
+# compilers of GPUs and writes RESULTS/gpu-compilers.md and TABLES/gpu-compilers.csv. `./dev gpu` runs it, and puts into TOOLS what is
 # not installed: intel/ (Debian's ocloc, unpacked) and nvidia/ (PyPI's ptxas). A compiler that is absent
 # leaves its part of the page out, with a line that says so. KERNEL_BYTES is the program that bytes.sh runs.
 set -euo pipefail
-texts=$1 tools=$2 results=${3-} kernel_bytes=${4-}
+texts=$1 tools=$2 results=${3-} kernel_bytes=${4-} tables=${5:-${3-}}
 clang=$(command -v clang-19 || command -v clang)
 clc=${PLAIT_LIBCLC:-/usr/lib/clc}
 ptxas=$(command -v ptxas || { ls "$tools/nvidia/nvidia/cuda_nvcc/bin/ptxas" /usr/local/cuda/bin/ptxas 2>/dev/null || true; } | head -1)
@@ -216,5 +216,5 @@ page >"$results/gpu-compilers.md"
 {
     echo "stage,vendor,target,builds,registers,spilled_bytes,private_bytes,local_bytes,fits"
     cat "$here"/*.row
-} >"$results/gpu-compilers.csv"
-! grep -q ',no,' "$results/gpu-compilers.csv"
+} >"$tables/gpu-compilers.csv"
+! grep -q ',no,' "$tables/gpu-compilers.csv"

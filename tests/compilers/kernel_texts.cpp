@@ -51,8 +51,7 @@ int write_all(const std::filesystem::path& directory) {
     std::ofstream list(directory / "list.txt");
     for (int index = 0; index < PLAIT_STAGE_COUNT; ++index) {
         const plait_stage_info& stage = *plait_stage_describe(static_cast<plait_stage>(index));
-        const std::string name = std::string("cl/") + stage.name + ".cl";
-        const auto source = flatten(name, stage_text(stage.name));
+        const auto source = flatten(stage_file(stage.name), stage_text(stage.name));
         if (!source.ok()) {
             std::fprintf(stderr, "%s\n", source.error().message.c_str());
             return 1;

@@ -1,10 +1,9 @@
 // Sums of the grid in a work-group's local memory: when, and that they are those of the grid itself.
 #include "backend/opencl/group_sums.hpp"
+#include "backend/opencl/source.hpp"
 
 #include "stage_device.hpp"
 
-#include <fstream>
-#include <iterator>
 #include <random>
 #include <utility>
 
@@ -64,9 +63,7 @@ std::vector<DeviceName> opencl_devices() {
 
 // The stage's kernel as the caller's own, whose sums are the grid's own.
 std::string text_of(plait_stage stage) {
-    std::ifstream file(std::string(PLAIT_SOURCE_DIR) + "/cl/" + plait_stage_describe(stage)->name +
-                       ".cl");
-    return {std::istreambuf_iterator<char>(file), {}};
+    return std::string(opencl::stage_text(plait_stage_describe(stage)->name));
 }
 
 std::vector<float> random_floats(size_t count, float most, uint32_t seed) {

@@ -11,7 +11,7 @@ sorted=$(sed 's/^Γ/gamma/' <<<"$terms" | LC_ALL=C sort -fu | sed 's/^gamma/Γ/'
 diff <(echo "$terms") <(echo "$sorted") || { echo "docs/glossary.md: the order of the lines marked > is right"; bad=1; }
 text=$(mktemp)
 trap 'rm -f "$text"' EXIT
-find README.md CONTRIBUTING.md docs include cl -type f \( -name '*.md' -o -name '*.h' -o -name '*.clh' -o -name '*.cl' \) \
+find README.md CONTRIBUTING.md docs tools/lab/docs include cl -type f \( -name '*.md' -o -name '*.h' -o -name '*.clh' -o -name '*.cl' \) \
     -not -name glossary.md -not -path 'docs/results/*' -exec cat {} + | tr '\n_-' '   ' >"$text"
 while read -r term; do
     grep -qiF -- "${term//[-_]/ }" "$text" || { echo "docs/glossary.md: nothing says '$term'"; bad=1; }

@@ -147,6 +147,26 @@ TEST_F(LabPages, keep_what_was_written_by_hand) {
     EXPECT_EQ(text_of(file), text);
 }
 
+TEST_F(LabPages, have_one_picture) {
+    lab::Page page;
+    page.accuracy.device = plait_device_info_defaults();
+    std::strcpy(page.accuracy.device.name, "A Device");
+    for (const char* name : {"fall", "shake"}) {
+        lab::Chart chart;
+        chart.family.name = chart.family.title = name;
+        chart.points = {point("rod", 0.01, 30)};
+        page.charts.charts.push_back(chart);
+        write(std::string(name) + ".svg", "a picture");
+        write(std::string(name) + ".csv", "its points");
+    }
+    EXPECT_THAT(lab::write_page(path("page"), page, path("")),
+                testing::ElementsAre(testing::EndsWith("page/lab-a-device.md"),
+                                     testing::EndsWith("page/lab-a-device-shake.svg")));
+    const std::string text = text_of(path("page/lab-a-device.md"));
+    EXPECT_THAT(text, HasSubstr("![shake](lab-a-device-shake.svg)\n"));
+    EXPECT_THAT(text, HasSubstr("### fall\n"));
+}
+
 class LabFeatures : public TemporaryFolder {};
 
 // A strand with gravity and without: leaving it out moves the hair by its fall.

@@ -1,4 +1,4 @@
-// What misses its mark of the accuracy table, and by how much, on either backend; docs/lab.md says
+// What misses its mark of the accuracy table, and by how much, on either backend; tools/lab/docs/lab.md says
 // why. What meets its mark again is to be struck off.
 //
 // Where rounding moves a value, machines do not agree, and neither do kernels of the same

@@ -45,7 +45,7 @@ TEST_F(LabSettings, explicit_methods_take_what_they_need) {
     EXPECT_EQ(lab::default_setting(verlet, scene(stiff)).substeps, lab::most_substeps);
 }
 
-// As the tables of docs/baselines.md were met: what is asked for holds, half of it does not.
+// As the tables of tools/lab/docs/baselines.md were met: what is asked for holds, half of it does not.
 TEST_F(LabSettings, what_they_take_holds) {
     lab::Contexts contexts("opencl", "");
     for (const char* label : {"explicit_euler", "rk2", "rk4", "verlet"}) {

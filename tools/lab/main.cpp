@@ -11,7 +11,7 @@ namespace lab {
 namespace {
 
 constexpr const char* footer =
-    "Scenes are JSON: assets/lab has some, docs/lab.md says how to write one.\n"
+    "Scenes are JSON: assets/lab has some, tools/lab/docs/lab.md says how to write one.\n"
     "Exit codes: 0 done, whatever was measured; 1 the input is at fault, 2 the device is,\n"
     "130 Ctrl-C ended it early.";
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <string_view>
 
 namespace plait::opencl {
 namespace {
@@ -50,6 +51,10 @@ std::string name_of(plait_stage stage) {
     return plait_stage_describe(stage)->name;
 }
 
+std::string name_in_cl(plait_stage stage) {
+    return stage_file(name_of(stage)).substr(std::string_view("cl/").size());
+}
+
 } // namespace
 
 StageText program_text(plait_stage stage) {
@@ -58,10 +63,10 @@ StageText program_text(plait_stage stage) {
             continue;
         std::string text;
         for (const plait_stage each : group.stages)
-            text += format("#include \"%s.cl\"\n", name_of(each).c_str());
+            text += format("#include \"%s\"\n", name_in_cl(each).c_str());
         return {format("cl/(%s)", group.name), text};
     }
-    return {"cl/" + name_of(stage) + ".cl", std::string(stage_text(name_of(stage)))};
+    return {stage_file(name_of(stage)), std::string(stage_text(name_of(stage)))};
 }
 
 } // namespace plait::opencl

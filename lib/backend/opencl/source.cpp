@@ -43,6 +43,15 @@ const EmbeddedFile* find_embedded(std::string_view name) {
     return found == files.end() ? nullptr : &*found;
 }
 
+// No two stages share a name, so that it tells the room, too.
+const EmbeddedFile* find_kernel(const std::string& stage) {
+    const std::string end = "/" + stage + ".cl";
+    const auto files = embedded_files();
+    const auto found = std::ranges::find_if(
+        files, [&](const EmbeddedFile& file) { return file.name.ends_with(end); });
+    return found == files.end() ? nullptr : &*found;
+}
+
 const EmbeddedFile* resolve(const std::string& includer, const std::string& name) {
     const std::string beside = includer.substr(0, includer.rfind('/') + 1);
     for (const std::string& folder : {beside, std::string("cl/"), std::string("cl/shared/")})
@@ -110,8 +119,13 @@ Result<Source> flatten(std::string_view name, std::string_view text) {
     return flattener.take();
 }
 
+std::string stage_file(const std::string& stage) {
+    const EmbeddedFile* file = find_kernel(stage);
+    return file ? std::string(file->name) : std::string();
+}
+
 std::string_view stage_text(const std::string& stage) {
-    const EmbeddedFile* file = find_embedded("cl/" + stage + ".cl");
+    const EmbeddedFile* file = find_kernel(stage);
     return file ? file->text() : std::string_view();
 }
 

@@ -26,7 +26,10 @@ struct Source {
 // <angled> one is left to the compiler, because it may stand in a branch that is not for OpenCL.
 Result<Source> flatten(std::string_view name, std::string_view text);
 
-// The embedded source of cl/<stage>.cl, or an empty view.
+// The embedded file of a stage's kernel, "cl/tressfx/wind.cl", or "".
+std::string stage_file(const std::string& stage);
+
+// The text of that file, or an empty view.
 std::string_view stage_text(const std::string& stage);
 
 // A compiler's log with its lines made true: some compilers (Oclgrind's) ignore #line and count

@@ -1,4 +1,4 @@
-// Which nodes of a grid lie in colliders that are meshes, for who closes them to hair or to the wind.
+// Marks grid nodes inside mesh colliders. Used by volume and wind.
 #pragma once
 
 #include "core/base/schedule.hpp"

@@ -53,7 +53,7 @@ Model explicit_one(const char* name, bool bends, double (*longest_step)(double))
     return model;
 }
 
-// docs/baselines.md says what they are.
+// tools/lab/docs/baselines.md says what they are.
 std::vector<Model> make_baselines() {
     const std::vector<Setting> pbd{{20, 1, false}, {1, 2, false},  {1, 10, false}, {1, 50, false},
                                    {5, 1, false},  {10, 1, false}, {50, 1, false}, {100, 1, false}};

@@ -1,4 +1,4 @@
-// Named numbers of a recording. docs/lab.md says what each is.
+// Named numbers of a recording. tools/lab/docs/lab.md says what each is.
 #pragma once
 
 #include "run/recording.hpp"

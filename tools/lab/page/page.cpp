@@ -4,6 +4,7 @@
 
 #include "common/file.hpp"
 
+#include <algorithm>
 #include <cctype>
 #include <cstdio>
 #include <ctime>
@@ -30,15 +31,25 @@ std::string head(const plait_device_info& device) {
            "\n\n| | |\n|---|---|\n| device | " + device.name + " |\n| platform | " +
            device.platform + " |\n| driver | " + device.driver + " |\n| backend | " +
            device.backend + " |\n| date | " + today() + " |\n| plait | " + version +
-           " |\n\nWritten by `./dev lab all`. What the numbers are: [the laboratory](../lab.md).\n";
+           " |\n\nWritten by `./dev lab all`. What the numbers are: [the "
+           "laboratory](../../tools/lab/docs/lab.md).\n";
 }
 
 std::string baselines_of(const AccuracyRun& run) {
     if (run.methods.empty())
         return "";
     return "\n### Baselines\n\nThe same rows by what users know; what they do and do not: "
-           "[baselines](../baselines.md).\n\n" +
+           "[baselines](../../tools/lab/docs/baselines.md).\n\n" +
            accuracy_markdown(run);
+}
+
+// The one figure that lies beside the page: of hair on a head that shakes, or else the first.
+const Chart* pictured(const ChartRun& run) {
+    const auto shake = std::ranges::find(run.charts, "shake",
+                                         [](const Chart& chart) { return chart.family.name; });
+    if (shake != run.charts.end())
+        return &*shake;
+    return run.charts.empty() ? nullptr : &run.charts.front();
 }
 
 std::string drawn(const ChartRun& run, const std::string& prefix, bool free) {
@@ -47,8 +58,10 @@ std::string drawn(const ChartRun& run, const std::string& prefix, bool free) {
         if (chart.family.free() != free)
             continue;
         const Figure figure = figure_of(chart, run.device);
-        text += "\n![" + figure.title + "](" + prefix + figure.name + ".svg)\n\n" +
-                winners_markdown(figure);
+        text += &chart == pictured(run)
+                    ? "\n![" + figure.title + "](" + prefix + figure.name + ".svg)\n\n"
+                    : "\n### " + figure.title + "\n\n";
+        text += winners_markdown(figure);
         for (const std::string& line : left_out_by_reason(figure.left_out))
             text += "\nLeft out: " + line + ".\n";
     }
@@ -61,8 +74,9 @@ std::string figures_of(const ChartRun& run, const std::string& prefix) {
         "Crosses on the upper edge failed: N not finite, E energy out of nothing, o off "
         "the scale. Where hair moves with its head (shake, turn, walk) the error is over how far "
         "it "
-        "swings: on the dashed line it is as wrong as hair that stands still. Below each figure: "
-        "who is best from which cost on; beside it lies its table as CSV.\n";
+        "swings: on the dashed line it is as wrong as hair that stands still. Each table "
+        "says who is best from which cost on. The run leaves every figure and its points "
+        "as CSV in its folder, out/lab.\n";
     text += drawn(run, prefix, false);
     const std::string free = drawn(run, prefix, true);
     if (free.empty())
@@ -83,30 +97,28 @@ std::string features_of(const FeatureRun& run) {
            features_markdown(run);
 }
 
-std::string grid_of(const grid::GridRun& run, const std::string& prefix) {
+std::string grid_of(const grid::GridRun& run) {
     if (run.rows.empty())
         return "";
-    return "\n## Between strands\n\nRows 23 to 25 are of the [grid](../stages/grid_slots.md) "
+    return "\n## Between strands\n\nRows 23 to 25 are of the [grid](../stages/grid.md#grid_slots) "
            "alone, "
            "the same for every model; its cost is of one step of 100,000 vertices, and its error "
-           "from the field they move with, each strand at a velocity of its own "
-           "besides.\n\n" +
-           grid::rows_markdown(run.rows) + "\n![" + run.figure.title + "](" + prefix +
-           "grid.svg)\n\n" + winners_markdown(run.figure);
+           "from the field they move with, to which each strand adds a velocity of its own.\n\n" +
+           grid::rows_markdown(run.rows) + "\n### " + run.figure.title + "\n\n" +
+           winners_markdown(run.figure);
 }
 
-std::string stability_of(const Page& page, const std::string& prefix) {
+std::string stability_of(const Page& page) {
     return "\n## Stability\n\nplait's models in their settings for real time and for quality; "
            "baselines at 60 Hz alone, explicit ones with as many substeps as they need, up to "
            "1000: " +
            page.places +
-           "; seven motions of the root. What the letters mean: [stability](../stability.md). The "
+           "; seven motions of the root. What the letters mean: "
+           "[stability](../../tools/lab/docs/stability.md). The "
            "envelope is 60 Hz and above, N ≤ 64, Γ ≥ 1, ≤ 10 g.\n\n" +
-           stability::counts_markdown(page.stability.rows) + "\n![Where each method fails](" +
-           prefix + "stability.png)\n\nEvery trial: [CSV](" + prefix +
-           "stability.csv). They include one parameter at a time, far beyond hair, at 60 Hz; a "
-           "letter "
-           "for each value, the worse of two strands:\n\n" +
+           stability::counts_markdown(page.stability.rows) +
+           "\nThe trials include one parameter at a time, far beyond hair, at 60 Hz; a letter for "
+           "each value, the worse of two strands:\n\n" +
            stability::axes_markdown(page.stability.rows) +
            "\nInput that nobody means to give: borne is no crash, every other strand bitwise as "
            "without it, and the offender finite, culled or reported.\n\n" +
@@ -153,12 +165,8 @@ std::vector<std::string> write_page(const std::string& folder, const Page& page,
         if (!error)
             files.push_back(to);
     };
-    for (const Chart& chart : page.charts.charts)
-        for (const char* kind : {".svg", ".csv"})
-            publish(chart.family.name + kind);
-    for (const char* file : {"grid.svg", "grid.csv", "stability.png"})
-        publish(file);
-    publish("stability.csv");
+    if (const Chart* chart = pictured(page.charts))
+        publish(chart->family.name + ".svg");
     const std::string kept = hand_written(files[0]);
     write_text(
         head(page.accuracy.device) + "\n## In words\n\n" + by_hand + kept + by_hand_end +
@@ -168,10 +176,11 @@ std::vector<std::string> write_page(const std::string& folder, const Page& page,
             "trials of the stability sweep in which a strand was lost or gained energy.\n\n" +
             summary_markdown(page) +
             "\n## Accuracy\n\nBold passes its mark, `!` misses it, n/a: the "
-            "model cannot do it. Why what misses does: [the laboratory](../lab.md#misses).\n\n" +
+            "model cannot do it. Why what misses does: [the "
+            "laboratory](../../tools/lab/docs/lab.md#misses).\n\n" +
             accuracy_markdown(page.accuracy) + baselines_of(page.baselines) +
-            figures_of(page.charts, name + "-") + grid_of(page.grid, name + "-") +
-            features_of(page.features) + stability_of(page, name + "-"),
+            figures_of(page.charts, name + "-") + grid_of(page.grid) + features_of(page.features) +
+            stability_of(page),
         files[0]);
     return files;
 }

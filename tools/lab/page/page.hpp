@@ -20,7 +20,7 @@ struct Page {
     grid::GridRun grid;
 };
 
-// Writes <folder>/lab-<device>.md and copies the figures of folder `out` beside it; the files
+// Writes <folder>/lab-<device>.md and copies one figure of folder `out` beside it; the files
 // written. What stands between by_hand and its end in the page that was there is kept.
 std::vector<std::string> write_page(const std::string& folder, const Page& page,
                                     const std::string& out);

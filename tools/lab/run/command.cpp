@@ -54,7 +54,8 @@ void add_key(CLI::App& command, Json& keys, const char* key, const char* help) {
 void add_run(CLI::App& app, Command& chosen) {
     auto options = std::make_shared<RunOptions>();
     CLI::App* command = app.add_subcommand("run", "run one scene and measure it");
-    command->add_option("scene", options->scene, "scene file; see docs/lab.md")->required();
+    command->add_option("scene", options->scene, "scene file; see tools/lab/docs/lab.md")
+        ->required();
     add_key<std::string>(*command, options->overrides, "model",
                          ("tressfx, articulated, chain, cosserat, rod, ... [" +
                           default_model().label + ", the library's]")

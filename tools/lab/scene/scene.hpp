@@ -1,5 +1,5 @@
 // A scene of the laboratory: everything physical about strands, their motion and what is measured.
-// docs/lab.md lists every key with its unit, range and default.
+// tools/lab/docs/lab.md lists every key with its unit, range and default.
 #pragma once
 
 #include "motion.hpp"
