@@ -87,7 +87,7 @@ double trajectory_error(OneStrand& strand, const std::string& table, int per_sam
 
 struct Fall {
     const char* baseline;
-    float gamma; // 0: limp
+    float gamma;
     uint32_t substeps;
     double bar; // rms distance from the converged strand, lengths
 };
@@ -100,22 +100,14 @@ class BaselineFall : public testing::TestWithParam<Fall> {};
 
 TEST_P(BaselineFall, converges_to_the_true_trajectory) {
     const Fall& fall = GetParam();
-    const bool limp = fall.gamma == 0;
     plait_sim_desc desc = desc_of(fall.substeps);
-    desc.params.drag = 2.0f;
-    if (!limp)
-        make_rod(desc, fall.gamma, 2.0f);
+    make_rod(desc, fall.gamma, 2.0f);
     OneStrand strand = strand_of(fall.baseline, desc, level);
-    const std::string name =
-        limp ? "chain_fall" : "rod_fall_gamma" + std::to_string(std::lround(fall.gamma));
-    EXPECT_LT(trajectory_error(strand, name + "_N16_drag2.csv", limp ? 1 : 5), fall.bar);
+    const std::string name = "rod_fall_gamma" + std::to_string(std::lround(fall.gamma));
+    EXPECT_LT(trajectory_error(strand, name + "_N16_drag2.csv", 5), fall.bar);
 }
 
-// Limp, 7e-4 is what 1 % of stretch at 10 g makes; rods, what the table's inextensible rod is away.
-INSTANTIATE_TEST_SUITE_P(Limp, BaselineFall,
-                         testing::Values(Fall{"explicit_euler_limp", 0, 256, 8e-4},
-                                         Fall{"rk2_limp", 0, 128, 8e-4}, Fall{"rk4_limp", 0, 32, 8e-4},
-                                         Fall{"verlet_limp", 0, 32, 8e-4}, Fall{"pbd", 0, 128, 1e-3}, Fall{"chain", 0, 4, 0.014}));
+// What the table's inextensible rod is away. Limp ones: tests/lab/plane_fall.cpp.
 INSTANTIATE_TEST_SUITE_P(Rods, BaselineFall,
                          testing::Values(Fall{"explicit_euler", 10, 256, 3e-4},
                                          Fall{"rk2", 10, 128, 3e-4}, Fall{"rk4", 1, 32, 6e-5},

@@ -9,8 +9,7 @@
 namespace bench {
 namespace {
 
-constexpr plait_stage solves[] = {PLAIT_STAGE_chain, PLAIT_STAGE_cosserat, PLAIT_STAGE_rod,
-                                  PLAIT_STAGE_articulated};
+constexpr plait_stage solves[] = {PLAIT_STAGE_articulated};
 constexpr int rounds = 15;
 
 // A device that was opened so, or why it was not.

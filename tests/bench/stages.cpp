@@ -72,7 +72,7 @@ void measure_near(benchmark::State& state, uint32_t index, plait_stage stage, in
     const Shape shape{near_strands, model_vertices, results.devices[index].device.tile,
                       static_cast<float>(share) / 100};
     Device device(index);
-    Rig rig(device, stage, shape), solve(device, PLAIT_STAGE_cosserat, shape);
+    Rig rig(device, stage, shape), solve(device, PLAIT_STAGE_articulated, shape);
     double seconds = 0, solve_seconds = 0;
     for ([[maybe_unused]] auto _ : state) {
         const double run = rig.run();
@@ -82,7 +82,7 @@ void measure_near(benchmark::State& state, uint32_t index, plait_stage stage, in
     }
     state.counters["ns/vertex"] = 1e9 * seconds / static_cast<double>(state.iterations()) /
                                   static_cast<double>(shape.total());
-    state.counters["times cosserat"] = seconds / solve_seconds;
+    state.counters["times articulated"] = seconds / solve_seconds;
 }
 
 void register_near(uint32_t device, Results& results) {

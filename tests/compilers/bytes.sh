@@ -11,7 +11,7 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
 while read -r name lanes vertices kernel options; do
-    case $name in chain | cosserat | rod | articulated | grid_splat* | volume_splat* | grid_diffuse | volume_gather) ;; *) continue ;; esac
+    case $name in articulated | grid_splat* | volume_splat* | grid_diffuse | volume_gather) ;; *) continue ;; esac
     if [ "$lanes" -ne 1 ] || [ "$vertices" -ne 16 ]; then continue; fi
     # the reference, whose buffers are taken, has tiles of one strand
     options=${options/-DPLAIT_TILE=32/-DPLAIT_TILE=1}

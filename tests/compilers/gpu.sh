@@ -161,11 +161,8 @@ the device's memory, as if no cache held anything and nothing else took time. Ca
 | solve | private read | private written | global read | global written | touched | H100 SXM, 3,350 GB/s, ms | RTX 4070, 504 GB/s, ms | RX 7900 XTX, 960 GB/s, ms |
 |---|---:|---:|---:|---:|---:|---:|---:|---:|
 END
-    local model
-    for model in chain cosserat rod articulated; do
-        bytes_row alone "$model" "\`$model\`"
-        bytes_row capsules "$model" "\`$model\`, 14 capsules"
-    done
+    bytes_row alone articulated '`articulated`'
+    bytes_row capsules articulated '`articulated`, 14 capsules'
     awk -F, -v most_private=2048 -v most_touched=14336 -v stack="$(awk -F, '{ if ($7 > most) most = $7 } END { print most + 0 }' "$here"/articulated.gfx*.row "$here"/articulated.sm_*.row 2>/dev/null)" '
         index($0, "alone,articulated,") == 1 { alone = $3 + $4 + $5 + $6 }
         index($0, "capsules,articulated,") == 1 { capsules = $3 + $4 + $5 + $6 }

@@ -278,13 +278,10 @@ void play_all() {
     const plait::Groom groom = long_hair();
     plait_sim_desc desc = plait_sim_desc_defaults();
     desc.params.interhair = PLAIT_INTERHAIR_OFF;
-    for (const plait_model model :
-         {PLAIT_MODEL_ARTICULATED})
-        for (const bool capsules : {false, true}) {
-            desc.model = model;
-            scene = capsules ? "capsules" : "alone";
-            play(context, groom, desc, capsules);
-        }
+    for (const bool capsules : {false, true}) {
+        scene = capsules ? "capsules" : "alone";
+        play(context, groom, desc, capsules);
+    }
     // Then the grid's own stages alone, of the default model.
     std::erase_if(programs, [](const Program& program) {
         return plait_stage_describe(program.stage)->name == std::string("articulated");

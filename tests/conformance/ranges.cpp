@@ -90,9 +90,9 @@ TEST(Ranges, a_voxel_takes_what_the_device_allows) {
 
 // Eight strands per work-item; one strand each, in tiles of 32 that fill groups of 64.
 TEST(Ranges, lanes_cover_whole_tiles) {
-    const plait_stage_info& stage = *plait_stage_describe(PLAIT_STAGE_cosserat);
+    const plait_stage_info& stage = *plait_stage_describe(PLAIT_STAGE_articulated);
     plait_dispatch dispatch{};
-    dispatch.stage = PLAIT_STAGE_cosserat;
+    dispatch.stage = PLAIT_STAGE_articulated;
     dispatch.item_count = 67;
     dispatch.item_width = 16;
     const auto wide = work_range(stage, dispatch, {4096, 4096, 1 << 16, 8, 8});

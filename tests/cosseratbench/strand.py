@@ -32,7 +32,7 @@ def pinned() -> float:
     points = np.zeros((11, 3))
     points[:, 0] = np.linspace(0, 0.2, 11)
     target = np.array([0.15, 0.0, 0.0])
-    strand = api.Strand(points, "rod", 1 / 60, 1)
+    strand = api.Strand(points, 1 / 60, 1)
     strand.pin(10, target)
     strand.advance(240)
     distance = np.linalg.norm(strand.positions()[-1] - target) / 0.2

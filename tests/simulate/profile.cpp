@@ -46,7 +46,7 @@ Measurements two_frames(bool with_times = true) {
         };
         add("roots", 100, 1'000, 10'000, 20'000);
         add("clamp", 200'000, 3'000, 20'000, 30'000);
-        add("rod", 4'000'000, 29'000, 35'000, 75'000);
+        add("articulated", 4'000'000, 29'000, 35'000, 75'000);
     }
     return run;
 }
@@ -54,7 +54,7 @@ Measurements two_frames(bool with_times = true) {
 TEST(Profile, AddsUpToTheFrame) {
     const Profile profile = make_profile(two_frames(), 1000, 200e9);
     ASSERT_EQ(profile.stages.size(), 3u);
-    EXPECT_EQ(profile.stages[0].stage, "rod") << "the slowest first";
+    EXPECT_EQ(profile.stages[0].stage, "articulated") << "the slowest first";
     EXPECT_DOUBLE_EQ(profile.stages[0].calls, 1);
     EXPECT_NEAR(profile.stages[0].us, 40, 1e-9);
     EXPECT_NEAR(profile.stages[0].bytes_per_second(), 4e6 / 40e-6, 1);
@@ -84,7 +84,7 @@ TEST(Profile, SaysWhereTheDriverGivesNoTimes) {
     const std::string text = to_text(profile);
     EXPECT_NE(text.find("the driver's events carry no times"), std::string::npos) << text;
     EXPECT_EQ(text.find("GB/s"), std::string::npos) << "no rate is made up\n" << text;
-    EXPECT_NE(text.find("rod"), std::string::npos);
+    EXPECT_NE(text.find("articulated"), std::string::npos);
     EXPECT_EQ(to_json(profile).at("has_device_times"), false);
 }
 
@@ -114,7 +114,7 @@ TEST(Trace, PutsBothClocksOnOne) {
     EXPECT_NEAR(stages[0].at("ts").get<double>(), 10, 1e-3);
     EXPECT_NEAR(stages[3].at("ts").get<double>(), 1010, 1e-3);
     EXPECT_NEAR(stages[2].at("dur").get<double>(), 40, 1e-9);
-    EXPECT_EQ(stages[2].at("name"), "rod");
+    EXPECT_EQ(stages[2].at("name"), "articulated");
     EXPECT_NEAR(stages[2].at("args").at("GB/s").get<double>(), 100, 1e-9);
     EXPECT_EQ(stages[5].at("args").at("frame"), 1);
     EXPECT_NE(stages[0].at("tid"), calls[0].at("tid"));

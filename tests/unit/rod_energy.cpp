@@ -234,7 +234,7 @@ void expect_buckling_at(double theta, double bend, double twist, const char* nam
 
 // Greenhill's problem with clamped ends, no tension: Theta = 8.98682 EI/GJ.
 TEST(ClampedRod, straight_one_buckles_under_twist) {
-    for (const double twist : {1.0, 0.6896551724}) // `cosserat` has GJ = EI, `rod` any
+    for (const double twist : {1.0, 0.6896551724}) // GJ/EI
         expect_buckling_at(8.98682 / twist, 1, twist, "straight rod",
                            [](double) { return Quat::Identity(); });
 }

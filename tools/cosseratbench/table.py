@@ -6,11 +6,11 @@ import json
 import sys
 from pathlib import Path
 
-SOLVERS = ("plait", "plait-rod", "mujoco", "pyelastica")
+SOLVERS = ("plait", "mujoco", "pyelastica")
 HEAD = """# A public benchmark of rods
 
 Written by `./dev cosseratbench`, which runs [cosseratbench](https://github.com/jakeryderv/cosseratbench) {versions}, a
-suite of rod problems with known answers, on plait's models `articulated` (`plait`) and `rod` (`plait-rod`) through the
+suite of rod problems with known answers, on plait's model `articulated` (`plait`) through the
 C API, and on the solvers that it brings. Each solver chooses its own time step; the number of elements is the
 benchmark's. Cells: the error that the problem measures, and seconds of wall time for one rod, start and reading
 included, on {machine}.

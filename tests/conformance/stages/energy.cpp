@@ -267,7 +267,6 @@ void no_contact_gives_energy(Bench& bench, plait_stage stage, uint32_t iteration
     Count count;
     std::vector<std::pair<Size, LaneHair>> hairs;
     for (const Size& size : contact_sizes()) {
-        // of those in which cosserat, too, keeps it to rounding: docs/models/cosserat.md, Energy
         for (const uint32_t seed : {32u, 39u})
             hairs.emplace_back(size, make_lane_hair_in_contact(size, seed, 0.3f));
         for (const uint32_t seed : {36u, 45u})
@@ -324,63 +323,17 @@ void no_substep_gives_energy(Bench& bench, plait_stage stage, uint32_t iteration
     EXPECT_LT(count.limited, count.all);
 }
 
-void chain_gives_no_energy(Bench& bench) {
-    no_substep_gives_energy(bench, PLAIT_STAGE_chain, 1, false, false);
-    no_contact_gives_energy(bench, PLAIT_STAGE_chain, 1, false, false);
-    no_pin_gives_energy(bench, PLAIT_STAGE_chain, 1, false, false);
-}
-void cosserat_gives_no_energy(Bench& bench) {
-    no_substep_gives_energy(bench, PLAIT_STAGE_cosserat, 1, true, true);
-    no_contact_gives_energy(bench, PLAIT_STAGE_cosserat, 1, true, true);
-    no_pin_gives_energy(bench, PLAIT_STAGE_cosserat, 1, true, true);
-}
-void rod_gives_no_energy(Bench& bench) {
-    no_substep_gives_energy(bench, PLAIT_STAGE_rod, 0, true, true);
-    no_contact_gives_energy(bench, PLAIT_STAGE_rod, 0, true, true);
-    no_pin_gives_energy(bench, PLAIT_STAGE_rod, 0, true, true);
-}
 void articulated_gives_no_energy(Bench& bench) {
     no_substep_gives_energy(bench, PLAIT_STAGE_articulated, 0, true, true);
     no_contact_gives_energy(bench, PLAIT_STAGE_articulated, 0, true, true);
     no_pin_gives_energy(bench, PLAIT_STAGE_articulated, 0, true, true);
 }
 
-// One iteration more, from the same state.
-void no_iteration_raises_the_potential(Bench& bench, plait_stage stage, bool sections) {
-    const Size size{67, 16};
-    std::vector<double> before(size.strands, HUGE_VAL);
-    for (uint32_t iterations = stage == PLAIT_STAGE_rod ? 1 : 0; iterations < 6; ++iterations) {
-        const plait_lane_params params = lane_params(size, iterations, 0);
-        const Setup setup = lane_setup(size, make_lane_hair_spun(size, 9), params, true);
-        const Setup solved = after(bench, stage, setup);
-        for (size_t k = 0; k < size.strands; ++k) {
-            const Strand s = strand_of(setup, k, true, sections);
-            const Vec3 shift = vec3_at(setup.buffers[Places(true).x], k * setup.width) - s.root_at;
-            const double now = potential(s, Forces(params, s), shift, state_of(setup, k, true),
-                                         state_of(solved, k, true));
-            EXPECT_LE(now, before[k] * (1 + 1e-5)) << iterations << " iterations, strand " << k;
-            before[k] = now;
-        }
-    }
-}
-
-void cosserat_never_raises_its_potential(Bench& bench) {
-    no_iteration_raises_the_potential(bench, PLAIT_STAGE_cosserat, true);
-}
-void rod_never_raises_its_potential(Bench& bench) {
-    no_iteration_raises_the_potential(bench, PLAIT_STAGE_rod, true);
-}
-
 } // namespace
 
 const std::vector<ClosedForm>& energy_closed_forms() {
     static const std::vector<ClosedForm> list = {
-        PLAIT_CLOSED_FORM(chain_gives_no_energy),
-        PLAIT_CLOSED_FORM(cosserat_gives_no_energy),
-        PLAIT_CLOSED_FORM(rod_gives_no_energy),
         PLAIT_CLOSED_FORM(articulated_gives_no_energy),
-        PLAIT_CLOSED_FORM(cosserat_never_raises_its_potential),
-        PLAIT_CLOSED_FORM(rod_never_raises_its_potential),
     };
     return list;
 }

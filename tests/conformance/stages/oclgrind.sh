@@ -16,9 +16,9 @@ watch() {
 # Perturbed runs take the same paths through the kernels, so those are left to the real devices. The
 # longest kernels are walked through with strands of up to 16 vertices.
 program=$1
-watch '-*_notices:*.rod:*.articulated:*.cosserat'
+watch '-*_notices:*.articulated'
 export PLAIT_TEST_MAX_VERTICES=16
-watch '*.rod:*.articulated:*.cosserat'
+watch '*.articulated'
 
 # A complaint is a line of its own followed by the kernel's name.
 awk '

@@ -48,15 +48,15 @@ void round_strands_keep_their_bits(Bench& bench, plait_stage stage) {
     }
 }
 
-void cosserat_has_the_bits_of_round_strands(Bench& bench) {
-    round_strands_keep_their_bits(bench, PLAIT_STAGE_cosserat);
+void articulated_has_the_bits_of_round_strands(Bench& bench) {
+    round_strands_keep_their_bits(bench, PLAIT_STAGE_articulated);
 }
 
 } // namespace
 
 const std::vector<ClosedForm>& section_closed_forms() {
     static const std::vector<ClosedForm> list = {
-        PLAIT_CLOSED_FORM(cosserat_has_the_bits_of_round_strands),
+        PLAIT_CLOSED_FORM(articulated_has_the_bits_of_round_strands),
     };
     return list;
 }

@@ -8,7 +8,7 @@ import os
 
 import numpy as np
 
-MODELS = {"cosserat": 2, "rod": 3, "articulated": 4}
+ARTICULATED = 1
 FIELD_POSITION = 0
 FIELD_ACCELERATION = 11
 FIELD_PIN = 12
@@ -155,7 +155,7 @@ PIN_HELD = 1e6  # N/m
 class Strand:
     """One strand on the best device there is, held at its root."""
 
-    def __init__(self, points: np.ndarray, model: str, step: float, substeps: int) -> None:
+    def __init__(self, points: np.ndarray, step: float, substeps: int) -> None:
         self._context, self._groom, self._sim = c.c_void_p(), c.c_void_p(), c.c_void_p()
         _call("plait_context_create", None, c.byref(self._context))
         groom = _filled(GroomDesc, "plait_groom_desc")
@@ -164,7 +164,7 @@ class Strand:
         groom.vertices_per_strand = len(positions)
         _call("plait_groom_create", c.byref(groom), None, c.byref(self._groom))
         desc = _filled(_SimDesc, "plait_sim_desc")
-        desc.model = MODELS[model]
+        desc.model = ARTICULATED
         desc.step = step
         desc.substeps = substeps
         desc.max_steps_per_call = 1000

@@ -64,7 +64,7 @@ class _Plait:
         rod = _supported(scenario)
         steps = self._steps_per_frame(scenario, n_frames)
         strand = api.Strand(
-            _at_rest_length(rod, n_elements), self.model,
+            _at_rest_length(rod, n_elements),
             scenario.duration / (n_frames - 1) / steps, 1,
         )
         try:
@@ -119,11 +119,3 @@ class Articulated(_Plait):
     name = "plait"
     model = "articulated"
     capabilities = frozenset()
-
-
-class Rod(_Plait):
-    """A rod that stretches, by direct Gauss-Newton steps."""
-
-    name = "plait-rod"
-    model = "rod"
-    capabilities = frozenset({Capability.STRETCH})

@@ -4,7 +4,6 @@
  *         follow-the-leader sweep with the velocity correction of Mueller et al. 2012, of which
  *         K = 0 is the dynamic follow-the-leader.
  * Changed the first length solve has its tension implicit where the step is coarse
-<<<<<<<< HEAD:tools/lab/baselines/chain.cl
  *         (chain_tension.clh); the velocity correction counts the sweep's displacement
  *         alone.
  */
@@ -12,13 +11,6 @@
 #include "chain_tension.clh"
 #include "constants.clh"
 #include "kernel.clh"
-========
- *         (strands/chain_tension.clh); the velocity correction counts the sweep's displacement
- *         alone.
- */
-#pragma OPENCL FP_CONTRACT OFF
-#include "strands/chain_tension.clh"
->>>>>>>> main:cl/strands/chain.cl
 #include "strands/energy.clh"
 
 /* Project x on linearised edge lengths: J W J^T lambda = C, C capped at one rest length; W is the

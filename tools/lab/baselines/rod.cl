@@ -1,25 +1,14 @@
 /* Baseline: a Cosserat rod by damped Gauss-Newton with a direct solve.
  *
-<<<<<<<< HEAD:tools/lab/baselines/rod.cl
  * Source  the potential of stretch_rod.clh; unknowns per segment k are the displacement of vertex
-========
- * Items   strands, over lanes.
- * Reads   lane_strand, rest, pose, lane_material, lane_rest, collider.
- * Moves   lane_x, lane_v, lane_q, and the steps before.
- * Source  the potential of strands/rod.clh; unknowns per segment k are the displacement of vertex
->>>>>>>> main:cl/strands/rod.cl
  * k+1 and the rotation vector of q_k, so the Hessian is block tridiagonal, 6x6. Gauss-Newton plus
  *         the geometric term of tension, without which it diverges; backtracking on the potential;
  *         one iteration of `cosserat` before, two where the search fails.
  */
 #pragma OPENCL FP_CONTRACT ON
-<<<<<<<< HEAD:tools/lab/baselines/rod.cl
 #include "cosserat.clh"
 #include "constants.clh"
 #include "kernel.clh"
-========
-#include "strands/cosserat.clh"
->>>>>>>> main:cl/strands/rod.cl
 
 #define ROD_UNKNOWNS                                                                               \
     6 /* loops over them have constant bounds, so that all compilers unroll them                   \

@@ -164,7 +164,7 @@ plait_context* Contexts::of(const Model& model) {
         if (made == key)
             return context.get();
     plait_context_desc desc = plait_context_desc_defaults();
-    desc.backend = backend_.empty() ? nullptr : backend_.c_str();
+    desc.backend = model.baseline() ? "opencl" : backend_.empty() ? nullptr : backend_.c_str();
     desc.device = device_.empty() ? nullptr : device_.c_str();
     desc.profile = profile_;
     std::string text = model.define.empty() ? "" : "#define " + model.define + "\n";

@@ -49,7 +49,8 @@ struct Method {
     std::string label() const { return model->label + " " + setting.label(); }
 };
 
-// Contexts, made when first needed, one for each baseline: making one may compile for seconds.
+// Contexts, made when first needed, one for each baseline, which are kernels: on OpenCL whatever the
+// backend of the others is. Making one may compile for seconds.
 class Contexts {
   public:
     Contexts(std::string backend, std::string device, bool profile = false);
