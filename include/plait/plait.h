@@ -479,7 +479,7 @@ PLAIT_API void plait_mesh_destroy(plait_mesh* mesh); /* sims keep what they need
 /* ---- simulation ----------------------------------------------------------------------------- */
 
 typedef enum plait_model {
-    PLAIT_MODEL_TRESSFX = 0,     /* parity with TressFX and the thesis; see docs/models/tressfx.md */
+    PLAIT_MODEL_TRESSFX = 0, /* parity with TressFX and the thesis; see docs/models/tressfx.md */
     PLAIT_MODEL_ARTICULATED = 1, /* inextensible rod; see docs/models/articulated.md */
     PLAIT_MODEL_FORCE_32 = 0x7fffffff
 } plait_model;
@@ -733,17 +733,17 @@ PLAIT_API void plait_material_init(plait_material* material, size_t size);
 
 typedef struct plait_sim_desc {
     uint32_t struct_size;
-    plait_model model; /* of every strand; default ARTICULATED */
-    float step;        /* fixed step, s, [1e-5, 1], default 1/60 */
-    uint32_t substeps; /* per fixed step, [1, 1000], default 1 */
+    plait_model model;           /* of every strand; default ARTICULATED */
+    float step;                  /* fixed step, s, [1e-5, 1], default 1/60 */
+    uint32_t substeps;           /* per fixed step, [1, 1000], default 1 */
     uint32_t max_steps_per_call; /* [1, 1000]; time beyond is dropped and counted, default 8 */
     /* What is shown where a frame ends between two fixed steps: 0: the last step, as it was; 1: hair
        between the last two steps, which is one step late at most, on the head as it is now; 2, the
        default: 0 while frames end where steps do, and 1 from the first frame on that does not */
     uint32_t interpolate_output;
-    uint32_t keep_last_frame;   /* 1: POSITION_LAST_FRAME exists; default 0 */
-    uint32_t accelerations;     /* 1: ACCELERATION exists and acts; default 0 */
-    uint32_t pins;              /* 1: vertices may be pinned, PIN exists; tressfx refuses it; default 0 */
+    uint32_t keep_last_frame; /* 1: POSITION_LAST_FRAME exists; default 0 */
+    uint32_t accelerations;   /* 1: ACCELERATION exists and acts; default 0 */
+    uint32_t pins; /* 1: vertices may be pinned, PIN exists; tressfx refuses it; default 0 */
     uint32_t follows_per_guide; /* [0, 64], default 0 */
     float follow_radius;        /* m, [0, 1], default 0.003 */
     uint64_t seed;              /* follow offsets and slot hash */

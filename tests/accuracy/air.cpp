@@ -22,8 +22,7 @@ double tilt_on_a_moving_head(const plait_sim_desc& desc) {
 
 class Air : public testing::TestWithParam<plait_model> {};
 
-INSTANTIATE_TEST_SUITE_P(Models, Air,
-                         testing::Values(PLAIT_MODEL_ARTICULATED));
+INSTANTIATE_TEST_SUITE_P(Models, Air, testing::Values(PLAIT_MODEL_ARTICULATED));
 
 TEST_P(Air, with_the_head_leaves_hair_hanging) {
     plait_sim_desc desc = plait_sim_desc_defaults();

@@ -114,7 +114,9 @@ INSTANTIATE_TEST_SUITE_P(Rods, BaselineFall,
                                          Fall{"rk4", 10, 32, 3e-4}, Fall{"rk4", 100, 32, 5e-4},
                                          Fall{"verlet", 1, 32, 6e-5}, Fall{"verlet", 10, 32, 3e-4},
                                          Fall{"verlet", 100, 32, 5e-4}, Fall{"xpbd", 1, 256, 4e-3},
-                                         Fall{"xpbd", 10, 128, 3e-3}, Fall{"xpbd", 100, 64, 5e-3}, Fall{"rod", 1, 1, 2e-3}, Fall{"rod", 10, 1, 2.5e-3}, Fall{"rod", 100, 1, 3.5e-3}));
+                                         Fall{"xpbd", 10, 128, 3e-3}, Fall{"xpbd", 100, 64, 5e-3},
+                                         Fall{"rod", 1, 1, 2e-3}, Fall{"rod", 10, 1, 2.5e-3},
+                                         Fall{"rod", 100, 1, 3.5e-3}));
 
 // PBD is stiff with sweeps too, but slowly.
 TEST(BaselinePbd, sweeps_shorten_a_hanging_strand) {
@@ -231,8 +233,11 @@ double angular_momentum(const OneStrand& strand) {
 }
 
 TEST(BaselineMomentum, a_spinning_limp_strand_keeps_it) {
-    const std::pair<const char*, uint32_t> baselines[] = {
-        {"explicit_euler_limp", 256}, {"rk2_limp", 256}, {"rk4_limp", 256}, {"verlet_limp", 256}, {"pbd", 64}};
+    const std::pair<const char*, uint32_t> baselines[] = {{"explicit_euler_limp", 256},
+                                                          {"rk2_limp", 256},
+                                                          {"rk4_limp", 256},
+                                                          {"verlet_limp", 256},
+                                                          {"pbd", 64}};
     for (const auto& [baseline, substeps] : baselines) {
         plait_sim_desc desc = desc_of(substeps);
         desc.params.gravity[1] = 0.0f;
@@ -281,8 +286,8 @@ TEST(BaselineCurls, stay_as_groomed_without_gravity) {
 
 // They pull at single masses as gravity does at all: the one in place of the other changes nothing.
 TEST(BaselineAccelerations, pull_as_gravity_does) {
-    for (const char* baseline :
-         {"explicit_euler", "rk2", "rk4", "verlet", "verlet_limp", "pbd", "xpbd", "chain", "cosserat", "rod"}) {
+    for (const char* baseline : {"explicit_euler", "rk2", "rk4", "verlet", "verlet_limp", "pbd",
+                                 "xpbd", "chain", "cosserat", "rod"}) {
         plait_sim_desc desc = desc_of(256);
         make_rod_material(desc, 10.0f);
         OneStrand falls = strand_of(baseline, desc, level);

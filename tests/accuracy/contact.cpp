@@ -70,8 +70,7 @@ class Contact : public testing::TestWithParam<Use> {
     }
 };
 
-INSTANTIATE_TEST_SUITE_P(Models, Contact,
-                         testing::Values(Use{PLAIT_MODEL_ARTICULATED, 1}));
+INSTANTIATE_TEST_SUITE_P(Models, Contact, testing::Values(Use{PLAIT_MODEL_ARTICULATED, 1}));
 
 // ---- an incline: gravity leans by an angle against the normal of a big cylinder under the strand
 // --
@@ -106,31 +105,24 @@ class Incline {
 };
 
 TEST(InclineFriction, holds_a_degree_below_its_angle) {
-    for (const plait_model model : {PLAIT_MODEL_ARTICULATED}) {
-        Incline incline(model, 0.3f, -1);
-        incline.speed(60);
-        EXPECT_LT(incline.speed(60), 1e-3 * double(length)) << "model " << model;
-    }
+    Incline incline(PLAIT_MODEL_ARTICULATED, 0.3f, -1);
+    incline.speed(60);
+    EXPECT_LT(incline.speed(60), 1e-3 * double(length));
 }
 
 TEST(InclineFriction, lets_go_a_degree_above) {
-    for (const plait_model model : {PLAIT_MODEL_ARTICULATED}) {
-        Incline incline(model, 0.3f, 1);
-        incline.speed(20);
-        EXPECT_GT(incline.speed(5), 0.02) << "model " << model;
-    }
+    Incline incline(PLAIT_MODEL_ARTICULATED, 0.3f, 1);
+    incline.speed(20);
+    EXPECT_GT(incline.speed(5), 0.02);
 }
 
 TEST(InclineFriction, is_mu_times_the_push_while_it_slides) {
-    for (const plait_model model : {PLAIT_MODEL_ARTICULATED}) {
-        Incline incline(model, 0.3f, 10);
-        incline.speed(2);
-        const double before = incline.speed(1);
-        incline.speed(5);
-        const double after = incline.speed(1);
-        EXPECT_NEAR((after - before) * 60 / 6, incline.expected(), 0.05 * incline.expected())
-            << "model " << model;
-    }
+    Incline incline(PLAIT_MODEL_ARTICULATED, 0.3f, 10);
+    incline.speed(2);
+    const double before = incline.speed(1);
+    incline.speed(5);
+    const double after = incline.speed(1);
+    EXPECT_NEAR((after - before) * 60 / 6, incline.expected(), 0.05 * incline.expected());
 }
 
 // ---- hair over a bar
@@ -273,45 +265,44 @@ TEST(Tunnelling, no_vertex_passes_through_a_ball) {
             points.push_back({-0.1f + 0.2f * static_cast<float>(s * 37 % 60) / 60.0f,
                               -length * static_cast<float>(i) / 16.0f,
                               -0.006f + 0.012f * static_cast<float>(s) / 60.0f});
-    for (const plait_model model : {PLAIT_MODEL_ARTICULATED})
-        for (const float radii : {1.0f, 2.0f, 5.0f}) {
-            OneStrand hair(points, 17, desc_of(model), shared_context());
-            const auto ball =
-                add_capsule(hair, {-0.2f, -0.26f, 0.0f}, {-0.2f, -0.26f, 0.0f}, radius, 0.3f);
-            int met = 0, passed = 0;
-            Points before = hair.read(PLAIT_FIELD_POSITION);
-            const int steps = static_cast<int>(0.4f / (radii * radius));
-            for (int i = 0; i < steps; ++i) {
-                const float from = -0.2f + radii * radius * static_cast<float>(i);
-                const float to = from + radii * radius;
-                move(hair, ball, {to + 0.2f, 0.0f, 0.0f});
-                hair.step();
-                const Points now = hair.read(PLAIT_FIELD_POSITION);
-                for (size_t k = 0; k < now.size(); ++k) {
-                    // the way of the vertex, seen from the ball
-                    const double a[3] = {double(before[k][0]) - double(from),
-                                         double(before[k][1]) + 0.26, double(before[k][2])};
-                    const double b[3] = {double(now[k][0]) - double(to), double(now[k][1]) + 0.26,
-                                         double(now[k][2])};
-                    double square = 0, along = 0, nearest = 0;
-                    for (int c = 0; c < 3; ++c) {
-                        square += (b[c] - a[c]) * (b[c] - a[c]);
-                        along -= a[c] * (b[c] - a[c]);
-                    }
-                    const double t = square > 0 ? std::clamp(along / square, 0.0, 1.0) : 0.0;
-                    for (int c = 0; c < 3; ++c)
-                        nearest += std::pow(a[c] + t * (b[c] - a[c]), 2);
-                    nearest = std::sqrt(nearest);
-                    if (std::hypot(a[0], a[1], a[2]) < 0.9 * double(radius))
-                        continue; // it did not come from outside
-                    met += nearest < 1.02 * double(radius);
-                    passed += nearest < 0.75 * double(radius);
+    for (const float radii : {1.0f, 2.0f, 5.0f}) {
+        OneStrand hair(points, 17, desc_of(PLAIT_MODEL_ARTICULATED), shared_context());
+        const auto ball =
+            add_capsule(hair, {-0.2f, -0.26f, 0.0f}, {-0.2f, -0.26f, 0.0f}, radius, 0.3f);
+        int met = 0, passed = 0;
+        Points before = hair.read(PLAIT_FIELD_POSITION);
+        const int steps = static_cast<int>(0.4f / (radii * radius));
+        for (int i = 0; i < steps; ++i) {
+            const float from = -0.2f + radii * radius * static_cast<float>(i);
+            const float to = from + radii * radius;
+            move(hair, ball, {to + 0.2f, 0.0f, 0.0f});
+            hair.step();
+            const Points now = hair.read(PLAIT_FIELD_POSITION);
+            for (size_t k = 0; k < now.size(); ++k) {
+                // the way of the vertex, seen from the ball
+                const double a[3] = {double(before[k][0]) - double(from),
+                                     double(before[k][1]) + 0.26, double(before[k][2])};
+                const double b[3] = {double(now[k][0]) - double(to), double(now[k][1]) + 0.26,
+                                     double(now[k][2])};
+                double square = 0, along = 0, nearest = 0;
+                for (int c = 0; c < 3; ++c) {
+                    square += (b[c] - a[c]) * (b[c] - a[c]);
+                    along -= a[c] * (b[c] - a[c]);
                 }
-                before = now;
+                const double t = square > 0 ? std::clamp(along / square, 0.0, 1.0) : 0.0;
+                for (int c = 0; c < 3; ++c)
+                    nearest += std::pow(a[c] + t * (b[c] - a[c]), 2);
+                nearest = std::sqrt(nearest);
+                if (std::hypot(a[0], a[1], a[2]) < 0.9 * double(radius))
+                    continue; // it did not come from outside
+                met += nearest < 1.02 * double(radius);
+                passed += nearest < 0.75 * double(radius);
             }
-            EXPECT_GT(met, 0) << "model " << model << ", " << radii << " radii a step";
-            EXPECT_EQ(passed, 0) << "model " << model << ", " << radii << " radii a step";
+            before = now;
         }
+        EXPECT_GT(met, 0) << radii << " radii a step";
+        EXPECT_EQ(passed, 0) << radii << " radii a step";
+    }
 }
 
 // A hanging strand whose lower part, or all of it, starts inside a ball.

@@ -74,8 +74,7 @@ TEST(StrandStiffness, scales_strand_by_strand) {
     const size_t row = points.size();
     const std::vector<Vec3> one = points;
     points.insert(points.end(), one.begin(), one.end());
-    for (const plait_model model :
-         {PLAIT_MODEL_ARTICULATED}) {
+    for (const plait_model model : {PLAIT_MODEL_ARTICULATED}) {
         plait_sim_desc desc = desc_of(1, 1, 1);
         desc.model = model;
         const float scales[] = {1.0f, 4.0f};

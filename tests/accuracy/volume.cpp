@@ -174,9 +174,9 @@ TEST(BallOfTriangles, is_a_ball) {
 
 class BareBall : public testing::TestWithParam<Use> {};
 
-INSTANTIATE_TEST_SUITE_P(
-    Models, BareBall,
-    testing::Values(Use{PLAIT_MODEL_ARTICULATED, 60, 500, 0}, Use{PLAIT_MODEL_ARTICULATED, 120, 500, 0}));
+INSTANTIATE_TEST_SUITE_P(Models, BareBall,
+                         testing::Values(Use{PLAIT_MODEL_ARTICULATED, 60, 500, 0},
+                                         Use{PLAIT_MODEL_ARTICULATED, 120, 500, 0}));
 
 TEST_P(BareBall, sinks_without_volume) {
     const Outcome got = after(2, GetParam(), false);

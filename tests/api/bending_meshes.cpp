@@ -23,13 +23,10 @@ plait_collider_mesh_desc nearest_desc() {
     return desc;
 }
 
-plait_sim_desc desc_of(plait_model model) {
+plait_sim_desc desc_of() {
     auto desc = plait_sim_desc_defaults();
-    desc.model = model;
     return desc;
 }
-
-constexpr plait_model models[] = {PLAIT_MODEL_ARTICULATED};
 
 std::vector<float> bent(const std::vector<float>& rest, const Bend& bend) {
     std::vector<float> positions;
@@ -90,37 +87,35 @@ TEST_P(BendingMeshes, HairStaysOutsideOfWhatBends) {
     for (int s = 0; s < (is_reference() ? 4 : 24); ++s)
         strands.push_back(
             curl({-0.12f, -0.1f + 0.2f * static_cast<float>(s) / 24, 0.06f}, 14, 0.02f, 0.4f));
-    for (const plait_model model : models) {
-        auto desc = desc_of(model);
-        desc.substeps = 2;
-        desc.params.gravity[1] = 0;
-        desc.params.gravity[2] = -9.81f; // onto its side
-        plait::Sim sim(context, make_groom(strands), desc);
-        auto collider = nearest_desc();
-        collider.margin = 1e-3f;
-        const auto id = sim.create_collider(mesh, collider);
-        size_t deep = 0, all = 0, near = 0;
-        double worst = 1;
-        for (int i = 1; i <= 90; ++i) {
-            const double angle = full_turn / 4 * std::min(1.0, i / 60.0);
-            const auto positions = bent(rest, [&](const auto& p) { return along_arc(p, angle); });
-            sim.set_collider_positions(id, plait::view(positions, 3));
-            sim.step(frame);
-            const auto x = sim.read(PLAIT_FIELD_POSITION);
-            for (size_t k = 0; k < x.size(); k += 4) {
-                const double out = outside_of_arc(&x[k], angle);
-                const double chord = tube_radius * (1 - std::cos(full_turn / 32));
-                worst = std::min(worst, out + chord);
-                deep += out < -chord - 1e-3;
-                near += out < 5e-3;
-                ++all;
-            }
+    auto desc = desc_of();
+    desc.substeps = 2;
+    desc.params.gravity[1] = 0;
+    desc.params.gravity[2] = -9.81f; // onto its side
+    plait::Sim sim(context, make_groom(strands), desc);
+    auto collider = nearest_desc();
+    collider.margin = 1e-3f;
+    const auto id = sim.create_collider(mesh, collider);
+    size_t deep = 0, all = 0, near = 0;
+    double worst = 1;
+    for (int i = 1; i <= 90; ++i) {
+        const double angle = full_turn / 4 * std::min(1.0, i / 60.0);
+        const auto positions = bent(rest, [&](const auto& p) { return along_arc(p, angle); });
+        sim.set_collider_positions(id, plait::view(positions, 3));
+        sim.step(frame);
+        const auto x = sim.read(PLAIT_FIELD_POSITION);
+        for (size_t k = 0; k < x.size(); k += 4) {
+            const double out = outside_of_arc(&x[k], angle);
+            const double chord = tube_radius * (1 - std::cos(full_turn / 32));
+            worst = std::min(worst, out + chord);
+            deep += out < -chord - 1e-3;
+            near += out < 5e-3;
+            ++all;
         }
-        EXPECT_LE(double(deep), 1e-3 * double(all)) << "model " << model;
-        EXPECT_GT(double(near), 0.02 * double(all)) << "model " << model;
-        RecordProperty("worst_mm_" + std::to_string(model), std::to_string(worst * 1e3));
-        RecordProperty("deep_" + std::to_string(model), static_cast<int>(deep));
     }
+    EXPECT_LE(double(deep), 1e-3 * double(all));
+    EXPECT_GT(double(near), 0.02 * double(all));
+    RecordProperty("worst_mm_" + std::to_string(), std::to_string(worst * 1e3));
+    RecordProperty("deep_" + std::to_string(), static_cast<int>(deep));
 }
 
 // ---- skin that stretches and turns under hair --------------------------------------------------
@@ -170,13 +165,13 @@ std::array<double, 3> moved_skin(const std::array<double, 3>& p, double share) {
 }
 
 // m, the largest distance of a vertex from its place on the skin after it moved for 2 s.
-double strayed(plait::Context& context, plait_model model, float friction) {
+double strayed(plait::Context& context, float friction) {
     constexpr int steps = 120;
     constexpr auto height = static_cast<float>(hair_height);
     Strand strand;
     for (int i = 0; i < 17; ++i)
         strand.push_back({static_cast<float>(hair_length) * static_cast<float>(i) / 16, height, 0});
-    auto desc = desc_of(model);
+    auto desc = desc_of();
     desc.params.bend_stiffness = 1e-11f;
     desc.params.drag = 2;
     plait::Sim sim(context, make_groom({strand}), desc);
@@ -207,10 +202,8 @@ double strayed(plait::Context& context, plait_model model, float friction) {
 }
 
 TEST_P(BendingMeshes, HairSticksToSkinThatStretchesAndTurns) {
-    for (const plait_model model : models) {
-        EXPECT_LT(strayed(context, model, 1.5f), 1e-3 * hair_length) << "model " << model;
-        EXPECT_GT(strayed(context, model, 0.0f), 3e-3) << "model " << model;
-    }
+    EXPECT_LT(strayed(context, 1.5f), 1e-3 * hair_length);
+    EXPECT_GT(strayed(context, 0.0f), 3e-3);
 }
 
 // ---- as with any mesh --------------------------------------------------------------------------
@@ -231,40 +224,35 @@ TEST_P(BendingMeshes, HairAtRestIsNotPushed) {
     }
     const auto groom = make_groom(strands);
     const double length = double(groom.describe().mean_length);
-    for (const plait_model model : models) {
-        auto desc = desc_of(model);
-        std::fill_n(desc.params.gravity, 3, 0.0f);
-        const auto rested = [&](bool with) {
-            plait::Sim sim(context, groom, desc);
-            if (with)
-                sim.create_collider(mesh, nearest_desc());
-            run(sim, is_reference() ? 10 : 100);
-            return sim.read(PLAIT_FIELD_POSITION);
-        };
-        EXPECT_LT(double(largest_difference(rested(true), rested(false))), 1e-6 * length)
-            << "model " << model;
-    }
+    auto desc = desc_of();
+    std::fill_n(desc.params.gravity, 3, 0.0f);
+    const auto rested = [&](bool with) {
+        plait::Sim sim(context, groom, desc);
+        if (with)
+            sim.create_collider(mesh, nearest_desc());
+        run(sim, is_reference() ? 10 : 100);
+        return sim.read(PLAIT_FIELD_POSITION);
+    };
+    EXPECT_LT(double(largest_difference(rested(true), rested(false))), 1e-6 * length);
 }
 
 TEST_P(BendingMeshes, WhatIsFarOrGoneChangesNoBit) {
     const auto mesh = make_mesh(tube_mesh());
-    for (const plait_model model : models) {
-        const auto positions = [&](int what) {
-            plait::Sim sim(context, make_groom(tuft(3, 9)), desc_of(model));
-            if (what > 0) {
-                auto far = nearest_desc();
-                far.pose.t[1] = 5;
-                const auto id = sim.create_collider(mesh, far);
-                if (what > 1)
-                    sim.destroy_collider(id);
-            }
-            run(sim, 12);
-            return sim.read(PLAIT_FIELD_POSITION);
-        };
-        const auto none = positions(0);
-        EXPECT_EQ(positions(1), none) << "far, model " << model;
-        EXPECT_EQ(positions(2), none) << "gone, model " << model;
-    }
+    const auto positions = [&](int what) {
+        plait::Sim sim(context, make_groom(tuft(3, 9)), desc_of());
+        if (what > 0) {
+            auto far = nearest_desc();
+            far.pose.t[1] = 5;
+            const auto id = sim.create_collider(mesh, far);
+            if (what > 1)
+                sim.destroy_collider(id);
+        }
+        run(sim, 12);
+        return sim.read(PLAIT_FIELD_POSITION);
+    };
+    const auto none = positions(0);
+    EXPECT_EQ(positions(1), none) << "far";
+    EXPECT_EQ(positions(2), none) << "gone";
 }
 
 TEST_P(BendingMeshes, NothingIsScheduledWithoutThem) {
@@ -302,41 +290,39 @@ TEST_P(BendingMeshes, SnapshotsHoldThemInTheMiddleOfTheirWay) {
     const auto mesh = make_mesh(tube_mesh());
     const auto rest = mesh.read<float>(PLAIT_MESH_FIELD_POSITIONS);
     const auto groom = make_groom(tuft(3, 9));
-    for (const plait_model model : models) {
-        plait::Sim sim(context, groom, desc_of(model)), other(context, groom, desc_of(model));
-        auto desc = nearest_desc();
-        desc.pose.t[0] = 0.1f;
-        desc.pose.t[1] = -0.1f;
-        const auto id = sim.create_collider(mesh, desc);
-        run(sim, 2);
-        for (int i = 1; i <= 3; ++i) {
-            const auto positions = bent(rest, [&](const auto& p) { return along_arc(p, 0.1 * i); });
-            sim.set_collider_positions(id, plait::view(positions, 3));
-            sim.step(0.9 * frame); // what waits is between two places
-        }
-        const auto bytes = sim.save();
-        sim.restore(bytes); // the reference has more digits than a snapshot
-        other.restore(bytes);
-        EXPECT_EQ(other.save(), bytes) << "model " << model;
-        run(sim, 5);
-        run(other, 5);
-        EXPECT_EQ(sim.hash(), other.hash()) << "model " << model;
-        const auto positions = bent(rest, [&](const auto& p) { return along_arc(p, 0.5); });
-        for (plait::Sim* each : {&sim, &other}) {
-            each->set_collider_positions(each->colliders().front(), plait::view(positions, 3));
-            run(*each, 2);
-        }
-        EXPECT_EQ(sim.hash(), other.hash()) << "model " << model;
-        for (const size_t cut : {size_t{1}, bytes.size() / 3, bytes.size() / 2})
-            EXPECT_NE(plait_sim_restore(sim, bytes.data(), bytes.size() - cut), PLAIT_OK);
+    plait::Sim sim(context, groom, desc_of()), other(context, groom, desc_of());
+    auto desc = nearest_desc();
+    desc.pose.t[0] = 0.1f;
+    desc.pose.t[1] = -0.1f;
+    const auto id = sim.create_collider(mesh, desc);
+    run(sim, 2);
+    for (int i = 1; i <= 3; ++i) {
+        const auto positions = bent(rest, [&](const auto& p) { return along_arc(p, 0.1 * i); });
+        sim.set_collider_positions(id, plait::view(positions, 3));
+        sim.step(0.9 * frame); // what waits is between two places
     }
+    const auto bytes = sim.save();
+    sim.restore(bytes); // the reference has more digits than a snapshot
+    other.restore(bytes);
+    EXPECT_EQ(other.save(), bytes);
+    run(sim, 5);
+    run(other, 5);
+    EXPECT_EQ(sim.hash(), other.hash());
+    const auto positions = bent(rest, [&](const auto& p) { return along_arc(p, 0.5); });
+    for (plait::Sim* each : {&sim, &other}) {
+        each->set_collider_positions(each->colliders().front(), plait::view(positions, 3));
+        run(*each, 2);
+    }
+    EXPECT_EQ(sim.hash(), other.hash());
+    for (const size_t cut : {size_t{1}, bytes.size() / 3, bytes.size() / 2})
+        EXPECT_NE(plait_sim_restore(sim, bytes.data(), bytes.size() - cut), PLAIT_OK);
 }
 
 // What jumps leaves hair alone: it was there all the time. A reset does the same.
 TEST_P(BendingMeshes, TeleportAndResetTakeNoWay) {
     const auto mesh = make_mesh(tube_mesh());
     const auto rest = mesh.read<float>(PLAIT_MESH_FIELD_POSITIONS);
-    auto desc = desc_of(PLAIT_MODEL_ARTICULATED);
+    auto desc = desc_of();
     std::fill_n(desc.params.gravity, 3, 0.0f);
     plait::Sim sim(context, make_groom(tuft(3, 9)), desc);
     auto collider = nearest_desc();

@@ -8,7 +8,6 @@ namespace {
 class Lengths : public OnBackend {};
 ON_EVERY_BACKEND(Lengths);
 
-constexpr plait_model every_model[] = {PLAIT_MODEL_ARTICULATED};
 constexpr size_t strands = 240, shorter = 4, longer = 22;
 
 bool is_long(size_t strand) {
@@ -57,9 +56,9 @@ plait_material material(uint32_t index) {
 // A sim of some of the strands, with all that belongs to single ones.
 class Some {
   public:
-    Some(const plait::Context& context, std::vector<size_t> list, plait_model model,
+    Some(const plait::Context& context, std::vector<size_t> list,
          uint32_t bdf2 = PLAIT_BDF2_OF_MODEL)
-        : list_(std::move(list)), sim_(make(context, model, bdf2)) {
+        : list_(std::move(list)), sim_(make(context, bdf2)) {
         row_ = sim_.describe().vertices_per_strand;
         std::vector<plait_pin> pins;
         for (uint32_t i = 0; i < list_.size(); ++i)
@@ -92,9 +91,8 @@ class Some {
     plait::Sim& sim() { return sim_; }
 
   private:
-    plait::Sim make(const plait::Context& context, plait_model model, uint32_t bdf2) {
+    plait::Sim make(const plait::Context& context, uint32_t bdf2) {
         auto desc = plait_sim_desc_defaults();
-        desc.model = model;
         desc.params.bdf2 = bdf2;
         desc.accelerations = desc.pins = 1;
         const std::vector<plait_material> materials{material(0), material(1)};
@@ -141,18 +139,17 @@ template <typename Between> void live(plait::Sim& sim, int steps, const Between&
 constexpr auto nothing = [](int) {};
 
 TEST_P(Lengths, AStrandIsAsInASimOfItsLengthAlone) {
-    for (const plait_model model : every_model)
-        for (const uint32_t bdf2 : {0u, 1u}) {
-            Some both(context, list_strands(of_both), model, bdf2);
-            live(both.sim(), 8, nothing);
-            for (const auto& list : {list_strands(is_long), list_strands(of_short)}) {
-                Some alone(context, list, model, bdf2);
-                live(alone.sim(), 8, nothing);
-                for (const plait_field field : {PLAIT_FIELD_POSITION, PLAIT_FIELD_VELOCITY})
-                    EXPECT_EQ(both.read(field, list), alone.read(field, list))
-                        << model << ' ' << bdf2 << ' ' << field;
-            }
+    for (const uint32_t bdf2 : {0u, 1u}) {
+        Some both(context, list_strands(of_both), bdf2);
+        live(both.sim(), 8, nothing);
+        for (const auto& list : {list_strands(is_long), list_strands(of_short)}) {
+            Some alone(context, list, bdf2);
+            live(alone.sim(), 8, nothing);
+            for (const plait_field field : {PLAIT_FIELD_POSITION, PLAIT_FIELD_VELOCITY})
+                EXPECT_EQ(both.read(field, list), alone.read(field, list))
+                    << ' ' << bdf2 << ' ' << field;
         }
+    }
 }
 
 // Past its tip a strand has rows of masses that nothing holds: it does not feel them.
@@ -167,17 +164,13 @@ TEST_P(Lengths, SoIsAStrandShorterThanItsClass) {
         const auto first = field.begin() + static_cast<long>(4 * row * i);
         return std::vector<float>(first, first + 4 * own);
     };
-    for (const plait_model model : every_model) {
-        auto desc = plait_sim_desc_defaults();
-        desc.model = model;
-        plait::Sim alone(context, make_groom(like), desc), sim(context, make_groom(among), desc);
-        live(alone, 20, nothing);
-        live(sim, 20, nothing);
-        const auto expected = alone.read(PLAIT_FIELD_POSITION),
-                   got = sim.read(PLAIT_FIELD_POSITION);
-        for (size_t i = 0; i < like.size(); ++i)
-            EXPECT_EQ(strand(got, i, longer), strand(expected, i, own)) << model;
-    }
+    auto desc = plait_sim_desc_defaults();
+    plait::Sim alone(context, make_groom(like), desc), sim(context, make_groom(among), desc);
+    live(alone, 20, nothing);
+    live(sim, 20, nothing);
+    const auto expected = alone.read(PLAIT_FIELD_POSITION), got = sim.read(PLAIT_FIELD_POSITION);
+    for (size_t i = 0; i < like.size(); ++i)
+        EXPECT_EQ(strand(got, i, longer), strand(expected, i, own));
 }
 
 // Switched before every third step.
@@ -190,10 +183,10 @@ TEST_P(Lengths, SoIsOneThatSwitchesItsSubsteps) {
             some.take(substeps);
         };
     };
-    Some both(context, list_strands(of_both), PLAIT_MODEL_ARTICULATED);
+    Some both(context, list_strands(of_both));
     live(both.sim(), 9, switching(both));
     for (const auto& list : {list_strands(is_long), list_strands(of_short)}) {
-        Some alone(context, list, PLAIT_MODEL_ARTICULATED);
+        Some alone(context, list);
         live(alone.sim(), 9, switching(alone));
         EXPECT_EQ(both.read(PLAIT_FIELD_POSITION, list), alone.read(PLAIT_FIELD_POSITION, list));
     }
@@ -203,8 +196,7 @@ TEST_P(Lengths, AreSavedAndRestored) {
     std::vector<uint32_t> substeps(strands);
     for (size_t i = 0; i < strands; ++i)
         substeps[i] = 1 + static_cast<uint32_t>(i) / 2 % 4;
-    Some a(context, list_strands(of_both), PLAIT_MODEL_ARTICULATED),
-        b(context, list_strands(of_both), PLAIT_MODEL_ARTICULATED);
+    Some a(context, list_strands(of_both)), b(context, list_strands(of_both));
     run(a.sim(), 3);
     const auto of_one_kind = a.sim().save();
     a.take(substeps);

@@ -7,15 +7,12 @@
 
 namespace {
 
-constexpr plait_model every_model[] = {PLAIT_MODEL_ARTICULATED};
-constexpr plait_model bending_models[] = {PLAIT_MODEL_ARTICULATED};
 constexpr size_t vertices = 13;
 constexpr float length = 0.3f; // m
 constexpr float g = 9.81f;     // m/s^2
 
-plait_sim_desc desc_of(plait_model model) {
+plait_sim_desc desc_of() {
     auto desc = plait_sim_desc_defaults();
-    desc.model = model;
     return desc;
 }
 
@@ -75,29 +72,28 @@ ON_EVERY_BACKEND(MaterialScales);
 // To the bit, as powers of two are exact: of scales from 0 to 8 beside one another, and of the params'.
 TEST_P(MaterialScales, DragIsThatOfASimWithSoManyTimesTheParams) {
     const std::vector<float> scales{0, 1, 0.5f, 8};
-    for (const plait_model model : every_model)
-        for (const uint32_t bdf2 : {0u, 1u}) {
-            auto desc = desc_of(model);
-            desc.params.bdf2 = bdf2;
-            desc.params.drag = 2;
-            desc.params.wind[0] = 1.5f;
-            desc.params.wind[2] = 0.5f;
-            plait::Sim mixed(context, make_groom(tuft(5, vertices)), desc);
-            auto list = of_drag(scales);
-            list.push_back(plait_material_defaults());
-            give(mixed, list, 5);
-            run(mixed, 20);
-            const auto positions = mixed.read(PLAIT_FIELD_POSITION);
-            for (size_t i = 0; i < 5; ++i) {
-                desc.params.drag = 2 * (i < scales.size() ? scales[i] : 1);
-                plait::Sim alone(context, make_groom(tuft(5, vertices)), desc);
-                run(alone, 20);
-                EXPECT_LE(largest_difference(strand_of(positions, i),
-                                             strand_of(alone.read(PLAIT_FIELD_POSITION), i)),
-                          0)
-                    << model << ", BDF2 " << bdf2 << ", strand " << i;
-            }
+    for (const uint32_t bdf2 : {0u, 1u}) {
+        auto desc = desc_of();
+        desc.params.bdf2 = bdf2;
+        desc.params.drag = 2;
+        desc.params.wind[0] = 1.5f;
+        desc.params.wind[2] = 0.5f;
+        plait::Sim mixed(context, make_groom(tuft(5, vertices)), desc);
+        auto list = of_drag(scales);
+        list.push_back(plait_material_defaults());
+        give(mixed, list, 5);
+        run(mixed, 20);
+        const auto positions = mixed.read(PLAIT_FIELD_POSITION);
+        for (size_t i = 0; i < 5; ++i) {
+            desc.params.drag = 2 * (i < scales.size() ? scales[i] : 1);
+            plait::Sim alone(context, make_groom(tuft(5, vertices)), desc);
+            run(alone, 20);
+            EXPECT_LE(largest_difference(strand_of(positions, i),
+                                         strand_of(alone.read(PLAIT_FIELD_POSITION), i)),
+                      0)
+                << "BDF2 " << bdf2 << ", strand " << i;
         }
+    }
 }
 
 // Roots that fall as fast as hair of scale 2 does under its drag, at g/2c: that hair stays level. On
@@ -110,63 +106,59 @@ TEST_P(MaterialScales, HairOfItsTerminalSpeedFeelsNoLoad) {
     for (plait_material& material : list)
         material.bend_stiffness = 1e-5f;
     const double sag = 5e-6 * double(g) * std::pow(double(length), 4) / (8 * 1e-5);
-    for (const plait_model model : bending_models) {
-        auto desc = desc_of(model);
-        desc.params.drag = drag;
-        plait::Sim sim(context, make_groom(level_ones(3)), desc);
-        give(sim, list, 3);
-        std::vector<float> velocity(size_t{4} * vertices * 3, 0.0f);
-        for (size_t i = 1; i < velocity.size(); i += 4)
-            velocity[i] = -speed;
-        sim.write(PLAIT_FIELD_VELOCITY, velocity);
-        float fallen = 0;
-        for (int i = 1; i <= 180; ++i) {
-            fallen = speed * static_cast<float>(i) / 60;
-            sim.set_roots(head_at({0, -fallen, 0}));
-            run(sim, 1);
-        }
-        const auto positions = sim.read(PLAIT_FIELD_POSITION);
-        const auto below = [&](size_t i) { return double(-fallen - tip_of(positions, i)[1]); };
-        EXPECT_NEAR(below(0), 0, 0.002 * sag) << model;
-        EXPECT_NEAR(below(1), 0.5 * sag, 0.02 * sag) << model;
-        EXPECT_GT(below(2), 0.8 * sag) << model; // swings on without drag
+    auto desc = desc_of();
+    desc.params.drag = drag;
+    plait::Sim sim(context, make_groom(level_ones(3)), desc);
+    give(sim, list, 3);
+    std::vector<float> velocity(size_t{4} * vertices * 3, 0.0f);
+    for (size_t i = 1; i < velocity.size(); i += 4)
+        velocity[i] = -speed;
+    sim.write(PLAIT_FIELD_VELOCITY, velocity);
+    float fallen = 0;
+    for (int i = 1; i <= 180; ++i) {
+        fallen = speed * static_cast<float>(i) / 60;
+        sim.set_roots(head_at({0, -fallen, 0}));
+        run(sim, 1);
     }
+    const auto positions = sim.read(PLAIT_FIELD_POSITION);
+    const auto below = [&](size_t i) { return double(-fallen - tip_of(positions, i)[1]); };
+    EXPECT_NEAR(below(0), 0, 0.002 * sag);
+    EXPECT_NEAR(below(1), 0.5 * sag, 0.02 * sag);
+    EXPECT_GT(below(2), 0.8 * sag); // swings on without drag
 }
 
 // By the same air, of so many times the density: shares are powers of two again.
 TEST_P(MaterialScales, WindDragsByThem) {
-    for (const plait_model model : every_model) {
-        auto desc = desc_of(model);
-        desc.params.drag = 0;
-        auto wind = plait_wind_desc_defaults();
-        wind.shelter = 0;
-        wind.velocity[0] = -2;
-        wind.velocity[2] = 3;
-        const auto blown = [&](float density) {
-            plait::Sim sim(context, make_groom(tuft(4, vertices)), desc);
-            wind.air_density = density;
-            sim.set_wind(wind);
-            run(sim, 20);
-            return sim.read(PLAIT_FIELD_POSITION);
-        };
-        plait::Sim mixed(context, make_groom(tuft(4, vertices)), desc);
-        wind.air_density = 1;
-        mixed.set_wind(wind);
-        give(mixed, of_drag({1, 0, 4, 0.5f}), 4);
-        run(mixed, 20);
-        const auto positions = mixed.read(PLAIT_FIELD_POSITION);
-        const auto one = blown(1), four = blown(4), half = blown(0.5f);
-        plait::Sim calm(context, make_groom(tuft(4, vertices)), desc);
-        run(calm, 20);
-        const auto none = calm.read(PLAIT_FIELD_POSITION);
-        const std::vector<float>* expected[] = {&one, &none, &four, &half};
-        for (size_t i = 0; i < 4; ++i)
-            EXPECT_LE(largest_difference(strand_of(positions, i), strand_of(*expected[i], i)),
-                      i == 1 ? 5e-6f : 0)
-                << model << ", strand " << i;
-        EXPECT_GT(largest_difference(strand_of(one, 1), strand_of(none, 1)), 0.02f)
-            << model << ": there is no wind to feel";
-    }
+    auto desc = desc_of();
+    desc.params.drag = 0;
+    auto wind = plait_wind_desc_defaults();
+    wind.shelter = 0;
+    wind.velocity[0] = -2;
+    wind.velocity[2] = 3;
+    const auto blown = [&](float density) {
+        plait::Sim sim(context, make_groom(tuft(4, vertices)), desc);
+        wind.air_density = density;
+        sim.set_wind(wind);
+        run(sim, 20);
+        return sim.read(PLAIT_FIELD_POSITION);
+    };
+    plait::Sim mixed(context, make_groom(tuft(4, vertices)), desc);
+    wind.air_density = 1;
+    mixed.set_wind(wind);
+    give(mixed, of_drag({1, 0, 4, 0.5f}), 4);
+    run(mixed, 20);
+    const auto positions = mixed.read(PLAIT_FIELD_POSITION);
+    const auto one = blown(1), four = blown(4), half = blown(0.5f);
+    plait::Sim calm(context, make_groom(tuft(4, vertices)), desc);
+    run(calm, 20);
+    const auto none = calm.read(PLAIT_FIELD_POSITION);
+    const std::vector<float>* expected[] = {&one, &none, &four, &half};
+    for (size_t i = 0; i < 4; ++i)
+        EXPECT_LE(largest_difference(strand_of(positions, i), strand_of(*expected[i], i)),
+                  i == 1 ? 5e-6f : 0)
+            << "strand " << i;
+    EXPECT_GT(largest_difference(strand_of(one, 1), strand_of(none, 1)), 0.02f)
+        << ": there is no wind to feel";
 }
 
 // ---- friction --------------------------------------------------------------------------------
@@ -210,51 +202,47 @@ TEST_P(MaterialScales, HairSlidesDownASlopeWhereItsFrictionIsLessThanItsTangent)
     for (plait_material& material : list)
         material.bend_stiffness = 1e-10f;
     for (const Slope slope : {Slope::plane, Slope::box, Slope::field, Slope::nearest})
-        for (const plait_model model : every_model) {
-            auto desc = desc_of(model);
-            desc.params.gravity[1] = -g * across;
-            desc.params.gravity[2] = -g * down;
-            desc.params.drag = 0;
-            plait::Sim sim(context, make_groom(level_ones(2)), desc);
-            add_slope(sim, slope);
-            give(sim, {list[0], list[1]}, 2);
-            run(sim, 30);
-            const auto positions = sim.read(PLAIT_FIELD_POSITION);
-            const auto slid = [&](size_t i) {
-                return 0.1f * static_cast<float>(i) - tip_of(positions, i)[2];
-            };
-            EXPECT_GT(slid(0), 0.02f) << static_cast<int>(slope) << ", " << model;
-            EXPECT_LT(std::abs(slid(1)), 1e-3f) << static_cast<int>(slope) << ", " << model;
-        }
+        auto desc = desc_of();
+    desc.params.gravity[1] = -g * across;
+    desc.params.gravity[2] = -g * down;
+    desc.params.drag = 0;
+    plait::Sim sim(context, make_groom(level_ones(2)), desc);
+    add_slope(sim, slope);
+    give(sim, {list[0], list[1]}, 2);
+    run(sim, 30);
+    const auto positions = sim.read(PLAIT_FIELD_POSITION);
+    const auto slid = [&](size_t i) {
+        return 0.1f * static_cast<float>(i) - tip_of(positions, i)[2];
+    };
+    EXPECT_GT(slid(0), 0.02f) << static_cast<int>(slope) << ", ";
+    EXPECT_LT(std::abs(slid(1)), 1e-3f) << static_cast<int>(slope) << ", ";
 }
 
 // To the bit, where both are exact.
 TEST_P(MaterialScales, FrictionIsThatOfAColliderWithSoManyTimesTheCoefficient) {
-    for (const plait_model model : every_model) {
-        const auto lies = [&](float scale, float friction) {
-            plait::Sim sim(context, make_groom(tuft(3, vertices)), desc_of(model));
-            auto ball = plait_collider_desc_defaults();
-            const Point centre{0.1f, -0.08f, 0};
-            std::copy(centre.begin(), centre.end(), ball.a);
-            std::copy(centre.begin(), centre.end(), ball.b);
-            ball.radius_a = ball.radius_b = 0.06f;
-            ball.friction = friction;
-            (void)sim.create_collider(ball);
-            give(sim, of_friction({scale}), 3);
-            run(sim, 40);
-            return sim.read(PLAIT_FIELD_POSITION);
-        };
-        const auto rough = lies(1, 0.5f);
-        EXPECT_EQ(lies(4, 0.125f), rough) << model;
-        EXPECT_GT(largest_difference(lies(0, 0.5f), rough), 1e-3f) << model;
-        EXPECT_EQ(lies(0, 0.5f), lies(1, 0)) << model;
-    }
+    const auto lies = [&](float scale, float friction) {
+        plait::Sim sim(context, make_groom(tuft(3, vertices)), desc_of());
+        auto ball = plait_collider_desc_defaults();
+        const Point centre{0.1f, -0.08f, 0};
+        std::copy(centre.begin(), centre.end(), ball.a);
+        std::copy(centre.begin(), centre.end(), ball.b);
+        ball.radius_a = ball.radius_b = 0.06f;
+        ball.friction = friction;
+        (void)sim.create_collider(ball);
+        give(sim, of_friction({scale}), 3);
+        run(sim, 40);
+        return sim.read(PLAIT_FIELD_POSITION);
+    };
+    const auto rough = lies(1, 0.5f);
+    EXPECT_EQ(lies(4, 0.125f), rough);
+    EXPECT_GT(largest_difference(lies(0, 0.5f), rough), 1e-3f);
+    EXPECT_EQ(lies(0, 0.5f), lies(1, 0));
 }
 
 // ---- as every field of a material --------------------------------------------------------------
 
 TEST_P(MaterialScales, OutsideTheirRangesAreRefused) {
-    plait::Sim sim(context, make_groom(tuft(2, 6)), desc_of(PLAIT_MODEL_ARTICULATED));
+    plait::Sim sim(context, make_groom(tuft(2, 6)), desc_of());
     const auto refused = [&](float plait_material::*field, float value) {
         std::vector<plait_material> list(2, plait_material_defaults());
         list[1].*field = value;
@@ -277,56 +265,51 @@ TEST_P(MaterialScales, OutsideTheirRangesAreRefused) {
 
 // Structs of a plait.h without them end earlier: 1, as of the params.
 TEST_P(MaterialScales, AreOneInAnOlderHeaderAndOfTheParams) {
-    for (const plait_model model : every_model) {
-        auto desc = desc_of(model);
-        desc.params.drag = 3;
-        const auto dragged = [&](const plait_material* material) {
-            desc.materials = material;
-            desc.material_count = material ? 1 : 0;
-            plait::Sim sim(context, make_groom(tuft(3, 8)), desc);
-            run(sim, 10);
-            return sim.read(PLAIT_FIELD_POSITION);
-        };
-        plait_material old = plait_material_defaults();
-        old.line_density = desc.params.line_density;
-        old.bend_stiffness = desc.params.bend_stiffness;
-        old.stretch_stiffness = desc.params.stretch_stiffness;
-        old.twist_stiffness = desc.params.twist_stiffness;
-        old.section_ratio = desc.params.section_ratio;
-        const auto of_params = dragged(nullptr);
-        EXPECT_EQ(dragged(&old), of_params) << model;
-        old.struct_size = offsetof(plait_material, drag_scale);
-        old.drag_scale = old.friction_scale = NAN; // beyond it
-        EXPECT_EQ(dragged(&old), of_params) << model;
-    }
+    auto desc = desc_of();
+    desc.params.drag = 3;
+    const auto dragged = [&](const plait_material* material) {
+        desc.materials = material;
+        desc.material_count = material ? 1 : 0;
+        plait::Sim sim(context, make_groom(tuft(3, 8)), desc);
+        run(sim, 10);
+        return sim.read(PLAIT_FIELD_POSITION);
+    };
+    plait_material old = plait_material_defaults();
+    old.line_density = desc.params.line_density;
+    old.bend_stiffness = desc.params.bend_stiffness;
+    old.stretch_stiffness = desc.params.stretch_stiffness;
+    old.twist_stiffness = desc.params.twist_stiffness;
+    old.section_ratio = desc.params.section_ratio;
+    const auto of_params = dragged(nullptr);
+    EXPECT_EQ(dragged(&old), of_params);
+    old.struct_size = offsetof(plait_material, drag_scale);
+    old.drag_scale = old.friction_scale = NAN; // beyond it
+    EXPECT_EQ(dragged(&old), of_params);
 }
 
 // From the next step on, and through a switch of substeps.
 TEST_P(MaterialScales, ChangeWhileTheSimRunsAndGoAlongThroughASwitch) {
-    for (const plait_model model : every_model) {
-        auto desc = desc_of(model);
-        desc.params.drag = 1;
-        desc.params.wind[2] = 3;
-        const std::vector<plait_material> list = of_drag({4, 0});
-        plait::Sim changed(context, make_groom(tuft(4, vertices)), desc);
-        run(changed, 5);
-        give(changed, list, 4);
-        plait_sim_reset(changed);
-        run(changed, 10);
-        const auto expected = changed.read(PLAIT_FIELD_POSITION);
+    auto desc = desc_of();
+    desc.params.drag = 1;
+    desc.params.wind[2] = 3;
+    const std::vector<plait_material> list = of_drag({4, 0});
+    plait::Sim changed(context, make_groom(tuft(4, vertices)), desc);
+    run(changed, 5);
+    give(changed, list, 4);
+    plait_sim_reset(changed);
+    run(changed, 10);
+    const auto expected = changed.read(PLAIT_FIELD_POSITION);
 
-        plait::Sim switched(context, make_groom(tuft(4, vertices)), desc);
-        give(switched, list, 4);
-        run(switched, 5);
-        take_substeps(switched, {2, 2, 2, 2});
-        run(switched, 1);
-        take_substeps(switched, {1, 1, 1, 1});
-        plait_sim_reset(switched);
-        run(switched, 10);
-        EXPECT_EQ(switched.read(PLAIT_FIELD_POSITION), expected) << model;
-        EXPECT_GT(largest_difference(strand_of(expected, 0), strand_of(expected, 1)), 0.02f)
-            << model;
-    }
+    plait::Sim switched(context, make_groom(tuft(4, vertices)), desc);
+    give(switched, list, 4);
+    run(switched, 5);
+    take_substeps(switched, {2, 2, 2, 2});
+    run(switched, 1);
+    take_substeps(switched, {1, 1, 1, 1});
+    plait_sim_reset(switched);
+    run(switched, 10);
+    EXPECT_EQ(switched.read(PLAIT_FIELD_POSITION), expected);
+    EXPECT_GT(largest_difference(strand_of(expected, 0), strand_of(expected, 1)), 0.02f);
 }
 
 } // namespace

@@ -6,12 +6,8 @@
 
 namespace {
 
-constexpr plait_model lane_models[] = {PLAIT_MODEL_ARTICULATED};
-constexpr plait_model bending_models[] = {PLAIT_MODEL_ARTICULATED};
-
-plait_sim_desc desc_of(plait_model model) {
+plait_sim_desc desc_of() {
     auto desc = plait_sim_desc_defaults();
-    desc.model = model;
     return desc;
 }
 
@@ -53,67 +49,61 @@ ON_EVERY_BACKEND(Materials);
 TEST_P(Materials, EachStrandIsAsInASimOfItsMaterial) {
     const std::vector<plait_material> list{stiff(), plait_material_defaults()};
     const std::vector<uint32_t> of{1, 0, PLAIT_MATERIAL_OF_PARAMS, 0, 1};
-    for (const plait_model model : lane_models) {
-        auto desc = desc_of(model);
-        desc.params.line_density = 1e-5f;
-        desc.params.bend_stiffness = 5e-8f;
-        std::vector<std::vector<float>> alone;
-        for (const uint32_t index : {0u, 1u, PLAIT_MATERIAL_OF_PARAMS}) {
-            auto one = desc;
-            if (index < list.size())
-                set_params(one.params, list[index]);
-            plait::Sim sim(context, make_groom(tuft(5, 12)), one);
-            alone.push_back(after(sim, 20));
-        }
-        desc.materials = list.data();
-        desc.material_count = list.size();
-        desc.strand_material = plait::view(of);
-        plait::Sim sim(context, make_groom(tuft(5, 12)), desc);
-        const auto mixed = after(sim, 20);
-        for (size_t strand = 0; strand < of.size(); ++strand)
-            EXPECT_EQ(strand_of(mixed, strand, 12),
-                      strand_of(alone[std::min<size_t>(of[strand], 2)], strand, 12))
-                << model << ", strand " << strand;
-        const float apart = 0.01f;
-        EXPECT_GE(largest_difference(alone[0], alone[1]), apart) << model;
+    auto desc = desc_of();
+    desc.params.line_density = 1e-5f;
+    desc.params.bend_stiffness = 5e-8f;
+    std::vector<std::vector<float>> alone;
+    for (const uint32_t index : {0u, 1u, PLAIT_MATERIAL_OF_PARAMS}) {
+        auto one = desc;
+        if (index < list.size())
+            set_params(one.params, list[index]);
+        plait::Sim sim(context, make_groom(tuft(5, 12)), one);
+        alone.push_back(after(sim, 20));
     }
+    desc.materials = list.data();
+    desc.material_count = list.size();
+    desc.strand_material = plait::view(of);
+    plait::Sim sim(context, make_groom(tuft(5, 12)), desc);
+    const auto mixed = after(sim, 20);
+    for (size_t strand = 0; strand < of.size(); ++strand)
+        EXPECT_EQ(strand_of(mixed, strand, 12),
+                  strand_of(alone[std::min<size_t>(of[strand], 2)], strand, 12))
+            << "strand " << strand;
+    const float apart = 0.01f;
+    EXPECT_GE(largest_difference(alone[0], alone[1]), apart);
 }
 
 // From the next step on, without a jump; none again are the params.
 TEST_P(Materials, ChangeWhileTheSimRuns) {
-    for (const plait_model model : bending_models) {
-        plait::Sim sim(context, make_groom(tuft(3, 12)), desc_of(model));
-        plait::Sim same(context, make_groom(tuft(3, 12)), desc_of(model));
-        auto limp = after(sim, 30);
-        EXPECT_EQ(limp, after(same, 30)) << model;
-        const plait_material material = stiff();
-        ASSERT_EQ(plait_sim_set_materials(sim, &material, 1, {}), PLAIT_OK) << plait_last_error();
-        EXPECT_EQ(sim.read(PLAIT_FIELD_POSITION), limp) << model;
-        EXPECT_GT(largest_difference(after(sim, 30), after(same, 30)), 0.01f) << model;
-        ASSERT_EQ(plait_sim_set_materials(sim, nullptr, 0, {}), PLAIT_OK) << plait_last_error();
-        plait_sim_reset(sim);
-        plait_sim_reset(same);
-        EXPECT_EQ(after(sim, 10), after(same, 10)) << model;
-    }
+    plait::Sim sim(context, make_groom(tuft(3, 12)), desc_of());
+    plait::Sim same(context, make_groom(tuft(3, 12)), desc_of());
+    auto limp = after(sim, 30);
+    EXPECT_EQ(limp, after(same, 30));
+    const plait_material material = stiff();
+    ASSERT_EQ(plait_sim_set_materials(sim, &material, 1, {}), PLAIT_OK) << plait_last_error();
+    EXPECT_EQ(sim.read(PLAIT_FIELD_POSITION), limp);
+    EXPECT_GT(largest_difference(after(sim, 30), after(same, 30)), 0.01f);
+    ASSERT_EQ(plait_sim_set_materials(sim, nullptr, 0, {}), PLAIT_OK) << plait_last_error();
+    plait_sim_reset(sim);
+    plait_sim_reset(same);
+    EXPECT_EQ(after(sim, 10), after(same, 10));
 }
 
 // A strand that is switched keeps what it is made of.
 TEST_P(Materials, GoAlongThroughASwitchOfSettings) {
     auto material = stiff();
     material.curl = 0.5f;
-    for (const plait_model model : lane_models) {
-        auto desc = desc_of(model);
-        desc.materials = &material;
-        desc.material_count = 1;
-        plait::Sim born(context, make_groom(tuft(3, 12)), desc);
-        plait::Sim switched(context, make_groom(tuft(3, 12)), desc);
-        take_substeps(switched, {2, 2, 2});
-        run(switched, 5);
-        take_substeps(switched, {1, 1, 1});
-        plait_sim_reset(born);
-        plait_sim_reset(switched);
-        EXPECT_EQ(after(switched, 10), after(born, 10)) << model;
-    }
+    auto desc = desc_of();
+    desc.materials = &material;
+    desc.material_count = 1;
+    plait::Sim born(context, make_groom(tuft(3, 12)), desc);
+    plait::Sim switched(context, make_groom(tuft(3, 12)), desc);
+    take_substeps(switched, {2, 2, 2});
+    run(switched, 5);
+    take_substeps(switched, {1, 1, 1});
+    plait_sim_reset(born);
+    plait_sim_reset(switched);
+    EXPECT_EQ(after(switched, 10), after(born, 10));
 }
 
 // Small deflections of a level cantilever under its weight, by the unit load.
@@ -145,38 +135,34 @@ TEST_P(Materials, RampsBendAsABeamWithThem) {
     std::copy_n(density, 4, material.density_ramp);
     const double sag = beam_sag(material, 0.1, 9.81);
     EXPECT_GT(sag, 1.3 * even);
-    for (const plait_model model : {PLAIT_MODEL_ARTICULATED}) {
-        auto desc = desc_of(model);
-        desc.params.drag = 30;
-        desc.params.gravity[1] = -9.81f;
-        desc.params.stretch_stiffness = 100;
-        material.stretch_stiffness = 100;
-        desc.materials = &material;
-        desc.material_count = 1;
-        plait::Sim sim(context, make_groom({level}), desc);
-        const double found = -double(after(sim, 120)[4 * 32 + 1]);
-        EXPECT_NEAR(found / sag, 1, 0.01) << model;
-    }
+    auto desc = desc_of();
+    desc.params.drag = 30;
+    desc.params.gravity[1] = -9.81f;
+    desc.params.stretch_stiffness = 100;
+    material.stretch_stiffness = 100;
+    desc.materials = &material;
+    desc.material_count = 1;
+    plait::Sim sim(context, make_groom({level}), desc);
+    const double found = -double(after(sim, 120)[4 * 32 + 1]);
+    EXPECT_NEAR(found / sag, 1, 0.01);
 }
 
 // As tip_stiffness and tip_density, which are ramps, too.
 TEST_P(Materials, AStraightRampIsTheTipsOfTheParams) {
-    for (const plait_model model : bending_models) {
-        auto desc = desc_of(model);
-        desc.params.tip_stiffness = 0.25f;
-        desc.params.tip_density = 0.5f;
-        plait::Sim tips(context, make_groom(tuft(3, 12)), desc);
-        desc.params.tip_stiffness = desc.params.tip_density = 1;
-        auto material = plait_material_defaults();
-        const float stiffness[] = {1, 0.75f, 0.5f, 0.25f};
-        const float density[] = {1, 1 - 0.5f / 3, 1 - 1 / 3.0f, 0.5f};
-        std::copy_n(stiffness, 4, material.stiffness_ramp);
-        std::copy_n(density, 4, material.density_ramp);
-        desc.materials = &material;
-        desc.material_count = 1;
-        plait::Sim ramps(context, make_groom(tuft(3, 12)), desc);
-        EXPECT_LT(largest_difference(after(ramps, 20), after(tips, 20)), 1e-4f) << model;
-    }
+    auto desc = desc_of();
+    desc.params.tip_stiffness = 0.25f;
+    desc.params.tip_density = 0.5f;
+    plait::Sim tips(context, make_groom(tuft(3, 12)), desc);
+    desc.params.tip_stiffness = desc.params.tip_density = 1;
+    auto material = plait_material_defaults();
+    const float stiffness[] = {1, 0.75f, 0.5f, 0.25f};
+    const float density[] = {1, 1 - 0.5f / 3, 1 - 1 / 3.0f, 0.5f};
+    std::copy_n(stiffness, 4, material.stiffness_ramp);
+    std::copy_n(density, 4, material.density_ramp);
+    desc.materials = &material;
+    desc.material_count = 1;
+    plait::Sim ramps(context, make_groom(tuft(3, 12)), desc);
+    EXPECT_LT(largest_difference(after(ramps, 20), after(tips, 20)), 1e-4f);
 }
 
 // Of all joints but the clamp, rad.
@@ -200,41 +186,37 @@ double turn_of(const std::vector<float>& x) {
 
 // Without a load; what was set begins without a jump.
 TEST_P(Materials, CurlScalesTheShapeAtRest) {
-    for (const plait_model model : bending_models)
-        for (const float scale : {0.0f, 0.5f, 1.0f, 2.0f}) {
-            auto desc = desc_of(model);
-            std::fill_n(desc.params.gravity, 3, 0.0f);
-            desc.params.drag = 20;
-            plait::Sim sim(context, make_groom(tuft(1, 12)), desc);
-            const auto groom = sim.read(PLAIT_FIELD_POSITION);
-            auto material = plait_material_defaults();
-            material.bend_stiffness = 1e-6f;
-            material.curl = scale;
-            ASSERT_EQ(plait_sim_set_materials(sim, &material, 1, {}), PLAIT_OK)
-                << plait_last_error();
-            plait_sim_reset(sim);
-            EXPECT_EQ(sim.read(PLAIT_FIELD_POSITION), groom) << model;
-            EXPECT_NEAR(turn_of(after(sim, 300)) / turn_of(groom), scale, 0.005)
-                << model << ", " << scale;
-        }
+    for (const float scale : {0.0f, 0.5f, 1.0f, 2.0f}) {
+        auto desc = desc_of();
+        std::fill_n(desc.params.gravity, 3, 0.0f);
+        desc.params.drag = 20;
+        plait::Sim sim(context, make_groom(tuft(1, 12)), desc);
+        const auto groom = sim.read(PLAIT_FIELD_POSITION);
+        auto material = plait_material_defaults();
+        material.bend_stiffness = 1e-6f;
+        material.curl = scale;
+        ASSERT_EQ(plait_sim_set_materials(sim, &material, 1, {}), PLAIT_OK) << plait_last_error();
+        plait_sim_reset(sim);
+        EXPECT_EQ(sim.read(PLAIT_FIELD_POSITION), groom);
+        EXPECT_NEAR(turn_of(after(sim, 300)) / turn_of(groom), scale, 0.005) << "" << scale;
+    }
 }
 
 // In balance as groomed; with less curl than that it leaves the shape.
 TEST_P(Materials, CurlsFromASagFreeStart) {
-    for (const plait_model model : bending_models)
-        for (const float scale : {1.0f, 0.5f}) {
-            auto material = plait_material_defaults();
-            material.bend_stiffness = 1e-7f;
-            material.curl = scale;
-            auto desc = desc_of(model);
-            desc.sag_free = PLAIT_SAG_FREE_STIFFEN;
-            desc.materials = &material;
-            desc.material_count = 1;
-            plait::Sim sim(context, make_groom(tuft(1, 12)), desc);
-            const auto start = sim.read(PLAIT_FIELD_POSITION);
-            const float moved = largest_difference(after(sim, 60), start);
-            EXPECT_TRUE(scale == 1 ? moved < 1e-4f : moved > 5e-3f) << model << ": " << moved;
-        }
+    for (const float scale : {1.0f, 0.5f}) {
+        auto material = plait_material_defaults();
+        material.bend_stiffness = 1e-7f;
+        material.curl = scale;
+        auto desc = desc_of();
+        desc.sag_free = PLAIT_SAG_FREE_STIFFEN;
+        desc.materials = &material;
+        desc.material_count = 1;
+        plait::Sim sim(context, make_groom(tuft(1, 12)), desc);
+        const auto start = sim.read(PLAIT_FIELD_POSITION);
+        const float moved = largest_difference(after(sim, 60), start);
+        EXPECT_TRUE(scale == 1 ? moved < 1e-4f : moved > 5e-3f) << ": " << moved;
+    }
 }
 
 // A bristle on a hinge hangs; clamped, it stands out.
@@ -244,21 +226,20 @@ TEST_P(Materials, AClampWithoutStiffnessIsAHinge) {
         level.push_back({0.1f * static_cast<float>(i) / 8, 0, 0});
     auto material = plait_material_defaults();
     material.bend_stiffness = 1e-5f;
-    for (const plait_model model : {PLAIT_MODEL_ARTICULATED})
-        for (const float clamp : {1.0f, 0.0f}) {
-            auto desc = desc_of(model);
-            desc.params.drag = 10;
-            material.clamp_stiffness = clamp;
-            desc.materials = &material;
-            desc.material_count = 1;
-            plait::Sim sim(context, make_groom({level}), desc);
-            const auto x = after(sim, 300);
-            EXPECT_NEAR(x[4 * 8 + 1], clamp > 0 ? 0 : -0.1f, 1e-3f) << model;
-        }
+    for (const float clamp : {1.0f, 0.0f}) {
+        auto desc = desc_of();
+        desc.params.drag = 10;
+        material.clamp_stiffness = clamp;
+        desc.materials = &material;
+        desc.material_count = 1;
+        plait::Sim sim(context, make_groom({level}), desc);
+        const auto x = after(sim, 300);
+        EXPECT_NEAR(x[4 * 8 + 1], clamp > 0 ? 0 : -0.1f, 1e-3f);
+    }
 }
 
 TEST_P(Materials, OutsideTheirRangesAreRefusedWhole) {
-    plait::Sim sim(context, make_groom(tuft(2, 6)), desc_of(PLAIT_MODEL_ARTICULATED));
+    plait::Sim sim(context, make_groom(tuft(2, 6)), desc_of());
     std::vector<plait_material> list(2, plait_material_defaults());
     std::vector<uint32_t> of{0, 1};
     const auto is_refused = [&](const std::string& message) {
@@ -287,7 +268,7 @@ TEST_P(Materials, OutsideTheirRangesAreRefusedWhole) {
     EXPECT_NE(refusal(sim, nullptr, 1, {}).find("materials is NULL"), std::string::npos);
     EXPECT_NE(refusal(sim, nullptr, 0, plait::view(of)).find("there are no materials"),
               std::string::npos);
-    plait::Sim untouched(context, make_groom(tuft(2, 6)), desc_of(PLAIT_MODEL_ARTICULATED));
+    plait::Sim untouched(context, make_groom(tuft(2, 6)), desc_of());
     EXPECT_EQ(after(sim, 5), after(untouched, 5));
 }
 
@@ -304,7 +285,7 @@ TEST_P(Materials, AreRefusedByTressfxWhoseStiffnessIsNone) {
 
 // The caller's own: of an older plait.h, structs end earlier.
 TEST_P(Materials, MayBeOfAnOlderHeader) {
-    auto desc = desc_of(PLAIT_MODEL_ARTICULATED);
+    auto desc = desc_of();
     plait_material old = stiff();
     old.struct_size = offsetof(plait_material, curl);
     old.curl = NAN; // beyond it

@@ -15,9 +15,8 @@ plait::Mesh make_mesh(const ShapeMesh& shape) {
     return plait::Mesh(desc);
 }
 
-plait_sim_desc desc_of(plait_model model) {
+plait_sim_desc desc_of() {
     auto desc = plait_sim_desc_defaults();
-    desc.model = model;
     return desc;
 }
 
@@ -58,28 +57,24 @@ Strands groom_on_head(size_t strands, size_t vertices) {
 class MeshColliders : public OnBackend {};
 ON_EVERY_BACKEND(MeshColliders);
 
-constexpr plait_model models[] = {PLAIT_MODEL_ARTICULATED};
-
 TEST_P(MeshColliders, HairFallsOnAMeshAndStaysOutside) {
     const auto mesh = make_mesh(head_mesh());
     Strands above;
     for (int i = 0; i < 6; ++i)
         above.push_back(curl({-0.13f, 0.12f, -0.03f + 0.012f * static_cast<float>(i)}, 14));
-    for (const plait_model model : models) {
-        auto desc = desc_of(model);
-        desc.substeps = 2;
-        plait::Sim sim(context, make_groom(above), desc);
-        auto collider = plait_collider_mesh_desc_defaults();
-        collider.margin = 1e-3f;
-        sim.create_collider(mesh, collider);
-        run(sim, GetParam() == "reference" ? 40 : 120);
-        const auto p = sim.read(PLAIT_FIELD_POSITION);
-        double least = 1;
-        for (size_t i = 0; i < p.size(); i += 4)
-            least = std::min(least, outside(&p[i]));
-        EXPECT_GT(least, -1.5e-3) << "model " << model; // the ball of triangles lies within
-        EXPECT_LT(least, 3e-3) << "model " << model;
-    }
+    auto desc = desc_of();
+    desc.substeps = 2;
+    plait::Sim sim(context, make_groom(above), desc);
+    auto collider = plait_collider_mesh_desc_defaults();
+    collider.margin = 1e-3f;
+    sim.create_collider(mesh, collider);
+    run(sim, GetParam() == "reference" ? 40 : 120);
+    const auto p = sim.read(PLAIT_FIELD_POSITION);
+    double least = 1;
+    for (size_t i = 0; i < p.size(); i += 4)
+        least = std::min(least, outside(&p[i]));
+    EXPECT_GT(least, -1.5e-3); // the ball of triangles lies within
+    EXPECT_LT(least, 3e-3);
 }
 
 // Against the same hair without a mesh: at 1.6 m float32 moves it by itself.
@@ -88,31 +83,30 @@ TEST_P(MeshColliders, HairAtRestIsNotPushed) {
     const auto groom = make_groom(groom_on_head(9, 12));
     const double length = double(groom.describe().mean_length);
     const auto pose = head_at({0.3f, 1.6f, -0.2f}, {0.1826f, 0.3651f, 0.5477f, 0.7303f});
-    for (const plait_model model : models)
-        for (const bool moved : {false, true}) {
-            auto desc = desc_of(model);
-            std::fill_n(desc.params.gravity, 3, 0.0f);
-            const auto rested = [&](bool with) {
-                plait::Sim sim(context, groom, desc);
-                auto collider = plait_collider_mesh_desc_defaults();
-                if (moved) {
-                    sim.teleport(pose);
-                    collider.pose = pose.head;
-                }
-                if (with)
-                    sim.create_collider(mesh, collider);
-                run(sim, GetParam() == "reference" ? 20 : 100);
-                return sim.read(PLAIT_FIELD_POSITION);
-            };
-            const auto with = rested(true), without = rested(false);
-            EXPECT_LT(double(largest_difference(with, without)), 1e-6 * length)
-                << "model " << model << (moved ? ", moved" : "");
-            const auto groomed = groom.read<float>(PLAIT_GROOM_FIELD_POSITIONS);
-            double most = 0; // off the groom, which the reference keeps to the last digit
-            for (size_t i = 0; i < groomed.size() && !moved; ++i)
-                most = std::max(most, double(std::abs(with[i / 3 * 4 + i % 3] - groomed[i])));
-            EXPECT_LT(most, GetParam() == "reference" ? 1e-6 * length : 5e-5) << "model " << model;
-        }
+    for (const bool moved : {false, true}) {
+        auto desc = desc_of();
+        std::fill_n(desc.params.gravity, 3, 0.0f);
+        const auto rested = [&](bool with) {
+            plait::Sim sim(context, groom, desc);
+            auto collider = plait_collider_mesh_desc_defaults();
+            if (moved) {
+                sim.teleport(pose);
+                collider.pose = pose.head;
+            }
+            if (with)
+                sim.create_collider(mesh, collider);
+            run(sim, GetParam() == "reference" ? 20 : 100);
+            return sim.read(PLAIT_FIELD_POSITION);
+        };
+        const auto with = rested(true), without = rested(false);
+        EXPECT_LT(double(largest_difference(with, without)), 1e-6 * length)
+            << (moved ? "moved" : "");
+        const auto groomed = groom.read<float>(PLAIT_GROOM_FIELD_POSITIONS);
+        double most = 0; // off the groom, which the reference keeps to the last digit
+        for (size_t i = 0; i < groomed.size() && !moved; ++i)
+            most = std::max(most, double(std::abs(with[i / 3 * 4 + i % 3] - groomed[i])));
+        EXPECT_LT(most, GetParam() == "reference" ? 1e-6 * length : 5e-5);
+    }
 }
 
 // And without a clearance it is: the margin is farther out than the hair.
@@ -132,28 +126,26 @@ TEST_P(MeshColliders, WithoutClearanceItIs) {
 
 TEST_P(MeshColliders, WhatIsFarOrGoneChangesNoBit) {
     const auto mesh = make_mesh(head_mesh());
-    for (const plait_model model : models) {
-        const auto positions = [&](int what) {
-            plait::Sim sim(context, make_groom(tuft(3, 9)), desc_of(model));
-            auto near = plait_collider_desc_defaults();
-            near.pose.t[0] = 0.05f;
-            near.pose.t[1] = -0.16f;
-            near.radius_a = near.radius_b = 0.05f;
-            sim.create_collider(near);
-            if (what > 0) {
-                auto far = plait_collider_mesh_desc_defaults();
-                far.pose.t[1] = 5;
-                const auto id = sim.create_collider(mesh, far);
-                if (what > 1)
-                    sim.destroy_collider(id);
-            }
-            run(sim, 12);
-            return sim.read(PLAIT_FIELD_POSITION);
-        };
-        const auto none = positions(0);
-        EXPECT_EQ(positions(1), none) << "far, model " << model;
-        EXPECT_EQ(positions(2), none) << "gone, model " << model;
-    }
+    const auto positions = [&](int what) {
+        plait::Sim sim(context, make_groom(tuft(3, 9)), desc_of());
+        auto near = plait_collider_desc_defaults();
+        near.pose.t[0] = 0.05f;
+        near.pose.t[1] = -0.16f;
+        near.radius_a = near.radius_b = 0.05f;
+        sim.create_collider(near);
+        if (what > 0) {
+            auto far = plait_collider_mesh_desc_defaults();
+            far.pose.t[1] = 5;
+            const auto id = sim.create_collider(mesh, far);
+            if (what > 1)
+                sim.destroy_collider(id);
+        }
+        run(sim, 12);
+        return sim.read(PLAIT_FIELD_POSITION);
+    };
+    const auto none = positions(0);
+    EXPECT_EQ(positions(1), none) << "far";
+    EXPECT_EQ(positions(2), none) << "gone";
 }
 
 TEST_P(MeshColliders, NothingIsScheduledWithoutThem) {
@@ -206,32 +198,30 @@ TEST_P(MeshColliders, SeveralAtOnceMoveAndPushHair) {
 
 TEST_P(MeshColliders, SnapshotsHoldThem) {
     const auto groom = make_groom(groom_on_head(5, 10));
-    for (const plait_model model : models) {
-        plait::Sim sim(context, groom, desc_of(model)), other(context, groom, desc_of(model));
-        {
-            const auto mesh = make_mesh(head_mesh());
-            auto desc = plait_collider_mesh_desc_defaults();
-            desc.cells = 24;
-            sim.destroy_collider(sim.create_collider(mesh, desc));
-            const auto id = sim.create_collider(mesh, desc);
-            desc.pose.t[0] = 0.01f;
-            sim.set_collider_pose(id, desc.pose);
-        }
-        run(sim, 5);
-        const auto bytes = sim.save();
-        sim.restore(bytes); // the reference has more digits than a snapshot
-        other.restore(bytes);
-        EXPECT_EQ(other.save(), bytes) << "model " << model;
-        EXPECT_EQ(other.colliders().size(), 1u);
-        run(sim, 5);
-        run(other, 5);
-        EXPECT_EQ(sim.hash(), other.hash()) << "model " << model;
-        plait::Sim plain(context, groom, desc_of(model));
-        sim.restore(plain.save()); // and none
-        EXPECT_TRUE(sim.colliders().empty());
-        EXPECT_EQ(sim.hash(), plain.hash());
-        run(sim, 2);
+    plait::Sim sim(context, groom, desc_of()), other(context, groom, desc_of());
+    {
+        const auto mesh = make_mesh(head_mesh());
+        auto desc = plait_collider_mesh_desc_defaults();
+        desc.cells = 24;
+        sim.destroy_collider(sim.create_collider(mesh, desc));
+        const auto id = sim.create_collider(mesh, desc);
+        desc.pose.t[0] = 0.01f;
+        sim.set_collider_pose(id, desc.pose);
     }
+    run(sim, 5);
+    const auto bytes = sim.save();
+    sim.restore(bytes); // the reference has more digits than a snapshot
+    other.restore(bytes);
+    EXPECT_EQ(other.save(), bytes);
+    EXPECT_EQ(other.colliders().size(), 1u);
+    run(sim, 5);
+    run(other, 5);
+    EXPECT_EQ(sim.hash(), other.hash());
+    plait::Sim plain(context, groom, desc_of());
+    sim.restore(plain.save()); // and none
+    EXPECT_TRUE(sim.colliders().empty());
+    EXPECT_EQ(sim.hash(), plain.hash());
+    run(sim, 2);
 }
 
 TEST_P(MeshColliders, AreDescribedListedAndKeepTheirShape) {

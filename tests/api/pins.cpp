@@ -8,11 +8,8 @@
 
 namespace {
 
-constexpr plait_model every_model[] = {PLAIT_MODEL_ARTICULATED};
-
-plait_sim_desc pinnable(plait_model model, uint32_t substeps = 1) {
+plait_sim_desc pinnable(uint32_t substeps = 1) {
     auto desc = plait_sim_desc_defaults();
-    desc.model = model;
     desc.substeps = substeps;
     desc.pins = 1;
     return desc;
@@ -67,22 +64,21 @@ ON_EVERY_BACKEND(Pins);
 // 10 g of a strand that hangs in a slack bow, at any frame rate: 5 % of a segment.
 TEST_P(Pins, HoldUnderTenG) {
     constexpr float spacing = 0.02f;
-    for (const plait_model model : every_model)
-        for (const float step : {1.0f / 30, 1.0f / 60, 1.0f / 240}) {
-            auto desc = pinnable(model);
-            desc.step = step;
-            std::copy_n(Point{30, -90, 20}.begin(), 3, desc.params.gravity);
-            plait::Sim sim(context, make_groom({curl({0, 0, 0}, 17, spacing)}), desc);
-            const Point middle{0.1f, 0.02f, 0}, tip{0.19f, -0.05f, 0.02f};
-            sim.set_pins({hold_at(0, 8, middle), hold_at(0, 16, tip)});
-            for (int i = 0; i < static_cast<int>(0.4f / step); ++i)
-                sim.step(double(step));
-            for (int i = 0; i < 10; ++i) {
-                sim.step(double(step));
-                EXPECT_LT(distance(position_of(sim, 8), middle), 0.05f * spacing) << model << step;
-                EXPECT_LT(distance(position_of(sim, 16), tip), 0.05f * spacing) << model << step;
-            }
+    for (const float step : {1.0f / 30, 1.0f / 60, 1.0f / 240}) {
+        auto desc = pinnable();
+        desc.step = step;
+        std::copy_n(Point{30, -90, 20}.begin(), 3, desc.params.gravity);
+        plait::Sim sim(context, make_groom({curl({0, 0, 0}, 17, spacing)}), desc);
+        const Point middle{0.1f, 0.02f, 0}, tip{0.19f, -0.05f, 0.02f};
+        sim.set_pins({hold_at(0, 8, middle), hold_at(0, 16, tip)});
+        for (int i = 0; i < static_cast<int>(0.4f / step); ++i)
+            sim.step(double(step));
+        for (int i = 0; i < 10; ++i) {
+            sim.step(double(step));
+            EXPECT_LT(distance(position_of(sim, 8), middle), 0.05f * spacing) << step;
+            EXPECT_LT(distance(position_of(sim, 16), tip), 0.05f * spacing) << step;
         }
+    }
 }
 
 // Of a limp strand of length 1 between two points `span` apart: its parameter a, horizontal tension
@@ -101,130 +97,118 @@ double catenary(double span) {
 TEST_P(Pins, HangALimpStrandAsACatenary) {
     constexpr size_t segments = 20;
     constexpr float length = 0.3f, stiffness = 0.1f;
-    for (const plait_model model : every_model) {
-        auto desc = pinnable(model);
-        desc.params.bend_stiffness = 0;
-        desc.params.drag = 10;
-        desc.params.stretch_stiffness = 0.1f;
-        plait::Sim sim(context, make_groom({bow(segments, length)}), desc);
-        const Point target{0.7f * length, 0, 0};
-        sim.set_pins({hold_at(0, segments, target, stiffness)});
-        run(sim, 240);
-        const auto positions = sim.read(PLAIT_FIELD_POSITION);
-        const Point tip = vertex_of(positions, segments);
-        double lowest = 0;
-        for (size_t i = 0; i <= segments; ++i)
-            lowest = std::min(lowest, double(vertex_of(positions, i)[1]));
-        const double span = std::hypot(double(tip[0]), double(tip[1])) / double(length);
-        const double a = catenary(span), sag = a * (std::cosh(span / 2 / a) - 1);
-        EXPECT_NEAR((double(tip[1]) / 2 - lowest) / double(length), sag, 1e-3) << model;
-        const double weight = double(desc.params.line_density) * 9.81;
-        const double pull = double(stiffness) * double(target[0] - tip[0]);
-        EXPECT_NEAR(pull / (weight * a * double(length)), 1, 0.02) << model;
-        EXPECT_NEAR(double(tip[2]), 0, 1e-6) << model;
-    }
+    auto desc = pinnable();
+    desc.params.bend_stiffness = 0;
+    desc.params.drag = 10;
+    desc.params.stretch_stiffness = 0.1f;
+    plait::Sim sim(context, make_groom({bow(segments, length)}), desc);
+    const Point target{0.7f * length, 0, 0};
+    sim.set_pins({hold_at(0, segments, target, stiffness)});
+    run(sim, 240);
+    const auto positions = sim.read(PLAIT_FIELD_POSITION);
+    const Point tip = vertex_of(positions, segments);
+    double lowest = 0;
+    for (size_t i = 0; i <= segments; ++i)
+        lowest = std::min(lowest, double(vertex_of(positions, i)[1]));
+    const double span = std::hypot(double(tip[0]), double(tip[1])) / double(length);
+    const double a = catenary(span), sag = a * (std::cosh(span / 2 / a) - 1);
+    EXPECT_NEAR((double(tip[1]) / 2 - lowest) / double(length), sag, 1e-3);
+    const double weight = double(desc.params.line_density) * 9.81;
+    const double pull = double(stiffness) * double(target[0] - tip[0]);
+    EXPECT_NEAR(pull / (weight * a * double(length)), 1, 0.02);
+    EXPECT_NEAR(double(tip[2]), 0, 1e-6);
 }
 
 // A cantilever that a spring draws aside by F = k (d - w) = 3 EI w/L^3.
 TEST_P(Pins, BendARodAsAPointLoadDoes) {
     constexpr float length = 0.2f, aside = 0.01f;
-    for (const plait_model model :
-         {PLAIT_MODEL_ARTICULATED}) {
-        auto desc = pinnable(model);
-        std::fill_n(desc.params.gravity, 3, 0.0f);
-        desc.params.drag = 5;
-        const double rate = 3 * double(desc.params.bend_stiffness) / std::pow(double(length), 3);
-        const auto stiffness = static_cast<float>(rate);
-        plait::Sim sim(context, make_groom({straight(16, length)}), desc);
-        sim.set_pins({hold_at(0, 16, {length, aside, 0}, stiffness)});
-        run(sim, 480);
-        EXPECT_NEAR(position_of(sim, 16)[1] / (aside / 2), 1, 0.02) << model;
-    }
+    auto desc = pinnable();
+    std::fill_n(desc.params.gravity, 3, 0.0f);
+    desc.params.drag = 5;
+    const double rate = 3 * double(desc.params.bend_stiffness) / std::pow(double(length), 3);
+    const auto stiffness = static_cast<float>(rate);
+    plait::Sim sim(context, make_groom({straight(16, length)}), desc);
+    sim.set_pins({hold_at(0, 16, {length, aside, 0}, stiffness)});
+    run(sim, 480);
+    EXPECT_NEAR(position_of(sim, 16)[1] / (aside / 2), 1, 0.02);
 }
 
 // Along with a target that swings, and nothing gains by it: once it stands, all that moves dies
 // out.
 TEST_P(Pins, DriveAVertexAndGiveNoEnergy) {
     constexpr float spacing = 0.02f;
-    for (const plait_model model : every_model) {
-        plait::Sim sim(context, make_groom({curl({0, 0, 0}, 13, spacing)}), pinnable(model, 2));
-        const auto target = [](int i) {
-            const float t = static_cast<float>(i) / 60;
-            return Point{0.15f, -0.05f, 0.03f * std::sin(2 * std::numbers::pi_v<float> * t)};
-        };
-        sim.set_pins({hold_at(0, 12, target(0))});
-        run(sim, 60);
-        for (int i = 1; i <= 120; ++i) {
-            sim.set_pins({hold_at(0, 12, target(i))});
-            run(sim, 1);
-            EXPECT_LT(distance(position_of(sim, 12), target(i)), 0.1f * spacing)
-                << model << " " << i;
-        }
-        const auto fastest = [&](int steps) {
-            float most = 0;
-            for (int i = 0; i < steps; ++i) {
-                run(sim, 1);
-                most = std::max(most, sim.stats().max_speed);
-            }
-            return most;
-        };
-        const float moving = fastest(10);
-        EXPECT_GT(moving, 0.01f) << model;
-        run(sim, 240);
-        EXPECT_LT(fastest(10), 0.05f * moving) << model;
+    plait::Sim sim(context, make_groom({curl({0, 0, 0}, 13, spacing)}), pinnable(2));
+    const auto target = [](int i) {
+        const float t = static_cast<float>(i) / 60;
+        return Point{0.15f, -0.05f, 0.03f * std::sin(2 * std::numbers::pi_v<float> * t)};
+    };
+    sim.set_pins({hold_at(0, 12, target(0))});
+    run(sim, 60);
+    for (int i = 1; i <= 120; ++i) {
+        sim.set_pins({hold_at(0, 12, target(i))});
+        run(sim, 1);
+        EXPECT_LT(distance(position_of(sim, 12), target(i)), 0.1f * spacing) << "" << i;
     }
+    const auto fastest = [&](int steps) {
+        float most = 0;
+        for (int i = 0; i < steps; ++i) {
+            run(sim, 1);
+            most = std::max(most, sim.stats().max_speed);
+        }
+        return most;
+    };
+    const float moving = fastest(10);
+    EXPECT_GT(moving, 0.01f);
+    run(sim, 240);
+    EXPECT_LT(fastest(10), 0.05f * moving);
 }
 
 // A swinging strand without drag and weight keeps at most what it was given.
 TEST_P(Pins, HoldAStrandThatSwingsWithoutGain) {
-    for (const plait_model model : every_model) {
-        auto desc = pinnable(model, 2);
-        std::fill_n(desc.params.gravity, 3, 0.0f);
-        desc.params.drag = 0;
-        desc.params.bend_stiffness = 0;
-        plait::Sim sim(context, make_groom({curl({0, 0, 0}, 13)}), desc);
-        sim.set_pins({hold_at(0, 12, {0.18f, 0, 0})});
-        run(sim, 120);
-        std::vector<float> velocity(size_t{4} * 13, 0.0f);
-        for (size_t i = 1; i < 12; ++i)
-            velocity[4 * i + 2] =
-                0.5f * std::sin(std::numbers::pi_v<float> * static_cast<float>(i) / 12.0f);
-        sim.write(PLAIT_FIELD_VELOCITY, velocity);
-        const auto energy = [&] { // over half a vertex' mass
-            double sum = 0;
-            for (const float v : sim.read(PLAIT_FIELD_VELOCITY))
-                sum += double(v) * double(v);
-            return sum;
-        };
-        const double begin = energy();
-        for (int i = 0; i < 240; ++i) {
-            run(sim, 1);
-            EXPECT_LT(energy(), 1.01 * begin) << model << ", step " << i;
-        }
+    auto desc = pinnable(2);
+    std::fill_n(desc.params.gravity, 3, 0.0f);
+    desc.params.drag = 0;
+    desc.params.bend_stiffness = 0;
+    plait::Sim sim(context, make_groom({curl({0, 0, 0}, 13)}), desc);
+    sim.set_pins({hold_at(0, 12, {0.18f, 0, 0})});
+    run(sim, 120);
+    std::vector<float> velocity(size_t{4} * 13, 0.0f);
+    for (size_t i = 1; i < 12; ++i)
+        velocity[4 * i + 2] =
+            0.5f * std::sin(std::numbers::pi_v<float> * static_cast<float>(i) / 12.0f);
+    sim.write(PLAIT_FIELD_VELOCITY, velocity);
+    const auto energy = [&] { // over half a vertex' mass
+        double sum = 0;
+        for (const float v : sim.read(PLAIT_FIELD_VELOCITY))
+            sum += double(v) * double(v);
+        return sum;
+    };
+    const double begin = energy();
+    for (int i = 0; i < 240; ++i) {
+        run(sim, 1);
+        EXPECT_LT(energy(), 1.01 * begin) << "step " << i;
     }
 }
 
 // A tie goes with the head, though nobody writes it, at frame rates that no step fits.
 TEST_P(Pins, AtRestGoWithTheHead) {
-    for (const plait_model model : every_model) {
-        const Strand strand = curl({0, 0, 0}, 13);
-        plait::Sim sim(context, make_groom({strand}), pinnable(model, 2));
-        sim.set_pins({hold(0, 6)});
-        for (int i = 1; i <= 144; ++i) {
-            const float angle = 0.4f * std::sin(0.05f * static_cast<float>(i));
-            const auto roots = head_at({0.1f * std::sin(0.03f * static_cast<float>(i)), 0, 0},
-                                       {0, std::sin(angle / 2), 0, std::cos(angle / 2)});
-            sim.set_roots(roots);
-            sim.step(1.0 / 144);
-        }
-        sim.step(frame); // the last step ends where the head stands
-        const auto roots = head_at({0.1f * std::sin(0.03f * 144), 0, 0});
-        const float angle = 0.4f * std::sin(0.05f * 144);
-        const Point& p = strand[6];
-        const Point at{roots.head.t[0] + std::cos(angle) * p[0] + std::sin(angle) * p[2], p[1],
-                       -std::sin(angle) * p[0] + std::cos(angle) * p[2]};
-        EXPECT_LT(distance(position_of(sim, 6), at), 0.05f * 0.02f) << model;
+    const Strand strand = curl({0, 0, 0}, 13);
+    plait::Sim sim(context, make_groom({strand}), pinnable(2));
+    sim.set_pins({hold(0, 6)});
+    for (int i = 1; i <= 144; ++i) {
+        const float angle = 0.4f * std::sin(0.05f * static_cast<float>(i));
+        const auto roots = head_at({0.1f * std::sin(0.03f * static_cast<float>(i)), 0, 0},
+                                   {0, std::sin(angle / 2), 0, std::cos(angle / 2)});
+        sim.set_roots(roots);
+        sim.step(1.0 / 144);
     }
+    sim.step(frame); // the last step ends where the head stands
+    const auto roots = head_at({0.1f * std::sin(0.03f * 144), 0, 0});
+    const float angle = 0.4f * std::sin(0.05f * 144);
+    const Point& p = strand[6];
+    const Point at{roots.head.t[0] + std::cos(angle) * p[0] + std::sin(angle) * p[2], p[1],
+                   -std::sin(angle) * p[0] + std::cos(angle) * p[2]};
+    EXPECT_LT(distance(position_of(sim, 6), at), 0.05f * 0.02f);
 }
 
 // In the world a target goes from where it was to where it is as roots do: with the head's own path
@@ -232,8 +216,8 @@ TEST_P(Pins, AtRestGoWithTheHead) {
 TEST_P(Pins, InTheWorldInterpolateAsRootsDo) {
     for (const double dt : {1.0 / 144, 1.0 / 30, 1.0 / 60}) {
         const Strand strand = curl({0, 0, 0}, 13);
-        plait::Sim carried(context, make_groom({strand}), pinnable(PLAIT_MODEL_ARTICULATED));
-        plait::Sim followed(context, make_groom({strand}), pinnable(PLAIT_MODEL_ARTICULATED));
+        plait::Sim carried(context, make_groom({strand}), pinnable());
+        plait::Sim followed(context, make_groom({strand}), pinnable());
         carried.set_pins({hold(0, 12)});
         followed.set_pins({hold_at(0, 12, strand[12])});
         carried.teleport(head_at({0, 0, 0}));
@@ -260,46 +244,42 @@ TEST_P(Pins, OfNoneChangeNoBitAndOffCostNothing) {
     profiled.backend = GetParam().c_str();
     profiled.profile = 1;
     const plait::Context timed(profiled);
-    for (const plait_model model : every_model) {
-        auto desc = pinnable(model, 2);
-        plait::Sim on(timed, make_groom(tuft(5, 12)), desc);
-        desc.pins = 0;
-        plait::Sim off(timed, make_groom(tuft(5, 12)), desc);
-        run(on, 3);
-        run(off, 3);
-        EXPECT_EQ(on.read(PLAIT_FIELD_POSITION), off.read(PLAIT_FIELD_POSITION)) << model;
-        const auto with = launched_stages(on), without = launched_stages(off);
-        EXPECT_EQ(std::ranges::count(with, "lane_pin"), 6); // a substep each
-        EXPECT_EQ(std::ranges::count(with, "pins"), 6);     // a step and a call each
-        EXPECT_EQ(with.size(), without.size() + 12);
-        EXPECT_GE(on.stats().device_bytes, off.stats().device_bytes + 5 * 12 * 5 * 16);
-    }
+    auto desc = pinnable(2);
+    plait::Sim on(timed, make_groom(tuft(5, 12)), desc);
+    desc.pins = 0;
+    plait::Sim off(timed, make_groom(tuft(5, 12)), desc);
+    run(on, 3);
+    run(off, 3);
+    EXPECT_EQ(on.read(PLAIT_FIELD_POSITION), off.read(PLAIT_FIELD_POSITION));
+    const auto with = launched_stages(on), without = launched_stages(off);
+    EXPECT_EQ(std::ranges::count(with, "lane_pin"), 6); // a substep each
+    EXPECT_EQ(std::ranges::count(with, "pins"), 6);     // a step and a call each
+    EXPECT_EQ(with.size(), without.size() + 12);
+    EXPECT_GE(on.stats().device_bytes, off.stats().device_bytes + 5 * 12 * 5 * 16);
 }
 
 // No strand but the pinned one moves otherwise; a lock that is let go is as free as ever.
 TEST_P(Pins, AreOfTheirStrandAndLetGo) {
-    for (const plait_model model : every_model) {
-        plait::Sim sim(context, make_groom(tuft(5, 12)), pinnable(model));
-        plait::Sim free(context, make_groom(tuft(5, 12)), pinnable(model));
-        sim.set_pins({hold(2, 11), hold(2, 5)});
-        run(sim, 20);
-        run(free, 20);
-        const auto held = sim.read(PLAIT_FIELD_POSITION), fell = free.read(PLAIT_FIELD_POSITION);
-        const auto strand = [](const std::vector<float>& field, size_t k) {
-            return std::vector<float>(field.begin() + 48 * k, field.begin() + 48 * (k + 1));
-        };
-        for (const size_t k : {0, 1, 3, 4})
-            EXPECT_EQ(strand(held, k), strand(fell, k)) << model;
-        EXPECT_GT(largest_difference(strand(held, 2), strand(fell, 2)), 0.05f) << model;
-        const float before = held[4 * (2 * 12 + 11) + 1];
-        sim.set_pins({});
-        run(sim, 20);
-        EXPECT_LT(sim.read(PLAIT_FIELD_POSITION)[4 * (2 * 12 + 11) + 1], before - 0.05f) << model;
-    }
+    plait::Sim sim(context, make_groom(tuft(5, 12)), pinnable());
+    plait::Sim free(context, make_groom(tuft(5, 12)), pinnable());
+    sim.set_pins({hold(2, 11), hold(2, 5)});
+    run(sim, 20);
+    run(free, 20);
+    const auto held = sim.read(PLAIT_FIELD_POSITION), fell = free.read(PLAIT_FIELD_POSITION);
+    const auto strand = [](const std::vector<float>& field, size_t k) {
+        return std::vector<float>(field.begin() + 48 * k, field.begin() + 48 * (k + 1));
+    };
+    for (const size_t k : {0, 1, 3, 4})
+        EXPECT_EQ(strand(held, k), strand(fell, k));
+    EXPECT_GT(largest_difference(strand(held, 2), strand(fell, 2)), 0.05f);
+    const float before = held[4 * (2 * 12 + 11) + 1];
+    sim.set_pins({});
+    run(sim, 20);
+    EXPECT_LT(sim.read(PLAIT_FIELD_POSITION)[4 * (2 * 12 + 11) + 1], before - 0.05f);
 }
 
 TEST_P(Pins, StayOverSwitchesResetAndTeleport) {
-    plait::Sim sim(context, make_groom(tuft(3, 8)), pinnable(PLAIT_MODEL_ARTICULATED));
+    plait::Sim sim(context, make_groom(tuft(3, 8)), pinnable());
     sim.set_pins({hold(1, 7)});
     const auto pins = sim.read(PLAIT_FIELD_PIN);
     const Point rest = vertex_of(sim.read(PLAIT_FIELD_REST), 8 + 7);
@@ -320,7 +300,7 @@ TEST_P(Pins, StayOverSwitchesResetAndTeleport) {
 }
 
 TEST_P(Pins, AreInSnapshots) {
-    const auto desc = pinnable(PLAIT_MODEL_ARTICULATED, 2);
+    const auto desc = pinnable(2);
     plait::Sim sim(context, make_groom(tuft(3, 8)), desc);
     sim.set_pins({hold_at(1, 7, {0.1f, 0, 0}), hold(2, 4)});
     run(sim, 3);
@@ -349,8 +329,8 @@ TEST_P(Pins, AreInSnapshots) {
 }
 
 TEST_P(Pins, AreWrittenAsOneFieldToo) {
-    plait::Sim listed(context, make_groom(tuft(2, 8)), pinnable(PLAIT_MODEL_ARTICULATED));
-    plait::Sim written(context, make_groom(tuft(2, 8)), pinnable(PLAIT_MODEL_ARTICULATED));
+    plait::Sim listed(context, make_groom(tuft(2, 8)), pinnable());
+    plait::Sim written(context, make_groom(tuft(2, 8)), pinnable());
     listed.set_pins({hold_at(0, 7, {0.1f, 0, 0}, 0.5f), hold(1, 5)});
     const auto pins = listed.read(PLAIT_FIELD_PIN);
     const Point rest = vertex_of(listed.read(PLAIT_FIELD_REST), 8 + 5);
@@ -375,7 +355,8 @@ TEST_P(Pins, AreOffUnlessTheyAreAskedFor) {
         EXPECT_NE(std::string(plait_last_error()).find("pins is off"), std::string::npos);
     }
     const auto groom = make_groom(tuft(3, 8));
-    const auto desc = pinnable(PLAIT_MODEL_TRESSFX);
+    auto desc = pinnable();
+    desc.model = PLAIT_MODEL_TRESSFX;
     plait_sim* refused = nullptr;
     EXPECT_EQ(plait_sim_create(context, groom, &desc, &refused), PLAIT_INVALID_ARGUMENT);
     EXPECT_NE(std::string(plait_last_error()).find("articulated (4)"), std::string::npos)
@@ -384,7 +365,7 @@ TEST_P(Pins, AreOffUnlessTheyAreAskedFor) {
 
 TEST_P(Pins, ThatAreWrongAreRefusedWhole) {
     const Strands strands{curl({0, 0, 0}, 8), curl({0, 0.1f, 0}, 5)};
-    plait::Sim sim(context, make_groom(strands), pinnable(PLAIT_MODEL_ARTICULATED));
+    plait::Sim sim(context, make_groom(strands), pinnable());
     sim.set_pins({hold(0, 3)});
     const auto before = sim.read(PLAIT_FIELD_PIN);
     const auto refused = [&](const std::vector<plait_pin>& pins, const std::string& words) {

@@ -177,8 +177,7 @@ TEST_P(RootBinding, HairGrowsOnWhatBendsAndStaysOutside) {
                  static_cast<float>(-(radius + 0.012 * std::min(i, 3)) * std::sin(a))});
         strands.push_back(strand);
     }
-    for (const plait_model model :
-         {PLAIT_MODEL_ARTICULATED}) {
+    for (const plait_model model : {PLAIT_MODEL_ARTICULATED}) {
         auto desc = plait_sim_desc_defaults();
         desc.model = model;
         desc.substeps = 2;

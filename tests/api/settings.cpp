@@ -216,20 +216,20 @@ TEST_P(Settings, ASwingGoesOnWhenTheSubstepsChange) {
     desc.params.bdf2 = 1;
     desc.params.bend_stiffness = desc.params.twist_stiffness = 0;
     for (const uint32_t to : {1u, 4u}) {
-            desc.substeps = 5 - to;
-            plait::Sim kept(context, groom, desc), changed(context, groom, desc);
-            run(kept, 12);
-            run(changed, 12);
-            const Point a = tip_of(kept);
-            run(kept, 1);
-            run(changed, 1);
-            const Point b = tip_of(kept);
-            changed.set_settings({make(to)});
-            run(kept, 1);
-            run(changed, 1);
-            EXPECT_LT(acceleration(a, b, tip_of(changed)), acceleration(a, b, tip_of(kept)) + 10)
-                << 5 - to << " to " << to << " substeps";
-        }
+        desc.substeps = 5 - to;
+        plait::Sim kept(context, groom, desc), changed(context, groom, desc);
+        run(kept, 12);
+        run(changed, 12);
+        const Point a = tip_of(kept);
+        run(kept, 1);
+        run(changed, 1);
+        const Point b = tip_of(kept);
+        changed.set_settings({make(to)});
+        run(kept, 1);
+        run(changed, 1);
+        EXPECT_LT(acceleration(a, b, tip_of(changed)), acceleration(a, b, tip_of(kept)) + 10)
+            << 5 - to << " to " << to << " substeps";
+    }
 }
 
 TEST_P(Settings, NothingThatIsSeenMovesAtTheChange) {
@@ -284,9 +284,8 @@ TEST_P(Settings, OfASnapshotThatCannotBeAreRefused) {
     run(sim, 2);
     const auto saved = sim.save();
     const uint64_t hash = sim.hash();
-    const std::pair<size_t, const char*> fields[] = {{0, "strand 3: substeps is"},
-                                                     {1, "strand 3: iterations is"},
-                                                     {2, "strand 3: bdf2 is"}};
+    const std::pair<size_t, const char*> fields[] = {
+        {0, "strand 3: substeps is"}, {1, "strand 3: iterations is"}, {2, "strand 3: bdf2 is"}};
     for (const auto& [field, sentence] : fields) {
         auto damaged = saved;
         const uint32_t value = 70000;

@@ -8,13 +8,11 @@
 
 namespace {
 
-constexpr plait_model meeting_models[] = {PLAIT_MODEL_ARTICULATED};
 constexpr float radius = 0.002f;
 constexpr size_t vertices = 16;
 
-plait_sim_desc meeting(plait_model model) {
+plait_sim_desc meeting() {
     auto desc = plait_sim_desc_defaults();
-    desc.model = model;
     desc.pins = 1;
     desc.params.strand_contact = PLAIT_STRAND_CONTACT_ON;
     desc.params.strand_radius = radius;
@@ -114,9 +112,8 @@ ON_EVERY_BACKEND(StrandContact);
 // of 2 m/s^2 presses the one on the other, `degrees` off the normal: the same lever bears both parts
 // of it, so that the hair slides along the other where tan(degrees) exceeds friction, whatever its
 // weight and stiffness.
-plait::Sim pressed(const plait::Context& context, plait_model model, double degrees,
-                   float friction_scale = 1) {
-    auto desc = meeting(model);
+plait::Sim pressed(const plait::Context& context, double degrees, float friction_scale = 1) {
+    auto desc = meeting();
     const std::vector<uint32_t> of{PLAIT_MATERIAL_OF_PARAMS, 0};
     auto material = plait_material_defaults();
     material.friction_scale = friction_scale;
@@ -147,34 +144,29 @@ float gone_aside(const plait::Sim& sim) {
 
 // tan(16.7 degrees) is friction. Held hair creeps by 5e-4 of its length a second (ADR 14): 0.1 mm/s.
 TEST_P(StrandContact, HairSlidesOverHairWhereItIsSteeperThanFriction) {
-    for (const plait_model model : meeting_models) {
-        plait::Sim flat = pressed(context, model, 8), below = pressed(context, model, 14.7),
-                   above = pressed(context, model, 18.7), steep = pressed(context, model, 30);
-        for (plait::Sim* sim : {&flat, &below, &above, &steep})
-            run(*sim, 60);
-        EXPECT_LT(std::abs(gone_aside(flat)), 3e-4f) << model;
-        EXPECT_LT(std::abs(gone_aside(below)), 3.5e-4f) << model;
-        EXPECT_GT(gone_aside(above), 5e-4f) << model;
-        EXPECT_GT(gone_aside(above), 2 * gone_aside(below)) << model;
-        EXPECT_GT(gone_aside(steep), 3e-3f) << model;
-        EXPECT_GT(distance(flat.read(PLAIT_FIELD_POSITION), 0, 1), 0.95) << model;
-        run(below, 120);
-        EXPECT_LT(std::abs(gone_aside(below)), 7e-4f) << model << ": creeps";
-        EXPECT_GT(distance(below.read(PLAIT_FIELD_POSITION), 0, 1), 0.95) << model;
-    }
+    plait::Sim flat = pressed(context, 8), below = pressed(context, 14.7),
+               above = pressed(context, 18.7), steep = pressed(context, 30);
+    for (plait::Sim* sim : {&flat, &below, &above, &steep})
+        run(*sim, 60);
+    EXPECT_LT(std::abs(gone_aside(flat)), 3e-4f);
+    EXPECT_LT(std::abs(gone_aside(below)), 3.5e-4f);
+    EXPECT_GT(gone_aside(above), 5e-4f);
+    EXPECT_GT(gone_aside(above), 2 * gone_aside(below));
+    EXPECT_GT(gone_aside(steep), 3e-3f);
+    EXPECT_GT(distance(flat.read(PLAIT_FIELD_POSITION), 0, 1), 0.95);
+    run(below, 120);
+    EXPECT_LT(std::abs(gone_aside(below)), 7e-4f) << ": creeps";
+    EXPECT_GT(distance(below.read(PLAIT_FIELD_POSITION), 0, 1), 0.95);
 }
 
 // By its own scale, that of the hair it lies on being 1: of 0.5 it holds up to 8.5 degrees, of 2 up to
 // 31.
 TEST_P(StrandContact, HairFeelsFrictionByTheScaleOfItsMaterial) {
-    for (const plait_model model : meeting_models) {
-        plait::Sim slides = pressed(context, model, 14.7, 0.5f),
-                   holds = pressed(context, model, 25, 2);
-        for (plait::Sim* sim : {&slides, &holds})
-            run(*sim, 60);
-        EXPECT_GT(gone_aside(slides), 1e-3f) << model;
-        EXPECT_LT(std::abs(gone_aside(holds)), 5e-4f) << model;
-    }
+    plait::Sim slides = pressed(context, 14.7, 0.5f), holds = pressed(context, 25, 2);
+    for (plait::Sim* sim : {&slides, &holds})
+        run(*sim, 60);
+    EXPECT_GT(gone_aside(slides), 1e-3f);
+    EXPECT_LT(std::abs(gone_aside(holds)), 5e-4f);
 }
 
 // ---- what lies on what -----------------------------------------------------------------------------
@@ -182,8 +174,8 @@ TEST_P(StrandContact, HairFeelsFrictionByTheScaleOfItsMaterial) {
 constexpr size_t per_layer = 6;
 
 // Layers of hair, every other one along x, the others along y, on a table.
-plait::Sim piled(const plait::Context& context, plait_model model, size_t layers) {
-    auto desc = meeting(model);
+plait::Sim piled(const plait::Context& context, size_t layers) {
+    auto desc = meeting();
     desc.substeps = 4;
     desc.params.gravity[1] = 0;
     desc.params.gravity[2] = -9.81f;
@@ -220,28 +212,26 @@ double least_distance(const std::vector<float>& positions, size_t layers) {
 
 // In every frame: as it falls together hair is pressed to less than half of its diameter for one.
 TEST_P(StrandContact, APileOfThreeLayersHolds) {
-    for (const plait_model model : meeting_models) {
-        plait::Sim sim = piled(context, model, 3);
-        const auto before = sim.read(PLAIT_FIELD_POSITION);
-        const int seconds = GetParam() == "reference" ? 1 : 5; // that takes half a minute for five
-        for (int i = 0; i < 60 * seconds; ++i) {
-            run(sim, 1);
-            EXPECT_LT(sim.stats().max_stretch, 0.02f) << model;
-            EXPECT_GT(least_distance(sim.read(PLAIT_FIELD_POSITION), 3), 0.25) << model;
-        }
-        const auto after = sim.read(PLAIT_FIELD_POSITION);
-        size_t crossings = 0;
-        for (size_t a = 0; a < 3 * per_layer; ++a)
-            for (size_t b = a + 1; b < 3 * per_layer; ++b) {
-                const int was = above(before, a, b);
-                if (!cross(a, b) || was == 0)
-                    continue;
-                EXPECT_EQ(above(after, a, b), was) << model << ": strands " << a << " and " << b;
-                EXPECT_GT(distance(after, a, b), 0.6) << model;
-                ++crossings;
-            }
-        EXPECT_EQ(crossings, 2 * per_layer * per_layer);
+    plait::Sim sim = piled(context, 3);
+    const auto before = sim.read(PLAIT_FIELD_POSITION);
+    const int seconds = GetParam() == "reference" ? 1 : 5; // that takes half a minute for five
+    for (int i = 0; i < 60 * seconds; ++i) {
+        run(sim, 1);
+        EXPECT_LT(sim.stats().max_stretch, 0.02f);
+        EXPECT_GT(least_distance(sim.read(PLAIT_FIELD_POSITION), 3), 0.25);
     }
+    const auto after = sim.read(PLAIT_FIELD_POSITION);
+    size_t crossings = 0;
+    for (size_t a = 0; a < 3 * per_layer; ++a)
+        for (size_t b = a + 1; b < 3 * per_layer; ++b) {
+            const int was = above(before, a, b);
+            if (!cross(a, b) || was == 0)
+                continue;
+            EXPECT_EQ(above(after, a, b), was) << ": strands " << a << " and " << b;
+            EXPECT_GT(distance(after, a, b), 0.6);
+            ++crossings;
+        }
+    EXPECT_EQ(crossings, 2 * per_layer * per_layer);
 }
 
 // Between hair that is pinned at both ends and a hair that swings at it, before it falls back.
@@ -250,8 +240,8 @@ struct Swing {
     double least; // distance over diameter
 };
 
-Swing swing(const plait::Context& context, plait_model model, float segments_a_step) {
-    auto desc = meeting(model);
+Swing swing(const plait::Context& context, float segments_a_step) {
+    auto desc = meeting();
     desc.substeps = 4;
     desc.params.gravity[1] = 0;
     desc.params.drag = 0;
@@ -278,52 +268,48 @@ Swing swing(const plait::Context& context, plait_model model, float segments_a_s
 // A segment length a step, 0.75 m/s. At several of them a strand passes: pairs are looked for once per
 // fixed step, as far as half a segment, and either strand gives way by half.
 TEST_P(StrandContact, HairThatSwingsAtTautHairByASegmentAStepDoesNotPass) {
-    for (const plait_model model : meeting_models) {
-        const Swing slow = swing(context, model, 0.25f), fast = swing(context, model, 1);
-        EXPECT_FALSE(slow.passed) << model;
-        EXPECT_GT(slow.least, 0.95) << model;
-        EXPECT_FALSE(fast.passed) << model;
-        EXPECT_GT(fast.least, 0.85) << model;
-        EXPECT_TRUE(swing(context, model, 4).passed) << model << ": the limit is gone, say so";
-    }
+    const Swing slow = swing(context, 0.25f), fast = swing(context, 1);
+    EXPECT_FALSE(slow.passed);
+    EXPECT_GT(slow.least, 0.95);
+    EXPECT_FALSE(fast.passed);
+    EXPECT_GT(fast.least, 0.85);
+    EXPECT_TRUE(swing(context, 4).passed) << ": the limit is gone, say so";
 }
 
 // Two limp hairs swing at each other, one at rest: what one loses the other has, but for what their
 // roots take.
 TEST_P(StrandContact, CollidingHairsShareTheirMomentum) {
-    for (const plait_model model : meeting_models) {
-        auto desc = meeting(model);
-        desc.step = 1.0f / 240;
-        desc.params.gravity[1] = 0;
-        desc.params.drag = 0;
-        desc.params.bend_stiffness = 0;
-        desc.params.strand_friction = 0;
-        const Strands hair{line({0, -0.02f, -0.015f}, {0.99f, 0.141f, 0}, 0.01f),
-                           line({0, 0.02f, 0.015f}, {0.99f, -0.141f, 0}, 0.01f)};
-        // momentum along z of each, in masses of a vertex
-        const auto momentum = [](const plait::Sim& sim, size_t strand) {
-            const auto v = sim.read(PLAIT_FIELD_VELOCITY);
-            float sum = 0;
-            for (size_t i = 1; i < vertices; ++i)
-                sum += (i + 1 == vertices ? 0.5f : 1.0f) * v[4 * (strand * vertices + i) + 2];
-            return sum;
-        };
-        auto alone = desc;
-        alone.params.strand_contact = PLAIT_STRAND_CONTACT_OFF;
-        plait::Sim sim(context, make_groom(hair), desc), free(context, make_groom(hair), alone);
-        for (plait::Sim* each : {&sim, &free}) {
-            auto v = each->read(PLAIT_FIELD_VELOCITY);
-            for (size_t i = 1; i < vertices; ++i)
-                v[4 * i + 2] = static_cast<float>(i) / float(vertices - 1);
-            each->write(PLAIT_FIELD_VELOCITY, v);
-            for (int k = 0; k < 17; ++k)
-                each->step(1.0 / 240);
-        }
-        const float one = momentum(sim, 0), other = momentum(sim, 1);
-        const float whole = momentum(free, 0) + momentum(free, 1);
-        EXPECT_GT(other, 0.1f * whole) << model;
-        EXPECT_NEAR(one + other, whole, 0.1f * whole) << model;
+    auto desc = meeting();
+    desc.step = 1.0f / 240;
+    desc.params.gravity[1] = 0;
+    desc.params.drag = 0;
+    desc.params.bend_stiffness = 0;
+    desc.params.strand_friction = 0;
+    const Strands hair{line({0, -0.02f, -0.015f}, {0.99f, 0.141f, 0}, 0.01f),
+                       line({0, 0.02f, 0.015f}, {0.99f, -0.141f, 0}, 0.01f)};
+    // momentum along z of each, in masses of a vertex
+    const auto momentum = [](const plait::Sim& sim, size_t strand) {
+        const auto v = sim.read(PLAIT_FIELD_VELOCITY);
+        float sum = 0;
+        for (size_t i = 1; i < vertices; ++i)
+            sum += (i + 1 == vertices ? 0.5f : 1.0f) * v[4 * (strand * vertices + i) + 2];
+        return sum;
+    };
+    auto alone = desc;
+    alone.params.strand_contact = PLAIT_STRAND_CONTACT_OFF;
+    plait::Sim sim(context, make_groom(hair), desc), free(context, make_groom(hair), alone);
+    for (plait::Sim* each : {&sim, &free}) {
+        auto v = each->read(PLAIT_FIELD_VELOCITY);
+        for (size_t i = 1; i < vertices; ++i)
+            v[4 * i + 2] = static_cast<float>(i) / float(vertices - 1);
+        each->write(PLAIT_FIELD_VELOCITY, v);
+        for (int k = 0; k < 17; ++k)
+            each->step(1.0 / 240);
     }
+    const float one = momentum(sim, 0), other = momentum(sim, 1);
+    const float whole = momentum(free, 0) + momentum(free, 1);
+    EXPECT_GT(other, 0.1f * whole);
+    EXPECT_NEAR(one + other, whole, 0.1f * whole);
 }
 
 // Hair that fills a room, two diameters apart, under a head that shakes: each strand touches many at
@@ -350,15 +336,14 @@ TEST(StrandContactOnOpenCL, DenseHairOnAShakingHeadStaysSlow) {
         }
         return most;
     };
-    for (const plait_model model : meeting_models)
-        for (const uint32_t substeps : {1u, 2u, 4u}) {
-            auto desc = meeting(model);
-            desc.substeps = substeps;
-            const auto [speed, stretch] = shaken(desc);
-            desc.params.strand_contact = PLAIT_STRAND_CONTACT_OFF;
-            EXPECT_LT(speed, 2.2f * shaken(desc).first) << model << ", " << substeps << " substeps";
-            EXPECT_LT(stretch, 0.05f) << model << ", " << substeps << " substeps";
-        }
+    for (const uint32_t substeps : {1u, 2u, 4u}) {
+        auto desc = meeting();
+        desc.substeps = substeps;
+        const auto [speed, stretch] = shaken(desc);
+        desc.params.strand_contact = PLAIT_STRAND_CONTACT_OFF;
+        EXPECT_LT(speed, 2.2f * shaken(desc).first) << "" << substeps << " substeps";
+        EXPECT_LT(stretch, 0.05f) << "" << substeps << " substeps";
+    }
 }
 
 // ---- who meets whom ----------------------------------------------------------------------------------
@@ -366,17 +351,15 @@ TEST(StrandContactOnOpenCL, DenseHairOnAShakingHeadStaysSlow) {
 // Strands that are nearer than a diameter in the groom, and that nothing pulls at: they would be
 // pushed apart by millimetres, and are moved by the rounding of their gap.
 TEST_P(StrandContact, RestIsNotPushed) {
-    for (const plait_model model : meeting_models) {
-        auto desc = meeting(model);
-        desc.params.gravity[1] = 0;
-        plait::Sim sim(context,
-                       make_groom({line({0, 0, 0}, {1, 0, 0}, 0.01f),
-                                   line({0.05f, -0.05f, 0.001f}, {0, 1, 0}, 0.01f)}),
-                       desc);
-        const auto before = sim.read(PLAIT_FIELD_POSITION);
-        run(sim, 30);
-        EXPECT_LT(largest_difference(before, sim.read(PLAIT_FIELD_POSITION)), 3e-5f) << model;
-    }
+    auto desc = meeting();
+    desc.params.gravity[1] = 0;
+    plait::Sim sim(context,
+                   make_groom({line({0, 0, 0}, {1, 0, 0}, 0.01f),
+                               line({0.05f, -0.05f, 0.001f}, {0, 1, 0}, 0.01f)}),
+                   desc);
+    const auto before = sim.read(PLAIT_FIELD_POSITION);
+    run(sim, 30);
+    EXPECT_LT(largest_difference(before, sim.read(PLAIT_FIELD_POSITION)), 3e-5f);
 }
 
 Strands crowd() {
@@ -393,53 +376,49 @@ TEST_P(StrandContact, OffItCostsNothingAndChangesNoBit) {
     profiled.backend = GetParam().c_str();
     profiled.profile = 1;
     const plait::Context timed(profiled);
-    for (const plait_model model : meeting_models) {
-        auto off = meeting(model);
-        off.params.strand_contact = PLAIT_STRAND_CONTACT_OFF;
-        off.params.bdf2 = 0; // as where strands meet: its history would be made anew
-        plait::Sim never(timed, make_groom(crowd()), off), stopped(timed, make_groom(crowd()), off);
-        const auto bytes = never.describe().device_bytes;
-        stopped.set_params(meeting(model).params);
-        EXPECT_GT(stopped.describe().device_bytes, bytes);
-        auto params = off.params;
-        params.strand_radius = 0.01f; // nobody reads it
-        params.strand_friction = 2;
-        stopped.set_params(params);
-        EXPECT_EQ(stopped.describe().device_bytes, bytes);
-        for (plait::Sim* each : {&never, &stopped})
-            (void)launched_stages(*each); // of its making
-        run(never, 3);
-        run(stopped, 3);
-        EXPECT_EQ(never.hash(), stopped.hash()) << model;
-        EXPECT_EQ(launched_stages(never), launched_stages(stopped)) << model;
-        stopped.set_params(meeting(model).params);
-        run(stopped, 2);
-        const auto stages = launched_stages(stopped);
-        EXPECT_EQ(std::ranges::count(stages, "pair_find"), 2);
-        EXPECT_GE(std::ranges::count(stages, "strand_contact"), 2);
-    }
+    auto off = meeting();
+    off.params.strand_contact = PLAIT_STRAND_CONTACT_OFF;
+    off.params.bdf2 = 0; // as where strands meet: its history would be made anew
+    plait::Sim never(timed, make_groom(crowd()), off), stopped(timed, make_groom(crowd()), off);
+    const auto bytes = never.describe().device_bytes;
+    stopped.set_params(meeting().params);
+    EXPECT_GT(stopped.describe().device_bytes, bytes);
+    auto params = off.params;
+    params.strand_radius = 0.01f; // nobody reads it
+    params.strand_friction = 2;
+    stopped.set_params(params);
+    EXPECT_EQ(stopped.describe().device_bytes, bytes);
+    for (plait::Sim* each : {&never, &stopped})
+        (void)launched_stages(*each); // of its making
+    run(never, 3);
+    run(stopped, 3);
+    EXPECT_EQ(never.hash(), stopped.hash());
+    EXPECT_EQ(launched_stages(never), launched_stages(stopped));
+    stopped.set_params(meeting().params);
+    run(stopped, 2);
+    const auto stages = launched_stages(stopped);
+    EXPECT_EQ(std::ranges::count(stages, "pair_find"), 2);
+    EXPECT_GE(std::ranges::count(stages, "strand_contact"), 2);
 }
 
 TEST_P(StrandContact, RepeatsBitForBitAlsoFromASnapshot) {
-    for (const plait_model model : meeting_models) {
-        plait::Sim one(context, make_groom(crowd()), meeting(model));
-        plait::Sim other(context, make_groom(crowd()), meeting(model));
-        run(one, 10);
-        run(other, 10);
-        EXPECT_EQ(one.hash(), other.hash()) << model;
-        const auto saved = one.save();
-        one.restore(saved); // the reference, too, goes on from float32
-        plait::Sim again(context, make_groom(crowd()), meeting(model));
-        again.restore(saved);
-        run(one, 5);
-        run(again, 5);
-        EXPECT_EQ(one.hash(), again.hash()) << model;
-    }
+    plait::Sim one(context, make_groom(crowd()), meeting());
+    plait::Sim other(context, make_groom(crowd()), meeting());
+    run(one, 10);
+    run(other, 10);
+    EXPECT_EQ(one.hash(), other.hash());
+    const auto saved = one.save();
+    one.restore(saved); // the reference, too, goes on from float32
+    plait::Sim again(context, make_groom(crowd()), meeting());
+    again.restore(saved);
+    run(one, 5);
+    run(again, 5);
+    EXPECT_EQ(one.hash(), again.hash());
 }
 
 // Short strands and long ones, and those of other substeps, are in parts of their own.
 TEST_P(StrandContact, StrandsOfSeveralPartsMeet) {
-    auto desc = meeting(PLAIT_MODEL_ARTICULATED);
+    auto desc = meeting();
     desc.params.gravity[1] = 0;
     desc.params.gravity[2] = -9.81f;
     const Strands hair{line({0.1f, -0.1f, 0}, {0, 1, 0}, 0.2f / 15),
@@ -463,10 +442,10 @@ TEST_P(StrandContact, CountsPairsThatAreDropped) {
     Strands hair;
     for (size_t i = 0; i < 9; ++i)
         hair.push_back(line({0, 1e-4f * static_cast<float>(i), 0}, {1, 0, 0}, 0.01f));
-    plait::Sim sim(context, make_groom(hair), meeting(PLAIT_MODEL_ARTICULATED));
+    plait::Sim sim(context, make_groom(hair), meeting());
     run(sim, 1);
     EXPECT_GE(sim.stats().pairs_dropped, 9u * 15 * 4); // beside each segment lie eight
-    plait::Sim few(context, make_groom({hair[0], hair[8]}), meeting(PLAIT_MODEL_ARTICULATED));
+    plait::Sim few(context, make_groom({hair[0], hair[8]}), meeting());
     run(few, 1);
     EXPECT_EQ(few.stats().pairs_dropped, 0u);
 }

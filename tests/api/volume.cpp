@@ -7,7 +7,6 @@
 
 namespace {
 
-constexpr plait_model every_model[] = {PLAIT_MODEL_ARTICULATED};
 constexpr size_t vertices = 10, side = 9;
 constexpr float spacing = 0.009f;
 
@@ -24,9 +23,8 @@ Strands layers() {
     return strands;
 }
 
-plait_sim_desc limp(plait_model model) {
+plait_sim_desc limp() {
     auto desc = plait_sim_desc_defaults();
-    desc.model = model;
     desc.params.bend_stiffness = 1e-11f;
     desc.params.grid_edge_count = 16;
     desc.params.grid_edge = 0.4f;
@@ -36,8 +34,8 @@ plait_sim_desc limp(plait_model model) {
     return desc;
 }
 
-plait_sim_desc with_volume(plait_model model) {
-    plait_sim_desc desc = limp(model);
+plait_sim_desc with_volume() {
+    plait_sim_desc desc = limp();
     desc.params.interhair = PLAIT_INTERHAIR_EXACT;
     desc.params.volume = PLAIT_VOLUME_PRESSURE;
     return desc;
@@ -78,17 +76,14 @@ class VolumeOf : public OnBackend {};
 ON_EVERY_BACKEND(VolumeOf);
 
 TEST_P(VolumeOf, HoldsLayersApartThatWouldLieOnTheFloor) {
-    for (const plait_model model : every_model) {
-        plait::Sim bare = on_floor(context, limp(model)),
-                   sim = on_floor(context, with_volume(model));
-        run(bare, 60);
-        run(sim, 60);
-        EXPECT_GT(height_of(sim), 2.5f * height_of(bare)) << model << ": " << height_of(bare);
-        EXPECT_GT(height_of(sim), 0.4f) << model; // of limp hair that slides down between walls
-        EXPECT_LT(height_of(sim), 1.1f) << model;
-        EXPECT_EQ(sim.stats().nonfinite, 0u);
-        EXPECT_EQ(sim.stats().grid_outside, 0u);
-    }
+    plait::Sim bare = on_floor(context, limp()), sim = on_floor(context, with_volume());
+    run(bare, 60);
+    run(sim, 60);
+    EXPECT_GT(height_of(sim), 2.5f * height_of(bare)) << ": " << height_of(bare);
+    EXPECT_GT(height_of(sim), 0.4f); // of limp hair that slides down between walls
+    EXPECT_LT(height_of(sim), 1.1f);
+    EXPECT_EQ(sim.stats().nonfinite, 0u);
+    EXPECT_EQ(sim.stats().grid_outside, 0u);
 }
 
 TEST_P(VolumeOf, OffItCostsNothingAndChangesNoBit) {
@@ -96,75 +91,69 @@ TEST_P(VolumeOf, OffItCostsNothingAndChangesNoBit) {
     profiled.backend = GetParam().c_str();
     profiled.profile = 1;
     const plait::Context timed(profiled);
-    for (const plait_model model : every_model) {
-        plait::Sim never = on_floor(timed, limp(model)), stopped = on_floor(timed, limp(model));
-        const auto bytes = never.describe().device_bytes;
-        stopped.set_params(with_volume(model).params);
-        EXPECT_GT(stopped.describe().device_bytes, bytes);
-        plait_sim_params off = limp(model).params;
-        off.volume_share = 2; // nobody reads it
-        off.cohesion = 3;
-        stopped.set_params(off);
-        EXPECT_EQ(stopped.describe().device_bytes, bytes);
-        for (plait::Sim* each : {&never, &stopped})
-            (void)launched_stages(*each); // of its making
-        run(never, 3);
-        run(stopped, 3);
-        EXPECT_EQ(never.read(PLAIT_FIELD_POSITION), stopped.read(PLAIT_FIELD_POSITION)) << model;
-        EXPECT_EQ(never.hash(), stopped.hash()) << model;
-        EXPECT_EQ(launched_stages(never), launched_stages(stopped)) << model;
-        stopped.set_params(with_volume(model).params);
-        run(stopped, 2);
-        const auto stages = launched_stages(stopped);
-        EXPECT_EQ(std::ranges::count(stages, "volume_gather"), 3) << "with a start";
-        EXPECT_EQ(std::ranges::count(stages, "volume_pressure"), 2 * (200 + 2 * 10));
-        EXPECT_EQ(std::ranges::count(stages, "lane_diffuse"), 0);
-        EXPECT_EQ(std::ranges::count(stages, "grid_diffuse"), 0);
-    }
+    plait::Sim never = on_floor(timed, limp()), stopped = on_floor(timed, limp());
+    const auto bytes = never.describe().device_bytes;
+    stopped.set_params(with_volume().params);
+    EXPECT_GT(stopped.describe().device_bytes, bytes);
+    plait_sim_params off = limp().params;
+    off.volume_share = 2; // nobody reads it
+    off.cohesion = 3;
+    stopped.set_params(off);
+    EXPECT_EQ(stopped.describe().device_bytes, bytes);
+    for (plait::Sim* each : {&never, &stopped})
+        (void)launched_stages(*each); // of its making
+    run(never, 3);
+    run(stopped, 3);
+    EXPECT_EQ(never.read(PLAIT_FIELD_POSITION), stopped.read(PLAIT_FIELD_POSITION));
+    EXPECT_EQ(never.hash(), stopped.hash());
+    EXPECT_EQ(launched_stages(never), launched_stages(stopped));
+    stopped.set_params(with_volume().params);
+    run(stopped, 2);
+    const auto stages = launched_stages(stopped);
+    EXPECT_EQ(std::ranges::count(stages, "volume_gather"), 3) << "with a start";
+    EXPECT_EQ(std::ranges::count(stages, "volume_pressure"), 2 * (200 + 2 * 10));
+    EXPECT_EQ(std::ranges::count(stages, "lane_diffuse"), 0);
+    EXPECT_EQ(std::ranges::count(stages, "grid_diffuse"), 0);
 }
 
 TEST_P(VolumeOf, RepeatsBitForBit) {
-    for (const plait_model model : every_model) {
-        plait::Sim one = on_floor(context, with_volume(model));
-        plait::Sim other = on_floor(context, with_volume(model));
-        run(one, 20);
-        run(other, 20);
-        EXPECT_EQ(one.hash(), other.hash()) << model;
-    }
+    plait::Sim one = on_floor(context, with_volume());
+    plait::Sim other = on_floor(context, with_volume());
+    run(one, 20);
+    run(other, 20);
+    EXPECT_EQ(one.hash(), other.hash());
 }
 
 // The pressure itself, and what it does to vertices in the next step.
 TEST_P(VolumeOf, SnapshotsHoldThePressure) {
-    for (const plait_model model : every_model) {
-        plait::Sim sim = on_floor(context, with_volume(model));
-        run(sim, 15);
-        const auto saved = sim.save();
-        sim.restore(saved); // the reference, too, goes on from float32
-        plait::Sim again(context, make_groom(layers()), with_volume(model));
-        again.restore(saved);
-        EXPECT_EQ(again.hash(), sim.hash());
-        run(sim, 10);
-        run(again, 10);
-        EXPECT_EQ(again.hash(), sim.hash()) << model;
-        // a sim without volume, or of another grid, takes the rest
-        plait::Sim bare(context, make_groom(layers()), limp(model));
-        bare.restore(saved);
-        plait_sim_desc finer = with_volume(model);
-        finer.params.grid_edge_count = 20;
-        plait::Sim other(context, make_groom(layers()), finer);
-        other.restore(saved);
-        EXPECT_EQ(other.read(PLAIT_FIELD_POSITION), bare.read(PLAIT_FIELD_POSITION));
-        run(other, 10);
-        EXPECT_EQ(other.stats().nonfinite, 0u);
-        // and one with volume that of a sim without
-        again.restore(bare.save());
-        run(again, 10);
-        EXPECT_EQ(again.stats().nonfinite, 0u);
-    }
+    plait::Sim sim = on_floor(context, with_volume());
+    run(sim, 15);
+    const auto saved = sim.save();
+    sim.restore(saved); // the reference, too, goes on from float32
+    plait::Sim again(context, make_groom(layers()), with_volume());
+    again.restore(saved);
+    EXPECT_EQ(again.hash(), sim.hash());
+    run(sim, 10);
+    run(again, 10);
+    EXPECT_EQ(again.hash(), sim.hash());
+    // a sim without volume, or of another grid, takes the rest
+    plait::Sim bare(context, make_groom(layers()), limp());
+    bare.restore(saved);
+    plait_sim_desc finer = with_volume();
+    finer.params.grid_edge_count = 20;
+    plait::Sim other(context, make_groom(layers()), finer);
+    other.restore(saved);
+    EXPECT_EQ(other.read(PLAIT_FIELD_POSITION), bare.read(PLAIT_FIELD_POSITION));
+    run(other, 10);
+    EXPECT_EQ(other.stats().nonfinite, 0u);
+    // and one with volume that of a sim without
+    again.restore(bare.save());
+    run(again, 10);
+    EXPECT_EQ(again.stats().nonfinite, 0u);
 }
 
 TEST_P(VolumeOf, BeginsAnewWithAReset) {
-    plait::Sim sim = on_floor(context, with_volume(PLAIT_MODEL_ARTICULATED));
+    plait::Sim sim = on_floor(context, with_volume());
     const uint64_t begin = sim.hash();
     run(sim, 7);
     const auto first = sim.read(PLAIT_FIELD_POSITION);
@@ -176,39 +165,35 @@ TEST_P(VolumeOf, BeginsAnewWithAReset) {
 
 // The pressure begins anew and holds what it held.
 TEST_P(VolumeOf, TeleportsCarryHairAsItLies) {
-    for (const plait_model model : every_model) {
-        plait::Sim sim = on_floor(context, with_volume(model));
-        run(sim, 30);
-        const float before = height_of(sim);
-        sim.teleport(head_at({0, 0, 0})); // where it is
-        run(sim, 30);
-        EXPECT_NEAR(height_of(sim), before, 0.15f) << model;
-        EXPECT_EQ(sim.stats().grid_outside, 0u);
-    }
+    plait::Sim sim = on_floor(context, with_volume());
+    run(sim, 30);
+    const float before = height_of(sim);
+    sim.teleport(head_at({0, 0, 0})); // where it is
+    run(sim, 30);
+    EXPECT_NEAR(height_of(sim), before, 0.15f);
+    EXPECT_EQ(sim.stats().grid_outside, 0u);
 }
 
 // Accelerations of 0 and air without a mass take what pressure does to the solve, too. Of
 // `articulated` roundings let contacts choose otherwise after ten steps, in which hair without it falls by 14 cm.
 TEST_P(VolumeOf, AddsUpWithAccelerationsAndWind) {
-    for (const plait_model model : every_model) {
-        plait_sim_desc desc = with_volume(model);
-        plait::Sim plain = on_floor(context, desc), windy = on_floor(context, desc);
-        desc.accelerations = 1;
-        plait::Sim pulled = on_floor(context, desc);
-        auto wind = plait_wind_desc_defaults();
-        wind.air_density = 1e-12f;
-        windy.set_wind(wind);
-        for (plait::Sim* each : {&plain, &windy, &pulled})
-            run(*each, model == PLAIT_MODEL_ARTICULATED ? 10 : 15);
-        const auto positions = plain.read(PLAIT_FIELD_POSITION);
-        EXPECT_EQ(pulled.read(PLAIT_FIELD_POSITION), positions) << model;
-        EXPECT_LT(largest_difference(windy.read(PLAIT_FIELD_POSITION), positions), 1e-4f) << model;
-    }
+    plait_sim_desc desc = with_volume();
+    plait::Sim plain = on_floor(context, desc), windy = on_floor(context, desc);
+    desc.accelerations = 1;
+    plait::Sim pulled = on_floor(context, desc);
+    auto wind = plait_wind_desc_defaults();
+    wind.air_density = 1e-12f;
+    windy.set_wind(wind);
+    for (plait::Sim* each : {&plain, &windy, &pulled})
+        run(*each, 10);
+    const auto positions = plain.read(PLAIT_FIELD_POSITION);
+    EXPECT_EQ(pulled.read(PLAIT_FIELD_POSITION), positions);
+    EXPECT_LT(largest_difference(windy.read(PLAIT_FIELD_POSITION), positions), 1e-4f);
 }
 
 // Strands that come to another part, of other substeps, keep what presses them.
 TEST_P(VolumeOf, StaysOverSwitches) {
-    plait::Sim sim = on_floor(context, with_volume(PLAIT_MODEL_ARTICULATED));
+    plait::Sim sim = on_floor(context, with_volume());
     run(sim, 20);
     const auto twice = of_substeps(2);
     std::vector<uint32_t> indices;
@@ -218,13 +203,13 @@ TEST_P(VolumeOf, StaysOverSwitches) {
     run(sim, 1);
     const auto saved = sim.save();
     run(sim, 40);
-    plait::Sim bare = on_floor(context, limp(PLAIT_MODEL_ARTICULATED));
+    plait::Sim bare = on_floor(context, limp());
     run(bare, 20);
     bare.set_settings({plait_strand_settings_defaults(), twice}, indices);
     run(bare, 41);
     EXPECT_GT(height_of(sim), 2.5f * height_of(bare)) << height_of(bare);
     EXPECT_LT(height_of(sim), 1.1f);
-    plait::Sim again = on_floor(context, with_volume(PLAIT_MODEL_ARTICULATED));
+    plait::Sim again = on_floor(context, with_volume());
     again.restore(saved);
     sim.restore(saved);
     EXPECT_EQ(again.hash(), sim.hash());
@@ -234,8 +219,8 @@ TEST_P(VolumeOf, StaysOverSwitches) {
 }
 
 TEST_P(VolumeOf, NeedsTheExactGridAndStrandsOverLanes) {
-    plait::Sim sim(context, make_groom(layers()), limp(PLAIT_MODEL_ARTICULATED));
-    plait_sim_params params = with_volume(PLAIT_MODEL_ARTICULATED).params;
+    plait::Sim sim(context, make_groom(layers()), limp());
+    plait_sim_params params = with_volume().params;
     for (const plait_interhair interhair : {PLAIT_INTERHAIR_OFF, PLAIT_INTERHAIR_SLOTS}) {
         params.interhair = interhair;
         EXPECT_EQ(plait_sim_set_params(sim, &params), PLAIT_INVALID_ARGUMENT);
@@ -255,7 +240,7 @@ TEST_P(VolumeOf, NeedsTheExactGridAndStrandsOverLanes) {
 
 // A step in which hair falls by a quarter of a voxel, or more.
 TEST_P(VolumeOf, WarnsOfStepsThatAreTooLongForItsVoxels) {
-    plait_sim_desc desc = with_volume(PLAIT_MODEL_ARTICULATED);
+    plait_sim_desc desc = with_volume();
     plait::Sim fine(context, make_groom(layers()), desc);
     EXPECT_EQ(std::strstr(fine.describe().warning, "volume"), nullptr);
     desc.step = 1.0f / 30;

@@ -9,22 +9,19 @@
 
 namespace {
 
-constexpr plait_model every_model[] = {PLAIT_MODEL_ARTICULATED};
-constexpr plait_model bending_models[] = {PLAIT_MODEL_ARTICULATED};
 constexpr size_t vertices = 13;
 constexpr float segment = 1.0f / 64; // m: sums and products of it are exact
 constexpr float dry_below = 1e-3f;
 
-plait_sim_desc desc_of(plait_model model) {
+plait_sim_desc desc_of() {
     auto desc = plait_sim_desc_defaults();
-    desc.model = model;
     return desc;
 }
 
 // Powers of two: what wetness makes of them is what it makes of the params, to the bit. EA is given, as
 // one chosen by weight is rounded twice.
-plait_sim_desc exact(plait_model model) {
-    auto desc = desc_of(model);
+plait_sim_desc exact() {
+    auto desc = desc_of();
     desc.params.line_density = 0x1p-18f;
     desc.params.bend_stiffness = 0x1p-27f;
     desc.params.stretch_stiffness = 0x1p-6f;
@@ -70,114 +67,105 @@ TEST_P(WetnessOf, StrandsAreThoseOfASimOfThatMaterial) {
     auto wind = plait_wind_desc_defaults();
     wind.velocity[2] = 2;
     wind.shelter = 0;
-    for (const plait_model model : every_model)
-        for (const uint32_t bdf2 : {0u, 1u}) {
-            auto desc = exact(model);
-            desc.params.bdf2 = bdf2;
-            plait::Sim sim(context, make_groom(level_ones(4)), desc);
-            sim.set_wind(wind);
-            wet(sim, wetness);
-            run(sim, 20);
-            const auto positions = sim.read(PLAIT_FIELD_POSITION);
-            for (size_t i = 0; i < 4; ++i) {
-                auto own = desc;
-                own.params.line_density *= 1 + 0.6f * wetness[i];
-                own.params.bend_stiffness *= 1 - 0.5f * wetness[i];
-                plait::Sim alone(context, make_groom(level_ones(4)), own);
-                alone.set_wind(wind);
-                run(alone, 20);
-                EXPECT_LE(largest_difference(strand_of(positions, i),
-                                             strand_of(alone.read(PLAIT_FIELD_POSITION), i)),
-                          0)
-                    << model << ", BDF2 " << bdf2 << ", strand " << i;
-            }
-            EXPECT_GT(std::abs(tip_height(positions, 1) - tip_height(positions, 0)), 1e-4f)
-                << model << ": nothing is felt";
+    for (const uint32_t bdf2 : {0u, 1u}) {
+        auto desc = exact();
+        desc.params.bdf2 = bdf2;
+        plait::Sim sim(context, make_groom(level_ones(4)), desc);
+        sim.set_wind(wind);
+        wet(sim, wetness);
+        run(sim, 20);
+        const auto positions = sim.read(PLAIT_FIELD_POSITION);
+        for (size_t i = 0; i < 4; ++i) {
+            auto own = desc;
+            own.params.line_density *= 1 + 0.6f * wetness[i];
+            own.params.bend_stiffness *= 1 - 0.5f * wetness[i];
+            plait::Sim alone(context, make_groom(level_ones(4)), own);
+            alone.set_wind(wind);
+            run(alone, 20);
+            EXPECT_LE(largest_difference(strand_of(positions, i),
+                                         strand_of(alone.read(PLAIT_FIELD_POSITION), i)),
+                      0)
+                << "BDF2 " << bdf2 << ", strand " << i;
         }
+        EXPECT_GT(std::abs(tip_height(positions, 1) - tip_height(positions, 0)), 1e-4f)
+            << ": nothing is felt";
+    }
 }
 
 // EA that follows from the weight follows from the wet one, and so does what else a material has:
 // twist, sections, ramps, clamp. Rounded once more, so to less than the bit.
 TEST_P(WetnessOf, OtherMaterialIsThatOfASimOfThatMaterial) {
-    for (const plait_model model : every_model) {
-        auto desc = desc_of(model);
-        auto material = plait_material_defaults();
-        material.twist_stiffness = 2e-9f;
-        material.section_ratio = 1.5f;
-        material.clamp_stiffness = 0.5f;
-        const std::array<float, 4> ramp{1, 0.8f, 0.6f, 0.7f};
-        std::ranges::copy(ramp, material.stiffness_ramp);
-        std::ranges::copy(ramp, material.density_ramp);
-        const auto hangs = [&](float wetness, const plait_material& of) {
-            auto own = desc;
-            own.materials = &of;
-            own.material_count = 1;
-            plait::Sim sim(context, make_groom(tuft(3, vertices)), own);
-            wet(sim, std::vector<float>(3, wetness));
-            run(sim, 20);
-            return sim.read(PLAIT_FIELD_POSITION);
-        };
-        auto soaked = material;
-        soaked.line_density *= 1.6f;
-        soaked.bend_stiffness *= 0.5f;
-        soaked.twist_stiffness *= 0.5f;
-        const auto expected = hangs(0, soaked);
-        EXPECT_LT(largest_difference(hangs(1, material), expected),
-                  2e-5f)
-            << model;
-        EXPECT_GT(largest_difference(hangs(0, material), expected), 2e-3f) << model;
-    }
+    auto desc = desc_of();
+    auto material = plait_material_defaults();
+    material.twist_stiffness = 2e-9f;
+    material.section_ratio = 1.5f;
+    material.clamp_stiffness = 0.5f;
+    const std::array<float, 4> ramp{1, 0.8f, 0.6f, 0.7f};
+    std::ranges::copy(ramp, material.stiffness_ramp);
+    std::ranges::copy(ramp, material.density_ramp);
+    const auto hangs = [&](float wetness, const plait_material& of) {
+        auto own = desc;
+        own.materials = &of;
+        own.material_count = 1;
+        plait::Sim sim(context, make_groom(tuft(3, vertices)), own);
+        wet(sim, std::vector<float>(3, wetness));
+        run(sim, 20);
+        return sim.read(PLAIT_FIELD_POSITION);
+    };
+    auto soaked = material;
+    soaked.line_density *= 1.6f;
+    soaked.bend_stiffness *= 0.5f;
+    soaked.twist_stiffness *= 0.5f;
+    const auto expected = hangs(0, soaked);
+    EXPECT_LT(largest_difference(hangs(1, material), expected), 2e-5f);
+    EXPECT_GT(largest_difference(hangs(0, material), expected), 2e-3f);
 }
 
 // q l^4/8EI: weight x 1.6 over EI x 0.5 is a sag of 3.2 times that of dry hair.
 TEST_P(WetnessOf, WetCantileversSagThreeTimesAsFar) {
     constexpr double l = double(segment) * (vertices - 1), bend = 1e-5;
     const double sag = 5e-6 * 9.81 * std::pow(l, 4) / (8 * bend);
-    for (const plait_model model : bending_models) {
-        auto desc = desc_of(model);
-        desc.params.bend_stiffness = static_cast<float>(bend);
-        desc.params.stretch_stiffness = 1; // what follows from the weight shears by an eighth of it
-        desc.params.drag = 20;
-        plait::Sim sim(context, make_groom(level_ones(3)), desc);
-        wet(sim, {0, 1, 0.5f});
-        run(sim, 180);
-        const auto positions = sim.read(PLAIT_FIELD_POSITION);
-        const auto below = [&](size_t i) { return -double(tip_height(positions, i)); };
-        EXPECT_NEAR(below(0), sag, 0.02 * sag) << model;
-        EXPECT_NEAR(below(1) / below(0), 3.2, 0.02) << model;
-        EXPECT_NEAR(below(2) / below(0), 1.3 / 0.75, 0.01) << model;
-    }
+    auto desc = desc_of();
+    desc.params.bend_stiffness = static_cast<float>(bend);
+    desc.params.stretch_stiffness = 1; // what follows from the weight shears by an eighth of it
+    desc.params.drag = 20;
+    plait::Sim sim(context, make_groom(level_ones(3)), desc);
+    wet(sim, {0, 1, 0.5f});
+    run(sim, 180);
+    const auto positions = sim.read(PLAIT_FIELD_POSITION);
+    const auto below = [&](size_t i) { return -double(tip_height(positions, i)); };
+    EXPECT_NEAR(below(0), sag, 0.02 * sag);
+    EXPECT_NEAR(below(1) / below(0), 3.2, 0.02);
+    EXPECT_NEAR(below(2) / below(0), 1.3 / 0.75, 0.01);
 }
 
 // Where hair hardly bends, weight and inertia grow alike: it swings as it did, dragged by the params'
 // rate. The wind's force is the same on more mass.
 TEST_P(WetnessOf, LimpHairSwingsAsBefore) {
-    for (const plait_model model : every_model) {
-        auto desc = desc_of(model);
-        desc.params.bend_stiffness = 0;
-        plait::Sim sim(context, make_groom(level_ones(2)), desc);
-        wet(sim, {0, 1});
-        float lowest[2] = {0, 0}, first[2] = {0, 0};
-        for (int i = 0; i < 60; ++i) {
-            run(sim, 1);
-            const auto positions = sim.read(PLAIT_FIELD_POSITION);
-            for (size_t s = 0; s < 2; ++s)
-                if (tip_height(positions, s) < lowest[s]) {
-                    lowest[s] = tip_height(positions, s);
-                    first[s] = static_cast<float>(i);
-                }
-        }
-        EXPECT_NEAR(lowest[1], lowest[0], 2e-3f) << model;
-        EXPECT_NEAR(first[1], first[0], 1) << model; // of 60 frames
-        EXPECT_LT(lowest[0], -0.15f) << model;
+    auto desc = desc_of();
+    desc.params.bend_stiffness = 0;
+    plait::Sim sim(context, make_groom(level_ones(2)), desc);
+    wet(sim, {0, 1});
+    float lowest[2] = {0, 0}, first[2] = {0, 0};
+    for (int i = 0; i < 60; ++i) {
+        run(sim, 1);
+        const auto positions = sim.read(PLAIT_FIELD_POSITION);
+        for (size_t s = 0; s < 2; ++s)
+            if (tip_height(positions, s) < lowest[s]) {
+                lowest[s] = tip_height(positions, s);
+                first[s] = static_cast<float>(i);
+            }
     }
+    EXPECT_NEAR(lowest[1], lowest[0], 2e-3f);
+    EXPECT_NEAR(first[1], first[0], 1); // of 60 frames
+    EXPECT_LT(lowest[0], -0.15f);
 }
 
 // ---- how it dries ------------------------------------------------------------------------------
 
 TEST_P(WetnessOf, DriesByItsTime) {
     for (const double tau : {0.5, 7.0, 1e6}) {
-        auto desc = desc_of(PLAIT_MODEL_ARTICULATED);
+        auto desc = desc_of();
         desc.params.drying_time = static_cast<float>(tau);
         plait::Sim sim(context, make_groom(level_ones(3)), desc);
         const std::vector<float> given{1, 0.5f, 0};
@@ -192,7 +180,7 @@ TEST_P(WetnessOf, DriesByItsTime) {
                     << tau << " s, " << steps << " steps";
         }
     }
-    plait::Sim stays(context, make_groom(level_ones(2)), desc_of(PLAIT_MODEL_ARTICULATED));
+    plait::Sim stays(context, make_groom(level_ones(2)), desc_of());
     wet(stays, {0.3f, 1});
     run(stays, 60);
     EXPECT_EQ(wetness_of(stays), (std::vector<float>{0.3f, 1}));
@@ -201,133 +189,123 @@ TEST_P(WetnessOf, DriesByItsTime) {
 // A sixth of a second is e^-10: then nothing is left, and hair moves on as it would have dry, to the
 // bit, from where it is.
 TEST_P(WetnessOf, DryAgainIsDry) {
-    for (const plait_model model : every_model) {
-        auto desc = desc_of(model);
-        desc.params.drying_time = 1.0f / 60;
-        plait::Sim sim(context, make_groom(tuft(3, vertices)), desc);
-        const auto bytes = sim.describe().device_bytes;
-        wet(sim, {1, 0.5f, 0.01f});
-        EXPECT_GT(sim.describe().device_bytes, bytes);
-        run(sim, 3);
-        EXPECT_GT(wetness_of(sim)[0], 0.04f);
-        EXPECT_EQ(wetness_of(sim)[2], 0) << "e^-3 of 0.01 is below what is felt";
-        run(sim, 7);
-        EXPECT_EQ(wetness_of(sim), std::vector<float>(3, 0)) << model;
-        EXPECT_EQ(sim.describe().device_bytes, bytes) << model;
-        plait::Sim never(context, make_groom(tuft(3, vertices)), desc);
-        const auto saved = sim.save();
-        sim.restore(saved); // to float32, where the reference has float64
-        never.restore(saved);
-        run(sim, 10);
-        run(never, 10);
-        EXPECT_EQ(sim.hash(), never.hash()) << model;
-    }
+    auto desc = desc_of();
+    desc.params.drying_time = 1.0f / 60;
+    plait::Sim sim(context, make_groom(tuft(3, vertices)), desc);
+    const auto bytes = sim.describe().device_bytes;
+    wet(sim, {1, 0.5f, 0.01f});
+    EXPECT_GT(sim.describe().device_bytes, bytes);
+    run(sim, 3);
+    EXPECT_GT(wetness_of(sim)[0], 0.04f);
+    EXPECT_EQ(wetness_of(sim)[2], 0) << "e^-3 of 0.01 is below what is felt";
+    run(sim, 7);
+    EXPECT_EQ(wetness_of(sim), std::vector<float>(3, 0));
+    EXPECT_EQ(sim.describe().device_bytes, bytes);
+    plait::Sim never(context, make_groom(tuft(3, vertices)), desc);
+    const auto saved = sim.save();
+    sim.restore(saved); // to float32, where the reference has float64
+    never.restore(saved);
+    run(sim, 10);
+    run(never, 10);
+    EXPECT_EQ(sim.hash(), never.hash());
 }
 
 // From a sag of 3.2 times a cantilever rises to its own.
 TEST_P(WetnessOf, DryingHairRises) {
-    for (const plait_model model : bending_models) {
-        auto desc = desc_of(model);
-        desc.params.bend_stiffness = 1e-5f;
-        desc.params.drag = 20;
-        plait::Sim sim(context, make_groom(level_ones(2)), desc);
-        wet(sim, {0, 1});
-        run(sim, 120);
-        desc.params.drying_time = 0.3f;
-        sim.set_params(desc.params);
-        float highest = -1;
-        for (int i = 0; i < 180; ++i) {
-            run(sim, 1);
-            highest = std::max(highest, tip_height(sim.read(PLAIT_FIELD_POSITION), 1));
-        }
-        const auto positions = sim.read(PLAIT_FIELD_POSITION);
-        const float dry = tip_height(positions, 0);
-        EXPECT_NEAR(tip_height(positions, 1), dry, -0.01f * dry) << model;
-        EXPECT_LT(highest, 0.98f * dry) << model << ": steps of 2 % throw nothing up";
+    auto desc = desc_of();
+    desc.params.bend_stiffness = 1e-5f;
+    desc.params.drag = 20;
+    plait::Sim sim(context, make_groom(level_ones(2)), desc);
+    wet(sim, {0, 1});
+    run(sim, 120);
+    desc.params.drying_time = 0.3f;
+    sim.set_params(desc.params);
+    float highest = -1;
+    for (int i = 0; i < 180; ++i) {
+        run(sim, 1);
+        highest = std::max(highest, tip_height(sim.read(PLAIT_FIELD_POSITION), 1));
     }
+    const auto positions = sim.read(PLAIT_FIELD_POSITION);
+    const float dry = tip_height(positions, 0);
+    EXPECT_NEAR(tip_height(positions, 1), dry, -0.01f * dry);
+    EXPECT_LT(highest, 0.98f * dry) << ": steps of 2 % throw nothing up";
 }
 
 // A strand that is let go level, without drag, has no energy but what it falls for; what water takes
 // along with it is its share.
 TEST_P(WetnessOf, DryingAddsNoEnergy) {
-    for (const plait_model model : every_model) {
-        auto desc = desc_of(model);
-        desc.params.drag = 0;
-        desc.params.bend_stiffness = 1e-8f;
-        desc.params.drying_time = 0.4f;
-        plait::Sim sim(context, make_groom(level_ones(1)), desc);
-        wet(sim, {1});
-        double most = -1, least = 0;
-        for (int i = 0; i < 120; ++i) {
-            run(sim, 1);
-            const auto x = sim.read(PLAIT_FIELD_POSITION), v = sim.read(PLAIT_FIELD_VELOCITY);
-            double energy = 0; // of motion and height, over the mass and g times the length
-            for (size_t k = 1; k < vertices; ++k) {
-                const float* at = &v[4 * k];
-                const double speed = std::hypot(double(at[0]), double(at[1]), double(at[2]));
-                energy += speed * speed / 2 + 9.81 * double(x[4 * k + 1]);
-            }
-            energy /= (vertices - 1) * 9.81 * double(segment) * (vertices - 1);
-            most = std::max(most, energy);
-            least = std::min(least, double(tip_height(x, 0)));
+    auto desc = desc_of();
+    desc.params.drag = 0;
+    desc.params.bend_stiffness = 1e-8f;
+    desc.params.drying_time = 0.4f;
+    plait::Sim sim(context, make_groom(level_ones(1)), desc);
+    wet(sim, {1});
+    double most = -1, least = 0;
+    for (int i = 0; i < 120; ++i) {
+        run(sim, 1);
+        const auto x = sim.read(PLAIT_FIELD_POSITION), v = sim.read(PLAIT_FIELD_VELOCITY);
+        double energy = 0; // of motion and height, over the mass and g times the length
+        for (size_t k = 1; k < vertices; ++k) {
+            const float* at = &v[4 * k];
+            const double speed = std::hypot(double(at[0]), double(at[1]), double(at[2]));
+            energy += speed * speed / 2 + 9.81 * double(x[4 * k + 1]);
         }
-        EXPECT_LT(most, 0.01) << model;
-        EXPECT_LT(least, -0.12) << model << ": it swings";
+        energy /= (vertices - 1) * 9.81 * double(segment) * (vertices - 1);
+        most = std::max(most, energy);
+        least = std::min(least, double(tip_height(x, 0)));
     }
+    EXPECT_LT(most, 0.01);
+    EXPECT_LT(least, -0.12) << ": it swings";
 }
 
 // Material is scaled anew once wetness is more than 0.02 away from what it is scaled by.
 TEST_P(WetnessOf, MaterialFollowsInSteps) {
-    for (const plait_model model : bending_models) {
-        const auto hangs = [&](const std::vector<float>& wetness) {
-            plait::Sim sim(context, make_groom(level_ones(2)), desc_of(model));
-            for (const float w : wetness) {
-                wet(sim, {w, 1});
-                run(sim, 5);
-                EXPECT_EQ(wetness_of(sim)[0], w);
-            }
-            return sim.read(PLAIT_FIELD_POSITION);
-        };
-        const auto stays = hangs({0.5f, 0.5f, 0.5f});
-        EXPECT_EQ(hangs({0.5f, 0.515f, 0.485f}), stays) << model;
-        const auto moved = hangs({0.5f, 0.53f, 0.53f});
-        EXPECT_GT(largest_difference(moved, stays), 1e-6f) << model;
-        EXPECT_LT(largest_difference(moved, stays), 2e-3f) << model;
-    }
+    const auto hangs = [&](const std::vector<float>& wetness) {
+        plait::Sim sim(context, make_groom(level_ones(2)), desc_of());
+        for (const float w : wetness) {
+            wet(sim, {w, 1});
+            run(sim, 5);
+            EXPECT_EQ(wetness_of(sim)[0], w);
+        }
+        return sim.read(PLAIT_FIELD_POSITION);
+    };
+    const auto stays = hangs({0.5f, 0.5f, 0.5f});
+    EXPECT_EQ(hangs({0.5f, 0.515f, 0.485f}), stays);
+    const auto moved = hangs({0.5f, 0.53f, 0.53f});
+    EXPECT_GT(largest_difference(moved, stays), 1e-6f);
+    EXPECT_LT(largest_difference(moved, stays), 2e-3f);
 }
 
 // ---- where there is none, and what is refused -----------------------------------------------------
 
 TEST_P(WetnessOf, OfDryHairCostsNothingAndChangesNoBit) {
-    for (const plait_model model : every_model) {
-        auto desc = desc_of(model);
-        desc.params.drying_time = 3; // nobody reads it
-        desc.params.wet_cohesion = 9;
-        plait::Sim never(context, make_groom(tuft(3, vertices)), desc_of(model));
-        plait::Sim dry(context, make_groom(tuft(3, vertices)), desc);
-        plait::Sim stopped(context, make_groom(tuft(3, vertices)), desc_of(model));
-        const auto bytes = never.describe().device_bytes;
-        EXPECT_EQ(wetness_of(never), std::vector<float>(3, 0));
-        wet(dry, {0, 0, 0});
-        wet(stopped, {1, 1, 1});
-        wet(stopped, {0, 0, 0});
-        for (plait::Sim* sim : {&dry, &stopped}) {
-            EXPECT_EQ(sim->describe().device_bytes, bytes);
-            EXPECT_EQ(stages_of(*sim), stages_of(never)) << model;
-            EXPECT_EQ(sim->hash(), never.hash()) << model;
-            plait_sim_reset(*sim);
-            plait_sim_reset(never);
-        }
-        wet(dry, {0, 0.5f, 0});
-        const auto stages = stages_of(dry);
-        for (const char* name : {"wetness", "lane_wetness"})
-            EXPECT_EQ(std::ranges::count(stages, std::pair{std::string(name), uint64_t{3}}), 1)
-                << model << ", " << name;
+    auto desc = desc_of();
+    desc.params.drying_time = 3; // nobody reads it
+    desc.params.wet_cohesion = 9;
+    plait::Sim never(context, make_groom(tuft(3, vertices)), desc_of());
+    plait::Sim dry(context, make_groom(tuft(3, vertices)), desc);
+    plait::Sim stopped(context, make_groom(tuft(3, vertices)), desc_of());
+    const auto bytes = never.describe().device_bytes;
+    EXPECT_EQ(wetness_of(never), std::vector<float>(3, 0));
+    wet(dry, {0, 0, 0});
+    wet(stopped, {1, 1, 1});
+    wet(stopped, {0, 0, 0});
+    for (plait::Sim* sim : {&dry, &stopped}) {
+        EXPECT_EQ(sim->describe().device_bytes, bytes);
+        EXPECT_EQ(stages_of(*sim), stages_of(never));
+        EXPECT_EQ(sim->hash(), never.hash());
+        plait_sim_reset(*sim);
+        plait_sim_reset(never);
     }
+    wet(dry, {0, 0.5f, 0});
+    const auto stages = stages_of(dry);
+    for (const char* name : {"wetness", "lane_wetness"})
+        EXPECT_EQ(std::ranges::count(stages, std::pair{std::string(name), uint64_t{3}}), 1)
+            << "" << name;
 }
 
 TEST_P(WetnessOf, OutsideItsRangeIsRefused) {
-    plait::Sim sim(context, make_groom(tuft(3, vertices)), desc_of(PLAIT_MODEL_ARTICULATED));
+    plait::Sim sim(context, make_groom(tuft(3, vertices)), desc_of());
     const std::vector<float> before{0.25f, 0, 1};
     wet(sim, before);
     const auto refused = [&](const std::vector<float>& wetness, const char* message) {
@@ -363,66 +341,62 @@ TEST_P(WetnessOf, TressfxHasNone) {
 // ---- where it is kept --------------------------------------------------------------------------
 
 TEST_P(WetnessOf, StaysOverResetTeleportMaterialAndSettings) {
-    for (const plait_model model : every_model) {
-        const std::vector<float> wetness{1, 0, 0.5f};
-        plait::Sim plain(context, make_groom(tuft(3, vertices)), desc_of(model));
-        wet(plain, wetness);
-        run(plain, 12);
-        const auto expected = plain.read(PLAIT_FIELD_POSITION);
+    const std::vector<float> wetness{1, 0, 0.5f};
+    plait::Sim plain(context, make_groom(tuft(3, vertices)), desc_of());
+    wet(plain, wetness);
+    run(plain, 12);
+    const auto expected = plain.read(PLAIT_FIELD_POSITION);
 
-        auto other = desc_of(model);
-        other.params.line_density *= 2;
-        plait::Sim sim(context, make_groom(tuft(3, vertices)), other);
-        wet(sim, wetness);
-        run(sim, 4);
-        sim.set_params(desc_of(model).params);
-        run(sim, 4);
-        take_substeps(sim, {1, 2, 1});
-        run(sim, 4);
-        take_substeps(sim, {1, 1, 1});
-        sim.teleport(head_at({1, 2, 3}));
-        EXPECT_EQ(wetness_of(sim), wetness);
-        sim.teleport(head_at({0, 0, 0}));
-        plait_sim_reset(sim);
-        run(sim, 12);
-        EXPECT_EQ(wetness_of(sim), wetness);
-        EXPECT_EQ(sim.read(PLAIT_FIELD_POSITION), expected) << model;
-    }
+    auto other = desc_of();
+    other.params.line_density *= 2;
+    plait::Sim sim(context, make_groom(tuft(3, vertices)), other);
+    wet(sim, wetness);
+    run(sim, 4);
+    sim.set_params(desc_of().params);
+    run(sim, 4);
+    take_substeps(sim, {1, 2, 1});
+    run(sim, 4);
+    take_substeps(sim, {1, 1, 1});
+    sim.teleport(head_at({1, 2, 3}));
+    EXPECT_EQ(wetness_of(sim), wetness);
+    sim.teleport(head_at({0, 0, 0}));
+    plait_sim_reset(sim);
+    run(sim, 12);
+    EXPECT_EQ(wetness_of(sim), wetness);
+    EXPECT_EQ(sim.read(PLAIT_FIELD_POSITION), expected);
 }
 
 TEST_P(WetnessOf, SnapshotsHoldItAndWhatMaterialIsScaledBy) {
-    for (const plait_model model : every_model) {
-        auto desc = desc_of(model);
-        desc.params.drying_time = 1;
-        plait::Sim sim(context, make_groom(tuft(4, vertices)), desc);
-        wet(sim, {1, 0.4f, 0.05f, 0});
-        run(sim, 7); // between two steps of the material
-        const auto saved = sim.save();
-        const auto then = wetness_of(sim);
-        plait::Sim restored(context, make_groom(tuft(4, vertices)), desc);
-        EXPECT_NE(restored.hash(), sim.hash());
-        restored.restore(saved);
-        EXPECT_EQ(wetness_of(restored), then);
-        EXPECT_EQ(restored.hash(), sim.hash()) << model;
-        run(restored, 20);
-        run(sim, 20);
-        EXPECT_EQ(wetness_of(restored), wetness_of(sim));
-        sim.restore(saved); // what is wet already; both to float32, where the reference has float64
-        EXPECT_EQ(wetness_of(sim), then);
-        run(sim, 20);
-        EXPECT_EQ(restored.hash(), sim.hash()) << model;
+    auto desc = desc_of();
+    desc.params.drying_time = 1;
+    plait::Sim sim(context, make_groom(tuft(4, vertices)), desc);
+    wet(sim, {1, 0.4f, 0.05f, 0});
+    run(sim, 7); // between two steps of the material
+    const auto saved = sim.save();
+    const auto then = wetness_of(sim);
+    plait::Sim restored(context, make_groom(tuft(4, vertices)), desc);
+    EXPECT_NE(restored.hash(), sim.hash());
+    restored.restore(saved);
+    EXPECT_EQ(wetness_of(restored), then);
+    EXPECT_EQ(restored.hash(), sim.hash());
+    run(restored, 20);
+    run(sim, 20);
+    EXPECT_EQ(wetness_of(restored), wetness_of(sim));
+    sim.restore(saved); // what is wet already; both to float32, where the reference has float64
+    EXPECT_EQ(wetness_of(sim), then);
+    run(sim, 20);
+    EXPECT_EQ(restored.hash(), sim.hash());
 
-        plait::Sim dry(context, make_groom(tuft(4, vertices)), desc);
-        run(dry, 5);
-        const auto hash = dry.hash();
-        sim.restore(dry.save());
-        EXPECT_EQ(wetness_of(sim), std::vector<float>(4, 0));
-        EXPECT_EQ(sim.hash(), hash) << model;
-    }
+    plait::Sim dry(context, make_groom(tuft(4, vertices)), desc);
+    run(dry, 5);
+    const auto hash = dry.hash();
+    sim.restore(dry.save());
+    EXPECT_EQ(wetness_of(sim), std::vector<float>(4, 0));
+    EXPECT_EQ(sim.hash(), hash);
 }
 
 TEST_P(WetnessOf, IsCheckedInSnapshots) {
-    plait::Sim sim(context, make_groom(tuft(2, vertices)), desc_of(PLAIT_MODEL_ARTICULATED));
+    plait::Sim sim(context, make_groom(tuft(2, vertices)), desc_of());
     wet(sim, {1, 0.5f});
     run(sim, 2);
     const auto hash = sim.hash();
@@ -453,7 +427,7 @@ float distance(const std::vector<float>& positions, size_t a, size_t b) {
 // To a fifth of their distance in the outer half; roots and lengths stay, and so do the dry ones'.
 TEST_P(WetnessOf, FollowsAreDrawnToTheirGuides) {
     constexpr size_t each = 5;
-    auto desc = desc_of(PLAIT_MODEL_ARTICULATED);
+    auto desc = desc_of();
     desc.params.bend_stiffness = 0; // guides that fall alike
     desc.follows_per_guide = each;
     desc.follow_radius = 0.004f;
@@ -498,7 +472,7 @@ TEST_P(WetnessOf, FollowsOfAMapAreDrawnToTheirFirstGuide) {
     map_desc.guides = plait::view(guides, 4);
     map_desc.weights = plait::view(weights, 4);
     const plait::FollowMap map(map_desc);
-    auto desc = desc_of(PLAIT_MODEL_ARTICULATED);
+    auto desc = desc_of();
     desc.follow_map = map;
     plait::Sim sim(context, make_groom(level_ones(2)), desc);
     wet(sim, {0, 0.5f});
@@ -524,7 +498,7 @@ TEST_P(WetnessOf, WetHairLiesCloserAndHoldsTogether) {
                 strand.push_back({0.02f * float(i), spacing * float(j), spacing * float(k)});
             strands.push_back(strand);
         }
-    auto desc = desc_of(PLAIT_MODEL_ARTICULATED);
+    auto desc = desc_of();
     desc.params.bend_stiffness = 1e-11f;
     desc.params.interhair = PLAIT_INTERHAIR_EXACT;
     desc.params.volume = PLAIT_VOLUME_PRESSURE;

@@ -17,7 +17,7 @@ def cantilever() -> float:
     n, length, line_density, bend, force = 20, 0.1, 1e-3, 1e-5, 1e-4
     points = np.zeros((n + 1, 3))
     points[:, 0] = np.linspace(0, length, n + 1)
-    strand = api.Strand(points, "articulated", 1 / 120, 1)
+    strand = api.Strand(points, 1 / 120, 1)
     strand.set_params(gravity=(0, 0, 0), drag=20.0, bdf2=1, iterations=2)
     strand.set_material(line_density=line_density, bend_stiffness=bend)
     strand.accelerate(n, np.array([0, -force / (0.5 * line_density * length / n), 0]))

@@ -105,9 +105,11 @@ TEST(LabPlaneFall, is_what_the_models_converge_to) {
 
 // 7e-4 is what 1 % of stretch at 10 g makes.
 TEST(LabPlaneFall, is_what_limp_baselines_converge_to) {
-    const std::pair<const char*, lab::Setting> limp[] = {
-        {"explicit_euler_limp", {256, 1, false}}, {"rk2_limp", {128, 1, false}},
-        {"rk4_limp", {32, 1, false}}, {"verlet_limp", {32, 1, false}}, {"pbd", {128, 1, false}}};
+    const std::pair<const char*, lab::Setting> limp[] = {{"explicit_euler_limp", {256, 1, false}},
+                                                         {"rk2_limp", {128, 1, false}},
+                                                         {"rk4_limp", {32, 1, false}},
+                                                         {"verlet_limp", {32, 1, false}},
+                                                         {"pbd", {128, 1, false}}};
     for (const auto& [model, setting] : limp)
         EXPECT_LT(error_of(model, setting).value, 1e-3) << model;
 }

@@ -145,10 +145,8 @@ TEST(SagFreeSection, flat_curls_stay) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Assets, SagFree,
-                         testing::Values(GroomCase{"long.tfx"},
-                                         GroomCase{"braid.tfx"},
-                                         GroomCase{"curly.tfx"},
-                                         GroomCase{"short.tfx"}),
+                         testing::Values(GroomCase{"long.tfx"}, GroomCase{"braid.tfx"},
+                                         GroomCase{"curly.tfx"}, GroomCase{"short.tfx"}),
                          name_of);
 
 class SagFreeReal : public SagFree {};
@@ -258,18 +256,18 @@ TEST(SagFreeStrand, reset_puts_it_back_into_balance) {
 }
 
 TEST(SagFreeStrand, tressfx_refuses_it) {
-        const std::vector<Vec3> points = straight(level);
-        plait_groom_desc given = plait_groom_desc_defaults();
-        given.positions = {points.data(), points.size(), 0};
-        given.vertices_per_strand = level.vertices;
-        plait_groom* groom = nullptr;
-        PLAIT_EXPECT(plait_groom_create(&given, nullptr, &groom));
-        plait_sim_desc desc = desc_of(PLAIT_SAG_FREE_REST);
-        desc.model = PLAIT_MODEL_TRESSFX;
-        plait_sim* sim = nullptr;
-        EXPECT_EQ(plait_sim_create(shared_context(), groom, &desc, &sim), PLAIT_INVALID_ARGUMENT);
-        EXPECT_NE(std::string(plait_last_error()).find("sag_free"), std::string::npos);
-        plait_groom_destroy(groom);
+    const std::vector<Vec3> points = straight(level);
+    plait_groom_desc given = plait_groom_desc_defaults();
+    given.positions = {points.data(), points.size(), 0};
+    given.vertices_per_strand = level.vertices;
+    plait_groom* groom = nullptr;
+    PLAIT_EXPECT(plait_groom_create(&given, nullptr, &groom));
+    plait_sim_desc desc = desc_of(PLAIT_SAG_FREE_REST);
+    desc.model = PLAIT_MODEL_TRESSFX;
+    plait_sim* sim = nullptr;
+    EXPECT_EQ(plait_sim_create(shared_context(), groom, &desc, &sim), PLAIT_INVALID_ARGUMENT);
+    EXPECT_NE(std::string(plait_last_error()).find("sag_free"), std::string::npos);
+    plait_groom_destroy(groom);
 }
 
 } // namespace

@@ -5,8 +5,8 @@
  *         (half the error of a substep at no cost), not from where they stood.
  */
 #pragma OPENCL FP_CONTRACT ON
-#include "cosserat.clh"
 #include "constants.clh"
+#include "cosserat.clh"
 #include "kernel.clh"
 
 __kernel void plait_articulated(BASELINE_ARGUMENTS) {

@@ -6,8 +6,8 @@
  *         one iteration of `cosserat` before, two where the search fails.
  */
 #pragma OPENCL FP_CONTRACT ON
-#include "cosserat.clh"
 #include "constants.clh"
+#include "cosserat.clh"
 #include "kernel.clh"
 
 #define ROD_UNKNOWNS                                                                               \

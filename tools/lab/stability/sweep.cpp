@@ -59,8 +59,7 @@ plait_sim_desc desc_of(const Subject& subject, double rate, double gamma) {
     params.gravity[1] = static_cast<float>(-gravity);
     params.line_density = static_cast<float>(line_density);
     params.bend_stiffness =
-        subject.limp ? 0
-                     : static_cast<float>(line_density * gravity * std::pow(length, 3) / gamma);
+        subject.limp ? 0 : static_cast<float>(line_density * gravity * std::pow(length, 3) / gamma);
     params.iterations = subject.iterations;
     params.length_iterations = subject.iterations;
     params.bdf2 = subject.bdf2;

@@ -59,8 +59,7 @@ class Elastic {
 Elastic::Elastic(const std::vector<Point>& rest, const plait_sim_desc& desc)
     : length_(length_of(rest)),
       density_(desc.params.line_density * 0.5 * (1 + desc.params.tip_density)),
-      EI_(desc.params.bend_stiffness),
-      EA_(desc.params.stretch_stiffness) {
+      EI_(desc.params.bend_stiffness), EA_(desc.params.stretch_stiffness) {
     if (EA_ == 0)
         EA_ = density_ * length_ * 10 * gravity / 0.01; // the library's choice
     Turn frame = Turn::Identity();
