@@ -1140,7 +1140,7 @@ typedef struct plait_detail_desc {
     float frizz[4];     /* m, rms in each of two directions, each [0, 1], default 0 */
     float frizz_length; /* m of hair over which it keeps its direction, [1e-4, 100], default 0.01 */
     uint32_t seed;      /* of clumps, phases and frizz */
-    uint32_t clumps;    /* their number; centres are follows whose roots are spread evenly, [0, all of
+    uint32_t clumps; /* their number; centres are follows whose roots are spread evenly, [0, all of
                            them]; default 0: one for each guide */
     /* uint32_t [follows] or empty: the strand each is drawn to, in place of `clumps`, which must be
        0: a guide, or a follow that is its own centre */
