@@ -6,12 +6,12 @@
  *
  * Errors:    every function that can fail returns a plait_result and leaves a sentence that names
  *            what failed, on what, with which value and range, in plait_last_error() of the thread.
-  *            Output arguments are untouched on failure unless said otherwise. Every function may
+ *            Output arguments are untouched on failure unless said otherwise. Every function may
  *            return INVALID_ARGUMENT (for NULL, unless the parameter is documented as optional, or
  *            for a value out of range), OUT_OF_MEMORY and, where work reaches a device, DEVICE_LOST
  *            and BACKEND; `@errors` lists the others.
  * Lists:     dst == NULL writes the needed count to *count; otherwise at most *count elements are
-  *            written and *count becomes their number. For byte buffers (fields, snapshots) a *size
+ *            written and *count becomes their number. For byte buffers (fields, snapshots) a *size
  *            that is too small is INVALID_ARGUMENT.
  * Threads:   a context and what it made are used by one thread at a time; different contexts are
  *            independent. Grooms are immutable and may be shared by threads and contexts.
@@ -23,7 +23,7 @@
  *            (plait_version, plait_last_error). A value of `enum plait_x_y` is PLAIT_X_Y_<VALUE>,
  *            but of plait_result, PLAIT_<VALUE>. Every enum takes 32 bits (its _FORCE_32).
  * Structs:   begin with struct_size; initialise all of them, outputs included, with their
- *            `plait_*_init` (or by value, `plait_*_defaults`) and then change fields.  Fields that a
+ *            `plait_*_init` (or by value, `plait_*_defaults`) and then change fields. Fields that a
  *            shorter struct lacks (an older plait.h) have their defaults. If a struct is longer
  *            than this library knows (a newer plait.h), the extra bytes must be zero; otherwise
  *            the call fails. None is longer than PLAIT_STRUCT_SIZE_MAX.
@@ -1115,8 +1115,7 @@ typedef struct plait_detail_desc {
     float frizz[4];     /* m, rms in each of two directions, each [0, 1], default 0 */
     float frizz_length; /* m of hair over which it keeps its direction, [1e-4, 100], default 0.01 */
     uint32_t seed;      /* of clumps, phases and frizz */
-    uint32_t
-        clumps; /* number of clumps, their centres follows whose roots are spread evenly, [0, all of
+    uint32_t clumps; /* their number; centres are follows whose roots are spread evenly, [0, all of
                            them]; default 0: one for each guide */
     /* uint32_t [follows] or empty: the strand each is drawn to, in place of `clumps`, which must be
        0: a guide, or a follow that is its own centre */
