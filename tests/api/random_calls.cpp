@@ -391,7 +391,7 @@ std::vector<Case> cases() {
     std::vector<Case> all;
     for (const std::string& backend : backends()) {
         all.push_back({backend, "tressfx", PLAIT_MODEL_TRESSFX, false, false});
-        if (backend != "reference") { // `mixed` has some of each there
+        if (backend != "reference") { // which is slow: there `mixed` tries all of them
             all.push_back({backend, "chain", PLAIT_MODEL_CHAIN, false, false});
             all.push_back({backend, "cosserat", PLAIT_MODEL_COSSERAT, false, false});
             all.push_back({backend, "rod", PLAIT_MODEL_ROD, false, false});
