@@ -314,7 +314,7 @@ plait_result plait_sim_get_settings(const plait_sim* sim, plait_strand_settings*
         if (dst)
             PLAIT_TRY(api::write_structs(dst, settings.size(), "dst", [&](size_t i) {
                 const Settings& of = settings[i];
-                return plait_strand_settings{sizeof(plait_strand_settings), of.model, of.substeps,
+                return plait_strand_settings{sizeof(plait_strand_settings), of.substeps,
                                              of.iterations, of.bdf2};
             }));
         *count = settings.size();

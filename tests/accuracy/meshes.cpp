@@ -116,17 +116,19 @@ class Slope {
 };
 
 TEST(MeshSlope, holds_a_degree_below_the_angle_of_friction) {
-    for (const plait_mesh_form form : forms)
+    for (const plait_mesh_form form : forms) {
         Slope slope(PLAIT_MODEL_ARTICULATED, 0.3f, -1, form);
-    slope.speed(60);
-    EXPECT_LT(slope.speed(60), 1e-3 * double(length)) << ", form " << form;
+        slope.speed(60);
+        EXPECT_LT(slope.speed(60), 1e-3 * double(length)) << "form " << form;
+    }
 }
 
 TEST(MeshSlope, lets_go_a_degree_above) {
-    for (const plait_mesh_form form : forms)
+    for (const plait_mesh_form form : forms) {
         Slope slope(PLAIT_MODEL_ARTICULATED, 0.3f, 1, form);
-    slope.speed(20);
-    EXPECT_GT(slope.speed(5), 0.02) << ", form " << form;
+        slope.speed(20);
+        EXPECT_GT(slope.speed(5), 0.02) << "form " << form;
+    }
 }
 
 // ---- what must not pass ------------------------------------------------------------------------

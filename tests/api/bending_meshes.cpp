@@ -114,8 +114,8 @@ TEST_P(BendingMeshes, HairStaysOutsideOfWhatBends) {
     }
     EXPECT_LE(double(deep), 1e-3 * double(all));
     EXPECT_GT(double(near), 0.02 * double(all));
-    RecordProperty("worst_mm_" + std::to_string(), std::to_string(worst * 1e3));
-    RecordProperty("deep_" + std::to_string(), static_cast<int>(deep));
+    RecordProperty("worst_mm", std::to_string(worst * 1e3));
+    RecordProperty("deep", static_cast<int>(deep));
 }
 
 // ---- skin that stretches and turns under hair --------------------------------------------------

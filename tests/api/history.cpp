@@ -190,7 +190,6 @@ void with_params(Ride& ride, const std::function<void(plait_sim_params&)>& chang
 
 void with_settings(Ride& ride, uint32_t substeps, uint32_t iterations, uint32_t bdf2) {
     auto settings = plait_strand_settings_defaults();
-    settings.model = ride.model().model;
     settings.substeps = substeps;
     settings.iterations = iterations;
     settings.bdf2 = bdf2;

@@ -201,21 +201,22 @@ TEST_P(MaterialScales, HairSlidesDownASlopeWhereItsFrictionIsLessThanItsTangent)
     auto list = of_friction({0.7f, 1.3f, 0, 1});
     for (plait_material& material : list)
         material.bend_stiffness = 1e-10f;
-    for (const Slope slope : {Slope::plane, Slope::box, Slope::field, Slope::nearest})
+    for (const Slope slope : {Slope::plane, Slope::box, Slope::field, Slope::nearest}) {
         auto desc = desc_of();
-    desc.params.gravity[1] = -g * across;
-    desc.params.gravity[2] = -g * down;
-    desc.params.drag = 0;
-    plait::Sim sim(context, make_groom(level_ones(2)), desc);
-    add_slope(sim, slope);
-    give(sim, {list[0], list[1]}, 2);
-    run(sim, 30);
-    const auto positions = sim.read(PLAIT_FIELD_POSITION);
-    const auto slid = [&](size_t i) {
-        return 0.1f * static_cast<float>(i) - tip_of(positions, i)[2];
-    };
-    EXPECT_GT(slid(0), 0.02f) << static_cast<int>(slope) << ", ";
-    EXPECT_LT(std::abs(slid(1)), 1e-3f) << static_cast<int>(slope) << ", ";
+        desc.params.gravity[1] = -g * across;
+        desc.params.gravity[2] = -g * down;
+        desc.params.drag = 0;
+        plait::Sim sim(context, make_groom(level_ones(2)), desc);
+        add_slope(sim, slope);
+        give(sim, {list[0], list[1]}, 2);
+        run(sim, 30);
+        const auto positions = sim.read(PLAIT_FIELD_POSITION);
+        const auto slid = [&](size_t i) {
+            return 0.1f * static_cast<float>(i) - tip_of(positions, i)[2];
+        };
+        EXPECT_GT(slid(0), 0.02f) << static_cast<int>(slope);
+        EXPECT_LT(std::abs(slid(1)), 1e-3f) << static_cast<int>(slope);
+    }
 }
 
 // To the bit, where both are exact.

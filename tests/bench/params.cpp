@@ -290,7 +290,7 @@ void fill(plait_lane_move_params& p, const Shape& shape) {
     p = {shape.vertices, shape.tile, 3};
 }
 void fill(plait_lane_fit_params& p, const Shape& shape) {
-    p = {shape.vertices, shape.tile, step, 1, 1};
+    p = {shape.vertices, shape.tile, step};
 }
 void fill(plait_lane_history_params& p, const Shape& shape) {
     p = {shape.vertices, shape.tile, shape.vertices, step, 1};

@@ -61,7 +61,6 @@ Setup for_tile(const Setup& setup, uint32_t tile) {
         }
     static_assert(
         offsetof(plait_lane_params, tile) == 4 && offsetof(plait_lane_state_params, tile) == 4 &&
-        offsetof(plait_lane_layout_params, tile) == 4 &&
         offsetof(plait_lane_unpack_params, tile) == 4 &&
         offsetof(plait_lane_tile_params, tile) == 4 &&
         offsetof(plait_lane_history_params, tile) == 4 &&

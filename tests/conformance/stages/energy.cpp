@@ -129,18 +129,6 @@ struct Forces {
                drag * Vec3(p.air[0], p.air[1], p.air[2])) {}
 };
 
-// What a substep of backward Euler minimises.
-double potential(const Strand& s, const Forces& f, const Vec3& shift, const State& from,
-                 const State& to) {
-    double sum = elastic(s, to) + held_by_pins(s, to);
-    for (size_t i = 1; i < s.mass.size(); ++i) {
-        const Vec3 w = (from.v[i] + f.h * (f.push + s.acceleration[i])) / (1 + f.drag * f.h);
-        const Vec3 lag = to.x[i] - (from.x[i] + shift + f.h * w);
-        sum += s.mass[i] * (1 + f.drag * f.h) / (2 * f.h * f.h) * lag.squaredNorm();
-    }
-    return sum;
-}
-
 struct Balance {
     double before = 0, after = 0; // J, kinetic energy relative to the root, and what may become it
 };
