@@ -72,8 +72,7 @@ class Contact : public testing::TestWithParam<Use> {
 
 INSTANTIATE_TEST_SUITE_P(Models, Contact, testing::Values(Use{PLAIT_MODEL_ARTICULATED, 1}));
 
-// ---- an incline: gravity leans by an angle against the normal of a big cylinder under the strand
-// --
+// ---- an incline: gravity leans by an angle against the normal of a big cylinder under the strand --
 
 class Incline {
   public:
@@ -125,8 +124,7 @@ TEST(InclineFriction, is_mu_times_the_push_while_it_slides) {
     EXPECT_NEAR((after - before) * 60 / 6, incline.expected(), 0.05 * incline.expected());
 }
 
-// ---- hair over a bar
-// ------------------------------------------------------------------------------
+// ---- hair over a bar ----------------------------------------------------------------------------
 
 // A level strand falls over a cylinder of 5 cm and comes to rest.
 TEST_P(Contact, rests_on_a_bar_whole_and_still) {
@@ -252,8 +250,7 @@ TEST_P(Contact, surface_over_the_root_does_not_stretch_hair) {
     EXPECT_EQ(strand.stats().nonfinite, 0u);
 }
 
-// ---- what must not pass, and not burst
-// ------------------------------------------------------------
+// ---- what must not pass, and not burst ----------------------------------------------------------
 
 // A ball of 5 mm flies through hanging hair: steps of one to five radii. A vertex passes if it
 // comes nearer to the centre than three quarters of the radius, seen from the ball.
