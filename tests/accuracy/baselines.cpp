@@ -233,11 +233,12 @@ double angular_momentum(const OneStrand& strand) {
 }
 
 TEST(BaselineMomentum, a_spinning_limp_strand_keeps_it) {
-    const std::pair<const char*, uint32_t> baselines[] = {{"explicit_euler_limp", 256},
-                                                          {"rk2_limp", 256},
-                                                          {"rk4_limp", 256},
-                                                          {"verlet_limp", 256},
-                                                          {"pbd", 128}};
+    const std::pair<const char*, uint32_t> baselines[] = {
+        {"explicit_euler_limp", 256},
+        {"rk2_limp", 256},
+        {"rk4_limp", 256},
+        {"verlet_limp", 256},
+        {"pbd", 32}}; // whose velocities are differences of places: more lose to rounding
     for (const auto& [baseline, substeps] : baselines) {
         plait_sim_desc desc = desc_of(substeps);
         desc.params.gravity[1] = 0.0f;
