@@ -59,6 +59,10 @@ plait_result plait_follow_learner_add_frame(plait_follow_learner* learner, const
         FollowLearner::Frame frame;
         PLAIT_TRY(api::read_frame(positions, learner->learner, frame));
         frame.scale = double(copy.scale);
+        if (!copy.bones.empty() || !copy.mesh.empty())
+            return Error{PLAIT_UNSUPPORTED,
+                         format("roots->%s are given: give root_poses in their place",
+                                copy.mesh.empty() ? "bones" : "mesh_positions")};
         return learner->learner.add(copy.input(), frame);
     });
 }

@@ -15,7 +15,7 @@ struct RootsCopy {
     std::pmr::vector<BoneMatrix> bones;
     std::pmr::vector<MeshPoint> mesh;
 
-    RootsInput input() { return {head, scale, own, bones, mesh}; }
+    RootsInput input() { return {{head, scale, own}, bones, mesh}; }
 };
 
 plait_roots default_roots();

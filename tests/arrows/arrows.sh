@@ -48,20 +48,6 @@ sim                base groom push mesh contact strands pins wetness strand_cont
 snapshot           base strands params sim
 '
 
-# Includes of the core against that table, to be cut: a part of the strands dispatches what features give to
-# the solve, which they are to do themselves; state asks a map of follows for what is a span of counts; the
-# grid owns the volume, which sim is to own; the learner of follows asks sim for what is of the roots; the air
-# asks for default parameters to sum densities with.
-debts='
-lib/core/strands/model.hpp           core/mesh/bending_meshes.hpp core/mesh/mesh_colliders.hpp
-lib/core/strands/model.hpp           core/strand_contact/pairs.hpp core/wind/wind_step.hpp
-lib/core/strands/lane_part.hpp       core/grid/interhair.hpp core/volume/rest_density.hpp
-lib/core/strands/state.cpp           core/follows/follow_map.hpp
-lib/core/grid/interhair.hpp          core/volume/volume.hpp
-lib/core/follows/follow_learner.hpp  core/sim/sim.hpp
-lib/core/wind/air_grid.cpp           core/params/params.hpp
-'
-
 sources() { # the files that belong to a layer
     { find lib include examples tools assets tests/cases tests/bench -type f \
         \( -name '*.c' -o -name '*.h' -o -name '*.cpp' -o -name '*.hpp' \) 2>/dev/null || true
@@ -69,7 +55,7 @@ sources() { # the files that belong to a layer
 }
 
 sources | xargs --no-run-if-empty grep -nE '^[[:space:]]*#[[:space:]]*include[[:space:]]*[<"]' /dev/null |
-    awk -v arrows="$arrows" -v rooms="$rooms" -v debts="$debts" '
+    awk -v arrows="$arrows" -v rooms="$rooms" '
     function layer_of_file(path) {
         if (match(path, /^lib\/backend\/(reference|opencl)\//)) return substr(path, 5, RLENGTH - 5)
         if (path ~ /^lib\//) { split(path, part, "/"); return part[2] }
@@ -119,12 +105,11 @@ sources | xargs --no-run-if-empty grep -nE '^[[:space:]]*#[[:space:]]*include[[:
         if (inner == "elsewhere") return
         to = room_of(substr(name, length(inner) + 1))
         if (!(to in room)) complain("no room is called " to)
-        else if (!((from, to) in may) && !((path, name) in owed)) complain("room " from " must not include " name " (" to ")")
+        else if (!((from, to) in may)) complain("room " from " must not include " name " (" to ")")
     }
     BEGIN {
         read_table(arrows, known, allowed)
         read_table(rooms, room, may)
-        read_table(debts, debtor, owed)
     }
     {
         split($0, at, ":")

@@ -7,6 +7,7 @@
 #include <plait/plait.h>
 
 #include <array>
+#include <span>
 
 namespace plait {
 
@@ -58,5 +59,13 @@ bool goes_along(const plait_pose& head_before, const plait_pose& body_before,
 
 // q*p + t
 void transform(const plait_pose& pose, const float p[3], float out[3]);
+
+// Where roots are: a head, and a pose for each strand or none; hair is `scale` times as large as the
+// groom.
+struct RootPoses {
+    plait_pose head = identity_pose;
+    float scale = 1;
+    std::span<const plait_pose> own;
+};
 
 } // namespace plait

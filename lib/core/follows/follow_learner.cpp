@@ -65,7 +65,7 @@ RootPose of(const plait_pose& pose) {
             point(pose.t)};
 }
 
-RootPose pose_of(const RootsInput& roots, size_t strand) {
+RootPose pose_of(const RootPoses& roots, size_t strand) {
     const RootPose head = of(in_units(roots.head, roots.scale));
     if (roots.own.empty())
         return head;
@@ -185,11 +185,7 @@ Status FollowLearner::create(const Groom& groom, const FollowMap& map) {
     return {};
 }
 
-Status FollowLearner::check_frame(const RootsInput& roots, const Frame& frame) const {
-    if (!roots.bones.empty() || !roots.mesh.empty())
-        return Error{PLAIT_UNSUPPORTED,
-                     format("roots->%s are given: give root_poses in their place",
-                            roots.mesh.empty() ? "bones" : "mesh_positions")};
+Status FollowLearner::check_frame(const RootPoses& roots, const Frame& frame) const {
     if (!roots.own.empty() && roots.own.size() != strands())
         return Error{PLAIT_INVALID_ARGUMENT,
                      format("roots->root_poses.count is %zu, the groom has %zu strands",
@@ -208,7 +204,7 @@ Status FollowLearner::check_frame(const RootsInput& roots, const Frame& frame) c
 }
 
 // As the stage guide_turns does.
-void FollowLearner::turn_guide(const RootsInput& roots, const Frame& frame, size_t guide) {
+void FollowLearner::turn_guide(const RootPoses& roots, const Frame& frame, size_t guide) {
     const size_t strand = origin_[guide];
     const uint32_t count = rest_.vertex_counts[strand];
     const float* rest = &rest_.positions[3 * first_[strand]];
@@ -223,7 +219,7 @@ void FollowLearner::turn_guide(const RootsInput& roots, const Frame& frame, size
     }
 }
 
-void FollowLearner::add_follow(const RootsInput& roots, const Frame& frame, size_t follow) {
+void FollowLearner::add_follow(const RootPoses& roots, const Frame& frame, size_t follow) {
     const size_t strand = origin_[map_.guide_count + follow];
     const float* const rest = &rest_.positions[3 * first_[strand]];
     const Vector4d weights = weights_of(map_, follow);
@@ -255,7 +251,7 @@ void FollowLearner::add_follow(const RootsInput& roots, const Frame& frame, size
     }
 }
 
-Status FollowLearner::add(const RootsInput& roots, const Frame& frame) {
+Status FollowLearner::add(const RootPoses& roots, const Frame& frame) {
     PLAIT_TRY(check_frame(roots, frame));
     for (size_t guide = 0; guide < map_.guide_count; ++guide)
         turn_guide(roots, frame, guide);

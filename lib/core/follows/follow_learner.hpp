@@ -1,8 +1,8 @@
 // Weights of a follow map from the motion of all of its strands.
 #pragma once
 
+#include "core/base/pose.hpp"
 #include "core/follows/follow_map.hpp"
-#include "core/sim/sim.hpp"
 
 #include <span>
 
@@ -25,7 +25,7 @@ class FollowLearner {
     size_t strands() const { return rest_.vertex_counts.size(); }
     uint32_t longest() const { return longest_; } // vertices
     // INVALID_ARGUMENT names the place, the value and the range, and nothing is added.
-    Status add(const RootsInput& roots, const Frame& frame);
+    Status add(const RootPoses& roots, const Frame& frame);
 
     struct Fit {
         double before = 0, after = 0; // m, rms distance of the follows' vertices
@@ -40,9 +40,9 @@ class FollowLearner {
 
     Status check_strands(const Groom& groom, const FollowMap& map) const;
     void place_follows(const Groom& groom);
-    Status check_frame(const RootsInput& roots, const Frame& frame) const;
-    void turn_guide(const RootsInput& roots, const Frame& frame, size_t guide);
-    void add_follow(const RootsInput& roots, const Frame& frame, size_t follow);
+    Status check_frame(const RootPoses& roots, const Frame& frame) const;
+    void turn_guide(const RootPoses& roots, const Frame& frame, size_t guide);
+    void add_follow(const RootPoses& roots, const Frame& frame, size_t follow);
 
     FollowMap map_;
     StrandSet rest_; // the groom's

@@ -2,7 +2,6 @@
 
 #include "core/base/choices.hpp"
 #include "core/base/pose.hpp"
-#include "core/groom/groom.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -19,35 +18,41 @@ void clear(Schedule& schedule, const Buffer& buffer, plait_u32 value) {
                  plait_grid_clear_params{value}, {&buffer});
 }
 
+plait_lane_grid_params lane_params(const Part& part, const plait_grid_params& grid) {
+    plait_lane_grid_params params{};
+    params.vertex_stride = part.lanes.row;
+    params.tile = part.lanes.tile;
+    params.edge_count = grid.edge_count;
+    params.voxel_edge = grid.voxel_edge;
+    std::ranges::copy(grid.q, params.q);
+    std::ranges::copy(grid.t, params.t);
+    params.tent = grid.tent;
+    params.diffuse_rule = grid.diffuse_rule;
+    params.diffuse_ratio = grid.diffuse_ratio;
+    params.diffuse_factor = grid.diffuse_factor;
+    params.diffuse_floor = grid.diffuse_floor;
+    params.history = part.v_before ? 1 : 0;
+    return params;
+}
+
 } // namespace
 
 uint32_t InterHair::group_width(const plait_device_info& device, uint32_t capacity) {
     return device.lanes > 1 ? 1 : std::bit_floor(std::min({device.max_group_size, capacity, 64u}));
 }
 
-// Half as large again as the hair, so that it can swing.
-GridCube cube_around(const Groom& groom) {
-    const auto& low = groom.shape.bounds_min;
-    const auto& high = groom.shape.bounds_max;
-    GridCube cube{};
-    for (size_t i = 0; i < 3; ++i)
-        cube.edge = std::max(cube.edge, 1.5f * (high[i] - low[i]));
-    for (size_t i = 0; i < 3; ++i)
-        cube.origin[i] = 0.5f * (low[i] + high[i]) - 0.5f * cube.edge;
-    return cube;
-}
-
-Result<InterHair> InterHair::make_buffers(Device& device, const plait_sim_params& params) {
+Result<InterHair> InterHair::make_buffers(Device& device, plait_interhair mode, uint32_t edge_count,
+                                          uint32_t capacity) {
     InterHair grid;
-    grid.mode_ = params.interhair;
-    grid.edge_count_ = params.grid_edge_count;
-    grid.capacity_ = params.slot_capacity;
-    if (params.interhair == PLAIT_INTERHAIR_OFF)
+    grid.mode_ = mode;
+    grid.edge_count_ = edge_count;
+    grid.capacity_ = capacity;
+    if (mode == PLAIT_INTERHAIR_OFF)
         return grid;
-    const uint32_t n = voxels(params.grid_edge_count);
+    const uint32_t n = voxels(edge_count);
     constexpr auto u32 = PLAIT_ELEMENT_UINT;
-    if (params.interhair == PLAIT_INTERHAIR_SLOTS)
-        PLAIT_TRY(device.create(grid.slots_, u32, size_t{n} * params.slot_capacity, "grid_slot"));
+    if (mode == PLAIT_INTERHAIR_SLOTS)
+        PLAIT_TRY(device.create(grid.slots_, u32, size_t{n} * capacity, "grid_slot"));
     else
         PLAIT_TRY(device.create(grid.sums_, u32, size_t{n} * PLAIT_SUM_STRIDE, "grid_sum"));
     PLAIT_TRY(device.create(grid.density_, PLAIT_ELEMENT_FLOAT, n, "grid_density"));
@@ -57,28 +62,24 @@ Result<InterHair> InterHair::make_buffers(Device& device, const plait_sim_params
 }
 
 Result<InterHair> InterHair::create(Device& device, const plait_sim_params& params) {
-    auto grid = make_buffers(device, params);
+    auto grid =
+        make_buffers(device, params.interhair, params.grid_edge_count, params.slot_capacity);
     if (!grid || !grid->is_on())
         return grid;
     Schedule zero;
     clear(zero, grid->outside_, 0); // nothing has been outside before the first step
     PLAIT_TRY(zero.submit(device));
-    auto volume = Volume::create(device, params);
-    if (!volume)
-        return volume.error();
-    grid->volume_ = std::move(*volume);
     return grid;
 }
 
-Result<InterHair> InterHair::create_density(Device& device, const plait_sim_params& params) {
-    return make_buffers(device, params);
+Result<InterHair> InterHair::create_density(Device& device, uint32_t edge_count) {
+    return make_buffers(device, PLAIT_INTERHAIR_EXACT, edge_count, 0);
 }
 
 bool InterHair::fits(const plait_sim_params& params) const {
     if (params.interhair != mode_ || mode_ == PLAIT_INTERHAIR_OFF)
         return params.interhair == mode_;
     return params.grid_edge_count == edge_count_ &&
-           (params.volume != PLAIT_VOLUME_OFF) == bool(volume_) &&
            (mode_ != PLAIT_INTERHAIR_SLOTS || params.slot_capacity == capacity_);
 }
 
@@ -119,11 +120,10 @@ void InterHair::append_slots(Schedule& schedule, const Step& step,
                  {&slots_, &s.position, &s.position_prev, &density_, &velocity_}, width);
 }
 
-void InterHair::append_exact(Schedule& schedule, const Step& step,
+void InterHair::append_exact(Schedule& schedule, const Layout& layout, const State& s,
                              const plait_grid_params& params) const {
-    const State& s = step.state;
     clear(schedule, sums_, 0);
-    schedule.add(PLAIT_STAGE_grid_splat, step.layout.guides, params,
+    schedule.add(PLAIT_STAGE_grid_splat, layout.guides, params,
                  {&s.vertex_count, &s.position, &s.position_prev, &sums_, &outside_});
     schedule.add(PLAIT_STAGE_grid_resolve, voxels(edge_count_), params,
                  {&sums_, &density_, &velocity_});
@@ -138,54 +138,46 @@ void InterHair::append(Schedule& schedule, const Step& step) const {
     if (mode_ == PLAIT_INTERHAIR_SLOTS)
         append_slots(schedule, step, params);
     else
-        append_exact(schedule, step, params);
+        append_exact(schedule, step.layout, s, params);
     schedule.add(PLAIT_STAGE_grid_diffuse, step.layout.guide_vertices(), params,
                  {&s.vertex_count, &s.position, &density_, &velocity_, &s.position_prev});
 }
 
-void InterHair::append_over_lanes(Schedule& schedule, const Step& step, const Model& model,
-                                  const Substep& at) const {
-    append_density(schedule, step, &model, at);
-    model.diffuse(schedule, at, {grid_params(step), sums_, outside_, density_, velocity_});
+void InterHair::splat(Schedule& schedule, const Part& part, const plait_grid_params& grid) const {
+    schedule.add(PLAIT_STAGE_lane_splat, part.lanes.strands, lane_params(part, grid),
+                 {&part.strand, &part.vertex_count, &part.x, &part.v, &sums_, &outside_},
+                 part.lanes.row);
 }
 
-void InterHair::append_density(Schedule& schedule, const Step& step, const Model* lanes,
-                               const Substep& at) const {
+void InterHair::diffuse(Schedule& schedule, const Part& part, const plait_grid_params& grid) const {
+    schedule.add(
+        PLAIT_STAGE_lane_diffuse, part.lanes.strands, lane_params(part, grid),
+        {&part.strand, &part.vertex_count, &part.x, &density_, &velocity_, &part.v, &part.v_before},
+        part.lanes.row);
+}
+
+void InterHair::append_over_lanes(Schedule& schedule, const Step& step, const Model& model,
+                                  const StepInput& at) const {
     const plait_grid_params params = grid_params(step);
+    append_density(schedule, params, &model, at);
+    for (size_t i = 0; i < model.parts(); ++i)
+        diffuse(schedule, model.part(i, at), params);
+}
+
+void InterHair::append_density(Schedule& schedule, const plait_grid_params& params,
+                               const Model* lanes, const StepInput& at) const {
     clear(schedule, outside_, 0);
     if (!lanes)
-        return append_exact(schedule, step, params);
+        return append_exact(schedule, at.layout, at.state, params);
     clear(schedule, sums_, 0);
-    lanes->splat(schedule, at, {params, sums_, outside_, density_, velocity_});
+    for (size_t i = 0; i < lanes->parts(); ++i)
+        splat(schedule, lanes->part(i, at), params);
     schedule.add(PLAIT_STAGE_grid_resolve, voxels(edge_count_), params,
                  {&sums_, &density_, &velocity_});
 }
 
-namespace {
-const Buffer* wetness_of(const InterHair::Step& step) {
-    return step.state.wetness ? &step.state.wetness : nullptr;
-}
-} // namespace
-
-void InterHair::append_volume_start(Schedule& schedule, const Step& step, const Model& model,
-                                    const Substep& at) const {
-    const auto h = static_cast<float>(at.step);
-    volume_.append_start(
-        schedule, {grid_params(step), h, sums_, outside_, density_, velocity_, wetness_of(step)},
-        model, at);
-}
-
-void InterHair::append_volume(Schedule& schedule, const Step& step, const Model& model,
-                              const Substep& at) const {
-    const auto h = static_cast<float>(at.step);
-    volume_.append_step(
-        schedule, {grid_params(step), h, sums_, outside_, density_, velocity_, wetness_of(step)},
-        model, at);
-}
-
 uint64_t InterHair::device_bytes() const {
-    return slots_.bytes() + sums_.bytes() + density_.bytes() + velocity_.bytes() +
-           outside_.bytes() + volume_.device_bytes();
+    return slots_.bytes() + sums_.bytes() + density_.bytes() + velocity_.bytes() + outside_.bytes();
 }
 
 } // namespace plait

@@ -1,32 +1,21 @@
 // The inter-hair step: its grid's buffers and the stages it takes, once per fixed step.
 #pragma once
 
+#include "core/base/cube.hpp"
 #include "core/base/schedule.hpp"
 #include "core/strands/model.hpp"
 #include "core/strands/state.hpp"
-#include "core/volume/volume.hpp"
 
 #include <array>
 
 namespace plait {
-
-// The cube a grid covers when none is given, in rest space.
-struct GridCube {
-    float origin[3]; // corner, m
-    float edge;      // whole, m
-
-    std::array<float, 3> middle() const {
-        return {origin[0] + 0.5f * edge, origin[1] + 0.5f * edge, origin[2] + 0.5f * edge};
-    }
-};
-GridCube cube_around(const Groom& groom);
 
 class InterHair {
   public:
     // Buffers for `params`; none if the step is off.
     static Result<InterHair> create(Device& device, const plait_sim_params& params);
     // For append_density() alone, with exact sums.
-    static Result<InterHair> create_density(Device& device, const plait_sim_params& params);
+    static Result<InterHair> create_density(Device& device, uint32_t edge_count);
     bool fits(const plait_sim_params& params) const;
 
     // Work-items that share a voxel's slots. On a CPU, whose work-items have lanes, those of a group
@@ -48,30 +37,28 @@ class InterHair {
     void append(Schedule& schedule, const Step& step) const;
     // The same on the model's lanes, with exact sums; the caller publishes them afterwards.
     void append_over_lanes(Schedule& schedule, const Step& step, const Model& model,
-                           const Substep& at) const;
-    // The hair alone, with exact sums: density and velocity. `lanes`: where they are read, else
-    // positions are.
-    void append_density(Schedule& schedule, const Step& step, const Model* lanes,
-                        const Substep& at) const;
+                           const StepInput& at) const;
+    // The hair alone, with exact sums: density and velocity, of which `grid` says where. `lanes`: where
+    // they are read, else positions are.
+    void append_density(Schedule& schedule, const plait_grid_params& grid, const Model* lanes,
+                        const StepInput& at) const;
     bool is_on() const { return mode_ != PLAIT_INTERHAIR_OFF; }
-    // With volume, in their place; see Volume.
-    void append_volume_start(Schedule& schedule, const Step& step, const Model& model,
-                             const Substep& at) const;
-    void append_volume(Schedule& schedule, const Step& step, const Model& model,
-                       const Substep& at) const;
-    Volume& volume() { return volume_; }
-    const Volume& volume() const { return volume_; }
     bool is_exact() const { return mode_ == PLAIT_INTERHAIR_EXACT; }
 
+    const Buffer& sums() const { return sums_; }
     const Buffer& density() const { return density_; }
     const Buffer& velocity() const { return velocity_; }
     const Buffer& outside() const { return outside_; } // uint [1]
     uint64_t device_bytes() const;
 
   private:
-    static Result<InterHair> make_buffers(Device& device, const plait_sim_params& params);
+    static Result<InterHair> make_buffers(Device& device, plait_interhair mode, uint32_t edge_count,
+                                          uint32_t capacity);
     void append_slots(Schedule& schedule, const Step& step, const plait_grid_params& params) const;
-    void append_exact(Schedule& schedule, const Step& step, const plait_grid_params& params) const;
+    void append_exact(Schedule& schedule, const Layout& layout, const State& state,
+                      const plait_grid_params& params) const;
+    void splat(Schedule& schedule, const Part& part, const plait_grid_params& grid) const;
+    void diffuse(Schedule& schedule, const Part& part, const plait_grid_params& grid) const;
 
     plait_interhair mode_ = PLAIT_INTERHAIR_OFF;
     uint32_t edge_count_ = 0;
@@ -81,7 +68,6 @@ class InterHair {
     Buffer density_;  // float [nv^3]
     Buffer velocity_; // float4 [nv^3]
     Buffer outside_;  // uint [1]
-    Volume volume_;
 };
 
 // Where the grid is and how fine, for the grid stages.

@@ -1,5 +1,8 @@
 #include "core/grid/mesh_solid.hpp"
 
+#include "core/mesh/bending_meshes.hpp"
+#include "core/mesh/mesh_colliders.hpp"
+
 #include <algorithm>
 
 namespace plait {
@@ -25,51 +28,51 @@ Result<MeshSolid> MeshSolid::create(Device& device, uint32_t edge_count) {
     return made;
 }
 
-const Buffer* MeshSolid::append(Schedule& schedule, const NodeGridPlace& grid,
-                                const Substep& at) const {
+const Buffer* MeshSolid::append(Schedule& schedule, const NodeGridPlace& grid, const Bodies& bodies,
+                                float h) const {
     bool any = false;
-    if (at.meshes) {
+    if (const MeshBuffers* const m = bodies.field_buffers) {
         plait_solid_field_params params{};
         put_grid(params, grid);
-        params.collider_count = at.mesh_count;
-        params.collider_first = at.collider_first + at.collider_count;
-        params.h = at.h;
-        schedule.add(
-            PLAIT_STAGE_solid_field, grid.edge_count * grid.edge_count, params,
-            {&at.colliders, &at.meshes->grid, &at.meshes->nodes, &at.meshes->values, &solid_});
+        params.collider_count = bodies.fields.count;
+        params.collider_first = bodies.fields.first;
+        params.h = h;
+        schedule.add(PLAIT_STAGE_solid_field, grid.edge_count * grid.edge_count, params,
+                     {&bodies.fields.buffer, &m->grid, &m->nodes, &m->values, &solid_});
         any = true;
     }
-    for (uint32_t mesh = 0; mesh < at.bending_count; ++mesh)
-        if (at.bending->insides[mesh] > 0) {
-            append_bending(schedule, grid, at, mesh, any);
+    for (uint32_t mesh = 0; mesh < bodies.nearest.count; ++mesh)
+        if (bodies.nearest_buffers->insides[mesh] > 0) {
+            append_bending(schedule, grid, bodies, h, mesh, any);
             any = true;
         }
     return any ? &solid_ : nullptr;
 }
 
-void MeshSolid::append_bending(Schedule& schedule, const NodeGridPlace& grid, const Substep& at,
-                               uint32_t mesh, bool others) const {
-    const BendingBuffers& b = *at.bending;
+void MeshSolid::append_bending(Schedule& schedule, const NodeGridPlace& grid, const Bodies& bodies,
+                               float h, uint32_t mesh, bool others) const {
+    const BendingBuffers& b = *bodies.nearest_buffers;
     for (const Buffer* words : {&passed_, &met_})
         schedule.add(PLAIT_STAGE_grid_clear, static_cast<uint32_t>(words->count()),
                      plait_grid_clear_params{0}, {words});
-    const uint32_t row = at.collider_first + at.collider_count + at.mesh_count + mesh;
+    const uint32_t row = bodies.nearest.first + mesh;
     plait_solid_cross_params cross{};
     put_grid(cross, grid);
     cross.mesh = mesh;
     cross.collider_count = 1;
     cross.collider_first = row;
     schedule.add(PLAIT_STAGE_solid_cross, b.insides[mesh], cross,
-                 {&at.colliders, &b.first, &b.triangle, &b.from, &b.to, &passed_, &met_});
+                 {&bodies.nearest.buffer, &b.first, &b.triangle, &b.from, &b.to, &passed_, &met_});
     plait_solid_fill_params fill{};
     put_grid(fill, grid);
     fill.mesh = mesh;
     fill.collider_count = 1;
     fill.collider_first = row;
-    fill.h = at.h;
+    fill.h = h;
     fill.others = others ? 1 : 0;
-    schedule.add(PLAIT_STAGE_solid_fill, grid.edge_count * grid.edge_count, fill,
-                 {&at.colliders, &b.first, &b.triangle, &b.from, &b.to, &passed_, &met_, &solid_});
+    schedule.add(
+        PLAIT_STAGE_solid_fill, grid.edge_count * grid.edge_count, fill,
+        {&bodies.nearest.buffer, &b.first, &b.triangle, &b.from, &b.to, &passed_, &met_, &solid_});
 }
 
 } // namespace plait

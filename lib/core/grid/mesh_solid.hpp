@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/schedule.hpp"
-#include "core/strands/model.hpp"
+#include "core/contact/bodies.hpp"
 
 namespace plait {
 
@@ -17,14 +17,15 @@ class MeshSolid {
   public:
     static Result<MeshSolid> create(Device& device, uint32_t edge_count);
 
-    // Appends what finds them, at the end of a substep: float4 [edge_count^3], velocity along the
+    // Appends what finds them, at the end of a substep of `h` s: float4 [edge_count^3], velocity along the
     // grid's axes, m/s, and 1 inside. Null, and nothing appended, where no mesh has an inside.
-    const Buffer* append(Schedule& schedule, const NodeGridPlace& grid, const Substep& at) const;
+    const Buffer* append(Schedule& schedule, const NodeGridPlace& grid, const Bodies& bodies,
+                         float h) const;
     uint64_t device_bytes() const { return solid_.bytes() + passed_.bytes() + met_.bytes(); }
 
   private:
-    void append_bending(Schedule& schedule, const NodeGridPlace& grid, const Substep& at,
-                        uint32_t mesh, bool others) const;
+    void append_bending(Schedule& schedule, const NodeGridPlace& grid, const Bodies& bodies,
+                        float h, uint32_t mesh, bool others) const;
 
     Buffer solid_;
     Buffer passed_; // uint [edge_count^3/32], bits

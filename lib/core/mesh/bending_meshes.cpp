@@ -440,4 +440,19 @@ void BendingMeshes::place(Schedule& schedule, uint32_t slot) {
     }
 }
 
+void BendingMeshes::fill(Schedule& schedule, const Part& part, const ColliderRows& rows,
+                         Doors& doors) const {
+    if (!buffers() || !part.plane)
+        return;
+    const BendingBuffers& b = buffers_;
+    schedule.add(PLAIT_STAGE_mesh_nearest, part.lanes.strands, solve_params(part, doors, rows),
+                 {&part.strand, &part.rest, &part.pose, &part.material, &rows.buffer,
+                  &b.first,     &b.box,     &b.tree,    &b.triangle,    &b.ring,
+                  &b.from,      &b.to,      &b.bends,   &b.clearance,   &part.pushed(),
+                  &part.spring, &part.x,    &part.v,    &part.x_before, &part.v_before,
+                  &part.plane,  &b.side},
+                 part.lanes.row);
+    doors.plane = true;
+}
+
 } // namespace plait

@@ -3,6 +3,7 @@
 // alone knows.
 #pragma once
 
+#include "core/base/part.hpp"
 #include "core/base/schedule.hpp"
 #include "core/mesh/mesh_tree.hpp"
 
@@ -109,6 +110,8 @@ class BendingMeshes {
     void advance(double end);
     // What moves them there; `all`: whatever any step may have to do.
     void append(Schedule& schedule, bool all) const;
+    // Appends the planes of all of them, whose colliders are `rows`; after those of MeshColliders.
+    void fill(Schedule& schedule, const Part& part, const ColliderRows& rows, Doors& doors) const;
     void arrive();
     void stop(Schedule& schedule);
     // One of them is where it was last put, and has taken no path there.

@@ -3,6 +3,8 @@
 #pragma once
 
 #include "backend/device.hpp"
+#include "core/base/part.hpp"
+#include "core/base/schedule.hpp"
 #include "core/mesh/mesh_field.hpp"
 
 #include <functional>
@@ -43,6 +45,9 @@ class MeshColliders {
     Status add(Device& device, Entry&& entry);
     Status remove(Device& device, uint32_t slot);
     Status assign(Device& device, Entries&& entries);
+
+    // Appends the planes of all of them, whose colliders are `rows`.
+    void fill(Schedule& schedule, const Part& part, const ColliderRows& rows, Doors& doors) const;
 
   private:
     Entries entries_; // by slot

@@ -2,6 +2,7 @@
 
 #include "base/hash.hpp"
 #include "core/base/choices.hpp"
+#include "core/follows/out_of_bodies.hpp"
 #include "core/groom/groom.hpp"
 
 #include <Eigen/Geometry>
@@ -23,31 +24,6 @@ Float4 follow_offset(const float* guide, const FollowRules& rules, uint64_t foll
     const Eigen::Vector3f offset = rules.radius * (uniform_signed(rules.seed, 2 * follow) * t0 +
                                                    uniform_signed(rules.seed, 2 * follow + 1) * t1);
     return {offset[0], offset[1], offset[2], 0};
-}
-
-// Of follow strands, over lanes in this order. Colliders that are no meshes come first, then those of form FIELD.
-void append_out_of_colliders(Schedule& schedule, const Substep& at, const Buffer& order,
-                             const Buffer& position) {
-    plait_follow_collide_params params{at.layout.row, at.layout.guides, at.collider_count,
-                                       at.collider_first};
-    const uint32_t follows = at.layout.follows, row = at.layout.row;
-    if (params.collider_count > 0)
-        schedule.add(PLAIT_STAGE_follow_collide, follows, params,
-                     {&order, &at.colliders, &position}, row);
-    params.collider_first += params.collider_count;
-    params.collider_count = at.mesh_count;
-    if (at.meshes)
-        schedule.add(PLAIT_STAGE_follow_field, follows, params,
-                     {&order, &at.colliders, &at.meshes->grid, &at.meshes->nodes,
-                      &at.meshes->values, &position},
-                     row);
-    params.collider_first += params.collider_count;
-    params.collider_count = at.bending_count;
-    if (const BendingBuffers* const m = at.bending)
-        schedule.add(PLAIT_STAGE_follow_nearest, follows, params,
-                     {&order, &at.colliders, &m->first, &m->box, &m->tree, &m->triangle, &m->ring,
-                      &m->from, &m->to, &m->bends, &position},
-                     row);
 }
 
 void append_copy(Schedule& schedule, uint32_t vertices, const plait_last_frame_params& params,
@@ -222,7 +198,7 @@ void Display::append_frame_before(Schedule& schedule, const Layout& layout,
         append_copy(schedule, layout.vertices(), {layout.row, 1}, shown(state), last_frame_);
 }
 
-void Display::append(Schedule& schedule, const Substep& at, const Roots& roots, float remainder,
+void Display::append(Schedule& schedule, const StepInput& at, const Roots& roots, float remainder,
                      Tangents tangents) const {
     const Layout& layout = at.layout;
     const State& state = at.state;
@@ -247,7 +223,7 @@ void Display::append(Schedule& schedule, const Substep& at, const Roots& roots, 
     if (wet_ && state.wetness) // of all that sets them apart, curl and frizz, too
         wet_.append(schedule, layout, pose, follow_guide_, shown, &state.wetness);
     if (meets_colliders(at.params))
-        append_out_of_colliders(schedule, at, turns_.order(), shown);
+        append_out_of_bodies(schedule, at.layout, at.bodies, turns_.order(), shown);
     const uint32_t first = tangents == Tangents::of_all ? 0 : layout.guides;
     if (first < layout.strands())
         schedule.add(PLAIT_STAGE_tangents, (layout.strands() - first) * layout.row,

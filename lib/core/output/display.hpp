@@ -53,7 +53,7 @@ class Display {
     void append_frame_before(Schedule& schedule, const Layout& layout, const State& state) const;
     // What fills position and tangent; `remainder`: share of a step since the last one.
     // Colliders are where they are at the end of `at`.
-    void append(Schedule& schedule, const Substep& at, const Roots& roots, float remainder,
+    void append(Schedule& schedule, const StepInput& at, const Roots& roots, float remainder,
                 Tangents tangents) const;
     // Follow strands are kept out of colliders.
     bool meets_colliders(const plait_sim_params& params) const {

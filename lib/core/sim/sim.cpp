@@ -51,12 +51,12 @@ Sim::Sim(Context& context, SimParts parts)
       size_warning_(std::move(parts.size_warning)), hair_(parts.hair),
       groom_warning_(std::move(parts.groom_warning)), groom_(parts.fingerprint), cube_(parts.cube),
       skin_(std::move(parts.skin)), model_(std::move(parts.model)), state_(std::move(parts.state)),
-      grid_(std::move(parts.grid)), pairs_(std::move(parts.pairs)),
-      display_(std::move(parts.display)), roots_(layout_, &context.memory),
-      colliders_(desc_.substeps, &context.memory), meshes_(&context.memory),
-      bending_(&context.memory), substeps_(1, desc_.substeps, &context.memory),
-      clock_(desc_.step, desc_.max_steps_per_call), schedule_(&context.memory),
-      pin_table_(&context.memory), pose_before_(&context.memory) {}
+      grid_(std::move(parts.grid)), volume_(std::move(parts.volume)),
+      pairs_(std::move(parts.pairs)), display_(std::move(parts.display)),
+      roots_(layout_, &context.memory), colliders_(desc_.substeps, &context.memory),
+      meshes_(&context.memory), bending_(&context.memory),
+      substeps_(1, desc_.substeps, &context.memory), clock_(desc_.step, desc_.max_steps_per_call),
+      schedule_(&context.memory), pin_table_(&context.memory), pose_before_(&context.memory) {}
 
 Sim::~Sim() {
     if (context_.measured == this)
@@ -149,7 +149,15 @@ Status Sim::set_params(const plait_sim_params& params) {
         if (!made)
             return made.error();
         grid = std::move(*made);
-        PLAIT_TRY(grid.volume().keep_wetness(device(), bool(state_.wetness)));
+    }
+    Volume volume;
+    const bool same_volume = volume_.fits(params);
+    if (!same_volume) {
+        auto made = Volume::create(device(), params);
+        if (!made)
+            return made.error();
+        volume = std::move(*made);
+        PLAIT_TRY(volume.keep_wetness(device(), bool(state_.wetness)));
     }
     Pairs pairs;
     const bool same_pairs = pairs_.fits(params);
@@ -159,7 +167,9 @@ Status Sim::set_params(const plait_sim_params& params) {
             return made.error();
         pairs = std::move(*made);
     }
-    PLAIT_TRY(model_->keep_planes(device(), needs_planes() || pairs.buffers()));
+    PartNeeds needs = part_needs();
+    needs.plane = needs.plane || pairs.buffers();
+    PLAIT_TRY(model_->open(device(), needs));
     plait_sim_params next = params;
     const std::string warned = context_.log.callback ? warning() : "";
     const auto swap = [&] {
@@ -167,6 +177,8 @@ Status Sim::set_params(const plait_sim_params& params) {
         std::swap(desc_.params, next);
         if (!same_grid)
             std::swap(grid_, grid);
+        if (!same_volume)
+            std::swap(volume_, volume);
         if (!same_pairs)
             std::swap(pairs_, pairs);
     };
@@ -174,11 +186,15 @@ Status Sim::set_params(const plait_sim_params& params) {
     if (status) {
         log_warnings(next, warned);
         if (!same_place(next, desc_.params))
-            grid_.volume().carries = false;
+            volume_.carries = false;
     }
-    if (!needs_planes())
-        PLAIT_TRY(model_->keep_planes(device(), false));
+    PLAIT_TRY(model_->open(device(), part_needs()));
     return status;
+}
+
+PartNeeds Sim::part_needs() const {
+    return {state_.acceleration || wind_.blows(), state_.pin || wind_.blows(),
+            meshes_.buffers() || bending_.buffers() || pairs_.buffers(), bool(state_.wetness)};
 }
 
 Status Sim::set_materials(StrandMaterialsPtr materials) {
@@ -212,8 +228,7 @@ Status Sim::find_balance() {
 Status Sim::set_wind(const plait_wind_desc* desc) {
     if (!desc) {
         wind_ = {};
-        model_->close_wind();
-        return {};
+        return model_->open(device(), part_needs());
     }
     if (desc_.model == PLAIT_MODEL_TRESSFX)
         return Error{
@@ -222,11 +237,11 @@ Status Sim::set_wind(const plait_wind_desc* desc) {
             "articulated take plait_sim_set_wind"};
     Wind next;
     PLAIT_TRY(next.begin(device(), wind_, *desc, hair_));
-    if (!wind_.blows())
-        PLAIT_TRY(model_->open_wind(device()));
+    PartNeeds needs = part_needs();
+    needs.push = needs.spring = true;
+    PLAIT_TRY(model_->open(device(), needs));
     const Status status = Trial([&] { std::swap(wind_, next); }).keep_if(check_stages());
-    if (!wind_.blows())
-        model_->close_wind();
+    PLAIT_TRY(model_->open(device(), part_needs()));
     return status;
 }
 
@@ -239,8 +254,8 @@ Status Sim::open_wetness() {
         }
     } closer{this};
     PLAIT_TRY(Wetness::open(device(), layout_, state_, &context_.memory));
-    PLAIT_TRY(model_->open_wetness(device()));
-    PLAIT_TRY(grid_.volume().keep_wetness(device(), true));
+    PLAIT_TRY(model_->open(device(), part_needs()));
+    PLAIT_TRY(volume_.keep_wetness(device(), true));
     PLAIT_TRY(display_.keep_wetness(device(), layout_, state_, true, &context_.memory));
     PLAIT_TRY(check_stages());
     closer.sim = nullptr;
@@ -250,9 +265,9 @@ Status Sim::open_wetness() {
 // The material of dry strands is where it was.
 void Sim::close_wetness() {
     (void)display_.keep_wetness(device(), layout_, state_, false, &context_.memory);
-    (void)grid_.volume().keep_wetness(device(), false);
-    model_->close_wetness();
+    (void)volume_.keep_wetness(device(), false);
     Wetness::close(state_);
+    (void)model_->open(device(), part_needs()); // which makes nothing
 }
 
 Status Sim::set_detail(const plait_detail_desc* desc, std::span<const uint32_t> centres) {
@@ -487,7 +502,7 @@ Status Sim::place_head() {
 }
 
 void Sim::append_placed() {
-    grid_.volume().carries = false;
+    volume_.carries = false;
     model_->teleport(schedule_, present(), pose_spare_);
     std::swap(state_.pose, pose_spare_);
     motion_ = Motion::as_before;
@@ -527,7 +542,7 @@ Status Sim::reset() {
     schedule_.clear();
     clock_.reset();
     wind_.reset();
-    grid_.volume().carries = false;
+    volume_.carries = false;
     motion_ = roots_.stands() ? Motion::as_before : Motion::unknown;
     told_ = waited_ = false;
     roots_.stop(schedule_);

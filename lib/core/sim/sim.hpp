@@ -13,30 +13,18 @@
 #include "core/pins/pins.hpp"
 #include "core/roots/root_binding.hpp"
 #include "core/roots/roots.hpp"
+#include "core/roots/roots_input.hpp"
 #include "core/roots/skin.hpp"
 #include "core/sim/context.hpp"
 #include "core/strand_contact/pairs.hpp"
 #include "core/strands/model.hpp"
+#include "core/volume/volume.hpp"
 #include "core/wetness/wetness.hpp"
 #include "core/wind/wind.hpp"
 
 #include <memory>
 
 namespace plait {
-
-// Where the roots shall be: a head, and either nothing, a pose per guide, bones for the skin, or
-// where the vertices of the mesh are that they are bound to. Places are in metres of the world, and hair
-// is `scale` times as large as the groom, by bones that are scaled still more.
-//
-// A sim is in the groom's units, of which each is so many metres: what comes in is divided by it, what
-// is shown or read is multiplied. Nothing else knows of a scale.
-struct RootsInput {
-    plait_pose head = identity_pose;
-    float scale = 1;
-    std::span<const plait_pose> own;
-    std::span<BoneMatrix> bones; // taken apart into scale and pose
-    std::span<const MeshPoint> mesh;
-};
 
 // Everything on the host that a sim is made of; moved into the Sim once all of it is there.
 struct SimParts {
@@ -51,6 +39,7 @@ struct SimParts {
     std::unique_ptr<Model> model;
     State state;
     InterHair grid;
+    Volume volume;
     Pairs pairs;
     Display display;
 };
@@ -182,10 +171,11 @@ class Sim {
         }
         return {};
     }
-    Substep at(const Group& group, uint32_t substep) const;
+    StepInput at(const Group& group, uint32_t substep) const;
+    Bodies bodies(uint32_t substep) const;      // of all substeps of a fixed step
     std::array<float, 3> air() const;           // m/s, in this fixed step
     std::array<float, 3> head_velocity() const; // m/s, of its middle, in the same
-    Substep present() const {                   // between steps
+    StepInput present() const {                 // between steps
         return at({desc_.substeps, 0}, desc_.substeps - 1);
     }
 
@@ -193,7 +183,7 @@ class Sim {
     enum class Moment { call_begins, step_begins, substep, step_ends, call_ends };
     struct At {
         Moment moment;
-        Substep substep;
+        StepInput substep;
         uint32_t step = 0, steps = 0; // which fixed step of how many in the call
         float end = 1;                // share of the call at which that step ends
     };
@@ -208,13 +198,14 @@ class Sim {
     void append_accelerations(const At& at);
     void append_pairs(const At& at);
     void append_solve(const At& at);
+    Doors fill_doors(const StepInput& at, const Part& part);
     void append_volume(const At& at);
     void append_grid_over_lanes(const At& at);
     void append_publish(const At& at);
     void append_grid(const At& at);
     void append_display(const At& at);
     // The last substep of some strands: colliders are there at the end of the step.
-    Substep first_group() const { return at({substeps_.front(), 0}, substeps_.front() - 1); }
+    StepInput first_group() const { return at({substeps_.front(), 0}, substeps_.front() - 1); }
     Status fixed_step(double end, uint32_t step, uint32_t steps);
     void append_carried(double end);
     void append_set_off();
@@ -228,6 +219,7 @@ class Sim {
     bool model_shows_guides() const;
     void append_shown(Tangents tangents = Tangents::of_all);
     InterHair::Step grid_step(const plait_pose& head) const;
+    VolumeGrid volume_grid(const plait_pose& head) const;
     bool grid_is_over_lanes() const;
     bool hair_is_over_lanes() const;
 
@@ -266,9 +258,8 @@ class Sim {
     Result<uint32_t> bending_slot(plait_collider_id id) const;
     Result<const Buffer*> room_for(size_t count, size_t words);
     Status take_meshes(MeshColliders::Entries&& meshes, BendingMeshes::Entries&& bending);
-    bool needs_planes() const {
-        return meshes_.buffers() || bending_.buffers() || pairs_.buffers();
-    }
+    // Of features as they are.
+    PartNeeds part_needs() const;
     Status take_substeps(const std::pmr::vector<uint32_t>& substeps);
     Result<uint64_t> accelerations_ignored() const;
     uint64_t device_bytes() const;
@@ -335,6 +326,7 @@ class Sim {
     std::unique_ptr<Model> model_;
     State state_;
     InterHair grid_;
+    Volume volume_; // where it is on, over the grid's sums
     Pairs pairs_;
     Display display_;
     // What is known of the head's motion, that hair goes along with: after a teleport, how it moved

@@ -18,8 +18,9 @@ Result<std::pmr::vector<float>> Sim::clearance_of(const MeshDistanceOf& distance
 }
 
 Status Sim::take_meshes(MeshColliders::Entries&& meshes, BendingMeshes::Entries&& bending) {
-    PLAIT_TRY(
-        model_->keep_planes(device(), !meshes.empty() || !bending.empty() || pairs_.buffers()));
+    PartNeeds needs = part_needs();
+    needs.plane = !meshes.empty() || !bending.empty() || pairs_.buffers();
+    PLAIT_TRY(model_->open(device(), needs));
     PLAIT_TRY(meshes_.assign(device(), std::move(meshes)));
     return bending_.assign(device(), std::move(bending));
 }
@@ -69,7 +70,9 @@ Result<plait_collider_id> Sim::create_mesh_collider(const Mesh& mesh,
     if (!id)
         return id.error();
     const uint32_t slot = *colliders_.find(*id);
-    Status status = model_->keep_planes(device(), true);
+    PartNeeds needs = part_needs();
+    needs.plane = true;
+    Status status = model_->open(device(), needs);
     if (status)
         status = desc.form == PLAIT_MESH_FORM_NEAREST ? add_bending(slot, mesh, desc)
                                                       : add_field(slot, mesh, desc);
@@ -190,8 +193,7 @@ Status Sim::destroy_collider(plait_collider_id id) {
     if (Colliders::is_mesh(colliders_.slots()[*slot])) {
         PLAIT_TRY(meshes_.remove(device(), *slot));
         PLAIT_TRY(bending_.remove(device(), *slot));
-        if (!needs_planes())
-            PLAIT_TRY(model_->keep_planes(device(), false));
+        PLAIT_TRY(model_->open(device(), part_needs()));
     }
     return colliders_.destroy(id);
 }

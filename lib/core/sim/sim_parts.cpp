@@ -87,11 +87,18 @@ Result<SimParts> make_sim_parts(Context& context, const Groom& groom, const plai
     PLAIT_TRY(check_size(context, groom, desc, strands.follows));
     const Layout layout = make_layout(groom, desc, strands.follows);
     Device& device = context.device;
-    auto model =
-        make_model(desc.model, {desc.substeps},
-                   {layout, groom, strands.stiffness, strands.materials, context.info.tile,
-                    Clock(desc.step, 1).step(), desc.sag_free, std::to_array(desc.params.gravity),
-                    desc.accelerations != 0, desc.pins != 0, &context.memory});
+    auto model = make_model(desc.model, {desc.substeps},
+                            {layout,
+                             groom,
+                             strands.stiffness,
+                             strands.materials,
+                             context.info.tile,
+                             Clock(desc.step, 1).step(),
+                             desc.sag_free,
+                             std::to_array(desc.params.gravity),
+                             {desc.accelerations != 0, desc.pins != 0,
+                              desc.params.strand_contact != PLAIT_STRAND_CONTACT_OFF},
+                             &context.memory});
     if (!model)
         return model.error();
     PLAIT_TRY((*model)->prepare(device, desc.params));
@@ -100,20 +107,25 @@ Result<SimParts> make_sim_parts(Context& context, const Groom& groom, const plai
     auto pairs = Pairs::create(device, desc.params, layout, longest_segment_of(groom));
     if (!pairs)
         return pairs.error();
-    PLAIT_TRY((*model)->keep_planes(device, bool(pairs->buffers())));
     const bool interpolate = desc.interpolate_output == 1;
+    std::span<const uint32_t> follow_counts;
+    if (strands.follows)
+        follow_counts = strands.follows->strands.vertex_counts;
     const StateNeeds needs{interpolate ? layout.guides : layout.strands(),
                            (*model)->pinned_vertices(),
                            (*model)->keeps_two_steps(),
                            desc.accelerations != 0,
                            desc.pins != 0,
-                           strands.follows};
+                           follow_counts};
     auto state = create_state(device, groom, layout, needs, &context.memory);
     if (!state)
         return state.error();
     auto grid = InterHair::create(device, desc.params);
     if (!grid)
         return grid.error();
+    auto volume = Volume::create(device, desc.params);
+    if (!volume)
+        return volume.error();
     auto skin = Skin::create(device, groom);
     if (!skin)
         return skin.error();
@@ -130,11 +142,12 @@ Result<SimParts> make_sim_parts(Context& context, const Groom& groom, const plai
                     hair_sizes(groom, layout),
                     groom_warning(groom),
                     fingerprint(groom),
-                    cube_around(groom),
+                    cube_around(groom.shape.bounds_min, groom.shape.bounds_max),
                     std::move(*skin),
                     std::move(*model),
                     std::move(*state),
                     std::move(*grid),
+                    std::move(*volume),
                     std::move(*pairs),
                     std::move(*display)};
 }

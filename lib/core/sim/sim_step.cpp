@@ -22,7 +22,9 @@
 // wind's grid and time, how much of the wetness is left) moves on by advance() and place(), once a
 // fixed step, and by arrive(), at the end of a call.
 #include "base/format.hpp"
+#include "core/pins/lane_springs.hpp"
 #include "core/pins/pins.hpp"
+#include "core/push/lane_push.hpp"
 #include "core/sim/sim.hpp"
 
 #include <plait/constants.h>
@@ -162,8 +164,8 @@ Status Sim::fixed_step(double end, uint32_t step, uint32_t steps) {
     PLAIT_TRY(for_each_group(substeps));
     append_phases({Moment::step_ends, present(), step, steps});
     PLAIT_TRY(submit());
-    if (grid_.volume())
-        grid_.volume().carry();
+    if (volume_)
+        volume_.carry();
     if (wind_.blows())
         wind_.advance(clock_.step());
     ++clock_.steps;
@@ -296,7 +298,8 @@ void Sim::append_wetness(const At& at) {
     if (at.moment != Moment::step_begins || !state_.wetness)
         return;
     wetness_.append(schedule_, layout_, state_);
-    model_->soak(schedule_, at.substep);
+    for (size_t i = 0; i < model_->parts(); ++i)
+        Wetness::append_material(schedule_, model_->part(i, at.substep), state_);
 }
 
 void Sim::dry() {
@@ -310,9 +313,8 @@ void Sim::dry() {
 void Sim::append_air(const At& at) {
     if (at.moment != Moment::step_begins || !wind_.blows())
         return;
-    const InterHair::Step step = grid_step(roots_.step_begin());
-    wind_.append(schedule_, {step, hair_is_over_lanes() ? model_.get() : nullptr, at.substep},
-                 air(), head_velocity(), clock_.step());
+    wind_.append(schedule_, {hair_is_over_lanes() ? model_.get() : nullptr, at.substep}, air(),
+                 head_velocity(), clock_.step());
 }
 
 // What pulls at single vertices in all substeps of a fixed step, where they are at its begin.
@@ -329,7 +331,9 @@ void Sim::append_accelerations(const At& at) {
             PLAIT_STAGE_accelerate, layout_.guide_vertices(), params,
             {&state_.vertex_count, &state_.position, &state_.position_prev, &state_.acceleration});
     }
-    model_->accelerate(schedule_, at.substep);
+    if (!wind_.blows())
+        for (size_t i = 0; i < model_->parts(); ++i)
+            plait::append_accelerations(schedule_, model_->part(i, at.substep));
 }
 
 // Positions are those of the last step's end, and lie as far from those before as its strands moved
@@ -339,9 +343,27 @@ void Sim::append_pairs(const At& at) {
         pairs_.append(schedule_, {layout_, state_, desc_.params, desc_.substeps, context_.info});
 }
 
+// The features that reach the solve by its doors, in this order: springs are known to what pushes along
+// them, and both to what looks for bodies in the way.
+Doors Sim::fill_doors(const StepInput& at, const Part& part) {
+    Doors doors;
+    fill_springs(schedule_, part, state_, at.params.groom, doors);
+    if (wind_.blows())
+        wind_.fill(schedule_, part, at.air, at.first, at.step, doors);
+    meshes_.fill(schedule_, part, at.bodies.fields, doors);
+    bending_.fill(schedule_, part, at.bodies.nearest, doors);
+    pairs_.fill(schedule_, part, state_, at.params.strand_friction, doors);
+    return doors;
+}
+
+// Where strands meet, each sees the others where all are at the substep's begin.
 void Sim::append_solve(const At& at) {
-    if (at.moment == Moment::substep)
-        model_->substep(schedule_, at.substep);
+    if (at.moment != Moment::substep)
+        return;
+    if (pairs_.buffers())
+        model_->publish(schedule_, at.substep);
+    model_->substep(schedule_, at.substep,
+                    [&](const Part& part) { return fill_doors(at.substep, part); });
 }
 
 InterHair::Step Sim::grid_step(const plait_pose& head) const {
@@ -351,14 +373,14 @@ InterHair::Step Sim::grid_step(const plait_pose& head) const {
 
 // Where lanes fill a CPU's registers; elsewhere the grids see the positions that were published.
 bool Sim::hair_is_over_lanes() const {
-    return model_->has_lanes() && context_.info.lanes > 1 &&
+    return model_->parts() > 0 && context_.info.lanes > 1 &&
            context_.device.supports(PLAIT_STAGE_lane_splat);
 }
 
 // Not where the caller has kernels of his own for it.
 bool Sim::grid_is_over_lanes() const {
     const auto& replaced = context_.replaced;
-    return grid_.is_exact() && !grid_.volume() && hair_is_over_lanes() &&
+    return grid_.is_exact() && !volume_ && hair_is_over_lanes() &&
            !replaced[PLAIT_STAGE_grid_splat] && !replaced[PLAIT_STAGE_grid_diffuse] &&
            context_.device.supports(PLAIT_STAGE_lane_diffuse);
 }
@@ -368,20 +390,29 @@ void Sim::append_grid_over_lanes(const At& at) {
         grid_.append_over_lanes(schedule_, grid_step(roots_.step_head()), *model_, at.substep);
 }
 
+VolumeGrid Sim::volume_grid(const plait_pose& head) const {
+    return {grid_params(grid_step(head)),
+            static_cast<float>(clock_.step()),
+            grid_.sums(),
+            grid_.outside(),
+            grid_.density(),
+            grid_.velocity(),
+            state_.wetness ? &state_.wetness : nullptr};
+}
+
 // In place of the brake. The pressure goes on from step to step; where it cannot, it is sought first.
 void Sim::append_volume(const At& at) {
-    if (!grid_.volume())
+    if (!volume_)
         return;
-    if (at.moment == Moment::step_begins && !grid_.volume().carries)
-        grid_.append_volume_start(schedule_, grid_step(roots_.step_begin()), *model_,
-                                  first_group());
+    if (at.moment == Moment::step_begins && !volume_.carries)
+        volume_.append_start(schedule_, volume_grid(roots_.step_begin()), *model_, first_group());
     if (at.moment == Moment::step_ends)
-        grid_.append_volume(schedule_, grid_step(roots_.step_head()), *model_, first_group());
+        volume_.append_step(schedule_, volume_grid(roots_.step_head()), *model_, first_group());
 }
 
 // What is shown of guides is what the last step of a call leaves, unless output is interpolated.
 bool Sim::model_shows_guides() const {
-    return model_->has_lanes() && !display_.interpolates() &&
+    return model_->parts() > 0 && !display_.interpolates() &&
            !context_.replaced[PLAIT_STAGE_tangents];
 }
 
@@ -393,7 +424,7 @@ void Sim::append_publish(const At& at) {
 }
 
 void Sim::append_grid(const At& at) {
-    if (at.moment != Moment::step_ends || !grid_.is_on() || grid_.volume() || grid_is_over_lanes())
+    if (at.moment != Moment::step_ends || !grid_.is_on() || volume_ || grid_is_over_lanes())
         return;
     grid_.append(schedule_, grid_step(roots_.step_head()));
     model_->adopt(schedule_, at.substep);
@@ -414,25 +445,30 @@ void Sim::append_shown(Tangents tangents) {
                     tangents);
 }
 
-Substep Sim::at(const Group& group, uint32_t substep) const {
+Bodies Sim::bodies(uint32_t substep) const {
+    const Buffer& rows = colliders_.buffer();
+    const uint32_t first = substep * colliders_.count();
+    const uint32_t solids = colliders_.count() - colliders_.meshes();
+    const uint32_t nearest = bending_.buffers() ? colliders_.bending() : 0;
+    const uint32_t fields = meshes_.buffers() ? colliders_.meshes() - colliders_.bending() : 0;
+    return {{rows, first, solids},
+            {rows, first + solids, fields},
+            {rows, first + solids + fields, nearest},
+            meshes_.buffers(),
+            bending_.buffers()};
+}
+
+StepInput Sim::at(const Group& group, uint32_t substep) const {
     return {layout_,
             state_,
             desc_.params,
-            colliders_.buffer(),
-            colliders_.count() - colliders_.meshes(),
-            (group.first + substep) * colliders_.count(),
-            meshes_.buffers() ? colliders_.meshes() - colliders_.bending() : 0,
-            meshes_.buffers(),
-            bending_.buffers() ? colliders_.bending() : 0,
-            bending_.buffers(),
-            pairs_.buffers(),
+            bodies(group.first + substep),
             clock_.step(),
             group.substeps,
             length_of(group.substeps),
             air(),
             static_cast<float>(substep + 1) / static_cast<float>(group.substeps),
-            wind_.blows() ? std::optional(wind_.at(air(), substep == 0, clock_.step()))
-                          : std::nullopt};
+            substep == 0};
 }
 
 std::array<float, 3> Sim::air() const {

@@ -94,8 +94,8 @@ Result<uint64_t> Sim::accelerations_ignored() const {
 }
 
 uint64_t Sim::device_bytes() const {
-    uint64_t bytes = model_->device_bytes() + grid_.device_bytes() + display_.device_bytes() +
-                     skin_.device_bytes() + binding_.device_bytes() +
+    uint64_t bytes = model_->device_bytes() + grid_.device_bytes() + volume_.device_bytes() +
+                     display_.device_bytes() + skin_.device_bytes() + binding_.device_bytes() +
                      (3 + pose_before_.size()) * pose_spare_.bytes() + strand_stats_.bytes() +
                      boxes_.bytes() + box_.bytes() + wind_.device_bytes() +
                      colliders_.buffer().bytes();

@@ -66,7 +66,7 @@ std::pmr::vector<Sim::Block> Sim::blocks(const SnapshotHeader& h) {
         for (const LaneBuffer& lanes : pushes)
             list.push_back({lanes.buffer, size_t{lanes.layout.strands} * lanes.layout.row * 3,
                             Block::Of::pushes, lanes});
-        list.push_back({&grid_.volume().potential(),
+        list.push_back({&volume_.potential(),
                         size_t{h.volume} * h.volume * h.volume * 2,
                         Block::Of::pressures,
                         {}});
@@ -123,7 +123,7 @@ SnapshotHeader Sim::snapshot_header() {
     std::ranges::copy(wind_.moving.jump, h.wind_jump);
     h.wet = state_.wetness ? 1 : 0;
     h.dried = state_.wetness ? wetness_.dried() : 0;
-    h.volume = grid_.volume().carries ? desc_.params.grid_edge_count : 0;
+    h.volume = volume_.carries ? desc_.params.grid_edge_count : 0;
     h.bends = roots_.samples();
     h.motion = static_cast<uint32_t>(motion_);
     h.told = told_;
@@ -446,7 +446,7 @@ Status Sim::restore(std::span<const unsigned char> src) {
         std::ranges::copy(h.wind_way, wind_.moving.way.begin());
         std::ranges::copy(h.wind_jump, wind_.moving.jump.begin());
     }
-    grid_.volume().carries = grid_.volume() && h.volume == desc_.params.grid_edge_count;
+    volume_.carries = volume_ && h.volume == desc_.params.grid_edge_count;
     append_motion_of_substeps(pose_before_[0], {substeps_.data(), 1});
     if (!h.kept)
         display_.append_step_before(schedule_, layout_, state_);

@@ -83,4 +83,17 @@ void Pairs::append(Schedule& schedule, const Step& step) const {
                   &b.cell_moves, &b.segment, &b.offset, &b.dropped});
 }
 
+void Pairs::fill(Schedule& schedule, const Part& part, const State& state, float friction,
+                 Doors& doors) const {
+    if (!buffers() || !part.plane)
+        return;
+    schedule.add(PLAIT_STAGE_strand_contact, part.lanes.strands,
+                 plait_strand_contact_params{part.lanes.row, part.lanes.tile, part.row_stride,
+                                             doors.plane ? 1u : 0u, friction},
+                 {&part.strand, &part.vertex_count, &part.rest, &part.pose, &state.position,
+                  &state.position_prev, &buffers_.segment, &buffers_.offset, &part.x, &part.plane},
+                 part.lanes.row);
+    doors.strand = true;
+}
+
 } // namespace plait

@@ -1,6 +1,7 @@
 // Strand against strand: which segments may meet in a fixed step.
 #pragma once
 
+#include "core/base/part.hpp"
 #include "core/base/schedule.hpp"
 #include "core/strands/state.hpp"
 
@@ -49,6 +50,9 @@ class Pairs {
         const plait_device_info& device;
     };
     void append(Schedule& schedule, const Step& step) const;
+    // Appends the planes of other strands, where all are at the begin of a substep; after all bodies.
+    void fill(Schedule& schedule, const Part& part, const State& state, float friction,
+              Doors& doors) const;
 
   private:
     PairBuffers buffers_;

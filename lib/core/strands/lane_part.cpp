@@ -29,21 +29,6 @@ float contact_rate(const float (&gravity)[3], float h, uint32_t bdf2, float leng
                     steps_of_contact / (step * step));
 }
 
-// Pins. Under 10 g of the whole strand a held vertex is off by a hundredth of a segment, and by
-// less in short substeps, where that is a soft spring, and the rest of what bounces is gone in a
-// few.
-constexpr float pin_hold = 1e4f;       // m/s^2
-constexpr float steps_of_pin = 100.0f; // least rate, 1/h^2
-constexpr float pin_pull = 300.0f;     // m/s^2: with 30 times its strand's weight at most
-
-// The slider `groom` in times of the spring that leaves half of a droop. Two springs side by side would
-// ask for g/(1 - g); of limp hair, which swings out of the way, the power of .6 of it: between them. At
-// 1 a ten-thousandth is left.
-float groom_slider(float groom) {
-    constexpr float power = 0.8f, least = 1e-5f;
-    return std::pow(groom / std::max(1 - groom, least), power);
-}
-
 Ramp ramp_of(const float (&knots)[4]) {
     return {{double(knots[0]), double(knots[1]), double(knots[2]), double(knots[3])}};
 }
@@ -57,11 +42,13 @@ float contact_slip(float h, float length) {
 
 LaneSource::LaneSource(const ModelInput& input)
     : layout(input.layout), tile(input.tile), step(input.step), sag_free(input.sag_free),
-      gravity(input.gravity), accelerates(input.accelerates), pins(input.pins),
+      gravity(input.gravity), needs(input.needs),
       memory(input.memory), strands{{input.groom.strands.positions, input.memory},
                                     {input.groom.strands.vertex_counts, input.memory},
                                     {input.stiffness.begin(), input.stiffness.end(), input.memory}},
-      materials(input.materials), cube(cube_around(input.groom)), rest(input.memory) {}
+      materials(input.materials),
+      cube(cube_around(input.groom.shape.bounds_min, input.groom.shape.bounds_max)),
+      rest(input.memory) {}
 
 RestGrid LaneSource::rest_grid_of(const plait_sim_params& params) const {
     if (params.volume == PLAIT_VOLUME_OFF)
@@ -97,8 +84,7 @@ Status LanePart::open(Device& device) {
     PLAIT_TRY(make(device, q_, 4, "lane_q"));
     PLAIT_TRY(make(device, q_before_, 4, "lane_q_before"));
     PLAIT_TRY(make(device, x_, 3, "lane_x"));
-    PLAIT_TRY(open_forces(device));
-    PLAIT_TRY(keep_planes(device, source_.planes));
+    PLAIT_TRY(open_doors(device));
     std::pmr::vector<uint32_t> strands(source_.memory);
     for (size_t lane = 0; lane < lanes_.padded_strands(); ++lane)
         strands.push_back(member(lane));
@@ -106,27 +92,29 @@ Status LanePart::open(Device& device) {
     return device.write(lane_strand_, strands.data());
 }
 
-Status LanePart::open_forces(Device& device) {
-    if (!acceleration_ && (source_.accelerates || source_.wind))
-        PLAIT_TRY(make(device, acceleration_, 3, "lane_acceleration"));
-    if (!spring_ && (source_.pins || source_.wind || fill_.groom || next_fill_.groom))
+Status LanePart::open_doors(Device& device) {
+    const PartNeeds& needs = source_.needs;
+    if (!push_ && needs.push)
+        PLAIT_TRY(make(device, push_, 3, "lane_push"));
+    if (!spring_ && (needs.spring || fill_.groom || next_fill_.groom))
         PLAIT_TRY(make(device, spring_, 4, "lane_spring"));
-    return {};
-}
-
-void LanePart::close_forces() {
-    if (!source_.accelerates && !source_.wind)
-        acceleration_ = {};
-    if (!source_.pins && !source_.wind && !fill_.groom)
-        spring_ = {};
-}
-
-Status LanePart::keep_planes(Device& device, bool keep) {
-    if (!keep)
-        plane_ = {};
-    else if (!plane_)
+    if (!plane_ && needs.plane)
         PLAIT_TRY(make(device, plane_, PLAIT_LANE_PLANE_COMPONENTS, "lane_plane"));
+    if (!fill_.wet && fill_.material && needs.wet)
+        PLAIT_TRY(make_wet(device, fill_));
     return {};
+}
+
+void LanePart::close_doors() {
+    const PartNeeds& needs = source_.needs;
+    if (!needs.push)
+        push_ = {};
+    if (!needs.spring && !fill_.groom && !next_fill_.groom)
+        spring_ = {};
+    if (!needs.plane)
+        plane_ = {};
+    if (!needs.wet)
+        fill_.wet = {};
 }
 
 Materials LanePart::materials_of(const plait_sim_params& params) const {
@@ -172,7 +160,7 @@ Status LanePart::make_fill(Device& device, Fill& fill, const Members& members,
         PLAIT_TRY(put(fill.start, rows.start, "lane_start"));
     if (grooms)
         PLAIT_TRY(put(fill.groom, rows.groom, "lane_groom"));
-    if (source_.wet)
+    if (source_.needs.wet)
         PLAIT_TRY(make_wet(device, fill));
     fill.of = materials;
     fill.load = load;
@@ -185,12 +173,6 @@ Status LanePart::make_wet(Device& device, Fill& fill) const {
     const std::pmr::vector<float> unknown(fill.material.count(), -1.0f, source_.memory);
     PLAIT_TRY(device.create(fill.wet, PLAIT_ELEMENT_FLOAT, unknown.size(), "lane_material"));
     return device.write(fill.wet, unknown.data());
-}
-
-void LanePart::soak(Schedule& schedule, const Substep& at) const {
-    schedule.add(PLAIT_STAGE_lane_wetness, lanes_.strands,
-                 plait_lane_wetness_params{lanes_.row, lanes_.tile},
-                 {&lane_strand_, &at.state.wetness_held, &fill_.material, &fill_.wet}, lanes_.row);
 }
 
 // As if strands had moved as they move now: x - h v, relative to the root, whose own are row 0. At
@@ -263,7 +245,7 @@ Status LanePart::prepare(Device& device, const plait_sim_params& params) {
                        grooms == bool(fill_.groom));
     if (has_next_fill_)
         PLAIT_TRY(make_fill(device, next_fill_, members_, materials, load, grooms));
-    PLAIT_TRY(open_forces(device));
+    PLAIT_TRY(open_doors(device));
     PLAIT_TRY(prepare_volume(device, params));
     return prepare_history(device, params);
 }
@@ -282,156 +264,63 @@ void LanePart::discard() {
     next_history_ = {};
     next_volume_ = {};
     has_next_fill_ = has_next_history_ = has_next_volume_ = false;
-    close_forces(); // what nothing that was taken needs
+    close_doors(); // what nothing that was taken needs
 }
 
-// With wind lane_air does.
-void LanePart::accelerate(Schedule& schedule, const Substep& at) const {
-    if (source_.accelerates && !at.wind)
-        schedule.add(PLAIT_STAGE_lane_accelerate, lanes_.strands,
-                     plait_lane_tile_params{lanes_.row, lanes_.tile, source_.layout.row,
-                                            volume_.pressure ? 1u : 0u},
-                     {&lane_strand_, &at.state.vertex_count, &at.state.acceleration,
-                      &volume_.pressure, &acceleration_},
-                     lanes_.row);
-}
-
-void LanePart::pin(Schedule& schedule, const Substep& at) const {
-    const float step = step_of(at.h, settings_.bdf2_of(at.params));
-    schedule.add(PLAIT_STAGE_lane_pin, lanes_.strands,
-                 plait_lane_pin_params{lanes_.row, lanes_.tile, source_.layout.row, at.share,
-                                       pin_hold, steps_of_pin / (step * step), at.h, pin_pull},
-                 {&lane_strand_, &at.state.vertex_count, &at.state.rest, &at.state.pose,
-                  &material(), &at.state.pin_from, &at.state.pin_to, &x_, &v_, &spring_},
-                 lanes_.row);
-}
-
-bool LanePart::holds(const plait_sim_params& params) const {
-    return fill_.groom && (params.groom > 0 || fill_.of.holds());
-}
-
-// Beside the pins.
-void LanePart::hold(Schedule& schedule, const Substep& at) const {
-    const float step = step_of(at.h, settings_.bdf2_of(at.params));
-    schedule.add(PLAIT_STAGE_lane_groom, lanes_.strands,
-                 plait_lane_groom_params{lanes_.row, lanes_.tile, source_.layout.row,
-                                         source_.pins ? 1u : 0u, groom_slider(at.params.groom),
-                                         at.h, steps_of_pin / (step * step), pin_pull},
-                 {&lane_strand_, &at.state.vertex_count, &at.state.rest, &at.state.pose,
-                  &material(), &fill_.groom, &x_, &v_, &spring_},
-                 lanes_.row);
-}
-
-void LanePart::blow(Schedule& schedule, const Substep& at, const WindStep& wind) const {
-    plait_lane_air_params params{};
-    params.vertex_stride = lanes_.row;
-    params.tile = lanes_.tile;
-    params.row_stride = source_.layout.row;
-    params.h = at.h;
-    params.bdf2 = settings_.bdf2_of(at.params);
-    params.pins = source_.pins || holds(at.params) ? 1 : 0;
-    params.accelerates = source_.accelerates ? 1 : 0;
-    params.pressure = volume_.pressure ? 1 : 0;
-    params.drag = wind.drag;
-    params.viscous = wind.viscous;
-    params.tangential = wind.tangential;
-    std::ranges::copy(wind.air, params.air);
-    std::ranges::copy(wind.jump, params.jump);
-    params.field = wind.velocity ? 1 : 0;
-    params.edge_count = wind.nodes;
-    params.voxel_edge = wind.voxel_edge;
-    std::ranges::copy(wind.q, params.q);
-    std::ranges::copy(wind.t, params.t);
-    schedule.add(PLAIT_STAGE_lane_air, lanes_.strands, params,
-                 {&lane_strand_, &at.state.vertex_count, &at.state.rest, &at.state.pose,
-                  &at.state.acceleration, wind.velocity, &material(), &x_, &v_, &history_.x,
-                  &history_.v, &volume_.pressure, &acceleration_, &spring_},
-                 lanes_.row);
-}
-
-// `solve`: what the solve after it is told.
-void LanePart::find_planes(Schedule& schedule, const Substep& at,
-                           const plait_lane_params& solve) const {
-    plait_lane_params params = solve;
-    params.collider_first = at.collider_first + at.collider_count;
-    params.collider_count = at.mesh_count;
-    schedule.add(PLAIT_STAGE_mesh_contact, lanes_.strands, params,
-                 {&lane_strand_, &at.state.rest, &at.state.pose, &material(), &at.colliders,
-                  &at.meshes->grid, &at.meshes->nodes, &at.meshes->values, &at.meshes->clearance,
-                  &push(), &spring_, &x_, &v_, &history_.x, &history_.v, &plane_},
-                 lanes_.row);
-}
-
-// After it: what it has found is met, too.
-void LanePart::find_nearest(Schedule& schedule, const Substep& at,
-                            const plait_lane_params& solve) const {
-    plait_lane_params params = solve;
-    params.collider_first = at.collider_first + at.collider_count + at.mesh_count;
-    params.collider_count = at.bending_count;
-    params.planes = at.meshes ? 1 : 0;
-    const BendingBuffers& m = *at.bending;
-    schedule.add(
-        PLAIT_STAGE_mesh_nearest, lanes_.strands, params,
-        {&lane_strand_, &at.state.rest, &at.state.pose, &material(), &at.colliders, &m.first,
-         &m.box,        &m.tree,        &m.triangle,    &m.ring,     &m.from,       &m.to,
-         &m.bends,      &m.clearance,   &push(),        &spring_,    &x_,           &v_,
-         &history_.x,   &history_.v,    &plane_,        &m.side},
-        lanes_.row);
-}
-
-// After both.
-void LanePart::find_strands(Schedule& schedule, const Substep& at) const {
-    schedule.add(
-        PLAIT_STAGE_strand_contact, lanes_.strands,
-        plait_strand_contact_params{lanes_.row, lanes_.tile, source_.layout.row,
-                                    at.meshes || at.bending ? 1u : 0u, at.params.strand_friction},
-        {&lane_strand_, &at.state.vertex_count, &at.state.rest, &at.state.pose, &at.state.position,
-         &at.state.position_prev, &at.pairs->segment, &at.pairs->offset, &x_, &plane_},
-        lanes_.row);
-}
-
-void LanePart::substep(Schedule& schedule, const Substep& at, float mean_length) {
+Part LanePart::part(const StepInput& at, float mean_length) const {
     const plait_sim_params& p = at.params;
-    plait_lane_params params{};
-    params.vertex_stride = lanes_.row;
-    params.tile = lanes_.tile;
-    params.row_stride = source_.layout.row;
-    params.h = at.h;
-    params.iterations = settings_.iterations_of(p);
-    params.bdf2 = settings_.bdf2_of(p);
-    params.drag = p.drag;
+    plait_lane_params solve{};
+    solve.vertex_stride = lanes_.row;
+    solve.tile = lanes_.tile;
+    solve.row_stride = source_.layout.row;
+    solve.h = at.h;
+    solve.iterations = settings_.iterations_of(p);
+    solve.bdf2 = settings_.bdf2_of(p);
+    solve.drag = p.drag;
     for (size_t i = 0; i < 3; ++i) {
-        params.gravity[i] = p.gravity[i];
-        params.air[i] = at.air[i];
+        solve.gravity[i] = p.gravity[i];
+        solve.air[i] = at.air[i];
     }
-    const bool meets = at.pairs != nullptr;
-    params.collider_count = at.collider_count;
-    params.collider_first = at.collider_first;
-    params.contact_rate = contact_rate(p.gravity, at.h, params.bdf2, mean_length);
-    params.contact_slip = contact_slip(at.h, mean_length);
-    params.accelerates = push() ? 1 : 0;
-    params.pins = source_.pins || at.wind || holds(p) ? 1 : 0;
-    params.planes = (at.meshes || at.bending || meets) && plane_ ? (meets ? 2 : 1) : 0;
-    if (source_.pins)
-        pin(schedule, at);
-    if (holds(p))
-        hold(schedule, at);
-    if (at.wind)
-        blow(schedule, at, *at.wind);
-    if (at.meshes && plane_)
-        find_planes(schedule, at, params);
-    if (at.bending && plane_)
-        find_nearest(schedule, at, params);
-    if (meets && plane_)
-        find_strands(schedule, at);
-    schedule.add(PLAIT_STAGE_articulated, lanes_.strands, params,
-                 {&lane_strand_, &at.state.rest, &at.state.pose, &material(), &fill_.rest,
-                  &at.colliders, &push(), &spring_, &plane_, &x_, &v_, &q_, &q_before_, &history_.x,
-                  &history_.v},
+    solve.contact_rate = contact_rate(p.gravity, at.h, solve.bdf2, mean_length);
+    solve.contact_slip = contact_slip(at.h, mean_length);
+    return {lanes_,
+            source_.layout.row,
+            settings_.substeps,
+            at.h,
+            at.share,
+            solve.bdf2,
+            fill_.of.holds(),
+            solve,
+            at.state.vertex_count,
+            at.state.rest,
+            at.state.pose,
+            at.state.acceleration,
+            lane_strand_,
+            fill_.material,
+            material(),
+            fill_.groom,
+            x_,
+            v_,
+            history_.x,
+            history_.v,
+            volume_.share,
+            volume_.pressure,
+            push_,
+            spring_,
+            plane_};
+}
+
+void LanePart::substep(Schedule& schedule, const StepInput& at, const Part& part,
+                       const Doors& doors) {
+    const ColliderRows& bodies = at.bodies.solids;
+    schedule.add(PLAIT_STAGE_articulated, lanes_.strands, solve_params(part, doors, bodies),
+                 {&lane_strand_, &part.rest, &part.pose, &part.material, &fill_.rest,
+                  &bodies.buffer, &part.pushed(), &spring_, &plane_, &x_, &v_, &q_, &q_before_,
+                  &history_.x, &history_.v},
                  lanes_.row);
 }
 
-void LanePart::publish(Schedule& schedule, const Substep& at, const Buffer* tangent) const {
+void LanePart::publish(Schedule& schedule, const StepInput& at, const Buffer* tangent) const {
     schedule.add(PLAIT_STAGE_lane_unpack, lanes_.strands,
                  plait_lane_unpack_params{lanes_.row, lanes_.tile, source_.layout.row, at.h,
                                           tangent ? 1u : 0u},
@@ -440,73 +329,13 @@ void LanePart::publish(Schedule& schedule, const Substep& at, const Buffer* tang
                  lanes_.row);
 }
 
-void LanePart::adopt(Schedule& schedule, const Substep& at) const {
+void LanePart::adopt(Schedule& schedule, const StepInput& at) const {
     schedule.add(PLAIT_STAGE_lane_pack, lanes_.strands * lanes_.row, history_params(at),
                  {&lane_strand_, &at.state.vertex_count, &at.state.position,
                   &at.state.position_prev, &x_, &v_, &history_.x, &history_.v});
 }
 
-plait_lane_grid_params LanePart::grid_params(const plait_grid_params& grid) const {
-    plait_lane_grid_params params{};
-    params.vertex_stride = lanes_.row;
-    params.tile = lanes_.tile;
-    params.edge_count = grid.edge_count;
-    params.voxel_edge = grid.voxel_edge;
-    std::ranges::copy(grid.q, params.q);
-    std::ranges::copy(grid.t, params.t);
-    params.tent = grid.tent;
-    params.diffuse_rule = grid.diffuse_rule;
-    params.diffuse_ratio = grid.diffuse_ratio;
-    params.diffuse_factor = grid.diffuse_factor;
-    params.diffuse_floor = grid.diffuse_floor;
-    params.history = history_.v ? 1 : 0;
-    return params;
-}
-
-void LanePart::splat(Schedule& schedule, const Substep& at, const LaneGrid& grid) const {
-    schedule.add(PLAIT_STAGE_lane_splat, lanes_.strands, grid_params(grid.params),
-                 {&lane_strand_, &at.state.vertex_count, &x_, &v_, &grid.sums, &grid.outside},
-                 lanes_.row);
-}
-
-void LanePart::diffuse(Schedule& schedule, const Substep& at, const LaneGrid& grid) const {
-    schedule.add(PLAIT_STAGE_lane_diffuse, lanes_.strands, grid_params(grid.params),
-                 {&lane_strand_, &at.state.vertex_count, &x_, &grid.density, &grid.velocity, &v_,
-                  &history_.v},
-                 lanes_.row);
-}
-
-plait_lane_volume_params LanePart::volume_params(const LaneVolume& volume) const {
-    plait_lane_volume_params params{};
-    params.vertex_stride = lanes_.row;
-    params.tile = lanes_.tile;
-    params.edge_count = volume.params.edge_count;
-    params.voxel_edge = volume.params.voxel_edge;
-    std::ranges::copy(volume.params.q, params.q);
-    std::ranges::copy(volume.params.t, params.t);
-    params.moves = volume.moves ? 1 : 0;
-    params.history = history_.v ? 1 : 0;
-    params.wet = volume.wetness ? 1 : 0;
-    params.soaked = volume.soaked ? 1 : 0;
-    return params;
-}
-
-void LanePart::splat_volume(Schedule& schedule, const Substep& at, const LaneVolume& volume) const {
-    schedule.add(PLAIT_STAGE_volume_splat, lanes_.strands, volume_params(volume),
-                 {&lane_strand_, &at.state.vertex_count, volume.wetness, &volume_.share, &x_, &v_,
-                  &volume.sums, &volume.outside},
-                 lanes_.row);
-}
-
-void LanePart::gather_volume(Schedule& schedule, const Substep& at,
-                             const LaneVolume& volume) const {
-    schedule.add(PLAIT_STAGE_volume_gather, lanes_.strands, volume_params(volume),
-                 {&lane_strand_, &at.state.vertex_count, &x_, &volume.pull, &v_, &history_.v,
-                  &volume_.pressure},
-                 lanes_.row);
-}
-
-void LanePart::reset(Schedule& schedule, const Substep& at) {
+void LanePart::reset(Schedule& schedule, const StepInput& at) {
     schedule.add(PLAIT_STAGE_lane_reset, lanes_.strands, state_params(),
                  {&lane_strand_, &at.state.rest, &at.state.pose,
                   fill_.start ? &fill_.start : &fill_.rest, &x_, &v_, &q_, &q_before_, &history_.x,
@@ -514,14 +343,14 @@ void LanePart::reset(Schedule& schedule, const Substep& at) {
                  lanes_.row);
 }
 
-void LanePart::teleport(Schedule& schedule, const Substep& at, const Buffer& pose) {
+void LanePart::teleport(Schedule& schedule, const StepInput& at, const Buffer& pose) {
     schedule.add(PLAIT_STAGE_lane_teleport, lanes_.strands, state_params(),
                  {&lane_strand_, &at.state.rest, &at.state.pose, &pose, &x_, &v_, &q_, &q_before_,
                   &history_.x, &history_.v},
                  lanes_.row);
 }
 
-void LanePart::set_off(Schedule& schedule, const Substep& at, const Buffer& before,
+void LanePart::set_off(Schedule& schedule, const StepInput& at, const Buffer& before,
                        const Buffer& was, const Buffer& next, float jump) const {
     schedule.add(PLAIT_STAGE_lane_set_off, lanes_.strands,
                  plait_set_off_params{lanes_.row, lanes_.tile, source_.layout.row,
@@ -550,7 +379,7 @@ uint64_t LanePart::device_bytes() const {
     uint64_t bytes = 0;
     for (const Buffer* buffer :
          {&fill_.material, &fill_.wet, &fill_.groom, &fill_.rest, &fill_.start, &x_, &v_, &q_,
-          &q_before_, &history_.x, &history_.v, &acceleration_, &spring_, &plane_, &lane_strand_,
+          &q_before_, &history_.x, &history_.v, &push_, &spring_, &plane_, &lane_strand_,
           &volume_.share, &volume_.pressure})
         bytes += buffer->bytes();
     return bytes;

@@ -5,10 +5,10 @@
 // Which strand is in which lane is the part's own; a list tells the stages.
 #pragma once
 
-#include "core/grid/interhair.hpp"
+#include "core/base/cube.hpp"
+#include "core/groom/rest_density.hpp"
 #include "core/strands/material.hpp"
 #include "core/strands/model.hpp"
-#include "core/volume/rest_density.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -24,10 +24,7 @@ struct LaneSource {
     double step; // s, the fixed one
     plait_sag_free sag_free;
     std::array<float, 3> gravity; // in which a sag-free groom is in balance
-    bool accelerates, pins;
-    bool wind = false;
-    bool wet = false;    // strands may be
-    bool planes = false; // of meshes or strands
+    PartNeeds needs;
     std::pmr::memory_resource* memory;
     RestStrands strands; // for when the material changes
     StrandMaterialsPtr materials;
@@ -65,33 +62,24 @@ class LanePart {
     Status prepare(Device& device, const plait_sim_params& params);
     void swap() noexcept;
     void discard(); // what swap() would take
-    // Makes what of accelerations and pins there is not, and gives back what nothing needs any more.
-    Status open_forces(Device& device);
-    void close_forces();
+    // Makes what source.needs ask for and is not there, and gives back what nothing needs any more.
+    Status open_doors(Device& device);
+    void close_doors();
 
-    Status open_wetness(Device& device) { return make_wet(device, fill_); }
-    void close_wetness() { fill_.wet = {}; }
-    void soak(Schedule& schedule, const Substep& at) const;
-
-    Status keep_planes(Device& device, bool keep);
-    void accelerate(Schedule& schedule, const Substep& at) const;
     // `mean_length`: m, of all strands of the sim.
-    void substep(Schedule& schedule, const Substep& at, float mean_length);
-    void publish(Schedule& schedule, const Substep& at, const Buffer* tangent) const;
-    void adopt(Schedule& schedule, const Substep& at) const;
-    void splat(Schedule& schedule, const Substep& at, const LaneGrid& grid) const;
-    void diffuse(Schedule& schedule, const Substep& at, const LaneGrid& grid) const;
-    void splat_volume(Schedule& schedule, const Substep& at, const LaneVolume& volume) const;
-    void gather_volume(Schedule& schedule, const Substep& at, const LaneVolume& volume) const;
-    void reset(Schedule& schedule, const Substep& at);
-    void teleport(Schedule& schedule, const Substep& at, const Buffer& pose);
-    void set_off(Schedule& schedule, const Substep& at, const Buffer& before, const Buffer& was,
+    Part part(const StepInput& at, float mean_length) const;
+    void substep(Schedule& schedule, const StepInput& at, const Part& part, const Doors& doors);
+    void publish(Schedule& schedule, const StepInput& at, const Buffer* tangent) const;
+    void adopt(Schedule& schedule, const StepInput& at) const;
+    void reset(Schedule& schedule, const StepInput& at);
+    void teleport(Schedule& schedule, const StepInput& at, const Buffer& pose);
+    void set_off(Schedule& schedule, const StepInput& at, const Buffer& before, const Buffer& was,
                  const Buffer& next, float jump) const;
     void carry(Schedule& schedule, const plait_pose& motion) const;
 
     // Instead of prepare, for a part that takes its strands from others (lane_switch.cpp): copies
     // their state. `from`: [guides]. Leaves the others as they are.
-    Status take_over(Device& device, Schedule& schedule, const Substep& at,
+    Status take_over(Device& device, Schedule& schedule, const StepInput& at,
                      std::span<const LanePlace> from);
 
     const SagReport& sag() const { return fill_.sag; }
@@ -137,32 +125,21 @@ class LanePart {
     Status prepare_history(Device& device, const plait_sim_params& params);
     Status prepare_volume(Device& device, const plait_sim_params& params);
     Status make_pressed(Device& device, Pressed& to, const RestGrid& grid) const;
-    plait_lane_volume_params volume_params(const LaneVolume& volume) const;
-    // What pulls at vertices beside gravity, where anything does.
-    const Buffer& push() const { return acceleration_ ? acceleration_ : volume_.pressure; }
-    bool holds(const plait_sim_params& params) const; // strands in their groom, by springs
-    void pin(Schedule& schedule, const Substep& at) const;
-    void hold(Schedule& schedule, const Substep& at) const;
-    void blow(Schedule& schedule, const Substep& at, const WindStep& wind) const;
-    void find_planes(Schedule& schedule, const Substep& at, const plait_lane_params& solve) const;
-    void find_nearest(Schedule& schedule, const Substep& at, const plait_lane_params& solve) const;
-    void find_strands(Schedule& schedule, const Substep& at) const;
     bool keeps_fill() const;
     bool takes_history_of(const LanePart& other) const;
     template <typename Place> Result<Moves> list_moves(Device& device, const Place& place) const;
     void move(Schedule& schedule, const Moves& moves, uint32_t components, const Buffer& from,
               const Buffer& to) const;
     Status fill_anew(Device& device);
-    Status move_from(Device& device, Schedule& schedule, const Substep& at, const LanePart& other,
+    Status move_from(Device& device, Schedule& schedule, const StepInput& at, const LanePart& other,
                      std::span<const LanePlace> from);
-    void fit(Schedule& schedule, const Substep& at, const Moves& moves,
+    void fit(Schedule& schedule, const StepInput& at, const Moves& moves,
              const LanePart& other) const;
     // The strand of a lane; those that fill up the last tile repeat the last strand.
     uint32_t member(size_t lane) const { return members_[std::min(lane, members_.size() - 1)]; }
-    plait_lane_history_params history_params(const Substep& at) const {
+    plait_lane_history_params history_params(const StepInput& at) const {
         return {lanes_.row, lanes_.tile, source_.layout.row, at.h, history_.x ? 1u : 0u};
     }
-    plait_lane_grid_params grid_params(const plait_grid_params& grid) const;
     plait_lane_state_params state_params() const {
         return {lanes_.row, lanes_.tile, source_.layout.row, history_.x ? 1u : 0u};
     }
@@ -174,9 +151,7 @@ class LanePart {
     Fill fill_, next_fill_;
     bool has_next_fill_ = false, has_next_history_ = false, has_next_volume_ = false;
     Buffer x_, v_, q_, q_before_;
-    Buffer acceleration_; // only with accelerations, or wind
-    Buffer spring_;       // only with pins, wind, or springs to the groom
-    Buffer plane_;        // only with meshes, or where strands meet
+    Buffer push_, spring_, plane_; // doors
     History history_, next_history_;
     Pressed volume_, next_volume_;
     Buffer lane_strand_; // uint [lanes of whole tiles]

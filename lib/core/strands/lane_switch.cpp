@@ -57,7 +57,7 @@ Status LanePart::fill_anew(Device& device) {
 }
 
 // After the rest rotations are there.
-Status LanePart::move_from(Device& device, Schedule& schedule, const Substep& at,
+Status LanePart::move_from(Device& device, Schedule& schedule, const StepInput& at,
                            const LanePart& other, std::span<const LanePlace> from) {
     const auto moves = list_moves(device, [&](uint32_t strand, uint32_t& lane) {
         lane = from[strand].lane;
@@ -95,7 +95,7 @@ bool LanePart::takes_history_of(const LanePart& other) const {
 }
 
 // BDF2 has a step before also of strands that come without one.
-void LanePart::fit(Schedule& schedule, const Substep& at, const Moves& moves,
+void LanePart::fit(Schedule& schedule, const StepInput& at, const Moves& moves,
                    const LanePart& other) const {
     if (!history_.x || takes_history_of(other))
         return;
@@ -105,7 +105,7 @@ void LanePart::fit(Schedule& schedule, const Substep& at, const Moves& moves,
                  {&moves.list, &v_, &x_, &history_.x, &history_.v});
 }
 
-Status LanePart::take_over(Device& device, Schedule& schedule, const Substep& at,
+Status LanePart::take_over(Device& device, Schedule& schedule, const StepInput& at,
                            std::span<const LanePlace> from) {
     fill_.of = materials_of(at.params);
     fill_.load = load();
@@ -113,7 +113,7 @@ Status LanePart::take_over(Device& device, Schedule& schedule, const Substep& at
         PLAIT_TRY(make(device, fill_.groom, PLAIT_LANE_GROOM_COMPONENTS, "lane_groom"));
     PLAIT_TRY(open(device));
     PLAIT_TRY(make(device, fill_.material, PLAIT_LANE_MATERIAL_COMPONENTS, "lane_material"));
-    if (source_.wet)
+    if (source_.needs.wet && !fill_.wet)
         PLAIT_TRY(make_wet(device, fill_));
     PLAIT_TRY(make(device, fill_.rest, 4, "lane_rest"));
     if (fill_.load.mode != PLAIT_SAG_FREE_OFF || fill_.of.curls())

@@ -6,6 +6,8 @@
 #include "core/strands/lane_part.hpp"
 #include "core/strands/length_classes.hpp"
 
+#include <utility>
+
 namespace plait {
 namespace {
 
@@ -32,7 +34,7 @@ class LaneModel final : public Model {
 
     uint32_t pinned_vertices() const override { return pinned; }
     Status prepare(Device& device, const plait_sim_params& params) override;
-    Status prepare_settings(Device& device, Schedule& schedule, const Substep& at,
+    Status prepare_settings(Device& device, Schedule& schedule, const StepInput& at,
                             std::span<const Settings> settings) override;
     void exchange(StrandMaterialsPtr& materials) noexcept override {
         source_.materials.swap(materials);
@@ -42,29 +44,20 @@ class LaneModel final : public Model {
     }
     void swap() noexcept override;
     void discard() override;
-    Status open_wind(Device& device) override;
-    void close_wind() override;
-    Status open_wetness(Device& device) override;
-    void close_wetness() override;
-    void soak(Schedule& schedule, const Substep& at) const override;
-    Status keep_planes(Device& device, bool keep) override;
-    void accelerate(Schedule& schedule, const Substep& at) const override;
-    void substep(Schedule& schedule, const Substep& at) override;
-    void publish(Schedule& schedule, const Substep& at,
+    Status open(Device& device, const PartNeeds& needs) override;
+    size_t parts() const override { return parts_.size(); }
+    Part part(size_t index, const StepInput& at) const override {
+        return parts_[index]->part(at, length_);
+    }
+    void substep(Schedule& schedule, const StepInput& at, const FillDoors& fill) override;
+    void publish(Schedule& schedule, const StepInput& at,
                  const Buffer* tangent = nullptr) const override;
-    void adopt(Schedule& schedule, const Substep& at) const override;
-    bool has_lanes() const override { return true; }
-    void splat(Schedule& schedule, const Substep& at, const LaneGrid& grid) const override;
-    void diffuse(Schedule& schedule, const Substep& at, const LaneGrid& grid) const override;
-    void splat_volume(Schedule& schedule, const Substep& at,
-                      const LaneVolume& volume) const override;
-    void gather_volume(Schedule& schedule, const Substep& at,
-                       const LaneVolume& volume) const override;
-    void reset(Schedule& schedule, const Substep& at) override;
-    void teleport(Schedule& schedule, const Substep& at, const Buffer& pose) override;
-    void set_off(Schedule& schedule, const Substep& at, const Buffer& before, const Buffer& was,
+    void adopt(Schedule& schedule, const StepInput& at) const override;
+    void reset(Schedule& schedule, const StepInput& at) override;
+    void teleport(Schedule& schedule, const StepInput& at, const Buffer& pose) override;
+    void set_off(Schedule& schedule, const StepInput& at, const Buffer& before, const Buffer& was,
                  const Buffer& next, float jump) override;
-    void carry(Schedule& schedule, const Substep& at, const plait_pose& motion) override;
+    void carry(Schedule& schedule, const StepInput& at, const plait_pose& motion) override;
     SagReport sag() const override;
     void read_settings(std::span<Settings> settings) const override;
     void list_parts(std::span<const Settings> settings,
@@ -150,7 +143,7 @@ std::pmr::vector<LanePlace> LaneModel::places() const {
     return list;
 }
 
-Status LaneModel::prepare_settings(Device& device, Schedule& schedule, const Substep& at,
+Status LaneModel::prepare_settings(Device& device, Schedule& schedule, const StepInput& at,
                                    std::span<const Settings> settings) {
     source_.measure_rest(source_.rest_grid_of(at.params));
     const auto from = places();
@@ -193,117 +186,58 @@ void LaneModel::discard() {
         part->discard();
 }
 
-Status LaneModel::open_wind(Device& device) {
-    source_.wind = true; // of parts that are made later, too
+Status LaneModel::open(Device& device, const PartNeeds& needs) {
+    const PartNeeds before =
+        std::exchange(source_.needs, needs); // of parts that are made later, too
+    Status status;
     for (const PartPtr& part : parts_)
-        if (Status status = part->open_forces(device); !status) {
-            close_wind();
-            return status;
+        if (status)
+            status = part->open_doors(device);
+    if (!status)
+        source_.needs = before;
+    for (const PartPtr& part : parts_)
+        part->close_doors();
+    return status;
+}
+
+void LaneModel::substep(Schedule& schedule, const StepInput& at, const FillDoors& fill) {
+    for (size_t i = 0; i < parts_.size(); ++i)
+        if (parts_[i]->settings().substeps == at.substeps) {
+            const Part seen = part(i, at);
+            parts_[i]->substep(schedule, at, seen, fill(seen));
         }
-    return {};
 }
 
-void LaneModel::close_wind() {
-    source_.wind = false;
-    for (const PartPtr& part : parts_)
-        part->close_forces();
-}
-
-Status LaneModel::open_wetness(Device& device) {
-    source_.wet = true; // of parts and material that are made later, too
-    for (const PartPtr& part : parts_)
-        PLAIT_TRY(part->open_wetness(device));
-    return {};
-}
-
-void LaneModel::close_wetness() {
-    source_.wet = false;
-    for (const PartPtr& part : parts_)
-        part->close_wetness();
-}
-
-void LaneModel::soak(Schedule& schedule, const Substep& at) const {
-    for (const PartPtr& part : parts_)
-        part->soak(schedule, at);
-}
-
-Status LaneModel::keep_planes(Device& device, bool keep) {
-    for (const PartPtr& part : parts_)
-        if (Status status = part->keep_planes(device, keep); !status) {
-            for (const PartPtr& made : parts_)
-                (void)made->keep_planes(device, source_.planes);
-            return status;
-        }
-    source_.planes = keep;
-    return {};
-}
-
-void LaneModel::accelerate(Schedule& schedule, const Substep& at) const {
-    for (const PartPtr& part : parts_)
-        part->accelerate(schedule, at);
-}
-
-// Where strands meet, each sees the others where all are at the substep's begin.
-void LaneModel::substep(Schedule& schedule, const Substep& at) {
-    if (at.pairs)
-        publish(schedule, at);
-    for (const PartPtr& part : parts_)
-        if (part->settings().substeps == at.substeps)
-            part->substep(schedule, at, length_);
-}
-
-void LaneModel::publish(Schedule& schedule, const Substep& at, const Buffer* tangent) const {
+void LaneModel::publish(Schedule& schedule, const StepInput& at, const Buffer* tangent) const {
     for (const PartPtr& part : parts_)
         part->publish(schedule, at, tangent);
 }
 
-void LaneModel::adopt(Schedule& schedule, const Substep& at) const {
+void LaneModel::adopt(Schedule& schedule, const StepInput& at) const {
     for (const PartPtr& part : parts_)
         part->adopt(schedule, at);
 }
 
-void LaneModel::splat(Schedule& schedule, const Substep& at, const LaneGrid& grid) const {
-    for (const PartPtr& part : parts_)
-        part->splat(schedule, at, grid);
-}
-
-void LaneModel::diffuse(Schedule& schedule, const Substep& at, const LaneGrid& grid) const {
-    for (const PartPtr& part : parts_)
-        part->diffuse(schedule, at, grid);
-}
-
-void LaneModel::splat_volume(Schedule& schedule, const Substep& at,
-                             const LaneVolume& volume) const {
-    for (const PartPtr& part : parts_)
-        part->splat_volume(schedule, at, volume);
-}
-
-void LaneModel::gather_volume(Schedule& schedule, const Substep& at,
-                              const LaneVolume& volume) const {
-    for (const PartPtr& part : parts_)
-        part->gather_volume(schedule, at, volume);
-}
-
-void LaneModel::reset(Schedule& schedule, const Substep& at) {
+void LaneModel::reset(Schedule& schedule, const StepInput& at) {
     for (const PartPtr& part : parts_)
         part->reset(schedule, at);
     publish(schedule, at);
 }
 
-void LaneModel::teleport(Schedule& schedule, const Substep& at, const Buffer& pose) {
+void LaneModel::teleport(Schedule& schedule, const StepInput& at, const Buffer& pose) {
     for (const PartPtr& part : parts_)
         part->teleport(schedule, at, pose);
     publish(schedule, at);
 }
 
-void LaneModel::set_off(Schedule& schedule, const Substep& at, const Buffer& before,
+void LaneModel::set_off(Schedule& schedule, const StepInput& at, const Buffer& before,
                         const Buffer& was, const Buffer& next, float jump) {
     for (const PartPtr& part : parts_)
         if (part->settings().substeps == at.substeps)
             part->set_off(schedule, at, before, was, next, jump);
 }
 
-void LaneModel::carry(Schedule& schedule, const Substep& at, const plait_pose& motion) {
+void LaneModel::carry(Schedule& schedule, const StepInput& at, const plait_pose& motion) {
     for (const PartPtr& part : parts_)
         part->carry(schedule, motion);
     publish(schedule, at);

@@ -1,44 +1,34 @@
 // A strand model: which stages one substep takes, over which buffers.
 #pragma once
 
-#include "core/base/lane_layout.hpp"
+#include "core/base/part.hpp"
 #include "core/base/pose.hpp"
 #include "core/base/schedule.hpp"
+#include "core/contact/bodies.hpp"
 #include "core/groom/materials.hpp"
-#include "core/mesh/bending_meshes.hpp"
-#include "core/mesh/mesh_colliders.hpp"
-#include "core/strand_contact/pairs.hpp"
 #include "core/strands/sag_report.hpp"
 #include "core/strands/settings.hpp"
 #include "core/strands/state.hpp"
-#include "core/wind/wind_step.hpp"
 
 #include <array>
+#include <functional>
 #include <memory>
-#include <optional>
 #include <vector>
 
 namespace plait {
 
-// What a model reads when it writes down a substep.
-struct Substep {
+// What is read by all that write down a substep.
+struct StepInput {
     const Layout& layout;
     const State& state;
     const plait_sim_params& params;
-    const Buffer& colliders;
-    uint32_t collider_count;
-    uint32_t collider_first; // in `colliders`, of this substep
-    uint32_t mesh_count;     // after those; 0: `meshes` is null
-    const MeshBuffers* meshes;
-    uint32_t bending_count; // after those; 0: `bending` is null
-    const BendingBuffers* bending;
-    const PairBuffers* pairs; // null: strands do not meet each other
+    Bodies bodies;            // at the substep's end
     double step;              // s, the fixed one
     uint32_t substeps;        // of it; what steps are strands that take so many
     float h;                  // s, its length
     std::array<float, 3> air; // m/s: the wind, and what the head takes along
     float share;              // of the fixed step, at the substep's end
-    std::optional<WindStep> wind;
+    bool first;               // of its substeps
 };
 
 // State in the lane layout.
@@ -56,21 +46,14 @@ struct PartShape {
     uint32_t row; // V of their lanes
 };
 
-// The inter-hair grid for strands over lanes.
-struct LaneGrid {
-    plait_grid_params params;
-    const Buffer &sums, &outside, &density, &velocity;
+// Which buffers beside their state parts have.
+struct PartNeeds {
+    bool push = false, spring = false, plane = false; // their doors
+    bool wet = false;                                 // material that wetness scales
 };
 
-// The same for volume, which has the grid's velocity and, per node, what pressure does.
-struct LaneVolume {
-    plait_grid_params params;
-    const Buffer &sums, &outside, &pull;
-    bool moves; // velocities change, too
-    // Of strands, or null; `soaked`: the sums are of it, in place of the density at rest.
-    const Buffer* wetness = nullptr;
-    bool soaked = false;
-};
+// Fills the doors of a part for the substep that comes next.
+using FillDoors = std::function<Doors(const Part&)>;
 
 class Model {
   public:
@@ -86,7 +69,8 @@ class Model {
     // what swap() would take.
     virtual Status prepare(Device&, const plait_sim_params&) { return {}; }
     // The same for the settings of every guide strand.
-    virtual Status prepare_settings(Device&, Schedule&, const Substep&, std::span<const Settings>) {
+    virtual Status prepare_settings(Device&, Schedule&, const StepInput&,
+                                    std::span<const Settings>) {
         return Error{PLAIT_INTERNAL, "strands of this model do not switch"};
     }
     // Other materials of single strands, which prepare() looks at; exchanged, to be given back.
@@ -95,47 +79,32 @@ class Model {
     virtual void exchange(std::array<float, 3>&) noexcept {}
     virtual void swap() noexcept {}
     virtual void discard() {}
-    // Makes, or gives back, what substeps with wind need. Fails without an effect.
-    virtual Status open_wind(Device&) { return Error{PLAIT_INTERNAL, "this model takes no wind"}; }
-    virtual void close_wind() {}
 
-    // The same of what wet strands need; where it fails close_wetness() gives back what there is.
-    virtual Status open_wetness(Device&) {
-        return Error{PLAIT_INTERNAL, "strands of this model do not get wet"};
-    }
-    virtual void close_wetness() {}
-    // Appends what scales material by state.wetness_held.
-    virtual void soak(Schedule&, const Substep&) const {}
+    // Makes what parts need and gives back what they no longer do; where it fails it changes nothing.
+    virtual Status open(Device&, const PartNeeds&) { return {}; }
 
-    // Makes, or frees, what the planes of meshes and of other strands need; all or nothing.
-    virtual Status keep_planes(Device&, bool) { return {}; }
+    // Strands over lanes: none where the model keeps them in state.position alone.
+    virtual size_t parts() const { return 0; }
+    virtual Part part(size_t, const StepInput&) const { std::abort(); }
 
-    // Appends what takes state.acceleration, where there is one, to where the model reads it.
-    virtual void accelerate(Schedule&, const Substep&) const {}
     // Appends the stages of one substep, of the strands that take as many; `state.pose` is already
     // that of its end.
-    virtual void substep(Schedule& schedule, const Substep& at) = 0;
+    virtual void substep(Schedule& schedule, const StepInput& at, const FillDoors& fill) = 0;
     // Appends what puts the model's own state into position and its history, at the end of a step;
     // and, if `tangent` is not null, what is shown beside positions: tangents and padding.
-    virtual void publish(Schedule&, const Substep&, const Buffer* /*tangent*/ = nullptr) const {}
+    virtual void publish(Schedule&, const StepInput&, const Buffer* /*tangent*/ = nullptr) const {}
     // Appends what takes them back after something else changed them.
-    virtual void adopt(Schedule&, const Substep&) const {}
-    // Has velocities of its own, which the inter-hair step can read and brake where they are kept.
-    virtual bool has_lanes() const { return false; }
-    virtual void splat(Schedule&, const Substep&, const LaneGrid&) const {}
-    virtual void diffuse(Schedule&, const Substep&, const LaneGrid&) const {}
-    virtual void splat_volume(Schedule&, const Substep&, const LaneVolume&) const {}
-    virtual void gather_volume(Schedule&, const Substep&, const LaneVolume&) const {}
+    virtual void adopt(Schedule&, const StepInput&) const {}
     // Appends putting every vertex at its rest position under state.pose.
-    virtual void reset(Schedule& schedule, const Substep& at) = 0;
+    virtual void reset(Schedule& schedule, const StepInput& at) = 0;
     // Appends carrying the state from state.pose to `pose`.
-    virtual void teleport(Schedule& schedule, const Substep& at, const Buffer& pose) = 0;
+    virtual void teleport(Schedule& schedule, const StepInput& at, const Buffer& pose) = 0;
     // Appends giving strands the motion of a substep from state.pose to `next` in place of that from
     // `before` to `was`, turned as from there to state.pose, unless they differ by less than `jump`, m/s.
-    virtual void set_off(Schedule& schedule, const Substep& at, const Buffer& before,
+    virtual void set_off(Schedule& schedule, const StepInput& at, const Buffer& before,
                          const Buffer& was, const Buffer& next, float jump) = 0;
     // Appends the motion p -> q*p + t of all of the state.
-    virtual void carry(Schedule& schedule, const Substep& at, const plait_pose& motion) = 0;
+    virtual void carry(Schedule& schedule, const StepInput& at, const plait_pose& motion) = 0;
 
     // How the rest shape was found, where it was looked for.
     virtual SagReport sag() const { return {}; }
@@ -161,8 +130,7 @@ struct ModelInput {
     double step;   // s, the fixed one
     plait_sag_free sag_free;
     std::array<float, 3> gravity; // m/s^2, in which a sag-free groom is in balance
-    bool accelerates;             // state.acceleration is there
-    bool pins;                    // state.pin is there
+    PartNeeds needs;
     std::pmr::memory_resource* memory;
 };
 
@@ -170,8 +138,8 @@ struct ModelInput {
 Result<std::unique_ptr<Model>> make_model(plait_model model, const Settings& settings,
                                           const ModelInput& input);
 
-std::unique_ptr<Model> make_tressfx_model(const Layout& layout); // models/tressfx.cpp
+std::unique_ptr<Model> make_tressfx_model(const Layout& layout); // tressfx/tressfx.cpp
 std::unique_ptr<Model> make_lane_model(const Settings&,
-                                       const ModelInput& input); // models/lanes.cpp
+                                       const ModelInput& input); // strands/lanes.cpp
 
 } // namespace plait

@@ -1,7 +1,6 @@
 #include "core/strands/state.hpp"
 
 #include "core/base/polyline.hpp"
-#include "core/follows/follow_map.hpp"
 #include "core/groom/groom.hpp"
 
 #include <algorithm>
@@ -41,12 +40,12 @@ std::pmr::vector<float> edge_lengths(const Groom& groom, const Layout& layout,
 
 // Guides' counts, then those of a map's strands, or each guide's again for its follows.
 std::pmr::vector<uint32_t> row_counts(const Groom& groom, const Layout& layout,
-                                      const FollowMap* follows, std::pmr::memory_resource* memory) {
+                                      std::span<const uint32_t> follows,
+                                      std::pmr::memory_resource* memory) {
     std::pmr::vector<uint32_t> counts(groom.strands.vertex_counts, memory);
     counts.reserve(layout.strands());
-    if (follows) {
-        const auto& own = follows->strands.vertex_counts;
-        counts.insert(counts.end(), own.begin(), own.end());
+    if (!follows.empty()) {
+        counts.insert(counts.end(), follows.begin(), follows.end());
         return counts;
     }
     const uint32_t follows_per_guide = layout.follows / layout.guides;
@@ -76,7 +75,7 @@ Result<State> create_state(Device& device, const Groom& groom, const Layout& lay
     const size_t guides = rest.size();
     const size_t display = size_t{needs.position_rows} * layout.row;
     const auto lengths = edge_lengths(groom, layout, memory);
-    const auto counts = row_counts(groom, layout, needs.follows, memory);
+    const auto counts = row_counts(groom, layout, needs.follow_counts, memory);
     const auto poses = identity_poses(layout, memory);
     constexpr auto f4 = PLAIT_ELEMENT_FLOAT4;
     PLAIT_TRY(make(state.rest, f4, guides, "rest", rest.data(), guides));

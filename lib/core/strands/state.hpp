@@ -6,11 +6,11 @@
 
 #include <array>
 #include <memory_resource>
+#include <span>
 
 namespace plait {
 
 struct Groom;
-struct FollowMap;
 
 struct State {
     // Constant after creation.
@@ -45,7 +45,7 @@ struct StateNeeds {
     uint32_t position_rows;
     uint32_t pinned; // vertices from the root on, of inverse mass 0; that of others is 1
     bool two_steps, accelerates, pins;
-    const FollowMap* follows; // where these are strands of their own, else null
+    std::span<const uint32_t> follow_counts; // vertices of strands of their own; else empty
 };
 
 // Creates and fills the state with `groom` at rest, its roots at the identity.

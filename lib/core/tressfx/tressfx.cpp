@@ -32,7 +32,7 @@ bool has_attachment(const plait_sim_params& p) {
     return p.attachment > 0;
 }
 
-void global_shape(Schedule& schedule, const Substep& at) {
+void global_shape(Schedule& schedule, const StepInput& at) {
     const plait_sim_params& p = at.params;
     const State& s = at.state;
     if (has_global_shape(p))
@@ -41,7 +41,7 @@ void global_shape(Schedule& schedule, const Substep& at) {
                      {&s.rest, &s.vertex_count, &s.pose, &s.position});
 }
 
-void local_shape(Schedule& schedule, const Substep& at) {
+void local_shape(Schedule& schedule, const StepInput& at) {
     const plait_sim_params& p = at.params;
     const State& s = at.state;
     if (has_local_shape(p))
@@ -50,7 +50,7 @@ void local_shape(Schedule& schedule, const Substep& at) {
                      {&s.rest, &s.vertex_count, &s.pose, &s.position});
 }
 
-void attach(Schedule& schedule, const Substep& at) {
+void attach(Schedule& schedule, const StepInput& at) {
     const State& s = at.state;
     if (has_attachment(at.params))
         schedule.add(PLAIT_STAGE_attach, at.layout.guides,
@@ -69,16 +69,16 @@ class TressFx final : public Model {
             strand_motion_.swap(next_strand_motion_);
     }
     void discard() override;
-    void substep(Schedule& schedule, const Substep& at) override;
-    void reset(Schedule& schedule, const Substep& at) override;
-    void teleport(Schedule& schedule, const Substep& at, const Buffer& pose) override;
-    void set_off(Schedule& schedule, const Substep& at, const Buffer& before, const Buffer& was,
+    void substep(Schedule& schedule, const StepInput& at, const FillDoors&) override;
+    void reset(Schedule& schedule, const StepInput& at) override;
+    void teleport(Schedule& schedule, const StepInput& at, const Buffer& pose) override;
+    void set_off(Schedule& schedule, const StepInput& at, const Buffer& before, const Buffer& was,
                  const Buffer& next, float jump) override;
-    void carry(Schedule& schedule, const Substep& at, const plait_pose& motion) override;
+    void carry(Schedule& schedule, const StepInput& at, const plait_pose& motion) override;
     uint64_t device_bytes() const override { return strand_motion_.bytes(); }
 
   private:
-    void shock(Schedule& schedule, const Substep& at) const;
+    void shock(Schedule& schedule, const StepInput& at) const;
 
     Layout layout_;
     // float4 [2*guides], only while velocity shock propagation is on
@@ -100,7 +100,7 @@ void TressFx::discard() {
     changes_ = false;
 }
 
-void integrate(Schedule& schedule, const Substep& at, float global_stiffness) {
+void integrate(Schedule& schedule, const StepInput& at, float global_stiffness) {
     const plait_sim_params& p = at.params;
     const State& s = at.state;
     const plait_integrate_params params = {
@@ -112,7 +112,7 @@ void integrate(Schedule& schedule, const Substep& at, float global_stiffness) {
                   &s.position_prev2});
 }
 
-void TressFx::shock(Schedule& schedule, const Substep& at) const {
+void TressFx::shock(Schedule& schedule, const StepInput& at) const {
     const plait_sim_params& p = at.params;
     const State& s = at.state;
     if (!has_shock(p))
@@ -126,7 +126,7 @@ void TressFx::shock(Schedule& schedule, const Substep& at) const {
                  {&s.vertex_count, &strand_motion_, &s.position, &s.position_prev});
 }
 
-void wind(Schedule& schedule, const Substep& at) {
+void wind(Schedule& schedule, const StepInput& at) {
     const plait_sim_params& p = at.params;
     const State& s = at.state;
     if (!has_wind(p))
@@ -144,7 +144,7 @@ void wind(Schedule& schedule, const Substep& at) {
                  {&s.vertex_count, &s.position_prev, &s.position}, at.layout.row);
 }
 
-void length(Schedule& schedule, const Substep& at) {
+void length(Schedule& schedule, const StepInput& at) {
     const State& s = at.state;
     if (at.params.length_iterations > 0)
         schedule.add(PLAIT_STAGE_length, at.layout.guides,
@@ -152,15 +152,16 @@ void length(Schedule& schedule, const Substep& at) {
                      {&s.rest_length, &s.vertex_count, &s.position}, at.layout.row);
 }
 
-void collide(Schedule& schedule, const Substep& at) {
+void collide(Schedule& schedule, const StepInput& at) {
     const State& s = at.state;
-    if (at.collider_count > 0)
-        schedule.add(PLAIT_STAGE_collide, at.layout.guide_vertices(),
-                     plait_collide_params{at.layout.row, at.collider_count, at.collider_first},
-                     {&s.vertex_count, &at.colliders, &s.position_prev, &s.position});
+    if (at.bodies.solids.count > 0)
+        schedule.add(
+            PLAIT_STAGE_collide, at.layout.guide_vertices(),
+            plait_collide_params{at.layout.row, at.bodies.solids.count, at.bodies.solids.first},
+            {&s.vertex_count, &at.bodies.solids.buffer, &s.position_prev, &s.position});
 }
 
-void clamp(Schedule& schedule, const Substep& at) {
+void clamp(Schedule& schedule, const StepInput& at) {
     const State& s = at.state;
     if (at.params.max_displacement < off)
         schedule.add(PLAIT_STAGE_clamp, at.layout.guide_vertices(),
@@ -168,19 +169,19 @@ void clamp(Schedule& schedule, const Substep& at) {
                      {&s.position_prev, &s.position});
 }
 
-void TressFx::reset(Schedule& schedule, const Substep& at) {
+void TressFx::reset(Schedule& schedule, const StepInput& at) {
     const State& s = at.state;
     schedule.add(PLAIT_STAGE_reset, layout_.guide_vertices(), plait_layout_params{layout_.row},
                  {&s.rest, &s.pose, &s.position, &s.position_prev, &s.position_prev2});
 }
 
-void TressFx::teleport(Schedule& schedule, const Substep& at, const Buffer& pose) {
+void TressFx::teleport(Schedule& schedule, const StepInput& at, const Buffer& pose) {
     const State& s = at.state;
     schedule.add(PLAIT_STAGE_teleport, layout_.guide_vertices(), plait_layout_params{layout_.row},
                  {&s.pose, &pose, &s.position, &s.position_prev, &s.position_prev2});
 }
 
-void TressFx::set_off(Schedule& schedule, const Substep& at, const Buffer& before,
+void TressFx::set_off(Schedule& schedule, const StepInput& at, const Buffer& before,
                       const Buffer& was, const Buffer& next, float jump) {
     const State& s = at.state;
     schedule.add(PLAIT_STAGE_set_off, layout_.guide_vertices(),
@@ -188,14 +189,14 @@ void TressFx::set_off(Schedule& schedule, const Substep& at, const Buffer& befor
                  {&s.rest, &before, &was, &s.pose, &next, &s.position_prev, &s.position_prev2});
 }
 
-void TressFx::carry(Schedule& schedule, const Substep& at, const plait_pose& motion) {
+void TressFx::carry(Schedule& schedule, const StepInput& at, const plait_pose& motion) {
     const State& s = at.state;
     schedule.add(PLAIT_STAGE_carry, layout_.guide_vertices(),
                  carry_params(motion, layout_.row, 1, true),
                  {&s.position, &s.position_prev, &s.position_prev2});
 }
 
-void TressFx::substep(Schedule& schedule, const Substep& at) {
+void TressFx::substep(Schedule& schedule, const StepInput& at, const FillDoors&) {
     if (at.params.order == PLAIT_STAGE_ORDER_SHOCK_BEFORE_GLOBAL) {
         integrate(schedule, at, 0);
         shock(schedule, at);

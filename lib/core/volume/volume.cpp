@@ -18,14 +18,14 @@ uint32_t voxels(const plait_grid_params& grid) {
     return grid.edge_count * grid.edge_count * grid.edge_count;
 }
 
-plait_volume_nodes_params nodes_params(const plait_grid_params& grid, const Substep& at) {
+plait_volume_nodes_params nodes_params(const plait_grid_params& grid, const StepInput& at) {
     plait_volume_nodes_params params{};
     params.edge_count = grid.edge_count;
     params.voxel_edge = grid.voxel_edge;
     std::ranges::copy(grid.q, params.q);
     std::ranges::copy(grid.t, params.t);
-    params.collider_count = at.collider_count;
-    params.collider_first = at.collider_first;
+    params.collider_count = at.bodies.solids.count;
+    params.collider_first = at.bodies.solids.first;
     params.h = at.h;
     return params;
 }
@@ -65,12 +65,26 @@ plait_volume_params faces_params(const plait_sim_params& p, const VolumeGrid& gr
     return params;
 }
 
+plait_lane_volume_params lane_params(const Part& part, const VolumeGrid& grid) {
+    plait_lane_volume_params params{};
+    params.vertex_stride = part.lanes.row;
+    params.tile = part.lanes.tile;
+    params.edge_count = grid.params.edge_count;
+    params.voxel_edge = grid.params.voxel_edge;
+    std::ranges::copy(grid.params.q, params.q);
+    std::ranges::copy(grid.params.t, params.t);
+    params.history = part.v_before ? 1 : 0;
+    params.wet = grid.wetness ? 1 : 0;
+    return params;
+}
+
 } // namespace
 
 Result<Volume> Volume::create(Device& device, const plait_sim_params& params) {
     Volume volume;
     if (params.volume == PLAIT_VOLUME_OFF)
         return volume;
+    volume.edge_count_ = params.grid_edge_count;
     const size_t n =
         size_t{params.grid_edge_count} * params.grid_edge_count * params.grid_edge_count;
     constexpr auto one = PLAIT_ELEMENT_FLOAT, four = PLAIT_ELEMENT_FLOAT4;
@@ -100,33 +114,39 @@ Status Volume::keep_wetness(Device& device, bool keep) {
 // Sums hold one number of hair beside its momentum: where hair coheres by its wetness it is summed
 // first, and the rest after it, so that what stays is as of dry hair.
 void Volume::splat(Schedule& schedule, const VolumeGrid& grid, const Model& model,
-                   const Substep& at) const {
+                   const StepInput& at) const {
     if (coheres_wet(grid, at))
         splat_into(schedule, grid, model, at, true, wetness_);
     splat_into(schedule, grid, model, at, false, rest_);
 }
 
 void Volume::splat_into(Schedule& schedule, const VolumeGrid& grid, const Model& model,
-                        const Substep& at, bool soaked, const Buffer& rest) const {
+                        const StepInput& at, bool soaked, const Buffer& rest) const {
     for (const Buffer* words : {&grid.outside, &grid.sums})
         schedule.add(PLAIT_STAGE_grid_clear, static_cast<uint32_t>(words->count()),
                      plait_grid_clear_params{0}, {words});
-    LaneVolume lanes = lanes_of(grid);
-    lanes.soaked = soaked;
-    model.splat_volume(schedule, at, lanes);
+    for (size_t i = 0; i < model.parts(); ++i) {
+        const Part part = model.part(i, at);
+        plait_lane_volume_params params = lane_params(part, grid);
+        params.soaked = soaked ? 1 : 0;
+        schedule.add(PLAIT_STAGE_volume_splat, part.lanes.strands, params,
+                     {&part.strand, &part.vertex_count, grid.wetness, &part.room, &part.x, &part.v,
+                      &grid.sums, &grid.outside},
+                     part.lanes.row);
+    }
     plait_volume_nodes_params nodes = nodes_params(grid.params, at);
     const Buffer* meshes = nullptr;
     if (soaked)
         nodes.collider_count = 0; // where colliders are is found with the rest
     else
-        meshes = meshes_.append(schedule, place_of(grid.params), at);
+        meshes = meshes_.append(schedule, place_of(grid.params), at.bodies, at.h);
     nodes.meshes = meshes ? 1 : 0;
-    schedule.add(
-        PLAIT_STAGE_volume_nodes, voxels(grid.params), nodes,
-        {&grid.sums, &at.colliders, meshes, &grid.density, &grid.velocity, &rest, &solid_});
+    schedule.add(PLAIT_STAGE_volume_nodes, voxels(grid.params), nodes,
+                 {&grid.sums, &at.bodies.solids.buffer, meshes, &grid.density, &grid.velocity,
+                  &rest, &solid_});
 }
 
-void Volume::solve(Schedule& schedule, const VolumeGrid& grid, const Substep& at,
+void Volume::solve(Schedule& schedule, const VolumeGrid& grid, const StepInput& at,
                    const Buffer* before, const Buffer& potential, uint32_t sweeps) const {
     const uint32_t n = grid.params.edge_count, colour_nodes = n * n * ((n + 1) / 2);
     plait_volume_params params = faces_params(at.params, grid);
@@ -147,20 +167,31 @@ void Volume::solve(Schedule& schedule, const VolumeGrid& grid, const Substep& at
                  {&grid.density, &grid.velocity, &link_, &pressure_, &potential, &pull_});
 }
 
+void Volume::gather(Schedule& schedule, const VolumeGrid& grid, const Model& model,
+                    const StepInput& at, bool moves) const {
+    for (size_t i = 0; i < model.parts(); ++i) {
+        const Part part = model.part(i, at);
+        plait_lane_volume_params params = lane_params(part, grid);
+        params.moves = moves ? 1 : 0;
+        schedule.add(PLAIT_STAGE_volume_gather, part.lanes.strands, params,
+                     {&part.strand, &part.vertex_count, &part.x, &pull_, &part.v, &part.v_before,
+                      &part.pressure},
+                     part.lanes.row);
+    }
+}
+
 void Volume::append_start(Schedule& schedule, const VolumeGrid& grid, const Model& model,
-                          const Substep& at) const {
+                          const StepInput& at) const {
     splat(schedule, grid, model, at);
     solve(schedule, grid, at, nullptr, potential_, first_sweeps);
-    model.gather_volume(schedule, at, lanes_of(grid));
+    gather(schedule, grid, model, at, false);
 }
 
 void Volume::append_step(Schedule& schedule, const VolumeGrid& grid, const Model& model,
-                         const Substep& at) const {
+                         const StepInput& at) const {
     splat(schedule, grid, model, at);
     solve(schedule, grid, at, &potential_, next_, at.params.volume_sweeps);
-    LaneVolume lanes = lanes_of(grid);
-    lanes.moves = true;
-    model.gather_volume(schedule, at, lanes);
+    gather(schedule, grid, model, at, true);
 }
 
 void Volume::carry() noexcept {

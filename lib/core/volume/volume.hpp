@@ -19,14 +19,17 @@ class Volume {
   public:
     // None where `params` want none.
     static Result<Volume> create(Device& device, const plait_sim_params& params);
+    bool fits(const plait_sim_params& params) const {
+        return params.volume == PLAIT_VOLUME_OFF ? !*this : edge_count_ == params.grid_edge_count;
+    }
     explicit operator bool() const { return bool(potential_); }
 
     // Appends the pressure that would hold hair as it lies: a step that fell, and enough sweeps.
     void append_start(Schedule& schedule, const VolumeGrid& grid, const Model& model,
-                      const Substep& at) const;
+                      const StepInput& at) const;
     // Appends what a fixed step ends with; carry() after it.
     void append_step(Schedule& schedule, const VolumeGrid& grid, const Model& model,
-                     const Substep& at) const;
+                     const StepInput& at) const;
     void carry() noexcept;
 
     // Whether potential() goes on from the step before; else the next step begins with a start.
@@ -38,20 +41,21 @@ class Volume {
 
   private:
     void splat(Schedule& schedule, const VolumeGrid& grid, const Model& model,
-               const Substep& at) const;
+               const StepInput& at) const;
     // `soaked`: `rest` gets the mean wetness.
     void splat_into(Schedule& schedule, const VolumeGrid& grid, const Model& model,
-                    const Substep& at, bool soaked, const Buffer& rest) const;
-    bool coheres_wet(const VolumeGrid& grid, const Substep& at) const {
+                    const StepInput& at, bool soaked, const Buffer& rest) const;
+    bool coheres_wet(const VolumeGrid& grid, const StepInput& at) const {
         return grid.wetness && wetness_ && at.params.wet_cohesion > 0;
     }
     // `before`: null where nothing is carried.
-    void solve(Schedule& schedule, const VolumeGrid& grid, const Substep& at, const Buffer* before,
-               const Buffer& potential, uint32_t sweeps) const;
-    LaneVolume lanes_of(const VolumeGrid& grid) const {
-        return {grid.params, grid.sums, grid.outside, pull_, false, grid.wetness};
-    }
+    void solve(Schedule& schedule, const VolumeGrid& grid, const StepInput& at,
+               const Buffer* before, const Buffer& potential, uint32_t sweeps) const;
+    // `moves`: velocities change, too.
+    void gather(Schedule& schedule, const VolumeGrid& grid, const Model& model, const StepInput& at,
+                bool moves) const;
 
+    uint32_t edge_count_ = 0;
     Buffer potential_, next_; // float [nv^3*2]: p over density, density; last step, this one
     Buffer wetness_;          // float [nv^3], where strands may be wet
     Buffer pressure_, rest_, solid_, link_, node_, pull_;

@@ -84,4 +84,11 @@ void Wetness::append(Schedule& schedule, const Layout& layout, const State& stat
                  {&state.wetness_given, &state.wetness, &state.wetness_held});
 }
 
+void Wetness::append_material(Schedule& schedule, const Part& part, const State& state) {
+    schedule.add(PLAIT_STAGE_lane_wetness, part.lanes.strands,
+                 plait_lane_wetness_params{part.lanes.row, part.lanes.tile},
+                 {&part.strand, &state.wetness_held, &part.dry_material, &part.material},
+                 part.lanes.row);
+}
+
 } // namespace plait

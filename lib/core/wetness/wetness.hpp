@@ -1,6 +1,7 @@
 // How wet the strands of a sim are: what the host knows of it, and the stage that lets them dry.
 #pragma once
 
+#include "core/base/part.hpp"
 #include "core/base/schedule.hpp"
 #include "core/strands/state.hpp"
 
@@ -29,6 +30,8 @@ class Wetness {
     bool is_dry() const; // all strands are
     // Appends what puts wetness to where it is by now.
     void append(Schedule& schedule, const Layout& layout, const State& state) const;
+    // Appends what scales a part's material by it.
+    static void append_material(Schedule& schedule, const Part& part, const State& state);
 
     double dried() const { return dried_; } // time since it was given, over the drying time
 

@@ -1,7 +1,6 @@
 #include "core/wind/air_grid.hpp"
 
 #include "core/base/pose.hpp"
-#include "core/params/params.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -31,11 +30,7 @@ Result<AirGrid> AirGrid::create(Device& device, bool eddies, bool sheltered) {
         return grid;
     PLAIT_TRY(device.create(grid.extinction_, PLAIT_ELEMENT_FLOAT, count, "air_extinction"));
     PLAIT_TRY(device.create(grid.depth_, PLAIT_ELEMENT_FLOAT, count, "air_depth"));
-    grid.params_ = default_params();
-    grid.params_.interhair = PLAIT_INTERHAIR_EXACT;
-    grid.params_.tent = PLAIT_TENT_FORM_TRILINEAR;
-    grid.params_.grid_edge_count = nodes;
-    auto hair = InterHair::create_density(device, grid.params_);
+    auto hair = InterHair::create_density(device, nodes);
     if (!hair)
         return hair.error();
     grid.hair_ = std::move(*hair);
@@ -52,30 +47,40 @@ void AirGrid::place(const GridCube& cube, const plait_pose& head) {
     voxel_edge_ = cube.edge / float{nodes};
 }
 
-void AirGrid::append_obstacle(Schedule& schedule, const Substep& at, float extinction) const {
+plait_grid_params AirGrid::hair_params(const StepInput& at) const {
+    plait_grid_params params{};
+    params.vertex_stride = at.layout.row;
+    params.edge_count = nodes;
+    params.capacity = 1; // of slots, of which there are none
+    params.voxel_edge = voxel_edge_;
+    std::copy_n(corner_.q, 4, params.q);
+    std::copy_n(corner_.t, 3, params.t);
+    params.h = at.h;
+    params.tent = PLAIT_TENT_TRILINEAR;
+    return params;
+}
+
+void AirGrid::append_obstacle(Schedule& schedule, const StepInput& at, float extinction) const {
     plait_air_obstacle_params params{};
     params.edge_count = nodes;
     params.voxel_edge = voxel_edge_;
     std::copy_n(corner_.q, 4, params.q);
     std::copy_n(corner_.t, 3, params.t);
     params.extinction = extinction / (voxel_edge_ * voxel_edge_ * voxel_edge_);
-    params.collider_count = at.collider_count;
-    params.collider_first = at.collider_first;
+    params.collider_count = at.bodies.solids.count;
+    params.collider_first = at.bodies.solids.first;
     NodeGridPlace place{nodes, voxel_edge_, {}, {}};
     std::ranges::copy(params.q, place.q);
     std::ranges::copy(params.t, place.t);
-    const Buffer* meshes = meshes_.append(schedule, place, at);
+    const Buffer* meshes = meshes_.append(schedule, place, at.bodies, at.h);
     params.meshes = meshes ? 1 : 0;
     schedule.add(PLAIT_STAGE_air_obstacle, count, params,
-                 {&hair_.density(), &at.colliders, meshes, &extinction_});
+                 {&hair_.density(), &at.bodies.solids.buffer, meshes, &extinction_});
 }
 
 // Plane by plane as the wind goes against the hair, across the axis along which it goes most.
 void AirGrid::append_shelter(Schedule& schedule, const HairNow& hair, const Stream& stream) const {
-    InterHair::Step step{hair.step.layout, hair.step.state, params_,
-                         hair.step.cube,   hair.step.head,  hair.step.h,
-                         hair.step.frame,  hair.step.seed,  hair.step.device};
-    hair_.append_density(schedule, step, hair.lanes, hair.at);
+    hair_.append_density(schedule, hair_params(hair.at), hair.lanes, hair.at);
     append_obstacle(schedule, hair.at, stream.extinction);
     std::array<float, 3> against{};
     for (size_t i = 0; i < 3; ++i)

@@ -2,6 +2,7 @@
 // colliders give shelter, what is left of the wind behind them.
 #pragma once
 
+#include "core/base/cube.hpp"
 #include "core/base/pose.hpp"
 #include "core/base/schedule.hpp"
 #include "core/grid/interhair.hpp"
@@ -13,9 +14,8 @@ namespace plait {
 
 // Where strands are at the begin of a fixed step.
 struct HairNow {
-    const InterHair::Step& step; // its params are not read
-    const Model* lanes;          // null: positions are read
-    const Substep& at;           // whose colliders are met
+    const Model* lanes;  // null: positions are read
+    const StepInput& at; // whose colliders are met
 };
 
 class AirGrid {
@@ -47,17 +47,17 @@ class AirGrid {
     void append_shelter(Schedule& schedule, const HairNow& hair, const Stream& stream) const;
 
   private:
-    void append_obstacle(Schedule& schedule, const Substep& at, float extinction) const;
+    plait_grid_params hair_params(const StepInput& at) const;
+    void append_obstacle(Schedule& schedule, const StepInput& at, float extinction) const;
 
     bool eddies_ = false, sheltered_ = false;
     plait_pose corner_ = identity_pose;
     float voxel_edge_ = 1;
-    plait_sim_params params_{}; // of `hair_`
-    InterHair hair_;            // its density and velocity here; brakes nothing
-    MeshSolid meshes_;          // that stop the wind
-    Buffer velocity_;           // float4 [nodes^3]: m/s, in the world; w: share of the wind
-    Buffer extinction_;         // float [nodes^3], 1/m
-    Buffer depth_;              // float [nodes^3]
+    InterHair hair_;    // its density and velocity here; brakes nothing
+    MeshSolid meshes_;  // that stop the wind
+    Buffer velocity_;   // float4 [nodes^3]: m/s, in the world; w: share of the wind
+    Buffer extinction_; // float [nodes^3], 1/m
+    Buffer depth_;      // float [nodes^3]
 };
 
 } // namespace plait

@@ -180,22 +180,36 @@ void Wind::advance(double step) {
     moving.jump = {};
 }
 
-WindStep Wind::at(const std::array<float, 3>& air, bool first, double step) const {
-    WindStep now{};
+void Wind::fill(Schedule& schedule, const Part& part, const std::array<float, 3>& air, bool first,
+                double step, Doors& doors) const {
+    plait_lane_air_params params{};
+    params.vertex_stride = part.lanes.row;
+    params.tile = part.lanes.tile;
+    params.row_stride = part.row_stride;
+    params.h = part.h;
+    params.bdf2 = part.bdf2;
+    params.pins = doors.spring ? 1 : 0;
+    params.accelerates = part.acceleration ? 1 : 0;
+    params.pressure = part.pressure ? 1 : 0;
     const double d = double(desc_.diameter);
-    now.drag = static_cast<float>(0.5 * double(desc_.air_density) * d);
-    now.viscous = static_cast<float>(10 * std::pow(double(desc_.viscosity) / d, 2.0 / 3.0));
-    now.tangential = desc_.tangential;
+    params.drag = static_cast<float>(0.5 * double(desc_.air_density) * d);
+    params.viscous = static_cast<float>(10 * std::pow(double(desc_.viscosity) / d, 2.0 / 3.0));
+    params.tangential = desc_.tangential;
     if (!grid_.is_sheltered()) // else it is in the field
-        now.air = stream(air, step);
+        std::ranges::copy(stream(air, step), params.air);
     if (first)
-        now.jump = moving.jump;
-    now.velocity = grid_.velocity();
-    now.nodes = nodes;
-    now.voxel_edge = grid_.voxel_edge();
-    std::copy_n(grid_.corner().q, 4, now.q);
-    std::copy_n(grid_.corner().t, 3, now.t);
-    return now;
+        std::ranges::copy(moving.jump, params.jump);
+    params.field = grid_.velocity() ? 1 : 0;
+    params.edge_count = nodes;
+    params.voxel_edge = grid_.voxel_edge();
+    std::copy_n(grid_.corner().q, 4, params.q);
+    std::copy_n(grid_.corner().t, 3, params.t);
+    schedule.add(PLAIT_STAGE_lane_air, part.lanes.strands, params,
+                 {&part.strand, &part.vertex_count, &part.rest, &part.pose, &part.acceleration,
+                  grid_.velocity(), &part.material, &part.x, &part.v, &part.x_before,
+                  &part.v_before, &part.pressure, &part.push, &part.spring},
+                 part.lanes.row);
+    doors.spring = true;
 }
 
 } // namespace plait

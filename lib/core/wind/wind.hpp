@@ -1,10 +1,10 @@
 // The wind of a sim: what the caller wants, its own time, and the stages that say what it is where.
 #pragma once
 
+#include "core/base/part.hpp"
 #include "core/base/pose.hpp"
 #include "core/base/schedule.hpp"
 #include "core/wind/air_grid.hpp"
-#include "core/wind/wind_step.hpp"
 
 #include <plait/plait.h>
 
@@ -48,8 +48,10 @@ class Wind {
     void append(Schedule& schedule, const HairNow& hair, const std::array<float, 3>& air,
                 const std::array<float, 3>& still, double step) const;
     void advance(double step); // the fixed step is over
-    // `first`: of the substeps of a fixed step. `air`: m/s, that of a sim without wind.
-    WindStep at(const std::array<float, 3>& air, bool first, double step) const;
+    // Appends the drag on a part, as springs, and puts what else pushes it beside that. `first`: of the
+    // substeps of a fixed step, of `step` s. `air`: m/s, that of a sim without wind.
+    void fill(Schedule& schedule, const Part& part, const std::array<float, 3>& air, bool first,
+              double step, Doors& doors) const;
 
     uint64_t device_bytes() const { return grid_.device_bytes(); }
 

@@ -1,4 +1,4 @@
-#include "core/volume/rest_density.hpp"
+#include "core/groom/rest_density.hpp"
 
 #include <algorithm>
 #include <cmath>
