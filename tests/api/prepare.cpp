@@ -350,7 +350,7 @@ TEST_P(Prepare, SaysWhatItCannot) {
     };
     for (const uint32_t vertices : {1u, 257u})
         refused([&](auto& d) { d.vertices_per_strand = vertices; }, "range is [2, 256], or 0");
-    refused([](auto& d) { d.models = 0; }, "desc->models is 0x0, range is [1, 0x1f]");
+    refused([](auto& d) { d.models = 0; }, "desc->models is 0x0, range is [1, 0x3]");
     refused([](auto& d) { d.models = 32; }, "desc->models is 0x20");
     refused([](auto& d) { d.features = 1u << 17; }, "desc->features is 0x20000");
 }

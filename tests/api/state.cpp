@@ -159,7 +159,7 @@ TEST_P(State, ASnapshotSaysWhatIsWrongWithIt) {
     said(bytes, "begins with");
     bytes = saved;
     bytes[4] = 2;
-    said(bytes, "version 2, this library reads version 11");
+    said(bytes, "version 2, this library reads version 12");
     bytes = saved;
     bytes.at(bytes.size() - 1) ^= 1; // at: GCC 14 takes back() for a write past an empty vector
     said(bytes, "damaged or cut");
