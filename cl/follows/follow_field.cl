@@ -4,7 +4,7 @@
  * Reads   lane_strand; collider (here these meshes), at the end of its substep; mesh_grid, mesh_nodes,
  *         mesh_values.
  * Moves   position of the follows; w is kept, padding is a copy of the tip.
- * Source  follows/follow_out.clh; distances as in mesh_contact.
+ * Source  follows/follow_out.clh; distances as in mesh_field.
  */
 #pragma OPENCL FP_CONTRACT OFF
 #include "mesh/mesh_field.clh"

@@ -6,7 +6,7 @@
  *         mesh_triangle, mesh_ring, mesh_from, mesh_to, mesh_bends, mesh_clearance,
  *         lane_acceleration, lane_pin, lane_x, lane_v, and the steps before.
  * Writes  lane_plane, which holds planes of other meshes where params.planes is 1; mesh_side of sheets.
- * Source  Ericson 2005, 5.1.5; Baerentzen & Aanaes 2005; ours: the way as in mesh_contact, carried
+ * Source  Ericson 2005, 5.1.5; Baerentzen & Aanaes 2005; ours: the way as in mesh_field, carried
  *         by the nearest triangle.
  */
 #include "mesh/lane_nearest.clh"

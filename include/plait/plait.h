@@ -1068,7 +1068,7 @@ PLAIT_API plait_result plait_sim_set_pins(plait_sim* sim, const plait_pin* pins,
 /* Air that moves past strands and drags them, each vertex as a slender cylinder with the drag of its
  * Reynolds number: mean velocity, gusts of all of it, and eddies that it carries along. Adds to
  * `wind` and `air_with_head` of the params, to which their linear `drag` stays relative. Formulae:
- * docs/air.md. */
+ * docs/wind.md. */
 typedef struct plait_wind_desc {
     uint32_t struct_size;
     float velocity[3]; /* m/s, mean, each [-1e3, 1e3], default 0: still air, which brakes */

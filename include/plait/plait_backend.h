@@ -64,7 +64,7 @@ typedef struct plait_stage_info {
     plait_stage stage;
     const char* name;        /* "wind" */
     const char* kernel;      /* "plait_wind" */
-    const char* params_type; /* "plait_wind_params" */
+    const char* params_type; /* "plait_tressfx_wind_params" */
     const char* summary;
     plait_space space;
     uint32_t params_size;

@@ -267,7 +267,7 @@ TEST_P(BendingMeshes, NothingIsScheduledWithoutThem) {
         sim.take_launches();
         run(sim, 2);
         const auto stages = launched_stages(sim);
-        return std::pair(std::ranges::count(stages, "mesh_contact"),
+        return std::pair(std::ranges::count(stages, "mesh_field"),
                          std::ranges::count(stages, "mesh_nearest"));
     };
     for (const auto id : {sim.create_collider(mesh), sim.create_collider(mesh)})

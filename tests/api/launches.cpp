@@ -204,7 +204,8 @@ TEST(Traffic, OfGridsIsWhatVerticesTouch) {
 // A buffer that is not passed is not moved, nor is memory of work-groups.
 TEST(Traffic, LeavesOutWhatIsNotThere) {
     const size_t wind[] = {10, 80, 80};
-    EXPECT_EQ(plait_stage_traffic(PLAIT_STAGE_wind, 10, 8, wind), 10 * 4 + 80 * 16 + 2 * 80 * 16);
+    EXPECT_EQ(plait_stage_traffic(PLAIT_STAGE_tressfx_wind, 10, 8, wind),
+              10 * 4 + 80 * 16 + 2 * 80 * 16);
     const size_t roots[] = {0, 0, 0, 20};
     EXPECT_EQ(plait_stage_traffic(PLAIT_STAGE_roots, 10, 8, roots), 20 * 16);
 }

@@ -161,14 +161,14 @@ TEST_P(MeshColliders, NothingIsScheduledWithoutThem) {
     sim.take_launches();
     run(sim, 2);
     const auto with = launched_stages(sim);
-    EXPECT_EQ(std::ranges::count(with, "mesh_contact"), 2);
+    EXPECT_EQ(std::ranges::count(with, "mesh_field"), 2);
     EXPECT_GT(sim.stats().device_bytes, bytes);
     sim.destroy_collider(id);
     for (const auto& [stage, calls] : none)
-        EXPECT_NE(stage, "mesh_contact");
+        EXPECT_NE(stage, "mesh_field");
     sim.take_launches();
     run(sim, 2);
-    EXPECT_EQ(std::ranges::count(launched_stages(sim), "mesh_contact"), 0);
+    EXPECT_EQ(std::ranges::count(launched_stages(sim), "mesh_field"), 0);
 }
 
 TEST_P(MeshColliders, SeveralAtOnceMoveAndPushHair) {

@@ -299,7 +299,7 @@ TEST(PrepareOnFaulty, BuildsNoMoreThanWasAskedFor) {
             names.emplace_back(plait_stage_describe(static_cast<plait_stage>(stage))->name);
     EXPECT_EQ(names,
               (std::vector<std::string>{"roots", "articulated", "lane_reset", "lane_teleport",
-                                        "lane_set_off", "lane_unpack", "lane_pack", "snapshot",
+                                        "lane_set_off", "lane_unpack", "lane_pack", "output_keep",
                                         "output", "tangents", "last_frame", "bounds", "stats"}));
 }
 
@@ -358,12 +358,12 @@ TEST_P(Prepare, SaysWhatItCannot) {
 TEST(PrepareOnFaulty, ALackingStageIsNamed) {
     Faults& faults = faulty();
     const auto context = make_context("faulty");
-    faults.missing = PLAIT_STAGE_lane_air;
+    faults.missing = PLAIT_STAGE_lane_wind;
     EXPECT_EQ(plait_context_prepare(context, nullptr), PLAIT_OK) << plait_last_error();
     auto desc = plait_prepare_desc_defaults();
     desc.features = PLAIT_FEATURE_WIND;
     EXPECT_EQ(plait_context_prepare(context, &desc), PLAIT_UNSUPPORTED);
-    EXPECT_NE(std::string(plait_last_error()).find("lane_air"), std::string::npos);
+    EXPECT_NE(std::string(plait_last_error()).find("lane_wind"), std::string::npos);
     faults.missing = PLAIT_STAGE_COUNT;
 }
 

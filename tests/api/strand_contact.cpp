@@ -397,7 +397,7 @@ TEST_P(StrandContact, OffItCostsNothingAndChangesNoBit) {
     stopped.set_params(meeting().params);
     run(stopped, 2);
     const auto stages = launched_stages(stopped);
-    EXPECT_EQ(std::ranges::count(stages, "pair_find"), 2);
+    EXPECT_EQ(std::ranges::count(stages, "contact_pair_find"), 2);
     EXPECT_GE(std::ranges::count(stages, "strand_contact"), 2);
 }
 

@@ -233,13 +233,13 @@ TEST_P(WindOf, OffItCostsNothingAndChangesNoBit) {
     stopped.set_wind(gusty());
     run(stopped, 3);
     const auto stages = launched_stages(stopped);
-    EXPECT_EQ(std::ranges::count(stages, "lane_air"), 3);
-    EXPECT_EQ(std::ranges::count(stages, "air_field"), 3);
-    EXPECT_EQ(std::ranges::count(stages, "air_obstacle"), 3);
-    EXPECT_EQ(std::ranges::count(stages, "air_shelter"), 3 * 16);
+    EXPECT_EQ(std::ranges::count(stages, "lane_wind"), 3);
+    EXPECT_EQ(std::ranges::count(stages, "wind_field"), 3);
+    EXPECT_EQ(std::ranges::count(stages, "wind_obstacle"), 3);
+    EXPECT_EQ(std::ranges::count(stages, "wind_shelter"), 3 * 16);
     stopped.set_wind(blowing({1, 0, 0}));
     run(stopped, 3);
-    for (const char* stage : {"air_field", "air_obstacle", "air_shelter"})
+    for (const char* stage : {"wind_field", "wind_obstacle", "wind_shelter"})
         EXPECT_EQ(std::ranges::count(launched_stages(stopped), stage), 0);
 }
 

@@ -12,7 +12,7 @@ cl/shared/plait/stages.def         a list, which users install as one file
 cl/contact/contact.clh             the terms of one potential
 cl/contact/contact_plane.clh       one search for planes, over every shape of collider
 cl/mesh/mesh_nearest.cl            one walk through a tree, whose parts share what it has found
-cl/strand_contact/pair_find.cl     one walk through cells, whose parts share what it has found
+cl/strand_contact/contact_pair_find.cl     one walk through cells, whose parts share what it has found
 cl/strands/articulated.clh         one recursion, whose passes share the factors of the joints
 cl/strands/rod.cl                  one elimination, whose passes share its blocks
 '

@@ -17,10 +17,10 @@ must_name() {
     grep -qF "$1: " output || { echo "did not name $1"; cat output; exit 1; }
 }
 
-plant cl/wind/air_field.cl 350
+plant cl/wind/wind_field.cl 350
 must_pass "a file of 350 lines"
-plant cl/wind/air_field.cl 351
-must_name cl/wind/air_field.cl
+plant cl/wind/wind_field.cl 351
+must_name cl/wind/wind_field.cl
 plant cl/contact/contact.clh 351
 must_pass "an exception"
 plant cl/contact/contact.clh 350

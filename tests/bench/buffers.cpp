@@ -348,7 +348,7 @@ struct Cells {
 
 Cells cells_of(const Shape& shape) {
     plait_pair_params params{};
-    const auto bytes = typical_params(PLAIT_STAGE_pair_count, shape);
+    const auto bytes = typical_params(PLAIT_STAGE_contact_pair_count, shape);
     std::memcpy(&params, bytes.data(), sizeof params);
     const Words words = strands(shape, 0);
     std::vector<Words> cells(size_t{pair_cells} * pair_cells * pair_cells);
@@ -554,7 +554,7 @@ const std::map<std::string, Maker>& makers() {
 }
 
 bool places_follows(plait_stage stage) {
-    return stage == PLAIT_STAGE_follow || stage == PLAIT_STAGE_follow_turns ||
+    return stage == PLAIT_STAGE_tressfx_follow || stage == PLAIT_STAGE_follow_turns ||
            stage == PLAIT_STAGE_follow_clump || stage == PLAIT_STAGE_follow_curl ||
            stage == PLAIT_STAGE_follow_collide || stage == PLAIT_STAGE_follow_field ||
            stage == PLAIT_STAGE_follow_nearest;

@@ -34,10 +34,10 @@ void fill(plait_roots_params& p, const Shape&) {
     p.alpha = 1;
     p.per_root = 1;
 }
-void fill(plait_set_off_params& p, const Shape& shape) {
+void fill(plait_tressfx_set_off_params& p, const Shape& shape) {
     p = {shape.vertices, shape.tile, shape.vertices, 1, step, 0};
 }
-void fill(plait_carry_params& p, const Shape& shape) {
+void fill(plait_tressfx_carry_params& p, const Shape& shape) {
     p = {shape.vertices, shape.tile, 1, 1, {0, 0, 0, 1}, {0.5f, 0, 0, 0}};
 }
 void fill(plait_integrate_params& p, const Shape& shape) {
@@ -52,7 +52,7 @@ void fill(plait_strand_data_params& p, const Shape& shape) {
 void fill(plait_local_shape_params& p, const Shape& shape) {
     p = {shape.vertices, 0.9f, 2};
 }
-void fill(plait_wind_params& p, const Shape& shape) {
+void fill(plait_tressfx_wind_params& p, const Shape& shape) {
     p.vertex_stride = shape.vertices;
     p.h = step;
     p.form = PLAIT_WIND_DRAG;
@@ -62,7 +62,7 @@ void fill(plait_wind_params& p, const Shape& shape) {
 void fill(plait_length_params& p, const Shape& shape) {
     p = {shape.vertices, 2};
 }
-void fill(plait_collide_params& p, const Shape& shape) {
+void fill(plait_tressfx_collide_params& p, const Shape& shape) {
     p = {shape.vertices, colliders, 0};
 }
 void fill(plait_clamp_params& p, const Shape& shape) {
@@ -71,7 +71,7 @@ void fill(plait_clamp_params& p, const Shape& shape) {
 void fill(plait_attach_params& p, const Shape& shape) {
     p = {shape.vertices, 1};
 }
-void fill(plait_follow_params& p, const Shape& shape) {
+void fill(plait_tressfx_follow_params& p, const Shape& shape) {
     p = {shape.vertices, shape.strands, 0.5f, PLAIT_FOLLOW_ROTATING};
 }
 void fill(plait_follow_turns_params& p, const Shape& shape) {
@@ -102,10 +102,10 @@ void fill(plait_grid_clear_params& p, const Shape&) {
 void fill(plait_mesh_take_params& p, const Shape&) {
     p = {4, 1};
 }
-void fill(plait_mesh_pose_params& p, const Shape&) {
+void fill(plait_mesh_advance_params& p, const Shape&) {
     p = {0, 0.5f, 1, 1};
 }
-void fill(plait_mesh_fit_params& p, const Shape&) {
+void fill(plait_mesh_refit_params& p, const Shape&) {
     p = {0, 0, 32}; // the launch that has most to do
 }
 void fill(plait_grid_params& p, const Shape& shape) {
@@ -145,7 +145,7 @@ void fill(plait_pair_params& p, const Shape& shape) {
     const float length = strand_length / static_cast<float>(shape.vertices - 1);
     p = {shape.vertices, pair_cells, 0.8f * length, 1.1f * length, 0.004f, 0.5f * length, 1};
 }
-void fill(plait_pair_scan_params& p, const Shape&) {
+void fill(plait_contact_pair_scan_params& p, const Shape&) {
     p.edge_count = pair_cells;
 }
 void fill(plait_strand_contact_params& p, const Shape& shape) {
@@ -169,7 +169,7 @@ void fill(plait_lane_groom_params& p, const Shape& shape) {
 void fill(plait_lane_tile_params& p, const Shape& shape) {
     p = {shape.vertices, shape.tile, shape.vertices, 0};
 }
-void fill(plait_air_field_params& p, const Shape&) {
+void fill(plait_wind_field_params& p, const Shape&) {
     p.edge_count = grid_edge_count;
     p.voxel_edge = grid_size / grid_edge_count / 0.5f;
     p.q[3] = 1;
@@ -186,18 +186,18 @@ template <typename Params> void fill_solid(Params& p) {
         p.t[0] = p.t[1] = p.t[2] = -grid_size / 2;
     }
 }
-void fill(plait_solid_field_params& p, const Shape&) {
+void fill(plait_grid_solid_field_params& p, const Shape&) {
     fill_solid(p);
     p.h = step;
 }
-void fill(plait_solid_cross_params& p, const Shape&) {
+void fill(plait_grid_solid_cross_params& p, const Shape&) {
     fill_solid(p);
 }
-void fill(plait_solid_fill_params& p, const Shape&) {
+void fill(plait_grid_solid_fill_params& p, const Shape&) {
     fill_solid(p);
     p.h = step;
 }
-void fill(plait_air_obstacle_params& p, const Shape&) {
+void fill(plait_wind_obstacle_params& p, const Shape&) {
     p.edge_count = grid_edge_count;
     p.voxel_edge = grid_size / grid_edge_count;
     p.q[3] = 1;
@@ -205,7 +205,7 @@ void fill(plait_air_obstacle_params& p, const Shape&) {
     p.extinction = 0.1f;
     p.collider_count = colliders;
 }
-void fill(plait_air_shelter_params& p, const Shape&) {
+void fill(plait_wind_shelter_params& p, const Shape&) {
     p.edge_count = grid_edge_count;
     p.voxel_edge = grid_size / grid_edge_count;
     p.q[3] = 1;
@@ -215,7 +215,7 @@ void fill(plait_air_shelter_params& p, const Shape&) {
     p.turbulent = 1;
     p.air[0] = 3;
 }
-void fill(plait_lane_air_params& p, const Shape& shape) {
+void fill(plait_lane_wind_params& p, const Shape& shape) {
     p.vertex_stride = p.row_stride = shape.vertices;
     p.tile = shape.tile;
     p.h = step;
@@ -326,12 +326,12 @@ bool follows_meet_meshes(plait_stage stage) {
 }
 
 bool finds_solids(plait_stage stage) {
-    return stage == PLAIT_STAGE_solid_field || stage == PLAIT_STAGE_solid_cross ||
-           stage == PLAIT_STAGE_solid_fill;
+    return stage == PLAIT_STAGE_grid_solid_field || stage == PLAIT_STAGE_grid_solid_cross ||
+           stage == PLAIT_STAGE_grid_solid_fill;
 }
 
 bool finds_planes(plait_stage stage) {
-    return stage == PLAIT_STAGE_mesh_contact || stage == PLAIT_STAGE_mesh_nearest;
+    return stage == PLAIT_STAGE_mesh_field || stage == PLAIT_STAGE_mesh_nearest;
 }
 
 std::vector<unsigned char> typical_params(plait_stage stage, const Shape& shape) {
@@ -360,18 +360,18 @@ std::vector<unsigned char> typical_params(plait_stage stage, const Shape& shape)
 }
 
 uint32_t item_count(plait_stage stage, const Shape& shape) {
-    if (stage == PLAIT_STAGE_pair_scan)
+    if (stage == PLAIT_STAGE_contact_pair_scan)
         return 1;
     if (stage == PLAIT_STAGE_bounds) {
         plait_bounds_params params{};
         fill(params, shape);
         return (params.count - 1) / params.share + 1;
     }
-    if (stage == PLAIT_STAGE_mesh_take || stage == PLAIT_STAGE_mesh_pose)
+    if (stage == PLAIT_STAGE_mesh_take || stage == PLAIT_STAGE_mesh_advance)
         return static_cast<uint32_t>(ball().vertices.size() / 4);
-    if (stage == PLAIT_STAGE_mesh_fit)
+    if (stage == PLAIT_STAGE_mesh_refit)
         return static_cast<uint32_t>(ball().tree.size() / 2);
-    if (stage == PLAIT_STAGE_solid_cross)
+    if (stage == PLAIT_STAGE_grid_solid_cross)
         return static_cast<uint32_t>(ball().triangle.size() / PLAIT_MESH_TRIANGLE_STRIDE);
     if (finds_solids(stage))
         return grid_edge_count * grid_edge_count;

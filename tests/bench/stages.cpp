@@ -13,7 +13,7 @@ namespace {
 // `snapshot` has what a copy needs: a buffer to read and one to write, both float4 per vertex.
 constexpr char copy_source[] =
     "#include \"plait/params.h\"\n"
-    "__kernel void plait_snapshot(uint item_count, plait_layout_params params,\n"
+    "__kernel void plait_output_keep(uint item_count, plait_layout_params params,\n"
     "                             __global const float4* pose, __global const float4* position,\n"
     "                             __global float4* position_local) {\n"
     "    if (get_global_id(0) < item_count)\n"
@@ -24,7 +24,7 @@ constexpr char copy_source[] =
 class Copy {
   public:
     Copy(uint32_t index, double bytes)
-        : device_(index, {&source_, 1}), rig_(device_, PLAIT_STAGE_snapshot, shape(bytes)) {}
+        : device_(index, {&source_, 1}), rig_(device_, PLAIT_STAGE_output_keep, shape(bytes)) {}
 
     double run() { return rig_.run(); }
 
@@ -34,7 +34,7 @@ class Copy {
         return {std::max(1u, static_cast<uint32_t>(bytes / (row * 2 * 4 * sizeof(float)))), row};
     }
 
-    plait_stage_source source_{"snapshot", copy_source, "copy.cl"};
+    plait_stage_source source_{"output_keep", copy_source, "copy.cl"};
     Device device_;
     Rig rig_;
 };
@@ -86,7 +86,7 @@ void measure_near(benchmark::State& state, uint32_t index, plait_stage stage, in
 }
 
 void register_near(uint32_t device, Results& results) {
-    for (const plait_stage stage : {PLAIT_STAGE_mesh_contact, PLAIT_STAGE_mesh_nearest})
+    for (const plait_stage stage : {PLAIT_STAGE_mesh_field, PLAIT_STAGE_mesh_nearest})
         for (const int share : near_shares)
             register_row("device:" + std::to_string(device) + "/near:" + std::to_string(share) +
                              "/" + plait_stage_describe(stage)->name,

@@ -283,8 +283,8 @@ TEST_P(DevicePositions, cost_a_few_launches) {
         ++runs[list[i].stage];
     EXPECT_EQ(runs["mesh_take"], 2); // of the collider and of the roots
     EXPECT_EQ(runs["skin_mesh"], 1);
-    EXPECT_EQ(runs["mesh_pose"], 1);
-    EXPECT_EQ(runs["mesh_fit"], 2); // 288 triangles: nodes up to 32, and up to 1,024
+    EXPECT_EQ(runs["mesh_advance"], 1);
+    EXPECT_EQ(runs["mesh_refit"], 2); // 288 triangles: nodes up to 32, and up to 1,024
     EXPECT_EQ(runs["mesh_nearest"], 2);
 }
 

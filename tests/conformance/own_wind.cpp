@@ -14,7 +14,7 @@ constexpr const char* boundary_layer = R"(
 #include "base/strand.clh"
 #include "plait/params.h"
 
-__kernel void plait_wind(const uint item_count, const plait_wind_params params,
+__kernel void plait_tressfx_wind(const uint item_count, const plait_tressfx_wind_params params,
                          __global const uint* vertex_count, __global const float4* position_prev,
                          __global float4* position, __local float4* shared_position) {
     const strand_item_t item = strand_item(params.vertex_stride);
@@ -67,7 +67,7 @@ double drift(const plait::Context& context, float gravity) {
 }
 
 TEST(OwnWind, TakesThePlaceOfPlaits) {
-    const plait_stage_source own = {"wind", boundary_layer, "boundary_layer.cl"};
+    const plait_stage_source own = {"tressfx_wind", boundary_layer, "boundary_layer.cl"};
     const plait::Context ours = make_context(&own), usual = make_context(nullptr);
     EXPECT_NEAR(drift(ours, -9.81f), 0, 1e-3); // it hangs, below the wind
     EXPECT_GT(drift(ours, 9.81f), 0.01);

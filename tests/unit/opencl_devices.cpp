@@ -62,7 +62,7 @@ TEST(Arguments, another_type_of_the_table_is_another_argument) {
     EXPECT_EQ(match(words, {"__global ", "word*", "words"}), Match::spelled);
     EXPECT_EQ(match(words, {"__global ", "float*", "words"}), Match::other);
     EXPECT_EQ(match(words, {"__global ", "real*", "words"}), Match::other);
-    const Argument params{"", "plait_wind_params", "params"};
+    const Argument params{"", "plait_tressfx_wind_params", "params"};
     EXPECT_EQ(match(params, {"", "wind_block", "params"}), Match::spelled);
     EXPECT_EQ(match(params, {"", "plait_grid_params", "params"}), Match::other);
 }

@@ -145,9 +145,9 @@ TEST_F(Reference, ChecksWhatTheDataSay) {
     plait_buffer* rows = make(PLAIT_ELEMENT_FLOAT4, 8);
     refused(submit(PLAIT_STAGE_tangents, 4, plait_tangents_params{4, 0}, {counts, rows, rows}),
             {"tangents", "vertex_count[0] is 5", "2..4"});
-    refused(submit(PLAIT_STAGE_follow, 4, plait_follow_params{4, 1, 0, 0},
+    refused(submit(PLAIT_STAGE_tressfx_follow, 4, plait_tressfx_follow_params{4, 1, 0, 0},
                    {rows, rows, counts, make(PLAIT_ELEMENT_UINT, 1, &guide), rows, rows}),
-            {"follow", "follow_guide[0] is 3"});
+            {"tressfx_follow", "follow_guide[0] is 3"});
     const uint32_t guides[] = {0, 0, 7, 0};
     refused(submit(PLAIT_STAGE_follow_turns, 1, plait_follow_turns_params{4, 1, 1},
                    {nullptr, rows, rows, make(PLAIT_ELEMENT_UINT, 4, guides), rows,
@@ -210,7 +210,7 @@ TEST_F(Reference, CountsAndTimesStages) {
     EXPECT_EQ(api.stage_costs(device, costs.data(), 1), PLAIT_OK);
     EXPECT_EQ(costs[PLAIT_STAGE_clamp].calls, 1u);
     EXPECT_GT(costs[PLAIT_STAGE_clamp].seconds, 0);
-    EXPECT_EQ(costs[PLAIT_STAGE_wind].calls, 0u);
+    EXPECT_EQ(costs[PLAIT_STAGE_tressfx_wind].calls, 0u);
     EXPECT_EQ(api.stage_costs(device, costs.data(), 0), PLAIT_OK);
     EXPECT_EQ(costs[PLAIT_STAGE_clamp].calls, 0u);
 }

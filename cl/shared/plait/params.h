@@ -72,7 +72,7 @@ typedef uint32_t plait_u32;
 #define PLAIT_KIND_CAPSULE 0.0f
 #define PLAIT_KIND_PLANE 1.0f
 #define PLAIT_KIND_BOX 2.0f
-/* A mesh, which only mesh_contact and mesh_nearest read, after all others of a substep: a is the origin
+/* A mesh, which only mesh_field and mesh_nearest read, after all others of a substep: a is the origin
  * of its own frame, BEGIN + 1 its orientation at the end. The w of BEGIN and END are the shares of the
  * fixed step at which the substep begins and ends. */
 #define PLAIT_KIND_MESH 3.0f
@@ -154,24 +154,24 @@ typedef struct plait_last_frame_params {
 } plait_last_frame_params;
 
 /* set_off, lane_set_off: the motion of a head whose motion was not known. */
-typedef struct plait_set_off_params {
+typedef struct plait_tressfx_set_off_params {
     plait_u32 vertex_stride;
     plait_u32 tile;       /* lane_set_off; 1 in set_off */
     plait_u32 row_stride; /* V of `rest` */
     plait_u32 history; /* 1: BDF2's step before is kept; 0: lane_x_before, lane_v_before are null */
     float h;           /* s, the substep */
     float jump;        /* m/s: strands whose motions differ by less are left alone */
-} plait_set_off_params;
+} plait_tressfx_set_off_params;
 
 /* carry, lane_carry: the rigid motion p -> q*p + t, of all strands. */
-typedef struct plait_carry_params {
+typedef struct plait_tressfx_carry_params {
     plait_u32 vertex_stride;
     plait_u32 tile;    /* lane_carry; 1 in carry */
     plait_u32 history; /* 1: BDF2's step before is kept; 0: lane_x_before, lane_v_before are null */
     plait_u32 turns;   /* 0: q is the identity, and only what is a place in the world changes */
     float q[4];
     float t[4];
-} plait_carry_params;
+} plait_tressfx_carry_params;
 
 /* mesh_take: vertices of a mesh from a buffer of the caller's. */
 typedef struct plait_mesh_take_params {
@@ -180,19 +180,19 @@ typedef struct plait_mesh_take_params {
 } plait_mesh_take_params;
 
 /* mesh_pose: where the vertices of a mesh are at the end of a fixed step. */
-typedef struct plait_mesh_pose_params {
+typedef struct plait_mesh_advance_params {
     plait_u32 begins;   /* in mesh_from and mesh_to: where this mesh's vertices begin */
     float part;         /* of their way, [0, 1] */
     float at_scale;     /* times mesh_at: to the groom's units */
     float target_scale; /* times mesh_target */
-} plait_mesh_pose_params;
+} plait_mesh_advance_params;
 
 /* mesh_fit: boxes of a tree's nodes that have more than `least` and at most `most` triangles under them. */
-typedef struct plait_mesh_fit_params {
+typedef struct plait_mesh_refit_params {
     plait_u32 mesh;  /* of mesh_first */
     plait_u32 least; /* 0: by the triangles; else by nodes with no more, whose boxes are there */
     plait_u32 most;
-} plait_mesh_fit_params;
+} plait_mesh_refit_params;
 
 /* integrate: Verlet step and, if global_stiffness > 0, the global shape constraint. */
 typedef struct plait_integrate_params {
@@ -236,14 +236,14 @@ typedef struct plait_local_shape_params {
 } plait_local_shape_params;
 
 /* wind: published cone of four winds, or aerodynamic drag. */
-typedef struct plait_wind_params {
+typedef struct plait_tressfx_wind_params {
     plait_u32 vertex_stride;
     float h;          /* s */
     plait_u32 form;   /* PLAIT_WIND_* */
     float drag;       /* PLAIT_WIND_DRAG: rho_air C_d d / (2 rho A), 1/m */
     float wind[4];    /* PLAIT_WIND_DRAG: air velocity, m/s (w unused) */
     float corner[16]; /* PLAIT_WIND_PUBLISHED: the four winds blended per strand, xyz_ each */
-} plait_wind_params;
+} plait_tressfx_wind_params;
 
 /* length: red/black edge-length constraint. */
 typedef struct plait_length_params {
@@ -252,11 +252,11 @@ typedef struct plait_length_params {
 } plait_length_params;
 
 /* collide: push out of colliders with Coulomb friction. */
-typedef struct plait_collide_params {
+typedef struct plait_tressfx_collide_params {
     plait_u32 vertex_stride;
     plait_u32 collider_count;
     plait_u32 collider_first; /* where in `collider` those of the substep begin */
-} plait_collide_params;
+} plait_tressfx_collide_params;
 
 /* clamp: limit the displacement of a vertex per substep. */
 typedef struct plait_clamp_params {
@@ -271,12 +271,12 @@ typedef struct plait_attach_params {
 } plait_attach_params;
 
 /* follow: place follow strands beside their guides. */
-typedef struct plait_follow_params {
+typedef struct plait_tressfx_follow_params {
     plait_u32 vertex_stride;
     plait_u32 guide_count;
     float tip_separation;
     plait_u32 form; /* PLAIT_FOLLOW_* */
-} plait_follow_params;
+} plait_tressfx_follow_params;
 
 /* follow_turns: follow strands by the turns of their guides. */
 typedef struct plait_follow_turns_params {
@@ -360,18 +360,18 @@ typedef struct plait_lane_grid_params {
  * in them; `row_stride`, V or more, that of buffers which hold all strands of the sim, one after
  * the other: rest, position, accelerations, pins.
  *
- * articulated: one substep of strands over lanes. mesh_contact,
+ * articulated: one substep of strands over lanes. mesh_field,
  * mesh_nearest: the planes for one; there `collider_count` and `collider_first` are of their meshes. */
 typedef struct plait_lane_params {
     plait_u32 vertex_stride;
     plait_u32 tile; /* strands per tile of the lane layout */
     plait_u32 row_stride;
-    float h; /* s */
+    float h;              /* s */
     plait_u32 iterations; /* Newton steps */
-    plait_u32 bdf2;   /* 0: backward Euler; 1: BDF2, needs the step before */
-    float drag;       /* c, 1/s, relative to the air */
-    float gravity[3]; /* m/s^2 */
-    float air[3];     /* velocity of the air, m/s */
+    plait_u32 bdf2;       /* 0: backward Euler; 1: BDF2, needs the step before */
+    float drag;           /* c, 1/s, relative to the air */
+    float gravity[3];     /* m/s^2 */
+    float air[3];         /* velocity of the air, m/s */
     plait_u32 collider_count;
     plait_u32 collider_first; /* where in `collider` those of the substep begin */
     float contact_rate; /* 1/s^2: stiffness of contact over mass; a load of m a sinks a/rate in */
@@ -382,20 +382,20 @@ typedef struct plait_lane_params {
                               is null, and of mesh_nearest not read */
 } plait_lane_params;
 
-/* pair_count, pair_fill, pair_find. */
+/* contact_pair_count, contact_pair_fill, contact_pair_find. */
 typedef struct plait_pair_params {
     plait_u32 vertex_stride;
     plait_u32 edge_count; /* cells each way, a power of two up to 64 */
     float voxel_edge;     /* m, of a cell */
-    float longest;        /* m: no segment is longer (this and the rest: pair_find) */
+    float longest;        /* m: no segment is longer (this and the rest: contact_pair_find) */
     float diameter;       /* m: how far apart strands stay */
     float room;           /* m: a pair that comes nearer by more may be missed */
     float steps; /* how often strands move on by position - position_prev until the next search */
 } plait_pair_params;
 
-typedef struct plait_pair_scan_params {
+typedef struct plait_contact_pair_scan_params {
     plait_u32 edge_count;
-} plait_pair_scan_params;
+} plait_contact_pair_scan_params;
 
 /* strand_contact: planes for one substep. */
 typedef struct plait_strand_contact_params {
@@ -441,8 +441,8 @@ typedef struct plait_lane_groom_params {
     float pull;     /* m/s^2: and pulls at it with at most that mass times this */
 } plait_lane_groom_params;
 
-/* air_field: turbulence at the centres of the voxels of a grid, w((x - U t)/s) of docs/air.md. */
-typedef struct plait_air_field_params {
+/* wind_field: turbulence at the centres of the voxels of a grid, w((x - U t)/s) of docs/wind.md. */
+typedef struct plait_wind_field_params {
     plait_u32 edge_count; /* voxels per edge n, 1..64 */
     float voxel_edge;     /* of a voxel, in units of the largest eddies' scale s */
     float q[4];           /* grid orientation */
@@ -452,10 +452,10 @@ typedef struct plait_air_field_params {
     plait_u32 octaves;    /* [1, 8] */
     float gain;           /* amplitude of an octave over that of the one before */
     plait_u32 seed;
-} plait_air_field_params;
+} plait_wind_field_params;
 
-/* solid_field: which nodes of a grid, its voxels' centres, lie in meshes of form FIELD. */
-typedef struct plait_solid_field_params {
+/* grid_solid_field: which nodes of a grid, its voxels' centres, lie in meshes of form FIELD. */
+typedef struct plait_grid_solid_field_params {
     plait_u32 edge_count; /* voxels per edge n */
     float voxel_edge;     /* m */
     float q[4];           /* grid orientation */
@@ -463,10 +463,10 @@ typedef struct plait_solid_field_params {
     plait_u32 collider_count;
     plait_u32 collider_first; /* where in `collider` those meshes begin */
     float h;                  /* s, of their substep */
-} plait_solid_field_params;
+} plait_grid_solid_field_params;
 
-/* solid_cross: where a mesh of form NEAREST passes between nodes of the same grid. */
-typedef struct plait_solid_cross_params {
+/* grid_solid_cross: where a mesh of form NEAREST passes between nodes of the same grid. */
+typedef struct plait_grid_solid_cross_params {
     plait_u32 edge_count;
     float voxel_edge;
     float q[4];
@@ -474,10 +474,10 @@ typedef struct plait_solid_cross_params {
     plait_u32 mesh;           /* of mesh_first */
     plait_u32 collider_count; /* 1 */
     plait_u32 collider_first; /* where in `collider` the mesh is */
-} plait_solid_cross_params;
+} plait_grid_solid_cross_params;
 
-/* solid_fill: which nodes lie in it. */
-typedef struct plait_solid_fill_params {
+/* grid_solid_fill: which nodes lie in it. */
+typedef struct plait_grid_solid_fill_params {
     plait_u32 edge_count;
     float q[4];
     plait_u32 mesh;
@@ -485,10 +485,10 @@ typedef struct plait_solid_fill_params {
     plait_u32 collider_first;
     float h;          /* s, of the substep */
     plait_u32 others; /* 1: mesh_solid holds other meshes; 0: it is not read */
-} plait_solid_fill_params;
+} plait_grid_solid_fill_params;
 
-/* air_obstacle: extinction of wind at the nodes of a grid, its voxels' centres. */
-typedef struct plait_air_obstacle_params {
+/* wind_obstacle: extinction of wind at the nodes of a grid, its voxels' centres. */
+typedef struct plait_wind_obstacle_params {
     plait_u32 edge_count; /* voxels per edge n */
     float voxel_edge;     /* m */
     float q[4];           /* grid orientation */
@@ -497,10 +497,10 @@ typedef struct plait_air_obstacle_params {
     plait_u32 collider_count;
     plait_u32 collider_first; /* where in `collider` those of the substep begin */
     plait_u32 meshes;         /* 1: mesh_solid says which nodes lie in meshes; 0: it is null */
-} plait_air_obstacle_params;
+} plait_wind_obstacle_params;
 
-/* air_shelter: one plane of nodes of the same grid; planes go one after the other as the wind does. */
-typedef struct plait_air_shelter_params {
+/* wind_shelter: one plane of nodes of the same grid; planes go one after the other as the wind does. */
+typedef struct plait_wind_shelter_params {
     plait_u32 edge_count;
     float voxel_edge;   /* m */
     float q[4];         /* grid orientation */
@@ -509,32 +509,32 @@ typedef struct plait_air_shelter_params {
     plait_u32 reversed; /* 1: the wind goes against the axis */
     float foot[2]; /* voxels along the others: the wind's way from the plane before to a node */
     float way;     /* m, its length */
-    plait_u32 turbulent; /* 1: air_velocity holds turbulence; 0: it is not read */
+    plait_u32 turbulent; /* 1: wind_velocity holds turbulence; 0: it is not read */
     float air[3];        /* m/s, in the world: of the wind where nothing stops it */
     float still[3];      /* m/s: of what there is no hair in */
-} plait_air_shelter_params;
+} plait_wind_shelter_params;
 
-/* lane_air: drag of the air, before each substep. */
-typedef struct plait_lane_air_params {
+/* lane_wind: drag of the air, before each substep. */
+typedef struct plait_lane_wind_params {
     plait_u32 vertex_stride;
     plait_u32 tile;
     plait_u32 row_stride;
-    float h;                /* s, of the substep */
-    plait_u32 bdf2;         /* 0: backward Euler; 1: BDF2, reads the step before */
-    plait_u32 pins;         /* 1: lane_spring holds pins, to which the spring is added */
-    plait_u32 accelerates;  /* 1: vertices have accelerations; 0: `acceleration` is null */
-    plait_u32 pressure;     /* 1: lane_pressure is added; 0: it is null */
-    float drag;             /* rho d/2, kg/m^2: drag per length and squared speed at C = 1 */
-    float viscous;          /* 10 (nu/d)^(2/3), (m/s)^(2/3) */
-    float tangential;       /* drag along the strand over that across it */
-    float air[3];           /* m/s */
+    float h;               /* s, of the substep */
+    plait_u32 bdf2;        /* 0: backward Euler; 1: BDF2, reads the step before */
+    plait_u32 pins;        /* 1: lane_spring holds pins, to which the spring is added */
+    plait_u32 accelerates; /* 1: vertices have accelerations; 0: `acceleration` is null */
+    plait_u32 pressure;    /* 1: lane_pressure is added; 0: it is null */
+    float drag;            /* rho d/2, kg/m^2: drag per length and squared speed at C = 1 */
+    float viscous;         /* 10 (nu/d)^(2/3), (m/s)^(2/3) */
+    float tangential;      /* drag along the strand over that across it */
+    float air[3];          /* m/s */
     float jump[3];   /* m/s: by how much the air's velocity has jumped since the substep before */
-    plait_u32 field; /* 1: air_velocity is added; 0: it is null */
+    plait_u32 field; /* 1: wind_velocity is added; 0: it is null */
     plait_u32 edge_count; /* of the grid that it lies on, with voxel centres as nodes */
     float voxel_edge;     /* m */
     float q[4];
     float t[4]; /* world position of the grid's corner (w unused) */
-} plait_lane_air_params;
+} plait_lane_wind_params;
 
 /* volume_splat, volume_gather: the grid as in plait_lane_grid_params; the tent is trilinear. */
 typedef struct plait_lane_volume_params {
@@ -665,11 +665,10 @@ typedef struct plait_lane_move_params {
 } plait_lane_move_params;
 
 /* lane_material: per vertex row, components of the lane layout. */
-#define PLAIT_LANE_LENGTH 0 /* l_i of the segment after vertex i, m; 0 past the tip */
-#define PLAIT_LANE_STRETCH                                                                         \
-    1 /* EA_i/l_i, N/m; 0 past the tip; bounds friction */
-#define PLAIT_LANE_BEND 2 /* 4EI/lbar of the joint before segment i, N m; 0 past the tip */
-#define PLAIT_LANE_MASS 3 /* m_i, kg; 1 past the tip */
+#define PLAIT_LANE_LENGTH 0  /* l_i of the segment after vertex i, m; 0 past the tip */
+#define PLAIT_LANE_STRETCH 1 /* EA_i/l_i, N/m; 0 past the tip; bounds friction */
+#define PLAIT_LANE_BEND 2    /* 4EI/lbar of the joint before segment i, N m; 0 past the tip */
+#define PLAIT_LANE_MASS 3    /* m_i, kg; 1 past the tip */
 /* 0 where a strand is round and twists as it bends. The
  * joint's axes are those of q_(i-1) r_i: x along the segment, about y a strand bends by EI, about z
  * by EI2. */

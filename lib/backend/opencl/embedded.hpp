@@ -8,7 +8,7 @@
 namespace plait::opencl {
 
 struct EmbeddedFile {
-    std::string_view name; // "cl/tressfx/wind.cl", "cl/shared/plait/params.h"
+    std::string_view name; // "cl/tressfx/tressfx_wind.cl", "cl/shared/plait/params.h"
     const unsigned char* bytes;
     size_t size;
 

@@ -26,7 +26,7 @@ struct Source {
 // <angled> one is left to the compiler, because it may stand in a branch that is not for OpenCL.
 Result<Source> flatten(std::string_view name, std::string_view text);
 
-// The embedded file of a stage's kernel, "cl/tressfx/wind.cl", or "".
+// The embedded file of a stage's kernel, "cl/tressfx/tressfx_wind.cl", or "".
 std::string stage_file(const std::string& stage);
 
 // The text of that file, or an empty view.

@@ -32,12 +32,12 @@ const Buffer* MeshSolid::append(Schedule& schedule, const NodeGridPlace& grid, c
                                 float h) const {
     bool any = false;
     if (const MeshBuffers* const m = bodies.field_buffers) {
-        plait_solid_field_params params{};
+        plait_grid_solid_field_params params{};
         put_grid(params, grid);
         params.collider_count = bodies.fields.count;
         params.collider_first = bodies.fields.first;
         params.h = h;
-        schedule.add(PLAIT_STAGE_solid_field, grid.edge_count * grid.edge_count, params,
+        schedule.add(PLAIT_STAGE_grid_solid_field, grid.edge_count * grid.edge_count, params,
                      {&bodies.fields.buffer, &m->grid, &m->nodes, &m->values, &solid_});
         any = true;
     }
@@ -56,14 +56,14 @@ void MeshSolid::append_bending(Schedule& schedule, const NodeGridPlace& grid, co
         schedule.add(PLAIT_STAGE_grid_clear, static_cast<uint32_t>(words->count()),
                      plait_grid_clear_params{0}, {words});
     const uint32_t row = bodies.nearest.first + mesh;
-    plait_solid_cross_params cross{};
+    plait_grid_solid_cross_params cross{};
     put_grid(cross, grid);
     cross.mesh = mesh;
     cross.collider_count = 1;
     cross.collider_first = row;
-    schedule.add(PLAIT_STAGE_solid_cross, b.insides[mesh], cross,
+    schedule.add(PLAIT_STAGE_grid_solid_cross, b.insides[mesh], cross,
                  {&bodies.nearest.buffer, &b.first, &b.triangle, &b.from, &b.to, &passed_, &met_});
-    plait_solid_fill_params fill{};
+    plait_grid_solid_fill_params fill{};
     put_grid(fill, grid);
     fill.mesh = mesh;
     fill.collider_count = 1;
@@ -71,7 +71,7 @@ void MeshSolid::append_bending(Schedule& schedule, const NodeGridPlace& grid, co
     fill.h = h;
     fill.others = others ? 1 : 0;
     schedule.add(
-        PLAIT_STAGE_solid_fill, grid.edge_count * grid.edge_count, fill,
+        PLAIT_STAGE_grid_solid_fill, grid.edge_count * grid.edge_count, fill,
         {&bodies.nearest.buffer, &b.first, &b.triangle, &b.from, &b.to, &passed_, &met_, &solid_});
 }
 

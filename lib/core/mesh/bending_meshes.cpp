@@ -356,9 +356,9 @@ void BendingMeshes::advance(double end) {
 
 void BendingMeshes::append_pose(Schedule& schedule, const Entry& entry, size_t first, bool aimed,
                                 float part) const {
-    schedule.add(PLAIT_STAGE_mesh_pose, static_cast<uint32_t>(entry.vertices()),
-                 plait_mesh_pose_params{static_cast<uint32_t>(first), part, entry.at_scale,
-                                        aimed ? target_scale_ : entry.at_scale},
+    schedule.add(PLAIT_STAGE_mesh_advance, static_cast<uint32_t>(entry.vertices()),
+                 plait_mesh_advance_params{static_cast<uint32_t>(first), part, entry.at_scale,
+                                           aimed ? target_scale_ : entry.at_scale},
                  {&entry.at, aimed ? &entry.target : &entry.at, &buffers_.from, &buffers_.to});
 }
 
@@ -373,7 +373,7 @@ void BendingMeshes::append_fit(Schedule& schedule, const Entry& entry, uint32_t 
     const BendingBuffers& b = buffers_;
     uint32_t least = 0, most = fit_ratio;
     for (;;) {
-        schedule.add(PLAIT_STAGE_mesh_fit, nodes, plait_mesh_fit_params{mesh, least, most},
+        schedule.add(PLAIT_STAGE_mesh_refit, nodes, plait_mesh_refit_params{mesh, least, most},
                      {&b.first, &b.under, &b.triangle, &b.from, &b.to, &b.way, &b.box, &b.bends});
         if (most >= entry.surface.triangles.size())
             return;

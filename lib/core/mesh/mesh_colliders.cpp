@@ -123,7 +123,7 @@ void MeshColliders::fill(Schedule& schedule, const Part& part, const ColliderRow
                          Doors& doors) const {
     if (!buffers() || !part.plane)
         return;
-    schedule.add(PLAIT_STAGE_mesh_contact, part.lanes.strands, solve_params(part, doors, rows),
+    schedule.add(PLAIT_STAGE_mesh_field, part.lanes.strands, solve_params(part, doors, rows),
                  {&part.strand, &part.rest, &part.pose, &part.material, &rows.buffer,
                   &buffers_.grid, &buffers_.nodes, &buffers_.values, &buffers_.clearance,
                   &part.pushed(), &part.spring, &part.x, &part.v, &part.x_before, &part.v_before,

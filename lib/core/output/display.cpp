@@ -83,7 +83,7 @@ void Display::append_interpolation(Schedule& schedule, const Layout& layout,
                                    const State& state) const {
     append_copy(schedule, layout.guide_vertices(), {layout.row, 1}, state.position,
                 state.position_prev);
-    schedule.add(PLAIT_STAGE_snapshot, layout.guide_vertices(), plait_layout_params{layout.row},
+    schedule.add(PLAIT_STAGE_output_keep, layout.guide_vertices(), plait_layout_params{layout.row},
                  {&state.pose, &state.position, &state.position_prev});
     schedule.add(PLAIT_STAGE_output, layout.guide_vertices(), plait_output_params{layout.row, 1},
                  {&state.rest, &state.position, &state.pose, &state.pose, &state.position_prev});
@@ -188,7 +188,8 @@ Status Display::keep_wetness(Device& device, const Layout& layout, const State& 
 void Display::append_step_before(Schedule& schedule, const Layout& layout,
                                  const State& state) const {
     if (interpolates())
-        schedule.add(PLAIT_STAGE_snapshot, layout.guide_vertices(), plait_layout_params{layout.row},
+        schedule.add(PLAIT_STAGE_output_keep, layout.guide_vertices(),
+                     plait_layout_params{layout.row},
                      {&state.pose, &state.position, &position_local_});
 }
 
@@ -214,9 +215,9 @@ void Display::append(Schedule& schedule, const StepInput& at, const Roots& roots
         turns_.append(schedule, layout, state, pose, shown);
     else if (layout.follows > 0)
         schedule.add(
-            PLAIT_STAGE_follow, layout.follows * layout.row,
-            plait_follow_params{layout.row, layout.guides, at.params.tip_separation,
-                                of_kernels(at.params.follow_form)},
+            PLAIT_STAGE_tressfx_follow, layout.follows * layout.row,
+            plait_tressfx_follow_params{layout.row, layout.guides, at.params.tip_separation,
+                                        of_kernels(at.params.follow_form)},
             {&state.rest, &pose, &state.vertex_count, &follow_guide_, &follow_offset_, &shown});
     if (detail_)
         detail_.append(schedule, layout, pose, follow_guide_, shown);

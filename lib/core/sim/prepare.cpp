@@ -4,7 +4,7 @@
 #include "core/grid/interhair.hpp"
 #include "core/params/params.hpp"
 #include "core/strand_contact/pairs.hpp"
-#include "core/wind/air_grid.hpp"
+#include "core/wind/wind_grid.hpp"
 
 #include <string_view>
 #include <vector>
@@ -36,21 +36,21 @@ constexpr Need needs[] = {
     {PLAIT_STAGE_skin, any, PLAIT_FEATURE_SKIN},
     {PLAIT_STAGE_skin_mesh, any, PLAIT_FEATURE_BOUND_ROOTS},
     {PLAIT_STAGE_mesh_take, any, PLAIT_FEATURE_BOUND_ROOTS | PLAIT_FEATURE_BENDING_MESHES},
-    {PLAIT_STAGE_mesh_pose, lanes, PLAIT_FEATURE_BENDING_MESHES},
-    {PLAIT_STAGE_mesh_fit, lanes, PLAIT_FEATURE_BENDING_MESHES},
-    {PLAIT_STAGE_reset, tressfx},
-    {PLAIT_STAGE_teleport, tressfx},
-    {PLAIT_STAGE_set_off, tressfx},
-    {PLAIT_STAGE_carry, tressfx, PLAIT_FEATURE_FRAME},
+    {PLAIT_STAGE_mesh_advance, lanes, PLAIT_FEATURE_BENDING_MESHES},
+    {PLAIT_STAGE_mesh_refit, lanes, PLAIT_FEATURE_BENDING_MESHES},
+    {PLAIT_STAGE_tressfx_reset, tressfx},
+    {PLAIT_STAGE_tressfx_teleport, tressfx},
+    {PLAIT_STAGE_tressfx_set_off, tressfx},
+    {PLAIT_STAGE_tressfx_carry, tressfx, PLAIT_FEATURE_FRAME},
     {PLAIT_STAGE_accelerate, 0}, // the caller's, built with the context
     {PLAIT_STAGE_integrate, tressfx},
     {PLAIT_STAGE_strand_data, tressfx},
     {PLAIT_STAGE_velocity_shock, tressfx},
     {PLAIT_STAGE_global_shape, tressfx},
     {PLAIT_STAGE_local_shape, tressfx},
-    {PLAIT_STAGE_wind, tressfx, PLAIT_FEATURE_WIND},
+    {PLAIT_STAGE_tressfx_wind, tressfx, PLAIT_FEATURE_WIND},
     {PLAIT_STAGE_length, tressfx},
-    {PLAIT_STAGE_collide, tressfx},
+    {PLAIT_STAGE_tressfx_collide, tressfx},
     {PLAIT_STAGE_clamp, tressfx},
     {PLAIT_STAGE_attach, tressfx},
     {PLAIT_STAGE_articulated, lanes},
@@ -58,12 +58,12 @@ constexpr Need needs[] = {
     {PLAIT_STAGE_pins, lanes, PLAIT_FEATURE_PINS},
     {PLAIT_STAGE_lane_pin, lanes, PLAIT_FEATURE_PINS},
     {PLAIT_STAGE_lane_groom, lanes, PLAIT_FEATURE_GROOM},
-    {PLAIT_STAGE_mesh_contact, lanes, PLAIT_FEATURE_MESHES},
+    {PLAIT_STAGE_mesh_field, lanes, PLAIT_FEATURE_MESHES},
     {PLAIT_STAGE_mesh_nearest, lanes, PLAIT_FEATURE_BENDING_MESHES},
-    {PLAIT_STAGE_pair_count, lanes, PLAIT_FEATURE_STRAND_CONTACT},
-    {PLAIT_STAGE_pair_scan, lanes, PLAIT_FEATURE_STRAND_CONTACT},
-    {PLAIT_STAGE_pair_fill, lanes, PLAIT_FEATURE_STRAND_CONTACT},
-    {PLAIT_STAGE_pair_find, lanes, PLAIT_FEATURE_STRAND_CONTACT},
+    {PLAIT_STAGE_contact_pair_count, lanes, PLAIT_FEATURE_STRAND_CONTACT},
+    {PLAIT_STAGE_contact_pair_scan, lanes, PLAIT_FEATURE_STRAND_CONTACT},
+    {PLAIT_STAGE_contact_pair_fill, lanes, PLAIT_FEATURE_STRAND_CONTACT},
+    {PLAIT_STAGE_contact_pair_find, lanes, PLAIT_FEATURE_STRAND_CONTACT},
     {PLAIT_STAGE_strand_contact, lanes, PLAIT_FEATURE_STRAND_CONTACT},
     {PLAIT_STAGE_lane_reset, lanes},
     {PLAIT_STAGE_lane_teleport, lanes},
@@ -71,13 +71,13 @@ constexpr Need needs[] = {
     {PLAIT_STAGE_lane_carry, lanes, PLAIT_FEATURE_FRAME},
     {PLAIT_STAGE_lane_unpack, lanes},
     {PLAIT_STAGE_lane_pack, lanes},
-    {PLAIT_STAGE_air_field, lanes, PLAIT_FEATURE_WIND},
-    {PLAIT_STAGE_solid_field, lanes, solids, PLAIT_FEATURE_MESHES},
-    {PLAIT_STAGE_solid_cross, lanes, solids, PLAIT_FEATURE_BENDING_MESHES},
-    {PLAIT_STAGE_solid_fill, lanes, solids, PLAIT_FEATURE_BENDING_MESHES},
-    {PLAIT_STAGE_air_obstacle, lanes, PLAIT_FEATURE_WIND},
-    {PLAIT_STAGE_air_shelter, lanes, PLAIT_FEATURE_WIND},
-    {PLAIT_STAGE_lane_air, lanes, PLAIT_FEATURE_WIND},
+    {PLAIT_STAGE_wind_field, lanes, PLAIT_FEATURE_WIND},
+    {PLAIT_STAGE_grid_solid_field, lanes, solids, PLAIT_FEATURE_MESHES},
+    {PLAIT_STAGE_grid_solid_cross, lanes, solids, PLAIT_FEATURE_BENDING_MESHES},
+    {PLAIT_STAGE_grid_solid_fill, lanes, solids, PLAIT_FEATURE_BENDING_MESHES},
+    {PLAIT_STAGE_wind_obstacle, lanes, PLAIT_FEATURE_WIND},
+    {PLAIT_STAGE_wind_shelter, lanes, PLAIT_FEATURE_WIND},
+    {PLAIT_STAGE_lane_wind, lanes, PLAIT_FEATURE_WIND},
     {PLAIT_STAGE_wetness, lanes, PLAIT_FEATURE_WETNESS},
     {PLAIT_STAGE_lane_wetness, lanes, PLAIT_FEATURE_WETNESS},
     {PLAIT_STAGE_lane_move, lanes, PLAIT_FEATURE_SWITCHES},
@@ -97,9 +97,9 @@ constexpr Need needs[] = {
     {PLAIT_STAGE_volume_pressure, lanes, PLAIT_FEATURE_VOLUME},
     {PLAIT_STAGE_volume_impulse, lanes, PLAIT_FEATURE_VOLUME},
     {PLAIT_STAGE_volume_gather, lanes, PLAIT_FEATURE_VOLUME},
-    {PLAIT_STAGE_snapshot, any},
+    {PLAIT_STAGE_output_keep, any},
     {PLAIT_STAGE_output, any},
-    {PLAIT_STAGE_follow, any, PLAIT_FEATURE_FOLLOWS},
+    {PLAIT_STAGE_tressfx_follow, any, PLAIT_FEATURE_FOLLOWS},
     {PLAIT_STAGE_guide_turns, any, PLAIT_FEATURE_FOLLOWS},
     {PLAIT_STAGE_follow_turns, any, PLAIT_FEATURE_FOLLOWS},
     {PLAIT_STAGE_follow_clump, any, PLAIT_FEATURE_FOLLOWS, clumps},
@@ -153,7 +153,7 @@ constexpr uint32_t usual_strands = 1u << 11, usual_follows = 8;
 plait_grid_params wind_grid() {
     plait_grid_params params{};
     params.vertex_stride = params.capacity = 1;
-    params.edge_count = AirGrid::nodes;
+    params.edge_count = WindGrid::nodes;
     params.voxel_edge = 1;
     return params;
 }
@@ -167,7 +167,8 @@ std::vector<plait_dispatch> dispatches(const Context& context, const plait_stage
         list.push_back(
             {stage.stage, items, width, params, stage.params_size, stage.buffer_count, nullptr, 0});
     };
-    const bool follows = std::string_view(stage.name).starts_with("follow");
+    const bool follows = std::string_view(stage.name).starts_with("follow") ||
+                         stage.stage == PLAIT_STAGE_tressfx_follow;
     const bool of_all =
         follows || (of.features & PLAIT_FEATURE_FOLLOWS &&
                     (stage.stage == PLAIT_STAGE_tangents || stage.stage == PLAIT_STAGE_last_frame));
@@ -183,7 +184,7 @@ std::vector<plait_dispatch> dispatches(const Context& context, const plait_stage
         add(1, 1);
         break;
     case PLAIT_SPACE_VOXEL_GROUP:
-        add(1, stage.stage == PLAIT_STAGE_pair_scan
+        add(1, stage.stage == PLAIT_STAGE_contact_pair_scan
                    ? Pairs::group_width(context.info)
                    : InterHair::group_width(context.info, default_params().slot_capacity));
         break;

@@ -71,14 +71,14 @@ void Pairs::append(Schedule& schedule, const Step& step) const {
     clear(schedule, b.cell_moves);
     clear(schedule, b.dropped);
     schedule.add(
-        PLAIT_STAGE_pair_count, vertices, search,
+        PLAIT_STAGE_contact_pair_count, vertices, search,
         {&state.vertex_count, &state.position, &state.position_prev, &b.cell_count, &b.cell_moves});
-    schedule.add(PLAIT_STAGE_pair_scan, 1, plait_pair_scan_params{edge_count},
+    schedule.add(PLAIT_STAGE_contact_pair_scan, 1, plait_contact_pair_scan_params{edge_count},
                  {&b.cell_count, &b.cell_end}, group_width(step.device));
-    schedule.add(PLAIT_STAGE_pair_fill, vertices, search,
+    schedule.add(PLAIT_STAGE_contact_pair_fill, vertices, search,
                  {&state.vertex_count, &state.position, &state.position_prev, &b.cell_end,
                   &b.cell_segment, &b.cell_line});
-    schedule.add(PLAIT_STAGE_pair_find, vertices, search,
+    schedule.add(PLAIT_STAGE_contact_pair_find, vertices, search,
                  {&state.vertex_count, &state.rest, &b.cell_end, &b.cell_segment, &b.cell_line,
                   &b.cell_moves, &b.segment, &b.offset, &b.dropped});
 }

@@ -25,7 +25,7 @@ struct PairBuffers {
 
 class Pairs {
   public:
-    // Of pair_scan. Work-items of a group take turns on a CPU; but of one alone, which would take all
+    // Of contact_pair_scan. Work-items of a group take turns on a CPU; but of one alone, which would take all
     // cells, llvmpipe ends the loops before they are done.
     static uint32_t group_width(const plait_device_info& device);
 

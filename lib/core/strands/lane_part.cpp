@@ -353,8 +353,8 @@ void LanePart::teleport(Schedule& schedule, const StepInput& at, const Buffer& p
 void LanePart::set_off(Schedule& schedule, const StepInput& at, const Buffer& before,
                        const Buffer& was, const Buffer& next, float jump) const {
     schedule.add(PLAIT_STAGE_lane_set_off, lanes_.strands,
-                 plait_set_off_params{lanes_.row, lanes_.tile, source_.layout.row,
-                                      history_.x ? 1u : 0u, at.h, jump},
+                 plait_tressfx_set_off_params{lanes_.row, lanes_.tile, source_.layout.row,
+                                              history_.x ? 1u : 0u, at.h, jump},
                  {&lane_strand_, &at.state.rest, &before, &was, &at.state.pose, &next, &x_, &v_,
                   &q_before_, &history_.x, &history_.v},
                  lanes_.row);

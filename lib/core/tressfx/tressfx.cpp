@@ -131,7 +131,7 @@ void wind(Schedule& schedule, const StepInput& at) {
     const State& s = at.state;
     if (!has_wind(p))
         return;
-    plait_wind_params params{};
+    plait_tressfx_wind_params params{};
     params.vertex_stride = at.layout.row;
     params.h = at.h;
     params.form = of_kernels(p.wind_form);
@@ -140,7 +140,7 @@ void wind(Schedule& schedule, const StepInput& at) {
         params.wind[i] = p.wind[i];
     if (p.wind_form == PLAIT_WIND_FORM_PUBLISHED)
         wind_cone(p.wind, p.wind_cone, params.corner);
-    schedule.add(PLAIT_STAGE_wind, at.layout.guides, params,
+    schedule.add(PLAIT_STAGE_tressfx_wind, at.layout.guides, params,
                  {&s.vertex_count, &s.position_prev, &s.position}, at.layout.row);
 }
 
@@ -155,10 +155,10 @@ void length(Schedule& schedule, const StepInput& at) {
 void collide(Schedule& schedule, const StepInput& at) {
     const State& s = at.state;
     if (at.bodies.solids.count > 0)
-        schedule.add(
-            PLAIT_STAGE_collide, at.layout.guide_vertices(),
-            plait_collide_params{at.layout.row, at.bodies.solids.count, at.bodies.solids.first},
-            {&s.vertex_count, &at.bodies.solids.buffer, &s.position_prev, &s.position});
+        schedule.add(PLAIT_STAGE_tressfx_collide, at.layout.guide_vertices(),
+                     plait_tressfx_collide_params{at.layout.row, at.bodies.solids.count,
+                                                  at.bodies.solids.first},
+                     {&s.vertex_count, &at.bodies.solids.buffer, &s.position_prev, &s.position});
 }
 
 void clamp(Schedule& schedule, const StepInput& at) {
@@ -171,27 +171,29 @@ void clamp(Schedule& schedule, const StepInput& at) {
 
 void TressFx::reset(Schedule& schedule, const StepInput& at) {
     const State& s = at.state;
-    schedule.add(PLAIT_STAGE_reset, layout_.guide_vertices(), plait_layout_params{layout_.row},
+    schedule.add(PLAIT_STAGE_tressfx_reset, layout_.guide_vertices(),
+                 plait_layout_params{layout_.row},
                  {&s.rest, &s.pose, &s.position, &s.position_prev, &s.position_prev2});
 }
 
 void TressFx::teleport(Schedule& schedule, const StepInput& at, const Buffer& pose) {
     const State& s = at.state;
-    schedule.add(PLAIT_STAGE_teleport, layout_.guide_vertices(), plait_layout_params{layout_.row},
+    schedule.add(PLAIT_STAGE_tressfx_teleport, layout_.guide_vertices(),
+                 plait_layout_params{layout_.row},
                  {&s.pose, &pose, &s.position, &s.position_prev, &s.position_prev2});
 }
 
 void TressFx::set_off(Schedule& schedule, const StepInput& at, const Buffer& before,
                       const Buffer& was, const Buffer& next, float jump) {
     const State& s = at.state;
-    schedule.add(PLAIT_STAGE_set_off, layout_.guide_vertices(),
-                 plait_set_off_params{layout_.row, 1, layout_.row, 1, at.h, jump},
+    schedule.add(PLAIT_STAGE_tressfx_set_off, layout_.guide_vertices(),
+                 plait_tressfx_set_off_params{layout_.row, 1, layout_.row, 1, at.h, jump},
                  {&s.rest, &before, &was, &s.pose, &next, &s.position_prev, &s.position_prev2});
 }
 
 void TressFx::carry(Schedule& schedule, const StepInput& at, const plait_pose& motion) {
     const State& s = at.state;
-    schedule.add(PLAIT_STAGE_carry, layout_.guide_vertices(),
+    schedule.add(PLAIT_STAGE_tressfx_carry, layout_.guide_vertices(),
                  carry_params(motion, layout_.row, 1, true),
                  {&s.position, &s.position_prev, &s.position_prev2});
 }

@@ -8,7 +8,7 @@
 namespace plait {
 namespace {
 
-constexpr uint32_t nodes = AirGrid::nodes;
+constexpr uint32_t nodes = WindGrid::nodes;
 constexpr double slowest = 1e-3; // m/s, for which shelter is reckoned
 // rms of a component of the curl of three noises, measured; and of a noise in one dimension, the root
 // of 2/3 of the integral of (1 - f)^2 t^2, f the fade.
@@ -80,7 +80,7 @@ Status Wind::begin(Device& device, const Wind& from, const plait_wind_desc& desc
         desc_.diameter = hair.diameter;
     vertex_length_ =
         hair.length * (desc_.hairs_per_strand > 0 ? desc_.hairs_per_strand : hair.strands);
-    auto grid = AirGrid::create(device, desc_.turbulence > 0, desc_.shelter != 0);
+    auto grid = WindGrid::create(device, desc_.turbulence > 0, desc_.shelter != 0);
     if (!grid)
         return grid.error();
     grid_ = std::move(*grid);
@@ -119,8 +119,8 @@ Wind::Vector Wind::mean(double time) const {
             share * double(desc_.velocity[2])};
 }
 
-plait_air_field_params Wind::field_params(double step) const {
-    plait_air_field_params params{};
+plait_wind_field_params Wind::field_params(double step) const {
+    plait_wind_field_params params{};
     const double scale = double(desc_.scale);
     params.edge_count = nodes;
     params.voxel_edge = static_cast<float>(double(grid_.voxel_edge()) / scale);
@@ -149,7 +149,7 @@ std::array<float, 3> Wind::stream(const std::array<float, 3>& air, double step) 
 }
 
 // Cionco 1965, with the frontal area of hairs in all directions, pi/4 of their length times diameter,
-// and the drag of lane_air.
+// and the drag of lane_wind.
 float Wind::extinction(double speed) const {
     const double d = double(desc_.diameter);
     const double reynolds = std::max(speed, slowest) * d / double(desc_.viscosity);
@@ -163,7 +163,7 @@ void Wind::append(Schedule& schedule, const HairNow& hair, const std::array<floa
     if (!grid_.velocity())
         return;
     if (desc_.turbulence > 0)
-        schedule.add(PLAIT_STAGE_air_field, nodes * nodes * nodes, field_params(step),
+        schedule.add(PLAIT_STAGE_wind_field, nodes * nodes * nodes, field_params(step),
                      {grid_.velocity()});
     if (!grid_.is_sheltered())
         return;
@@ -182,7 +182,7 @@ void Wind::advance(double step) {
 
 void Wind::fill(Schedule& schedule, const Part& part, const std::array<float, 3>& air, bool first,
                 double step, Doors& doors) const {
-    plait_lane_air_params params{};
+    plait_lane_wind_params params{};
     params.vertex_stride = part.lanes.row;
     params.tile = part.lanes.tile;
     params.row_stride = part.row_stride;
@@ -204,7 +204,7 @@ void Wind::fill(Schedule& schedule, const Part& part, const std::array<float, 3>
     params.voxel_edge = grid_.voxel_edge();
     std::copy_n(grid_.corner().q, 4, params.q);
     std::copy_n(grid_.corner().t, 3, params.t);
-    schedule.add(PLAIT_STAGE_lane_air, part.lanes.strands, params,
+    schedule.add(PLAIT_STAGE_lane_wind, part.lanes.strands, params,
                  {&part.strand, &part.vertex_count, &part.rest, &part.pose, &part.acceleration,
                   grid_.velocity(), &part.material, &part.x, &part.v, &part.x_before,
                   &part.v_before, &part.pressure, &part.push, &part.spring},

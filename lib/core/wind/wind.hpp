@@ -4,7 +4,7 @@
 #include "core/base/part.hpp"
 #include "core/base/pose.hpp"
 #include "core/base/schedule.hpp"
-#include "core/wind/air_grid.hpp"
+#include "core/wind/wind_grid.hpp"
 
 #include <plait/plait.h>
 
@@ -60,12 +60,12 @@ class Wind {
     double gust(double time) const; // of the mean's own speed
     std::array<float, 3> stream(const std::array<float, 3>& air, double step) const; // m/s
     float extinction(double speed) const; // 1/m, of one vertex per m^3
-    plait_air_field_params field_params(double step) const;
+    plait_wind_field_params field_params(double step) const;
 
     plait_wind_desc desc_{};
     bool blows_ = false;
     float vertex_length_ = 0; // m of hair, of all that a guide stands for
-    AirGrid grid_;
+    WindGrid grid_;
 };
 
 } // namespace plait

@@ -23,7 +23,7 @@ struct SegmentCell {
 };
 std::vector<SegmentCell> segment_cells(const PairHair& hair);
 
-// cell_count, cell_end before pair_fill, cell_end and cell_segment after it.
+// cell_count, cell_end before contact_pair_fill, cell_end and cell_segment after it.
 struct PairCells {
     std::vector<uint32_t> count, begin, end, segments;
 };

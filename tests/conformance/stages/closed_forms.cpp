@@ -108,10 +108,10 @@ void length_is_red_then_black(Bench& bench) {
 // A free vertex between two that are far away, and a capsule.
 std::vector<float> touch(Bench& bench, const std::vector<float>& capsule, const Point& x,
                          const Point& before) {
-    const auto out = bench.run(PLAIT_STAGE_collide, 2, 1, plait_collide_params{2, 1, 0},
-                               {uints({2}), float4s(capsule),
-                                float4s({9, 9, 9, 0, before[0], before[1], before[2], 1}),
-                                float4s({0, 0, 0, 0, x[0], x[1], x[2], 1})});
+    const auto out = bench.run(
+        PLAIT_STAGE_tressfx_collide, 2, 1, plait_tressfx_collide_params{2, 1, 0},
+        {uints({2}), float4s(capsule), float4s({9, 9, 9, 0, before[0], before[1], before[2], 1}),
+         float4s({0, 0, 0, 0, x[0], x[1], x[2], 1})});
     expect_near(floats({out[3].floats.begin(), out[3].floats.begin() + 4}), {0, 0, 0, 0}, 0);
     return {out[3].floats.begin() + 4, out[3].floats.end()};
 }
@@ -256,11 +256,12 @@ void local_shape_straightens(Bench& bench) {
 // Three vertices along x, the last two free, at rest; h = 0.1 s.
 Array blow(Bench& bench, uint32_t form, const Point& wind) {
     const std::vector<float> x = {0, 0, 0, 0, 1, 0, 0, 0, 2, 0, 0, 1, 3, 0, 0, 1};
-    plait_wind_params params = {4, 0.1f, form, 5, {wind[0], wind[1], wind[2], 0}, {}};
+    plait_tressfx_wind_params params = {4, 0.1f, form, 5, {wind[0], wind[1], wind[2], 0}, {}};
     for (size_t corner = 0; corner < 4; ++corner)
         for (size_t c = 0; c < 3; ++c)
             params.corner[4 * corner + c] = wind[c] / 2; // any two opposite ones sum to the wind
-    return bench.run(PLAIT_STAGE_wind, 1, 4, params, {uints({4}), float4s(x), float4s(x)})[2];
+    return bench.run(PLAIT_STAGE_tressfx_wind, 1, 4, params,
+                     {uints({4}), float4s(x), float4s(x)})[2];
 }
 
 void wind_drags_across_the_strand(Bench& bench) {
@@ -343,12 +344,12 @@ void roots_meet_halfway(Bench& bench) {
 void reset_and_teleport_are_rigid(Bench& bench) {
     const std::vector<float> rest = {1, 0, 0, 0, 2, 0, 0, 0}, state = {0, 0, 0, 0, 0, 0, 0, 5};
     const std::vector<float> posed = {1, 3, 3, 0, 1, 4, 3, 5};
-    auto out = bench.run(PLAIT_STAGE_reset, 2, 1, plait_layout_params{2},
+    auto out = bench.run(PLAIT_STAGE_tressfx_reset, 2, 1, plait_layout_params{2},
                          {float4s(rest), float4s(quarter_about_z), float4s(state),
                           unwritten_float4s(2), unwritten_float4s(2)});
     for (size_t i = 2; i < 5; ++i)
         expect_near(out[i], posed);
-    out = bench.run(PLAIT_STAGE_teleport, 2, 1, plait_layout_params{2},
+    out = bench.run(PLAIT_STAGE_tressfx_teleport, 2, 1, plait_layout_params{2},
                     {float4s(quarter_about_z), float4s(unit_pose), float4s(posed), float4s(posed),
                      float4s(posed)});
     for (size_t i = 2; i < 5; ++i)
@@ -357,7 +358,7 @@ void reset_and_teleport_are_rigid(Bench& bench) {
 
 void output_blends_in_the_root_frame(Bench& bench) {
     const std::vector<float> posed = {1, 3, 3, 0, 1, 4, 3, 5}; // local (1, 0, 0), (2, 0, 0)
-    const auto local = bench.run(PLAIT_STAGE_snapshot, 2, 1, plait_layout_params{2},
+    const auto local = bench.run(PLAIT_STAGE_output_keep, 2, 1, plait_layout_params{2},
                                  {float4s(quarter_about_z), float4s(posed), unwritten_float4s(2)});
     expect_near(local[2], {1, 0, 0, 0, 2, 0, 0, 5});
     const auto out =
@@ -371,7 +372,7 @@ void output_blends_in_the_root_frame(Bench& bench) {
 void follow_turns_with_the_guide(Bench& bench) {
     const auto place = [&](uint32_t form) {
         const auto out = bench.run(
-            PLAIT_STAGE_follow, 3, 1, plait_follow_params{3, 1, 1, form},
+            PLAIT_STAGE_tressfx_follow, 3, 1, plait_tressfx_follow_params{3, 1, 1, form},
             {float4s({0, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0}), float4s(unit_pose), uints({2}),
              uints({0}), float4s({0, 1, 0, 0}),
              float4s({0, 0, 0, 0, 0, 1, 0, 1, 0, 1, 0, 1, 7, 7, 7, 7, 7, 7, 7, 7, 7, 7, 7, 7})});

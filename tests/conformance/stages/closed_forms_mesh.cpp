@@ -183,12 +183,12 @@ void nodes_in_a_cube_of_triangles(Bench& bench) {
     add_cube(meshes, cube_half);
     const uint32_t nodes = solid_nodes * solid_nodes * solid_nodes;
     const auto crossed = bench.run(
-        PLAIT_STAGE_solid_cross, 12, 1, solid_params<plait_solid_cross_params>(),
+        PLAIT_STAGE_grid_solid_cross, 12, 1, solid_params<plait_grid_solid_cross_params>(),
         {float4s(cube_row()), uints(meshes.first), uints(meshes.triangle), float4s(meshes.from),
          float4s(meshes.to), uints(std::vector<uint32_t>((nodes + 31) / 32, 0u)),
          uints(std::vector<uint32_t>(nodes, 0u))});
-    const auto filled = bench.run(PLAIT_STAGE_solid_fill, solid_nodes * solid_nodes, 1,
-                                  solid_params<plait_solid_fill_params>(),
+    const auto filled = bench.run(PLAIT_STAGE_grid_solid_fill, solid_nodes * solid_nodes, 1,
+                                  solid_params<plait_grid_solid_fill_params>(),
                                   {float4s(cube_row()), uints(meshes.first), uints(meshes.triangle),
                                    float4s(meshes.from), float4s(meshes.to), crossed[5], crossed[6],
                                    unwritten_float4s(nodes)});
@@ -209,8 +209,8 @@ void nodes_in_a_cube_of_distances(Bench& bench) {
     }
     const uint32_t nodes = solid_nodes * solid_nodes * solid_nodes;
     const auto found =
-        bench.run(PLAIT_STAGE_solid_field, solid_nodes * solid_nodes, 1,
-                  solid_params<plait_solid_field_params>(),
+        bench.run(PLAIT_STAGE_grid_solid_field, solid_nodes * solid_nodes, 1,
+                  solid_params<plait_grid_solid_field_params>(),
                   {float4s(cube_row()), float4s(grid), uints({along, along, along, 0}),
                    floats(values), unwritten_float4s(nodes)});
     expect_near(found[4], nodes_in_cube(true), 2e-5);

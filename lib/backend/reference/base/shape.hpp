@@ -104,7 +104,7 @@ class Shape {
     // where the parameters do not say
     bool accelerates_ = true, pins_ = true, field_ = true, pressure_ = true, carried_ = true,
          wet_ = true, shown_ = true, meshes_ = true;
-    bool planes_ = false; // mesh_contact makes them, and checks on access
+    bool planes_ = false; // mesh_field makes them, and checks on access
 };
 
 } // namespace plait::reference

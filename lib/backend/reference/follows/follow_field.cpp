@@ -1,6 +1,6 @@
 // follow_field: follow strands out of meshes, by a grid of distances.
 #include "backend/reference/follows/follow_out.hpp"
-#include "backend/reference/mesh/mesh_field.hpp"
+#include "backend/reference/mesh/field_sample.hpp"
 #include "backend/reference/mesh/mesh_ways.hpp"
 
 namespace plait::reference {
