@@ -56,6 +56,9 @@ extern "C" {
 #define PLAIT_VERSION_MAJOR 0
 #define PLAIT_VERSION_MINOR 1
 #define PLAIT_VERSION_PATCH 0
+/* Of this header; plait_version() is that of the library that is linked. */
+#define PLAIT_VERSION_NUMBER                                                                       \
+    (PLAIT_VERSION_MAJOR * 10000 + PLAIT_VERSION_MINOR * 100 + PLAIT_VERSION_PATCH)
 
 /* Bytes, of any struct in any version: a struct_size beyond is one that was not initialised. */
 #define PLAIT_STRUCT_SIZE_MAX 4096
@@ -91,7 +94,7 @@ PLAIT_API const char* plait_result_string(plait_result result);
 /* The sentence of this thread's last failed call; "" if none. Valid until its next failure. */
 PLAIT_API const char* plait_last_error(void);
 
-/* Version of the library that is linked, as major*10000 + minor*100 + patch. */
+/* PLAIT_VERSION_NUMBER of the library that is linked. */
 PLAIT_API uint32_t plait_version(void);
 
 /* ---- small types ---------------------------------------------------------------------------- */

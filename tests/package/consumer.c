@@ -4,6 +4,10 @@
 #include <stdio.h>
 
 int main(void) {
+    if (plait_version() != PLAIT_VERSION_NUMBER) {
+        fprintf(stderr, "the library is not that of the header\n");
+        return 1;
+    }
     size_t count = 0;
     if (plait_devices_list(NULL, &count) != PLAIT_OK) {
         fprintf(stderr, "%s\n", plait_last_error());
