@@ -1,6 +1,9 @@
 /* plait: real-time hair simulation on any OpenCL device.
  *
- * The whole public API, C99. A `plait_context` is a device; a `plait_groom` is immutable hair at
+ * C99. plait_offline.h has what prepares grooms, meshes and materials beforehand, plait_profile.h
+ * what measures, plait_opencl.h the interop and plait_backend.h the interface of a backend.
+ *
+ * A `plait_context` is a device; a `plait_groom` is immutable hair at
  * rest; a `plait_sim` is one groom moving on one context. SI units, right-handed axes, quaternions
  * stored (x, y, z, w). A pose maps a rest-space point p to q*p + t in the world.
  *
@@ -63,6 +66,14 @@ extern "C" {
 /* Bytes, of any struct in any version: a struct_size beyond is one that was not initialised. */
 #define PLAIT_STRUCT_SIZE_MAX 4096
 
+/* Defines `plait_x_defaults()`, which returns the struct by value; for the headers of plait. */
+#define PLAIT_DEFAULTS(type)                                                                       \
+    static inline type type##_defaults(void) {                                                     \
+        type value;                                                                                \
+        type##_init(&value, sizeof value);                                                         \
+        return value;                                                                              \
+    }
+
 /* ---- results -------------------------------------------------------------------------------- */
 
 /* What the caller can do about it; the message says what happened. */
@@ -102,7 +113,6 @@ PLAIT_API uint32_t plait_version(void);
 typedef struct plait_context plait_context;
 typedef struct plait_groom plait_groom;
 typedef struct plait_follow_map plait_follow_map;
-typedef struct plait_follow_learner plait_follow_learner;
 typedef struct plait_mesh plait_mesh;
 typedef struct plait_sim plait_sim;
 
@@ -358,13 +368,6 @@ typedef struct plait_follow_map_desc {
 PLAIT_API void plait_follow_map_desc_init(plait_follow_map_desc* desc, size_t size);
 PLAIT_API plait_result plait_follow_map_create(const plait_follow_map_desc* desc,
                                                plait_follow_map** out);
-
-/* Chooses `guides` strands of a groom, [1, all of them], whose roots are spread evenly, as a groom
- * of their own, `out`, and makes all others follow the four nearest to them on their side of a
- * parting (directions within 60 degrees), the nearer the more. The same groom and seed give the
- * same strands. Takes strands x guides distances. Both are to be destroyed. */
-PLAIT_API plait_result plait_groom_guides(const plait_groom* groom, size_t guides, uint64_t seed,
-                                          plait_groom** out, plait_follow_map** map);
 
 typedef enum plait_follow_map_field {
     PLAIT_FOLLOW_MAP_FIELD_GUIDES = 0,  /* uint32_t[4] [follows], the greatest weight first */
@@ -682,25 +685,6 @@ PLAIT_API void plait_param_info_init(plait_param_info* info, size_t size);
 
 /* All of them, in the order of the struct: a list, whose elements given have their struct_size. */
 PLAIT_API plait_result plait_params_list(plait_param_info* dst, size_t* count);
-
-/* Material and section of a hair. */
-typedef struct plait_fibre {
-    uint32_t struct_size;
-    float density;        /* kg/m^3, [1, 1e5], default 1300 */
-    float radius;         /* m, [1e-7, 0.1], default 35e-6; of an ellipse the larger half axis */
-    float flatness;       /* the smaller half axis / radius, [0.05, 1], default 1 */
-    float youngs_modulus; /* Pa, [0, 1e13], default 4e9 */
-    float shear_modulus;  /* Pa, [0, 1e13], default 1.5e9 */
-} plait_fibre;
-
-PLAIT_API void plait_fibre_init(plait_fibre* fibre, size_t size);
-
-/* Sets line_density, bend_stiffness, twist_stiffness and section_ratio of `params` to those of a
- * fibre of elliptic section; it bends about the longer axis most easily. stretch_stiffness stays: a
- * hair's own EA only slows the solve.
- * @source  beam theory: A = pi a b, EI = E pi a b^3/4, GJ = G pi a^3 b^3/(a^2 + b^2). */
-PLAIT_API plait_result plait_sim_params_set_fibre(plait_sim_params* params,
-                                                  const plait_fibre* fibre);
 
 /* What some strands of a sim are made of, in place of the params' fields of the same names (and of
  * tip_stiffness and tip_density, which the ramps replace). Ramps have knots at the root,
@@ -1219,38 +1203,6 @@ PLAIT_API void plait_sim_stats_init(plait_sim_stats* stats, size_t size);
 /* Waits and measures. */
 PLAIT_API plait_result plait_sim_get_stats(plait_sim* sim, plait_sim_stats* out);
 
-typedef struct plait_stage_time {
-    char stage[32];
-    uint64_t calls;
-    double seconds; /* device time, all calls; 0 unless the context was made with profile = 1 */
-} plait_stage_time;
-
-/* Times since creation or the last call with `reset`: a list. */
-PLAIT_API plait_result plait_sim_get_stage_times(plait_sim* sim, plait_stage_time* dst,
-                                                 size_t* count, uint32_t reset);
-
-/* Per sim; of more launches between two calls the newest are kept. */
-#define PLAIT_LAUNCHES_KEPT 65536
-
-/* One run of one stage on the device. Times in ns of the device's clock, whose origin is arbitrary;
- * all three are 0 where its driver reports none. */
-typedef struct plait_launch {
-    uint32_t struct_size;
-    char stage[32];
-    uint64_t items;
-    uint64_t bytes;     /* that the stage has to move through memory at least */
-    uint64_t queued_ns; /* the call that caused it enqueued it */
-    uint64_t begin_ns;
-    uint64_t end_ns;
-} plait_launch;
-
-PLAIT_API void plait_launch_init(plait_launch* launch, size_t size);
-
-/* What has run for the sim since its creation or the last call, the oldest first: a list, whose
- * elements given have their struct_size. Waits. What is written to dst is removed.
- * @errors INVALID_STATE: its context was made without profile = 1 */
-PLAIT_API plait_result plait_sim_take_launches(plait_sim* sim, plait_launch* dst, size_t* count);
-
 /* The dynamic state (no parameters) as bytes that restore on any device, into a sim of
  * the same groom, model, step and substeps. dst == NULL: its size. Both wait. It has a checksum of
  * its bytes and a fingerprint of the groom's strands as imported. Every value is checked against
@@ -1263,51 +1215,6 @@ PLAIT_API plait_result plait_sim_restore(plait_sim* sim, const void* src, size_t
 
 /* 64-bit hash of a snapshot: equal states, equal hashes. Waits. */
 PLAIT_API plait_result plait_sim_hash(plait_sim* sim, uint64_t* out);
-
-/* ---- weights of follows, learnt -------------------------------------------------------------- */
-
-/* Learns a map's weights from hair in motion, all of whose strands are simulated: of each follow those
- * shares of the guides it has that put it nearest to where it was, in the sum of squares over vertices
- * and frames; none negative, sum 1 (Chai, Zheng & Zhou 2014; docs/follows.md says what is minimised).
- * Which guides a follow has stays: those that the map gives some weight.
- *
- * `groom` has the map's strands, in the order that PLAIT_FOLLOW_MAP_FIELD_STRANDS says, or, of a map
- * without, its guides and then its follows. Both are copied. Takes 40 bytes a vertex, 160 a follow and
- * 32 for each of the guides' vertices, however many the frames. A learner is used by one thread at a
- * time, and different ones are independent. It is on the host: needs no context.
- * @errors INVALID_ARGUMENT: the groom is not of the map's strands (their number, a follow's number of
- *         vertices) */
-PLAIT_API plait_result plait_follow_learner_create(const plait_groom* groom,
-                                                   const plait_follow_map* map,
-                                                   plait_follow_learner** out);
-
-/* One frame more: where all strands are, m, in the groom's order, and where the roots are then.
- * `positions`: float[3] [strands][V], V any that holds the longest, each within 1e6: what
- * PLAIT_FIELD_POSITION of a sim of `groom` is, with a stride of 16 bytes. `roots`: as
- * plait_sim_set_roots takes them, at any scale, root_poses for all strands; bones and mesh_positions it
- * does not take. Nothing is kept of either. Takes 5 to 10 us a follow of 32 vertices. A call that fails adds nothing.
- * @errors UNSUPPORTED (bones, mesh_positions) */
-PLAIT_API plait_result plait_follow_learner_add_frame(plait_follow_learner* learner,
-                                                      const plait_roots* roots,
-                                                      plait_view positions);
-
-/* rms distance of the follows' vertices from where they were, m, over all frames. */
-typedef struct plait_follow_fit_info {
-    uint32_t struct_size;
-    uint64_t frames;
-    double rms_before; /* with the map's own weights */
-    double rms_after;  /* with those learnt, to first order in what they change */
-} plait_follow_fit_info;
-
-PLAIT_API void plait_follow_fit_info_init(plait_follow_fit_info* info, size_t size);
-
-/* A map with the weights that all frames so far teach; guides whose weight is 0 are gone from it. More
- * frames may be added, and a map learnt again. `info` may be NULL. The map is to be destroyed.
- * @errors INVALID_STATE (no frame was added) */
-PLAIT_API plait_result plait_follow_learner_learn(const plait_follow_learner* learner,
-                                                  plait_follow_map** out,
-                                                  plait_follow_fit_info* info);
-PLAIT_API void plait_follow_learner_destroy(plait_follow_learner* learner);
 
 /* ---- colliders ------------------------------------------------------------------------------ */
 
@@ -1351,23 +1258,6 @@ typedef struct plait_collider_desc {
 PLAIT_API void plait_collider_desc_init(plait_collider_desc* desc, size_t size);
 PLAIT_API plait_result plait_collider_create(plait_sim* sim, const plait_collider_desc* desc,
                                              plait_collider_id* out);
-
-/* How far the surface of a mesh is from that of the capsules that stand for it, m. */
-typedef struct plait_mesh_fit_info {
-    uint32_t struct_size;
-    double rms;
-    double percentile_99;
-    double greatest;
-} plait_mesh_fit_info;
-
-#define PLAIT_MESH_FIT_MAX 64
-
-PLAIT_API void plait_mesh_fit_info_init(plait_mesh_fit_info* info, size_t size);
-/* `count` [1, PLAIT_MESH_FIT_MAX] capsules whose union comes near `mesh`, for plait_collider_create:
- * cheaper to meet than a mesh, and for all models. They are in the mesh's frame, of the default
- * friction; the same mesh gives the same. 16 take a second, 64 six. `out` may be NULL. */
-PLAIT_API plait_result plait_mesh_fit(const plait_mesh* mesh, plait_collider_desc* dst,
-                                      size_t count, plait_mesh_fit_info* out);
 
 /* How hair finds a mesh. */
 typedef enum plait_mesh_form {
@@ -1469,25 +1359,16 @@ PLAIT_API plait_result plait_collider_destroy(plait_sim* sim, plait_collider_id 
 
 /* ---- defaults, by value --------------------------------------------------------------------- */
 
-#define PLAIT_DEFAULTS(type)                                                                       \
-    static inline type type##_defaults(void) {                                                     \
-        type value;                                                                                \
-        type##_init(&value, sizeof value);                                                         \
-        return value;                                                                              \
-    }
 PLAIT_DEFAULTS(plait_device_info)
 PLAIT_DEFAULTS(plait_context_desc)
 PLAIT_DEFAULTS(plait_import_options)
 PLAIT_DEFAULTS(plait_groom_desc)
 PLAIT_DEFAULTS(plait_groom_info)
 PLAIT_DEFAULTS(plait_follow_map_desc)
-PLAIT_DEFAULTS(plait_follow_fit_info)
 PLAIT_DEFAULTS(plait_mesh_desc)
 PLAIT_DEFAULTS(plait_mesh_info)
 PLAIT_DEFAULTS(plait_mesh_bone_info)
-PLAIT_DEFAULTS(plait_mesh_fit_info)
 PLAIT_DEFAULTS(plait_param_info)
-PLAIT_DEFAULTS(plait_fibre)
 PLAIT_DEFAULTS(plait_material)
 PLAIT_DEFAULTS(plait_strand_settings)
 PLAIT_DEFAULTS(plait_sim_params)
@@ -1495,7 +1376,6 @@ PLAIT_DEFAULTS(plait_sim_desc)
 PLAIT_DEFAULTS(plait_prepare_desc)
 PLAIT_DEFAULTS(plait_sim_info)
 PLAIT_DEFAULTS(plait_sim_stats)
-PLAIT_DEFAULTS(plait_launch)
 PLAIT_DEFAULTS(plait_roots)
 PLAIT_DEFAULTS(plait_frame_desc)
 PLAIT_DEFAULTS(plait_wind_desc)
@@ -1503,7 +1383,6 @@ PLAIT_DEFAULTS(plait_detail_desc)
 PLAIT_DEFAULTS(plait_collider_desc)
 PLAIT_DEFAULTS(plait_collider_mesh_desc)
 PLAIT_DEFAULTS(plait_collider_hull_desc)
-#undef PLAIT_DEFAULTS
 
 #ifdef __cplusplus
 }

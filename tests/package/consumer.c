@@ -1,5 +1,8 @@
-/* A user's program: C, nothing but the public header. */
+/* A user's program: C, nothing but the public headers. */
 #include <plait/plait.h>
+#include <plait/plait_backend.h>
+#include <plait/plait_offline.h>
+#include <plait/plait_profile.h>
 
 #include <stdio.h>
 

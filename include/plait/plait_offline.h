@@ -1,0 +1,119 @@
+/* Tools for the time before a simulation: they choose guides, learn how strands follow, fit capsules to
+ * a mesh and turn the material of a hair into parameters. They run on the host and need no context.
+ */
+#ifndef PLAIT_OFFLINE_H
+#define PLAIT_OFFLINE_H
+
+#include <plait/plait.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---- guides ---------------------------------------------------------------------------------- */
+
+/* Chooses `guides` strands of a groom, [1, all of them], whose roots are spread evenly, as a groom
+ * of their own, `out`, and makes all others follow the four nearest to them on their side of a
+ * parting (directions within 60 degrees), the nearer the more. The same groom and seed give the
+ * same strands. Takes strands x guides distances. Both are to be destroyed. */
+PLAIT_API plait_result plait_groom_guides(const plait_groom* groom, size_t guides, uint64_t seed,
+                                          plait_groom** out, plait_follow_map** map);
+
+/* ---- weights of follows, learnt -------------------------------------------------------------- */
+
+typedef struct plait_follow_learner plait_follow_learner;
+
+/* Learns a map's weights from hair in motion, all of whose strands are simulated: of each follow those
+ * shares of the guides it has that put it nearest to where it was, in the sum of squares over vertices
+ * and frames; none negative, sum 1 (Chai, Zheng & Zhou 2014; docs/follows.md says what is minimised).
+ * Which guides a follow has stays: those that the map gives some weight.
+ *
+ * `groom` has the map's strands, in the order that PLAIT_FOLLOW_MAP_FIELD_STRANDS says, or, of a map
+ * without, its guides and then its follows. Both are copied. Takes 40 bytes a vertex, 160 a follow and
+ * 32 for each of the guides' vertices, however many the frames. A learner is used by one thread at a
+ * time, and different ones are independent. It is on the host: needs no context.
+ * @errors INVALID_ARGUMENT: the groom is not of the map's strands (their number, a follow's number of
+ *         vertices) */
+PLAIT_API plait_result plait_follow_learner_create(const plait_groom* groom,
+                                                   const plait_follow_map* map,
+                                                   plait_follow_learner** out);
+
+/* One frame more: where all strands are, m, in the groom's order, and where the roots are then.
+ * `positions`: float[3] [strands][V], V any that holds the longest, each within 1e6: what
+ * PLAIT_FIELD_POSITION of a sim of `groom` is, with a stride of 16 bytes. `roots`: as
+ * plait_sim_set_roots takes them, at any scale, root_poses for all strands; bones and mesh_positions it
+ * does not take. Nothing is kept of either. Takes 5 to 10 us a follow of 32 vertices. A call that fails adds nothing.
+ * @errors UNSUPPORTED (bones, mesh_positions) */
+PLAIT_API plait_result plait_follow_learner_add_frame(plait_follow_learner* learner,
+                                                      const plait_roots* roots,
+                                                      plait_view positions);
+
+/* rms distance of the follows' vertices from where they were, m, over all frames. */
+typedef struct plait_follow_fit_info {
+    uint32_t struct_size;
+    uint64_t frames;
+    double rms_before; /* with the map's own weights */
+    double rms_after;  /* with those learnt, to first order in what they change */
+} plait_follow_fit_info;
+
+PLAIT_API void plait_follow_fit_info_init(plait_follow_fit_info* info, size_t size);
+
+/* A map with the weights that all frames so far teach; guides whose weight is 0 are gone from it. More
+ * frames may be added, and a map learnt again. `info` may be NULL. The map is to be destroyed.
+ * @errors INVALID_STATE (no frame was added) */
+PLAIT_API plait_result plait_follow_learner_learn(const plait_follow_learner* learner,
+                                                  plait_follow_map** out,
+                                                  plait_follow_fit_info* info);
+PLAIT_API void plait_follow_learner_destroy(plait_follow_learner* learner);
+
+/* ---- capsules for a mesh --------------------------------------------------------------------- */
+
+/* How far the surface of a mesh is from that of the capsules that stand for it, m. */
+typedef struct plait_mesh_fit_info {
+    uint32_t struct_size;
+    double rms;
+    double percentile_99;
+    double greatest;
+} plait_mesh_fit_info;
+
+#define PLAIT_MESH_FIT_MAX 64
+
+PLAIT_API void plait_mesh_fit_info_init(plait_mesh_fit_info* info, size_t size);
+/* `count` [1, PLAIT_MESH_FIT_MAX] capsules whose union comes near `mesh`, for plait_collider_create:
+ * cheaper to meet than a mesh, and for all models. They are in the mesh's frame, of the default
+ * friction; the same mesh gives the same. 16 take a second, 64 six. `out` may be NULL. */
+PLAIT_API plait_result plait_mesh_fit(const plait_mesh* mesh, plait_collider_desc* dst,
+                                      size_t count, plait_mesh_fit_info* out);
+
+/* ---- material of a fibre --------------------------------------------------------------------- */
+
+/* Material and section of a hair. */
+typedef struct plait_fibre {
+    uint32_t struct_size;
+    float density;        /* kg/m^3, [1, 1e5], default 1300 */
+    float radius;         /* m, [1e-7, 0.1], default 35e-6; of an ellipse the larger half axis */
+    float flatness;       /* the smaller half axis / radius, [0.05, 1], default 1 */
+    float youngs_modulus; /* Pa, [0, 1e13], default 4e9 */
+    float shear_modulus;  /* Pa, [0, 1e13], default 1.5e9 */
+} plait_fibre;
+
+PLAIT_API void plait_fibre_init(plait_fibre* fibre, size_t size);
+
+/* Sets line_density, bend_stiffness, twist_stiffness and section_ratio of `params` to those of a
+ * fibre of elliptic section; it bends about the longer axis most easily. stretch_stiffness stays: a
+ * hair's own EA only slows the solve.
+ * @source  beam theory: A = pi a b, EI = E pi a b^3/4, GJ = G pi a^3 b^3/(a^2 + b^2). */
+PLAIT_API plait_result plait_sim_params_set_fibre(plait_sim_params* params,
+                                                  const plait_fibre* fibre);
+
+/* ---- defaults, by value --------------------------------------------------------------------- */
+
+PLAIT_DEFAULTS(plait_follow_fit_info)
+PLAIT_DEFAULTS(plait_mesh_fit_info)
+PLAIT_DEFAULTS(plait_fibre)
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
