@@ -10,7 +10,35 @@
 extern "C" {
 #endif
 
-/* ---- guides ---------------------------------------------------------------------------------- */
+/* ---- strands that follow -------------------------------------------------------------------- */
+
+/* Strands that are not simulated, each with up to four of the strands that are, its guides, and what
+ * share of it follows which. Immutable, and shareable as grooms are. See docs/follows.md. */
+typedef struct plait_follow_map_desc {
+    uint32_t struct_size;
+    const plait_groom* follows; /* the strands, at rest, in the space of the guides' groom */
+    uint32_t guide_count;       /* strands of the guides' groom, at least 1 */
+    plait_view guides;  /* uint32_t[4] [follows], each below guide_count; of weight 0 not read */
+    plait_view weights; /* float[4] [follows], each [0, 1], of a strand sum 1 within 1e-3 */
+} plait_follow_map_desc;
+
+PLAIT_API void plait_follow_map_desc_init(plait_follow_map_desc* desc, size_t size);
+PLAIT_API plait_result plait_follow_map_create(const plait_follow_map_desc* desc,
+                                               plait_follow_map** out);
+
+typedef enum plait_follow_map_field {
+    PLAIT_FOLLOW_MAP_FIELD_GUIDES = 0,  /* uint32_t[4] [follows], the greatest weight first */
+    PLAIT_FOLLOW_MAP_FIELD_WEIGHTS = 1, /* float[4] [follows], sum 1 */
+    /* uint32_t [guides and follows], in the order of a sim's strands: which strand of the groom it
+       is that plait_groom_guides chose from; none of a map made by plait_follow_map_create */
+    PLAIT_FOLLOW_MAP_FIELD_STRANDS = 2,
+    PLAIT_FOLLOW_MAP_FIELD_FORCE_32 = 0x7fffffff
+} plait_follow_map_field;
+
+/* dst == NULL: writes the needed size in bytes to *size (0: the map lacks it). */
+PLAIT_API plait_result plait_follow_map_read(const plait_follow_map* map,
+                                             plait_follow_map_field field, void* dst, size_t* size);
+PLAIT_API void plait_follow_map_destroy(plait_follow_map* map); /* sims keep what they need */
 
 /* Chooses `guides` strands of a groom, [1, all of them], whose roots are spread evenly, as a groom
  * of their own, `out`, and makes all others follow the four nearest to them on their side of a
@@ -106,11 +134,42 @@ PLAIT_API void plait_fibre_init(plait_fibre* fibre, size_t size);
 PLAIT_API plait_result plait_sim_params_set_fibre(plait_sim_params* params,
                                                   const plait_fibre* fibre);
 
+/* ---- table of parameters --------------------------------------------------------------------- */
+
+typedef enum plait_param_kind {
+    PLAIT_PARAM_KIND_FLOAT = 0,
+    PLAIT_PARAM_KIND_UINT = 1,
+    PLAIT_PARAM_KIND_CHOICE = 2, /* an enum */
+    PLAIT_PARAM_KIND_FORCE_32 = 0x7fffffff
+} plait_param_kind;
+
+/* A field of plait_sim_params, for code that reads, shows or binds them all. Texts are static. Its
+ * default is that of plait_sim_params_init. `bdf2` may also be PLAIT_BDF2_OF_MODEL. */
+typedef struct plait_param_info {
+    uint32_t struct_size;
+    plait_param_kind kind;
+    const char* name;           /* "gravity" */
+    const char* unit;           /* "m/s^2"; "" without one */
+    const char* const* choices; /* CHOICE: names of the values 0 to `most`; else NULL */
+    uint32_t offset;            /* in plait_sim_params, bytes */
+    uint32_t count;             /* of components, 4 bytes each */
+    double least, most;         /* of each */
+    uint32_t least_excluded;    /* 1: greater than `least` */
+    uint32_t models;            /* that read it: bit 1u << plait_model */
+} plait_param_info;
+
+PLAIT_API void plait_param_info_init(plait_param_info* info, size_t size);
+
+/* All of them, in the order of the struct: a list, whose elements given have their struct_size. */
+PLAIT_API plait_result plait_params_list(plait_param_info* dst, size_t* count);
+
 /* ---- defaults, by value --------------------------------------------------------------------- */
 
+PLAIT_DEFAULTS(plait_follow_map_desc)
 PLAIT_DEFAULTS(plait_follow_fit_info)
 PLAIT_DEFAULTS(plait_mesh_fit_info)
 PLAIT_DEFAULTS(plait_fibre)
+PLAIT_DEFAULTS(plait_param_info)
 
 #ifdef __cplusplus
 }
