@@ -1,5 +1,5 @@
 /* Where a sim's time goes on the device: sums stage by stage, and every launch. Times are measured
- * where the context was made with profile = 1 in its plait_context_desc.
+ * where plait_context_desc.profile is 1. The conventions are those of plait.h.
  */
 #ifndef PLAIT_PROFILE_H
 #define PLAIT_PROFILE_H
@@ -13,10 +13,10 @@ extern "C" {
 typedef struct plait_stage_time {
     char stage[32];
     uint64_t calls;
-    double seconds; /* device time, all calls; 0 unless the context was made with profile = 1 */
+    double seconds; /* device time, all calls; 0 without profile */
 } plait_stage_time;
 
-/* Times since creation or the last call with `reset`: a list. */
+/* Times since creation or the last call with `reset`: a list. Waits. */
 PLAIT_API plait_result plait_sim_get_stage_times(plait_sim* sim, plait_stage_time* dst,
                                                  size_t* count, uint32_t reset);
 
@@ -34,12 +34,10 @@ typedef struct plait_launch {
     uint64_t begin_ns;
     uint64_t end_ns;
 } plait_launch;
-
 PLAIT_API void plait_launch_init(plait_launch* launch, size_t size);
 
-/* What has run for the sim since its creation or the last call, the oldest first: a list, whose
- * elements given have their struct_size. Waits. What is written to dst is removed.
- * @errors INVALID_STATE: its context was made without profile = 1 */
+/* What has run for the sim since its creation or the last call, the oldest first: a list. What is
+ * written to dst is removed. Waits. @errors INVALID_STATE (without profile) */
 PLAIT_API plait_result plait_sim_take_launches(plait_sim* sim, plait_launch* dst, size_t* count);
 
 /* ---- defaults, by value --------------------------------------------------------------------- */
