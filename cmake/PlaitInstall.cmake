@@ -2,13 +2,12 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-set(headers plait.h plait_backend.h)
-if(PLAIT_OPENCL)
-  list(APPEND headers plait_opencl.h)
+set(face ${PROJECT_SOURCE_DIR}/include/plait)
+file(GLOB headers CONFIGURE_DEPENDS ${face}/*.h ${face}/*.hpp)
+if(NOT PLAIT_OPENCL)
+  list(REMOVE_ITEM headers ${face}/plait_opencl.h)
 endif()
-list(TRANSFORM headers PREPEND ${PROJECT_SOURCE_DIR}/include/plait/)
-file(GLOB wrapper CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/include/plait/*.hpp)
-install(FILES ${headers} ${wrapper} ${PROJECT_SOURCE_DIR}/cl/shared/plait/params.h
+install(FILES ${headers} ${PROJECT_SOURCE_DIR}/cl/shared/plait/params.h
               ${PROJECT_SOURCE_DIR}/cl/shared/plait/constants.h
               ${PROJECT_SOURCE_DIR}/cl/shared/plait/stages.def ${PROJECT_SOURCE_DIR}/cl/shared/plait/buffers.def
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/plait)

@@ -1,35 +1,43 @@
-/* plait: real-time hair simulation on any OpenCL device.
+/* plait: real-time hair simulation on any OpenCL device. C99.
  *
- * The whole public API, C99. A `plait_context` is a device; a `plait_groom` is immutable hair at
- * rest; a `plait_sim` is one groom moving on one context. SI units, right-handed axes, quaternions
- * stored (x, y, z, w). A pose maps a rest-space point p to q*p + t in the world.
+ * A `plait_context` is a device; a `plait_groom` is immutable hair at rest; a `plait_sim` is one
+ * groom moving on one context. SI units, right-handed axes, quaternions stored (x, y, z, w). A pose
+ * maps a rest-space point p to q*p + t in the world. docs/concepts.md shows the calls of a frame.
  *
+ * Headers:   this one has what a simulation needs; plait_offline.h has tools that need no context,
+ *            plait_profile.h measures, plait_opencl.h shares buffers, plait_backend.h is for
+ *            backends.
  * Errors:    every function that can fail returns a plait_result and leaves a sentence that names
  *            what failed, on what, with which value and range, in plait_last_error() of the thread.
- *            Output arguments are untouched on failure unless said otherwise. Every function may
- *            return INVALID_ARGUMENT (for NULL, unless the parameter is documented as optional, or
- *            for a value out of range), OUT_OF_MEMORY and, where work reaches a device, DEVICE_LOST
- *            and BACKEND; `@errors` lists the others.
+ *            A call that fails leaves objects and outputs as they were, unless its comment says
+ *            otherwise or the device failed on the way. Every function may return INVALID_ARGUMENT
+ *            (for NULL, unless the parameter is documented as optional, or for a value out of
+ *            range), OUT_OF_MEMORY and, where work reaches a device, DEVICE_LOST and BACKEND. One
+ *            that needs a stage may return UNSUPPORTED (the backend lacks it) and COMPILE.
+ *            `@errors` lists the others.
  * Lists:     dst == NULL writes the needed count to *count; otherwise at most *count elements are
- *            written and *count becomes their number. For byte buffers (fields, snapshots) a *size
- *            that is too small is INVALID_ARGUMENT.
+ *            written and *count becomes their number. The caller initialises elements that have a
+ *            struct_size. Of bytes (fields, snapshots) *size is the count: one that is too small
+ *            is INVALID_ARGUMENT, and 0 are needed where the object lacks the field.
  * Threads:   a context and what it made are used by one thread at a time; different contexts are
- *            independent. Grooms are immutable and may be shared by threads and contexts.
- * Ownership: what a `_create` or `_load` returned is released by the `_destroy` of the same noun;
- *            destroying NULL does nothing. Arrays passed in are copied before the call returns.
- * Names:     a function is plait_<object>_<verb>_<noun>, without the noun where the verb says all
- *            (plait_sim_step, plait_sim_get_stats, plait_collider_set_pose); plait_devices_list and
- *            the like list all of a kind; what has no object is named for what it returns
- *            (plait_version, plait_last_error). A value of `enum plait_x_y` is PLAIT_X_Y_<VALUE>,
- *            but of plait_result, PLAIT_<VALUE>. Every enum takes 32 bits (its _FORCE_32).
+ *            independent. Grooms, follow maps and meshes are immutable and may be shared by threads
+ *            and contexts. Callbacks run on the thread that makes the call, and must not call plait
+ *            on the same context.
+ * Waiting:   a function that says "Waits" waits for the device. Others do not, but the first use of
+ *            a feature may build kernels and make buffers. See docs/threading.md.
+ * Ownership: what a function made is released by the `_destroy` of the same noun; destroying NULL
+ *            does nothing. Arrays and texts passed in are copied before the call returns. A sim
+ *            keeps what it needs of its context, groom, map and meshes, which may be destroyed
+ *            before it.
+ * Names:     functions are plait_<object>_<verb>_<noun>, without the noun where the verb says all,
+ *            and plait_<objects>_list. Values of `enum plait_x_y` are PLAIT_X_Y_<VALUE>, but those
+ *            of plait_result PLAIT_<VALUE>. Every enum takes 32 bits (its _FORCE_32).
  * Structs:   begin with struct_size; initialise all of them, outputs included, with their
  *            `plait_*_init` (or by value, `plait_*_defaults`) and then change fields. Fields that a
  *            shorter struct lacks (an older plait.h) have their defaults. If a struct is longer
  *            than this library knows (a newer plait.h), the extra bytes must be zero; otherwise
  *            the call fails. None is longer than PLAIT_STRUCT_SIZE_MAX.
- *
- * @source  Each stage's formula, paper and equation: docs/stages. Models: docs/models.
- * @since   0.1.0, all of it.
+ * Formulae:  docs/stages and docs/models, with papers and equations.
  */
 #ifndef PLAIT_H
 #define PLAIT_H
@@ -56,9 +64,20 @@ extern "C" {
 #define PLAIT_VERSION_MAJOR 0
 #define PLAIT_VERSION_MINOR 1
 #define PLAIT_VERSION_PATCH 0
+/* Of this header; plait_version() is that of the library that is linked. */
+#define PLAIT_VERSION_NUMBER                                                                       \
+    (PLAIT_VERSION_MAJOR * 10000 + PLAIT_VERSION_MINOR * 100 + PLAIT_VERSION_PATCH)
 
 /* Bytes, of any struct in any version: a struct_size beyond is one that was not initialised. */
 #define PLAIT_STRUCT_SIZE_MAX 4096
+
+/* Defines `plait_x_defaults()`, which returns the struct by value; for the headers of plait. */
+#define PLAIT_DEFAULTS(type)                                                                       \
+    static inline type type##_defaults(void) {                                                     \
+        type value;                                                                                \
+        type##_init(&value, sizeof value);                                                         \
+        return value;                                                                              \
+    }
 
 /* ---- results -------------------------------------------------------------------------------- */
 
@@ -85,13 +104,13 @@ typedef enum plait_result {
         PLAIT_RESULT_FORCE_32 = 0x7fffffff
 } plait_result;
 
-/* "ok", "an argument is outside its allowed range", ...; static storage, never NULL. */
+/* The text in PLAIT_RESULTS; static storage, never NULL. */
 PLAIT_API const char* plait_result_string(plait_result result);
 
 /* The sentence of this thread's last failed call; "" if none. Valid until its next failure. */
 PLAIT_API const char* plait_last_error(void);
 
-/* Version of the library that is linked, as major*10000 + minor*100 + patch. */
+/* PLAIT_VERSION_NUMBER of the library that is linked. */
 PLAIT_API uint32_t plait_version(void);
 
 /* ---- small types ---------------------------------------------------------------------------- */
@@ -99,14 +118,8 @@ PLAIT_API uint32_t plait_version(void);
 typedef struct plait_context plait_context;
 typedef struct plait_groom plait_groom;
 typedef struct plait_follow_map plait_follow_map;
-typedef struct plait_follow_learner plait_follow_learner;
 typedef struct plait_mesh plait_mesh;
 typedef struct plait_sim plait_sim;
-
-/* Generational id of a collider inside its sim; zero is null. */
-typedef struct plait_collider_id {
-    uint64_t value;
-} plait_collider_id;
 
 /* An input array: `count` elements, `stride` bytes apart (0: tightly packed). */
 typedef struct plait_view {
@@ -129,7 +142,7 @@ typedef enum plait_log_level {
     PLAIT_LOG_LEVEL_FORCE_32 = 0x7fffffff
 } plait_log_level;
 
-/* Called on the thread that makes the call being logged. `text` has no newline at its end. */
+/* `text` has no newline at its end, and is valid until the function returns. */
 typedef void (*plait_log_fn)(plait_log_level level, const char* text, void* user);
 
 /* Host allocator for plait's own arrays. Both or neither of the functions are set. `allocate` may
@@ -165,10 +178,10 @@ typedef struct plait_device_info {
     uint32_t max_group_size; /* work-items per work-group */
     uint64_t local_memory_bytes;
 } plait_device_info;
+PLAIT_API void plait_device_info_init(plait_device_info* info, size_t size);
 
 /* Every device of every registered backend, best first: a list. No device is no error. */
 PLAIT_API plait_result plait_devices_list(plait_device_info* dst, size_t* count);
-PLAIT_API void plait_device_info_init(plait_device_info* info, size_t size);
 
 /* The user's own kernel for one stage, checked against the stage's signature when the context is
  * made. See docs/backends.md. */
@@ -178,8 +191,7 @@ typedef struct plait_stage_source {
     const char* name;   /* file name for the compiler's messages; NULL: "<stage>" */
 } plait_stage_source;
 
-/* Texts are copied; `log_user` and what the allocator names must outlive the context and its sims.
- */
+/* `log_user` and what the allocator names must outlive the context and its sims. */
 typedef struct plait_context_desc {
     uint32_t struct_size;
     const char* backend; /* NULL: the best there is */
@@ -187,25 +199,23 @@ typedef struct plait_context_desc {
     plait_log_fn log;    /* NULL: silent */
     void* log_user;
     plait_allocator allocator;
-    uint32_t profile; /* 1: time every stage (a few percent slower) */
+    uint32_t profile; /* 1: time every stage (a few percent slower), see plait_profile.h */
     const plait_stage_source* stage_sources;
     size_t stage_source_count;
     uint32_t lanes; /* strands per work-item in the strand models: 1, 4, 8, 16; 0: the device's */
     /* Folder, created if missing, that keeps built kernels for later processes, one file each; a
-       file that is damaged or of another driver is rebuilt and replaced. NULL: kernels live as
-       long as a context of the device in this process */
+       file that is damaged or of another driver is rebuilt and replaced. NULL: kernels live as long
+       as a context of the device in this process */
     const char* program_folder;
 } plait_context_desc;
-
 PLAIT_API void plait_context_desc_init(plait_context_desc* desc, size_t size);
 
-/* Contexts of one device share built kernels within the process, on any threads, except those of
- * plait_opencl_context_create, which build in the caller's OpenCL context.
- * @errors NOT_FOUND (no such device; the message lists those there are), COMPILE, OUT_OF_MEMORY,
- * BACKEND, IO (program_folder). `desc` NULL: all defaults. */
+/* `desc` NULL: all defaults. Contexts of one device share built kernels within the process, on any
+ * threads, except those of plait_opencl_context_create, which build in the caller's OpenCL context.
+ * @errors NOT_FOUND (no such device; the message lists those there are), COMPILE (stage_sources),
+ *         IO (program_folder) */
 PLAIT_API plait_result plait_context_create(const plait_context_desc* desc, plait_context** out);
-/* `context` is invalid afterwards. Its sims stay valid; its device and memory are released with the
- * last of them, or now if there is none. */
+/* Its sims stay valid; its device and memory are released with the last of them. */
 PLAIT_API void plait_context_destroy(plait_context* context);
 /* The device it is on, and its `lanes`. */
 PLAIT_API plait_result plait_context_describe(const plait_context* context, plait_device_info* out);
@@ -244,8 +254,7 @@ typedef enum plait_axes {
 typedef enum plait_root_end {
     PLAIT_ROOT_END_FIRST = 0, /* the first vertex of each */
     PLAIT_ROOT_END_LAST = 1,  /* the last: strands are stored from tip to root */
-    /* the first, but of strands that the others contradict (plait_groom_info.roots_contradicted)
-       the last */
+    /* the last of strands that would count as roots_contradicted, else the first */
     PLAIT_ROOT_END_AGREED = 2,
     PLAIT_ROOT_END_FORCE_32 = 0x7fffffff
 } plait_root_end;
@@ -258,14 +267,12 @@ typedef struct plait_import_options {
     uint32_t resample; /* 0: keep; 2..256: every strand to this many vertices by arc length */
     plait_allocator allocator;
     plait_axes axes;         /* default Y_UP */
-    plait_root_end root_end; /* of strands, default FIRST */
-    plait_pose pose;         /* after axes and scale: a turn, then an offset in m, each [-1e6, 1e6];
-                                default the identity */
+    plait_root_end root_end; /* default FIRST */
+    plait_pose pose;         /* after axes and scale: a turn, then an offset in m, each
+                                [-1e6, 1e6]; default the identity */
 } plait_import_options;
-
 PLAIT_API void plait_import_options_init(plait_import_options* options, size_t size);
 
-/* Either `vertex_counts` or `vertices_per_strand`; views are copied. */
 typedef struct plait_groom_desc {
     uint32_t struct_size;
     plait_view positions;     /* float[3], metres, strand after strand, root first [vertices] */
@@ -276,8 +283,22 @@ typedef struct plait_groom_desc {
     plait_view bone_indices; /* uint32_t[4] [strands] or empty */
     plait_view bone_weights; /* float[4] [strands] or empty, sum 1 */
 } plait_groom_desc;
-
 PLAIT_API void plait_groom_desc_init(plait_groom_desc* desc, size_t size);
+
+/* `options` NULL: defaults. @errors BAD_DATA (nothing left, or policy REFUSE) */
+PLAIT_API plait_result plait_groom_create(const plait_groom_desc* desc,
+                                          const plait_import_options* options, plait_groom** out);
+
+/* By extension: .tfx (TressFX 3 and 4; a .tfxbone beside it is read as skin), .hair (Cem Yuksel),
+ * .obj polylines: docs/formats.md. On Windows all paths are UTF-8.
+ * @errors NOT_FOUND, IO, BAD_DATA (file, place, value, range), UNSUPPORTED (unknown extension) */
+PLAIT_API plait_result plait_groom_load(const char* path, const plait_import_options* options,
+                                        plait_groom** out);
+
+/* By extension: .tfx (version 4; strands must have equal vertex counts) or .hair. The file appears
+ * whole or not at all. @errors IO, UNSUPPORTED */
+PLAIT_API plait_result plait_groom_save(const plait_groom* groom, const char* path);
+PLAIT_API void plait_groom_destroy(plait_groom* groom);
 
 typedef struct plait_groom_info {
     uint32_t struct_size;
@@ -293,35 +314,18 @@ typedef struct plait_groom_info {
     float min_length; /* m, of a strand */
     float mean_length;
     float max_length;
-    /* 1 if mean_length is that of hair, 5 mm to 2 m, and the longest edge of the bounds 10 m at most;
-       else the plait_import_options.scale, on top of the one given, with which both would be: 0.01
-       for a groom in centimetres, 1e-3 in millimetres, 100 or 1000 for one that was scaled down
-       twice, else the one that makes the mean length a hair's. A guess */
+    /* A guess: the plait_import_options.scale, on top of the one given, with which mean_length is
+       that of hair, 5 mm to 2 m, and the longest edge of the bounds 10 m at most: 0.01 for a groom
+       in centimetres, 1 for one in metres */
     float likely_scale;
     uint64_t repairs[PLAIT_REPAIR_COUNT]; /* strands or segments repaired, by kind */
     uint64_t repairs_total;
     char first_repair[192];      /* "strand 17, vertex 3: segment of 0 m ..." or "" */
-    uint64_t roots_contradicted; /* strands whose root lies apart from all other roots, and whose
-                                    tip lies among them: stored from tip to root, likely */
-    uint64_t thickness_unlikely; /* strands whose diameter is no hair's, 10 um to 1 mm: wind takes
-                                    the mean of the others, or 70 um where there are none */
+    uint64_t roots_contradicted; /* strands likely stored from tip to root: only the tip lies among
+                                    the other roots */
+    uint64_t thickness_unlikely; /* strands whose diameter is no hair's, 10 um to 1 mm */
     char warning[512];           /* what of this is likely wrong, in sentences; "": nothing */
 } plait_groom_info;
-
-/* `options` NULL: defaults. @errors BAD_DATA (nothing left, or policy REFUSE). */
-PLAIT_API plait_result plait_groom_create(const plait_groom_desc* desc,
-                                          const plait_import_options* options, plait_groom** out);
-
-/* By extension: .tfx (TressFX 3 and 4; a .tfxbone beside it is read as skin), .hair (Cem Yuksel),
- * .obj polylines: docs/formats.md. @errors NOT_FOUND, IO, BAD_DATA (file, place, value, range),
- * UNSUPPORTED (unknown extension). On Windows all paths are UTF-8. */
-PLAIT_API plait_result plait_groom_load(const char* path, const plait_import_options* options,
-                                        plait_groom** out);
-
-/* By extension: .tfx (version 4; strands must have equal vertex counts) or .hair.
- * The file appears whole or not at all. @errors IO, UNSUPPORTED. */
-PLAIT_API plait_result plait_groom_save(const plait_groom* groom, const char* path);
-
 PLAIT_API void plait_groom_info_init(plait_groom_info* info, size_t size);
 PLAIT_API plait_result plait_groom_describe(const plait_groom* groom, plait_groom_info* out);
 
@@ -335,47 +339,9 @@ typedef enum plait_groom_field {
     PLAIT_GROOM_FIELD_FORCE_32 = 0x7fffffff
 } plait_groom_field;
 
-/* After repairs. dst == NULL: writes the needed size in bytes to *size (0: the groom lacks it). */
+/* After repairs: bytes. */
 PLAIT_API plait_result plait_groom_read(const plait_groom* groom, plait_groom_field field,
                                         void* dst, size_t* size);
-PLAIT_API void plait_groom_destroy(plait_groom* groom); /* sims keep what they need */
-
-/* ---- strands that follow -------------------------------------------------------------------- */
-
-/* Strands that are not simulated, each with up to four of the strands that are, its guides, and what
- * share of it follows which. Immutable, and shareable as grooms are. See docs/follows.md. */
-typedef struct plait_follow_map_desc {
-    uint32_t struct_size;
-    const plait_groom* follows; /* the strands, at rest, in the space of the guides' groom */
-    uint32_t guide_count;       /* strands of the guides' groom, at least 1 */
-    plait_view guides;  /* uint32_t[4] [follows], each below guide_count; of weight 0 not read */
-    plait_view weights; /* float[4] [follows], each [0, 1], of a strand sum 1 within 1e-3 */
-} plait_follow_map_desc;
-
-PLAIT_API void plait_follow_map_desc_init(plait_follow_map_desc* desc, size_t size);
-PLAIT_API plait_result plait_follow_map_create(const plait_follow_map_desc* desc,
-                                               plait_follow_map** out);
-
-/* Chooses `guides` strands of a groom, [1, all of them], whose roots are spread evenly, as a groom
- * of their own, `out`, and makes all others follow the four nearest to them on their side of a
- * parting (directions within 60 degrees), the nearer the more. The same groom and seed give the
- * same strands. Takes strands x guides distances. Both are to be destroyed. */
-PLAIT_API plait_result plait_groom_guides(const plait_groom* groom, size_t guides, uint64_t seed,
-                                          plait_groom** out, plait_follow_map** map);
-
-typedef enum plait_follow_map_field {
-    PLAIT_FOLLOW_MAP_FIELD_GUIDES = 0,  /* uint32_t[4] [follows], the greatest weight first */
-    PLAIT_FOLLOW_MAP_FIELD_WEIGHTS = 1, /* float[4] [follows], sum 1 */
-    /* uint32_t [guides and follows], in the order of a sim's strands: which strand of the groom it
-       is that plait_groom_guides chose from; none of a map made by plait_follow_map_create */
-    PLAIT_FOLLOW_MAP_FIELD_STRANDS = 2,
-    PLAIT_FOLLOW_MAP_FIELD_FORCE_32 = 0x7fffffff
-} plait_follow_map_field;
-
-/* dst == NULL: writes the needed size in bytes to *size (0: the map lacks it). */
-PLAIT_API plait_result plait_follow_map_read(const plait_follow_map* map,
-                                             plait_follow_map_field field, void* dst, size_t* size);
-PLAIT_API void plait_follow_map_destroy(plait_follow_map* map); /* sims keep what they need */
 
 /* ---- meshes --------------------------------------------------------------------------------- */
 
@@ -386,24 +352,21 @@ typedef enum plait_mesh_repair {
     PLAIT_MESH_REPAIR_DEGENERATE_TRIANGLE = 1, /* without area: dropped */
     PLAIT_MESH_REPAIR_DUPLICATE_TRIANGLE = 2,  /* the corners of one before: dropped */
     PLAIT_MESH_REPAIR_FLIPPED_TRIANGLE = 3,    /* faces another way than its surface: turned */
-    /* of more than four bones the four of most weight are kept, scaled to sum 1; of none: the first
-       bone. Files only */
+    /* of files: of more than four bones the heaviest four, scaled to sum 1; of none the first */
     PLAIT_MESH_REPAIR_REDUCED_SKIN = 4,
     PLAIT_MESH_REPAIR_COUNT = 5,
     PLAIT_MESH_REPAIR_FORCE_32 = 0x7fffffff
 } plait_mesh_repair;
 
-/* Triangles that hair may collide with: a head, a body, a collar. Immutable, and shareable as
- * grooms are. See docs/meshes.md. */
+/* Triangles that hair may collide with: a head, a body, a collar. See docs/meshes.md. */
 typedef struct plait_mesh_desc {
     uint32_t struct_size;
     plait_view positions; /* float[3], m, each [-1e6, 1e6] [vertices]; of no triangle: not read */
-    plait_view triangles; /* uint32_t[3], each below positions.count, counter-clockwise from
-                             outside [triangles] */
+    plait_view triangles; /* uint32_t[3], each below positions.count, counter-clockwise from outside
+                             [triangles] */
     plait_view bone_indices; /* uint32_t[4], each below 65536 [vertices]; or empty */
     plait_view bone_weights; /* float[4], each [0, 1], sum 1 within 1e-3 [vertices]; or empty */
 } plait_mesh_desc;
-
 PLAIT_API void plait_mesh_desc_init(plait_mesh_desc* desc, size_t size);
 
 /* `options` NULL: defaults; of them policy, scale, axes, pose and allocator are read.
@@ -412,11 +375,13 @@ PLAIT_API plait_result plait_mesh_create(const plait_mesh_desc* desc,
                                          const plait_import_options* options, plait_mesh** out);
 
 /* By extension: .obj, .gltf (with the .bin it names), .glb: all faces of all objects, where their
- * nodes put them, polygons as triangles, and of glTF the skin; read by assimp. .tfxmesh (TressFX 4.1)
- * with its skin. @errors NOT_FOUND, IO, BAD_DATA (file, triangle or line, value, range),
- * UNSUPPORTED (unknown extension, or built without assimp). */
+ * nodes put them, polygons as triangles, of glTF with the skin; .tfxmesh (TressFX 4.1), with it,
+ * too.
+ * @errors NOT_FOUND, IO, BAD_DATA (file, triangle or line, value, range), UNSUPPORTED (unknown
+ *         extension, or built without assimp) */
 PLAIT_API plait_result plait_mesh_load(const char* path, const plait_import_options* options,
                                        plait_mesh** out);
+PLAIT_API void plait_mesh_destroy(plait_mesh* mesh);
 
 typedef struct plait_mesh_info {
     uint32_t struct_size;
@@ -434,59 +399,52 @@ typedef struct plait_mesh_info {
     char first_repair[192]; /* "triangle 17: has no area, dropped" or "" */
     uint32_t bones;         /* of its skin; 0: none */
 } plait_mesh_info;
-
 PLAIT_API void plait_mesh_info_init(plait_mesh_info* info, size_t size);
 PLAIT_API plait_result plait_mesh_describe(const plait_mesh* mesh, plait_mesh_info* out);
 
 typedef enum plait_mesh_field {
     PLAIT_MESH_FIELD_POSITIONS = 0, /* float[3] [vertices] */
     PLAIT_MESH_FIELD_TRIANGLES = 1, /* uint32_t[3] [triangles] */
-    /* uint32_t [vertices]: of each the one it was when it came in, the first of those that were welded
-       to one. What moves the mesh as it came moves this one: positions[i] = came[sources[i]] */
+    /* uint32_t [vertices]: the number each had when it came in, of welded ones the first, so that
+       positions[i] = came[sources[i]] also when the mesh that came in moves */
     PLAIT_MESH_FIELD_SOURCES = 2,
     PLAIT_MESH_FIELD_BONE_INDICES = 3, /* uint32_t[4] [vertices] */
     PLAIT_MESH_FIELD_BONE_WEIGHTS = 4, /* float[4] [vertices], sum 1 */
     PLAIT_MESH_FIELD_FORCE_32 = 0x7fffffff
 } plait_mesh_field;
 
-/* After repairs. dst == NULL: writes the needed size in bytes to *size (0: the mesh lacks it). */
+/* After repairs: bytes. */
 PLAIT_API plait_result plait_mesh_read(const plait_mesh* mesh, plait_mesh_field field, void* dst,
                                        size_t* size);
 
-/* A bone as the mesh's file has it. Where its pose in the space of the mesh, 3x4, is P by now, its
- * skinning matrix is P times inverse_bind. */
+/* A bone as the mesh's file has it. Its skinning matrix is its present pose in the space of the
+ * mesh, 3x4, times inverse_bind. */
 typedef struct plait_mesh_bone_info {
     uint32_t struct_size;
     char name[64];          /* UTF-8, cut if longer; of meshes from arrays "" */
     float inverse_bind[12]; /* 3x4 row-major, m: from the mesh at rest to the bone. The identity
                                where the mesh is from arrays or .tfxmesh, which have none */
 } plait_mesh_bone_info;
-
 PLAIT_API void plait_mesh_bone_info_init(plait_mesh_bone_info* info, size_t size);
+
 /* @errors NOT_FOUND (`index` is not below plait_mesh_info.bones) */
 PLAIT_API plait_result plait_mesh_read_bone(const plait_mesh* mesh, uint32_t index,
                                             plait_mesh_bone_info* out);
 
-/* Where bones put the vertices, for plait_collider_set_positions: a linear blend on the host, on any
- * thread. bones: float[12], 3x4 row-major skinning matrices, as plait_roots.bones, at least as many as
- * the mesh has. positions: float[3], m [vertices], the caller's. The identity gives
- * PLAIT_MESH_FIELD_POSITIONS. @errors INVALID_STATE (no skin), INVALID_ARGUMENT (too few bones; bone,
- * not finite, singular or reflecting). A call that fails writes nothing. */
+/* Where bones put the vertices, for plait_collider_set_positions: a linear blend on the host, on
+ * any thread. `bones`: float[12], 3x4 row-major skinning matrices as in plait_roots.bones, at least
+ * as many as the mesh has, each finite and neither singular nor reflecting. `positions`: float[3],
+ * m [vertices]; identities give PLAIT_MESH_FIELD_POSITIONS. @errors INVALID_STATE (no skin) */
 PLAIT_API plait_result plait_mesh_pose(const plait_mesh* mesh, const plait_view* bones,
                                        float* positions);
-PLAIT_API void plait_mesh_destroy(plait_mesh* mesh); /* sims keep what they need */
 
-/* ---- simulation ----------------------------------------------------------------------------- */
+/* ---- parameters ----------------------------------------------------------------------------- */
 
 typedef enum plait_model {
     PLAIT_MODEL_TRESSFX = 0, /* parity with TressFX and the thesis; see docs/models/tressfx.md */
     PLAIT_MODEL_ARTICULATED = 1, /* inextensible rod; see docs/models/articulated.md */
     PLAIT_MODEL_FORCE_32 = 0x7fffffff
 } plait_model;
-
-#define PLAIT_BDF2_OF_MODEL 0xffffffffu
-#define PLAIT_SETTING_OF_SIM 0xfffffffeu /* in plait_strand_settings: what the sim has */
-#define PLAIT_STRAND_SETTINGS_MAX 64
 
 /* Forms of a formula: PUBLISHED and THRESHOLD as in TressFX 4, THESIS as in Ugurca 2015; the others
  * are our corrections. What each corrects: docs/models/tressfx.md. */
@@ -531,31 +489,22 @@ typedef enum plait_diffuse_rule {
     PLAIT_DIFFUSE_RULE_FLOORED = 1,
     PLAIT_DIFFUSE_RULE_FORCE_32 = 0x7fffffff
 } plait_diffuse_rule;
-typedef enum plait_strand_contact_form {
-    PLAIT_STRAND_CONTACT_OFF = 0,
-    PLAIT_STRAND_CONTACT_ON = 1,
-    PLAIT_STRAND_CONTACT_FORCE_32 = 0x7fffffff
-} plait_strand_contact_form;
 
 typedef enum plait_volume_form {
     PLAIT_VOLUME_OFF = 0,
     PLAIT_VOLUME_PRESSURE = 1,
     PLAIT_VOLUME_FORCE_32 = 0x7fffffff
 } plait_volume_form;
+typedef enum plait_strand_contact_form {
+    PLAIT_STRAND_CONTACT_OFF = 0,
+    PLAIT_STRAND_CONTACT_ON = 1,
+    PLAIT_STRAND_CONTACT_FORCE_32 = 0x7fffffff
+} plait_strand_contact_form;
 
-/* Whether the groom is the unloaded shape of the strands, from which they sag, or their equilibrium
- * under their own weight: lengths and rest rotations of the joints are then computed, in closed
- * form, for the gravity that the sim is made with and the head unrotated, and again when the material
- * changes. Gravity that changes later is felt; plait_sim_find_balance finds the balance anew.
- * plait_sim_describe reports the result. */
-typedef enum plait_sag_free {
-    PLAIT_SAG_FREE_OFF = 0,
-    PLAIT_SAG_FREE_REST = 1,    /* joints too weak for the groom keep their stiffness, and sag */
-    PLAIT_SAG_FREE_STIFFEN = 2, /* these joints get the stiffness that holds it, stably */
-    PLAIT_SAG_FREE_FORCE_32 = 0x7fffffff
-} plait_sag_free;
+/* A value of bdf2: 1 unless strand_contact is on. */
+#define PLAIT_BDF2_OF_MODEL 0xffffffffu
 
-/* Everything that may change between steps. plait_sim_set_params checks the ranges in brackets. */
+/* What may change between steps. Values outside the ranges in brackets are refused. */
 typedef struct plait_sim_params {
     uint32_t struct_size;
     float gravity[3]; /* m/s^2, default (0, -9.81, 0), each [-1e4, 1e4] */
@@ -579,36 +528,30 @@ typedef struct plait_sim_params {
     plait_stage_order order;       /* default PUBLISHED */
 
     /* model articulated: SI material of a strand */
-    uint32_t iterations; /* Newton steps, [0, 64], default 1 */
-    uint32_t bdf2;      /* 0: backward Euler; 1: BDF2, a quarter of the error and little damping; or
-                           PLAIT_BDF2_OF_MODEL (default): 1 unless strand_contact is on */
-    float line_density; /* rho A, kg/m, [1e-9, 1e3], default 5e-6 */
+    uint32_t iterations;     /* Newton steps, [0, 64], default 1 */
+    uint32_t bdf2;           /* 0: backward Euler; 1: BDF2; or PLAIT_BDF2_OF_MODEL (default) */
+    float line_density;      /* rho A, kg/m, [1e-9, 1e3], default 5e-6 */
     float bend_stiffness;    /* EI, N m^2, [0, 1e3], default 4.7e-9 (a hair of 70 um at 4 GPa) */
-    float stretch_stiffness; /* EA, N, [0, 1e9]; default 0: chosen so that the strand would stretch
-                                1 % under its weight at 10 g. Hair does not stretch: only kernels of
-                                the caller's for the stage articulated read it */
-    float twist_stiffness;   /* GJ, N m^2, [0, 1e3]; default 0: as bend_stiffness */
-    float section_ratio; /* EI2/EI of an elliptic section, [1e-3, 1e3], default 1: round. A strand
-                            curls about the axis of bend_stiffness */
-    float tip_stiffness; /* bend and twist stiffness at the tip / at the root, linear between,
-                            [0, 100], default 1 */
-    float tip_density;   /* line_density at the tip / at the root, linear between, [1e-3, 1e3],
-                            default 1 */
-    float drag;          /* 1/s, relative to the wind, [0, 1e4], default 2: a swing halves its
-                            amplitude in 0.7 s */
+    float stretch_stiffness; /* EA, N, [0, 1e9], default 0: of 1 % stretch under its weight at 10 g.
+                                Only kernels of the caller's for the stage articulated read it */
+    float twist_stiffness;   /* GJ, N m^2, [0, 1e3], default 0: as bend_stiffness */
+    float section_ratio;     /* EI2/EI of an ellipse, [1e-3, 1e3], default 1: round. A strand
+                                curls about the axis of bend_stiffness */
+    float tip_stiffness; /* of bend and twist, tip over root, linear between, [0, 100], default 1 */
+    float tip_density;   /* of line_density, likewise, [1e-3, 1e3], default 1 */
+    float drag;          /* 1/s, against the wind, [0, 1e4], default 2: swings halve in 0.7 s */
 
-    float groom; /* groom against physics, [0, 1], default 0: what share of a level strand's
-                            droop under its own weight the groom takes away; 1: hair stays as groomed.
-                            docs/groom.md */
+    float groom; /* [0, 1], default 0: the share of a level strand's droop under its weight that is
+                    taken away; 1: hair stays as groomed. docs/groom.md */
 
-    /* air */
+    /* air; docs/air.md */
     float wind[3];       /* m/s, each [-1e3, 1e3], default 0; with no drag: no wind stage */
     float air_with_head; /* [0, 1], share of the head's velocity that the air has, at the middle of
                             the groom; 1: under a hat; default 0. All but tressfx */
     float air_drag;      /* rho_air C_d d / (2 rho A), 1/m, [0, 1e6], default 0 */
     float wind_cone;     /* published form: its half angle, rad, [0, pi/2], default 0.7 */
 
-    /* inter-hair step, once per fixed step */
+    /* inter-hair step, once per fixed step; docs/grid.md */
     plait_interhair interhair;       /* default OFF */
     uint32_t grid_edge_count;        /* [1, 64], default 8 */
     uint32_t slot_capacity;          /* [1, 65536], default 1024 */
@@ -619,29 +562,25 @@ typedef struct plait_sim_params {
     float diffuse_factor;            /* [0, 1], default 0.9 */
     float diffuse_floor;             /* [0, 1], default 0.5 */
     uint32_t grid_in_world;          /* 0: moves and turns with the head; 1: fixed in the world */
-    float grid_origin[3]; /* corner, m, each [-1e6, 1e6], when grid_edge > 0; in the frame of
-                             grid_in_world */
+    float grid_origin[3]; /* corner, m, each [-1e6, 1e6], where grid_edge > 0; of world or head */
     float grid_edge;      /* whole edge, m, [0, 1e6]; 0: a cube around the groom's bounds x 1.5 */
 
-    /* volume: hair keeps the room it has in the groom; docs/volume.md. Model articulated,
-     * with interhair EXACT, whose braking it replaces */
+    /* volume: hair keeps the room it has in the groom. Model articulated, with interhair EXACT,
+       whose braking it replaces; docs/volume.md */
     plait_volume_form volume; /* default OFF */
     float volume_share;       /* density to keep, over that at rest, [0, 4], default 1 */
     uint32_t volume_sweeps;   /* of the pressure's solve, per fixed step, [1, 64], default 10 */
     float volume_rate;        /* 1/s: hair that is too dense parts no faster, [0, 1e3], default 5 */
-    float volume_viscosity;   /* 1/s: hair takes the velocity of the hair around it, [0, 1e3],
-                                 default 5 */
+    float volume_viscosity;   /* 1/s: hair takes on the velocity around it, [0, 1e3], default 5 */
     float cohesion; /* m^2/s^2: tension that hair bears, over its density, [0, 1e4], default 0 */
 
-    /* wetness, where PLAIT_FIELD_WETNESS was written; docs/wetness.md. All but tressfx */
+    /* wetness, where PLAIT_FIELD_WETNESS was written. All but tressfx; docs/wetness.md */
     float drying_time;  /* tau, s: it falls with e^(-t/tau), [0, 1e9], default 0: it stays */
-    float wet_cohesion; /* m^2/s^2, with volume: `cohesion` that wetness 1 adds, [0, 1e4],
-                           default 0.03 (not measured; chosen to look right) */
+    float wet_cohesion; /* m^2/s^2, with volume: cohesion of wetness 1, [0, 1e4], default 0.03 */
 
-    /* guide strands meet each other; docs/strand_contact.md. Model articulated */
+    /* guide strands meet each other. Model articulated; docs/strand_contact.md */
     plait_strand_contact_form strand_contact; /* default OFF */
-    float strand_radius;   /* m, (0, 0.1], default 0.002: half the distance of guides, as each
-                              stands for many hairs */
+    float strand_radius;   /* m, (0, 0.1], default 0.002: half the distance of guides */
     float strand_friction; /* Coulomb coefficient, [0, 10], default 0.3 */
 
     uint32_t follow_contact; /* 1 (default): strands that follow by a map are turned out of
@@ -650,58 +589,11 @@ typedef struct plait_sim_params {
     float accelerate_values[16]; /* each [-1e6, 1e6], default 0: passed to the caller's kernel for
                                     accelerate, which defines them; a warning if none runs */
 } plait_sim_params;
-
 PLAIT_API void plait_sim_params_init(plait_sim_params* params, size_t size);
 
-typedef enum plait_param_kind {
-    PLAIT_PARAM_KIND_FLOAT = 0,
-    PLAIT_PARAM_KIND_UINT = 1,
-    PLAIT_PARAM_KIND_CHOICE = 2, /* an enum */
-    PLAIT_PARAM_KIND_FORCE_32 = 0x7fffffff
-} plait_param_kind;
-
-/* A field of plait_sim_params, for code that reads, shows or binds them all. Texts are static. Its
- * default is that of plait_sim_params_init. `bdf2` may also be PLAIT_BDF2_OF_MODEL. */
-typedef struct plait_param_info {
-    uint32_t struct_size;
-    plait_param_kind kind;
-    const char* name;           /* "gravity" */
-    const char* unit;           /* "m/s^2"; "" without one */
-    const char* const* choices; /* CHOICE: names of the values 0 to `most`; else NULL */
-    uint32_t offset;            /* in plait_sim_params, bytes */
-    uint32_t count;             /* of components, 4 bytes each */
-    double least, most;         /* of each */
-    uint32_t least_excluded;    /* 1: greater than `least` */
-    uint32_t models;            /* that read it: bit 1u << plait_model */
-} plait_param_info;
-
-PLAIT_API void plait_param_info_init(plait_param_info* info, size_t size);
-
-/* All of them, in the order of the struct: a list, whose elements given have their struct_size. */
-PLAIT_API plait_result plait_params_list(plait_param_info* dst, size_t* count);
-
-/* Material and section of a hair. */
-typedef struct plait_fibre {
-    uint32_t struct_size;
-    float density;        /* kg/m^3, [1, 1e5], default 1300 */
-    float radius;         /* m, [1e-7, 0.1], default 35e-6; of an ellipse the larger half axis */
-    float flatness;       /* the smaller half axis / radius, [0.05, 1], default 1 */
-    float youngs_modulus; /* Pa, [0, 1e13], default 4e9 */
-    float shear_modulus;  /* Pa, [0, 1e13], default 1.5e9 */
-} plait_fibre;
-
-PLAIT_API void plait_fibre_init(plait_fibre* fibre, size_t size);
-
-/* Sets line_density, bend_stiffness, twist_stiffness and section_ratio of `params` to those of a
- * fibre of elliptic section; it bends about the longer axis most easily. stretch_stiffness stays: a
- * hair's own EA only slows the solve.
- * @source  beam theory: A = pi a b, EI = E pi a b^3/4, GJ = G pi a^3 b^3/(a^2 + b^2). */
-PLAIT_API plait_result plait_sim_params_set_fibre(plait_sim_params* params,
-                                                  const plait_fibre* fibre);
-
 /* What some strands of a sim are made of, in place of the params' fields of the same names (and of
- * tip_stiffness and tip_density, which the ramps replace). Ramps have knots at the root,
- * a third, two thirds of the arc length and the tip, linear between. Model articulated. */
+ * tip_stiffness and tip_density, which the ramps replace). Ramps have knots at the root, a third,
+ * two thirds of the arc length and the tip, linear between. Model articulated; docs/concepts.md. */
 typedef struct plait_material {
     uint32_t struct_size;
     float line_density;      /* kg/m, [1e-9, 1e3], default 5e-6 */
@@ -709,27 +601,36 @@ typedef struct plait_material {
     float stretch_stiffness; /* N, [0, 1e9], default 0: as in the params */
     float twist_stiffness;   /* N m^2, [0, 1e3], default 0: as bend_stiffness */
     float section_ratio;     /* [1e-3, 1e3], default 1 */
-    float curl;              /* scale of the turn of every joint at rest but the clamp, [0, 4]:
-                                0 straight, default 1: as groomed */
-    float clamp_stiffness;   /* scale of what holds the first segment in its direction at the root,
-                                bend and twist, [0, 100], default 1; 0: a hinge */
+    float curl;              /* scale of the turn at rest of every joint but the clamp, [0, 4],
+                                default 1: as groomed; 0: straight */
+    float clamp_stiffness;   /* scale of what holds the first segment in its direction, [0, 100],
+                                default 1; 0: a hinge */
     float stiffness_ramp[4]; /* scale of bend and twist stiffness, each [0, 100], default 1 */
     float density_ramp[4];   /* scale of line_density, each [1e-3, 1e3], default 1 */
-    float drag_scale;        /* scale of the air's drag on them, of the params' `drag` and of a
-                                wind's, [0, 100], default 1 */
-    float friction_scale;    /* scale of the coefficient of friction of whatever they touch,
-                                colliders of every kind and other strands, [0, 100], default 1. Of
-                                two strands that meet each feels friction by its own scale */
-    float groom_stiffness;   /* N/m^2, [0, 1e6], default 0: a piece of hair of length l is drawn to
-                                its place in the groom, carried by the root, by a spring of
-                                groom_stiffness x l. Adds to what the params' `groom` gives */
+    float drag_scale;        /* scale of the params' `drag` and of a wind's, [0, 100], default 1 */
+    float friction_scale;    /* scale of friction with colliders and strands, [0, 100], default 1;
+                                of two strands each feels its own */
+    float groom_stiffness;   /* N/m^2, [0, 1e6], default 0: a spring of groom_stiffness x l draws
+                                hair of length l to its place in the groom. Adds to that of the
+                                params' `groom` */
     float groom_ramp[4];     /* scale of both, each [0, 100], default 1 */
 } plait_material;
-
 PLAIT_API void plait_material_init(plait_material* material, size_t size);
 
 /* As a strand's material: none of the list, but what the params say. */
 #define PLAIT_MATERIAL_OF_PARAMS 0xffffffffu
+
+/* ---- sims ----------------------------------------------------------------------------------- */
+
+/* Whether the groom is the unloaded shape of the strands, from which they sag, or their equilibrium
+ * under their weight: with the gravity and material that the sim is made with and the head
+ * unrotated. It is found again when the material changes, and by plait_sim_find_balance. */
+typedef enum plait_sag_free {
+    PLAIT_SAG_FREE_OFF = 0,
+    PLAIT_SAG_FREE_REST = 1,    /* joints too weak for the groom keep their stiffness, and sag */
+    PLAIT_SAG_FREE_STIFFEN = 2, /* these joints get the stiffness that holds it, stably */
+    PLAIT_SAG_FREE_FORCE_32 = 0x7fffffff
+} plait_sag_free;
 
 typedef struct plait_sim_desc {
     uint32_t struct_size;
@@ -737,100 +638,40 @@ typedef struct plait_sim_desc {
     float step;                  /* fixed step, s, [1e-5, 1], default 1/60 */
     uint32_t substeps;           /* per fixed step, [1, 1000], default 1 */
     uint32_t max_steps_per_call; /* [1, 1000]; time beyond is dropped and counted, default 8 */
-    /* What is shown where a frame ends between two fixed steps: 0: the last step, as it was; 1: hair
-       between the last two steps, which is one step late at most, on the head as it is now; 2, the
-       default: 0 while frames end where steps do, and 1 from the first frame on that does not */
+    /* What is shown where a frame ends between two steps. 0: the last step. 1: hair between the
+       last two, one step late at most, on the head as it is now. 2, the default: 0 while frames end
+       where steps do, and 1 from the first frame on that does not */
     uint32_t interpolate_output;
     uint32_t keep_last_frame; /* 1: POSITION_LAST_FRAME exists; default 0 */
     uint32_t accelerations;   /* 1: ACCELERATION exists and acts; default 0 */
     uint32_t pins; /* 1: vertices may be pinned, PIN exists; tressfx refuses it; default 0 */
-    uint32_t follows_per_guide; /* [0, 64], default 0 */
-    float follow_radius;        /* m, [0, 1], default 0.003 */
-    uint64_t seed;              /* follow offsets and slot hash */
-    /* NULL, or strands that follow by turns: of this groom's guides, and in place of those of
-       follows_per_guide, which must be 0. V is that of the longest, guide or follow */
-    const plait_follow_map* follow_map;
-    plait_view strand_stiffness;     /* float [guides] or empty: factor of each strand's bend and
-                                    twist stiffness, [0, 1e6]. Copied */
-    const plait_material* materials; /* [material_count] or NULL. Copied, as by
-                                        plait_sim_set_materials, which changes them later */
+    uint32_t follows_per_guide;         /* copies beside each guide, [0, 64], default 0 */
+    float follow_radius;                /* m, [0, 1], default 0.003 */
+    uint64_t seed;                      /* follow offsets and slot hash */
+    const plait_follow_map* follow_map; /* or NULL; with it follows_per_guide is 0 */
+    plait_view strand_stiffness;        /* float [guides] or empty: factor of bend and twist
+                                           stiffness, [0, 1e6] */
+    const plait_material* materials;    /* [material_count] or NULL */
     size_t material_count;
     plait_view strand_material; /* uint32_t [guides], into `materials`; or empty */
     plait_sag_free sag_free;    /* tressfx refuses it. Default OFF */
     plait_sim_params params;
 } plait_sim_desc;
-
 PLAIT_API void plait_sim_desc_init(plait_sim_desc* desc, size_t size);
 
-/* What sims use that not every sim does: for plait_context_prepare, which builds what it takes. Every
- * sim may reset, teleport, read, write and measure, interpolate its output, and meet capsules, planes,
- * boxes and hulls. */
-typedef enum plait_feature {
-    PLAIT_FEATURE_SWITCHES = 1,        /* plait_sim_set_settings */
-    PLAIT_FEATURE_SKIN = 2,            /* plait_roots.bones */
-    PLAIT_FEATURE_BOUND_ROOTS = 4,     /* plait_sim_bind_roots */
-    PLAIT_FEATURE_FRAME = 8,           /* plait_sim_set_frame */
-    PLAIT_FEATURE_MESHES = 16,         /* plait_collider_create_mesh, form FIELD */
-    PLAIT_FEATURE_BENDING_MESHES = 32, /* the same, form NEAREST */
-    PLAIT_FEATURE_PINS = 64,           /* plait_sim_desc.pins */
-    PLAIT_FEATURE_GROOM = 128,         /* plait_sim_params.groom, plait_material.groom_stiffness */
-    PLAIT_FEATURE_ACCELERATIONS = 256, /* plait_sim_desc.accelerations */
-    PLAIT_FEATURE_WIND = 512,          /* plait_sim_set_wind; of tressfx, that of the params */
-    PLAIT_FEATURE_INTERHAIR = 1024,    /* plait_sim_params.interhair EXACT */
-    PLAIT_FEATURE_SLOTS = 2048,        /* the same, SLOTS */
-    PLAIT_FEATURE_VOLUME = 4096,       /* plait_sim_params.volume */
-    PLAIT_FEATURE_STRAND_CONTACT = 8192, /* plait_sim_params.strand_contact */
-    PLAIT_FEATURE_FOLLOWS = 16384,       /* plait_sim_desc.follow_map, follows_per_guide */
-    PLAIT_FEATURE_DETAIL = 32768,        /* plait_sim_set_detail */
-    PLAIT_FEATURE_WETNESS = 65536,       /* PLAIT_FIELD_WETNESS */
-    PLAIT_FEATURE_ALL = 131071,
-    PLAIT_FEATURE_FORCE_32 = 0x7fffffff
-} plait_feature;
-
-/* Called before each stage that is built, `done` of `total` of them before it, and once at the end with
- * done == total and stage "". On the thread of the call; it calls nothing of plait. 0: go on; any other
- * value ends the call. `stage` is valid until it returns. */
-typedef int (*plait_progress_fn)(uint32_t done, uint32_t total, const char* stage, void* user);
-
-typedef struct plait_prepare_desc {
-    uint32_t struct_size;
-    uint32_t models;   /* of the sims: bits 1u << plait_model; default ARTICULATED's */
-    uint32_t features; /* bits of plait_feature, default 0; the skin of `groom` is among them */
-    uint32_t vertices_per_strand; /* V, [2, 256]; default 0: of `groom`, or 16 where that is NULL */
-    /* the hair: kernels are built for its strands' lengths and number; NULL: for 2,048 strands of
-       vertices_per_strand, which drivers may tell from many (PoCL: from 65,536 vertices on, where a
-       sim then takes .05 s more for each of some kernels) */
-    const plait_groom* groom;
-    plait_progress_fn progress; /* or NULL */
-    void* progress_user;
-} plait_prepare_desc;
-
-PLAIT_API void plait_prepare_desc_init(plait_prepare_desc* desc, size_t size);
-
-/* Builds now what sims will take, for a loading screen: whatever they do then that `desc` names, in
- * grids of up to 32 voxels each way, compiles nothing. What is built already, and what is in the
- * program_folder, costs little; calls for several grooms add up. `desc` NULL: all defaults. Takes
- * seconds where nothing is cached. Meanwhile other threads may use everything but this context and its
- * sims. What was built stays when it ends early; called again it goes on.
- * @errors CANCELLED (by `progress`), UNSUPPORTED (the backend lacks a stage), COMPILE */
-PLAIT_API plait_result plait_context_prepare(plait_context* context,
-                                             const plait_prepare_desc* desc);
-
-/* Strands are stored [strands][V], V the groom's longest; shorter strands are padded with copies of
- * their tip. Guides come first, then follows, guide by guide or as in the map. The head starts at
- * the identity. `desc` NULL: all defaults. Context, groom and map may be destroyed before the sim.
- * Waits: what is on the device when it returns is the hair at rest, ready to be drawn or stepped.
- * Logs warnings: what plait_groom_info.warning says, a sag-free start that was not reached or needed
- * much stiffening (plait_sim_info.warning), and parameters away from their defaults that no strand's
- * model reads; of these plait_sim_set_params warns, too, and the next step if their feature is off.
- * @errors UNSUPPORTED (tressfx: V beyond the device's work-group; the backend lacks a stage),
- *         COMPILE. */
+/* `desc` NULL: all defaults. Strands are stored [strands][V], V the longest of the groom and its
+ * follow map; shorter strands are padded with copies of their tip. Guides, the groom's strands,
+ * come first, then follows, guide by guide or as in the map. The head starts at the identity.
+ * Waits: the hair is on the device then, at rest. Logs the warnings of plait_groom_info and
+ * plait_sim_info and, as plait_sim_set_params does, parameters away from their defaults that the
+ * model does not read; the next step logs those whose feature is off.
+ * @errors UNSUPPORTED (also tressfx with V beyond the device's work-group) */
 PLAIT_API plait_result plait_sim_create(plait_context* context, const plait_groom* groom,
                                         const plait_sim_desc* desc, plait_sim** out);
 PLAIT_API void plait_sim_destroy(plait_sim* sim);
 
 /* Sets every vertex to its rest position at the present roots, at rest relative to the head, whose
- * motion it takes on in the next step; clock and accumulator to 0. Does not wait. */
+ * motion it takes on in the next step; clock and accumulator to 0. */
 PLAIT_API plait_result plait_sim_reset(plait_sim* sim);
 
 /* What a sim is, what it has done, and the result of its sag-free start. */
@@ -857,101 +698,98 @@ typedef struct plait_sim_info {
     uint64_t sag_unstable;     /* strands that cannot stay as groomed: they buckle */
     uint64_t worst_residual_strand;
     uint64_t worst_stiffening_strand;
-    float sag_residual; /* worst residual of the sag-free start: missing moment / (weight x length),
-                           or missing force / weight; 0.5 is a limp, level strand */
+    /* the worst: missing moment / (weight x length), or missing force / weight; 0.5: a limp, level
+       strand */
+    float sag_residual;
     float worst_stiffening; /* of a joint: its bend stiffness / the material's; 1: none */
-    char warning[512];      /* what is likely wrong with groom, units or material, or a kernel
-                               of the caller's left out, as logged at creation and now; "": none */
+    char warning[512];      /* what is likely wrong with groom, units or material, or a kernel of
+                               the caller's left out, as logged at creation and now; "": none */
     float scale;            /* of the roots, their bones' included */
 } plait_sim_info;
-
 PLAIT_API void plait_sim_info_init(plait_sim_info* info, size_t size);
-/* Does not wait, and leaves the device alone. */
+
+/* From the host; leaves the device alone. */
 PLAIT_API plait_result plait_sim_describe(const plait_sim* sim, plait_sim_info* out);
 
-/* From the next step on; all or nothing. Waits for the device where material, sag or BDF2 change.
- * @errors UNSUPPORTED (the backend lacks a stage they ask for), COMPILE. */
+/* From the next step on. Waits where material, sag or BDF2 change. */
 PLAIT_API plait_result plait_sim_set_params(plait_sim* sim, const plait_sim_params* params);
 PLAIT_API plait_result plait_sim_get_params(const plait_sim* sim, plait_sim_params* params);
 
-/* What guide strands are made of, from the next step on: `strand_material`, uint32_t [guides], says
+/* What guide strands are made of, from the next step on. `strand_material`, uint32_t [guides], says
  * of each which of `materials` it is, or PLAIT_MATERIAL_OF_PARAMS; empty with one material: all are
- * of it; `count` 0: all are of the params again. Copied. strand_stiffness scales these, too. The
- * shape at rest stays the groom's, but for `curl`; a sag-free start is found anew, and then curls.
- * Hair moves on from where it is. Waits for the device.
- * @errors INVALID_ARGUMENT: a value outside its range, an index beyond the list, another count than
- *         the guides'; INVALID_STATE: the sim is of model tressfx, which has no such material. A
- *         call that fails changes nothing. */
+ * of it; `count` 0: all are of the params again. strand_stiffness scales these, too. Hair moves on
+ * from where it is. The shape at rest stays the groom's, but for `curl`; a sag-free start is found
+ * anew, and then curls. Waits.
+ * @errors INVALID_STATE (model tressfx) */
 PLAIT_API plait_result plait_sim_set_materials(plait_sim* sim, const plait_material* materials,
                                                size_t count, plait_view strand_material);
 
-/* Finds the balance of a sag-free groom anew, under the gravity and the material that the params have
- * now, so that the groom is again the equilibrium. Gravity that plait_sim_set_params changes is felt,
- * and does not move the balance: a sim in which it is turned for good calls this. From the next step
- * on; hair stays where it is. Waits. Not part of a snapshot, as the params are none.
- * @errors INVALID_STATE: sag_free is OFF. A call that fails changes nothing. */
+/* Finds the balance of a sag-free groom anew, from the next step on: gravity that
+ * plait_sim_set_params changes is felt, and does not move the balance by itself. Hair stays where
+ * it is. Not part of a snapshot. Waits. @errors INVALID_STATE (sag_free is OFF) */
 PLAIT_API plait_result plait_sim_find_balance(plait_sim* sim);
 
-/* How a strand is solved. PLAIT_SETTING_OF_SIM, the default of each: as plait_sim_desc and plait_sim_params
- * say, also when these change. */
+#define PLAIT_STRAND_SETTINGS_MAX 64
+
+/* A setting's default: as plait_sim_desc and plait_sim_params say, also when these change. */
+#define PLAIT_SETTING_OF_SIM 0xfffffffeu
+
+/* How a strand is solved. */
 typedef struct plait_strand_settings {
     uint32_t struct_size;
     uint32_t substeps;   /* per fixed step, [1, 1000] */
     uint32_t iterations; /* of a substep, [0, 64] */
     uint32_t bdf2;       /* 0, 1, or PLAIT_BDF2_OF_MODEL */
 } plait_strand_settings;
-
 PLAIT_API void plait_strand_settings_init(plait_strand_settings* settings, size_t size);
 
-/* The settings of every guide strand, from the next step on: those of `settings`, 1 to
- * PLAIT_STRAND_SETTINGS_MAX of them, whose index strand_settings gives; an empty view: settings[0]
- * for all. Positions and velocities stay. plait_sim_reset and set_params keep the settings, save and
- * restore include them. Strands of equal settings are stepped together, whatever their order; the
- * inter-hair step is that of the fixed step for all. Where
- * strands have different numbers of substeps, `acceleration`, `interhair` and what the caller reads
- * and writes (velocities, position_prev) are of the sim's own.
- * strand_settings: uint32_t [guides].
- * @errors INVALID_ARGUMENT: settings, index, value and range, or more settings; INVALID_STATE: the
- *         sim is of model tressfx; UNSUPPORTED: the backend lacks a stage. A call that fails changes nothing. */
+/* The settings of every guide strand, from the next step on: `strand_settings`, uint32_t [guides],
+ * are indices into `settings`, [1, PLAIT_STRAND_SETTINGS_MAX]; an empty view: settings[0] for all.
+ * Positions and velocities stay, as the settings do over plait_sim_reset and set_params; snapshots
+ * hold them. The inter-hair step, ACCELERATION and what the caller reads and writes (VELOCITY,
+ * POSITION_PREV) belong to the sim's own substeps. Waits. See docs/settings.md.
+ * @errors INVALID_STATE (model tressfx) */
 PLAIT_API plait_result plait_sim_set_settings(plait_sim* sim, const plait_strand_settings* settings,
                                               size_t count, plait_view strand_settings);
-/* Of every guide strand: a list, whose elements given have their struct_size; dst == NULL: writes
- * the needed count. substeps is a number, the sim's where it was not set. */
+/* Of every guide strand: a list, but *count below the guides' is INVALID_ARGUMENT. `substeps` is a
+ * number, the sim's where it was not set. */
 PLAIT_API plait_result plait_sim_get_settings(const plait_sim* sim, plait_strand_settings* dst,
                                               size_t* count);
 
-/* Where the roots will be at the end of the next plait_sim_step; on the way they interpolate. */
+/* ---- roots and frames ----------------------------------------------------------------------- */
+
+/* Where the roots will be at the end of the next plait_sim_step; on the way they interpolate. At
+ * most one of root_poses, bones and mesh_positions is given; `head` moves what it gives. */
 typedef struct plait_roots {
     uint32_t struct_size;
     plait_pose head;
-    plait_view root_poses;     /* plait_pose [guides], applied before head; or empty */
-    plait_view bones;          /* float[12], 3x4 row-major skinning matrices [bones], through the
-                              groom's skin (closest rotation of the blend) before head; or empty.
-                              Blended on the device; one that mirrors is refused */
-    plait_view mesh_positions; /* float[3], m, each [-1e6, 1e6], where the vertices are of the mesh
-                                  that plait_sim_bind_roots bound the roots to, before head; or
-                                  empty. At most one of these three is given */
-    float scale; /* how many times as large as the groom hair is, [1e-3, 1e3], default 1. Bones that
-                    scale alike do so on top of it; all of it is in [1e-3, 1e3]. Places stay metres
-                    of the world: head, root_poses, the bones' translations, mesh_positions. No
-                    reflection: neither below 0 nor by a bone */
+    plait_view root_poses; /* plait_pose [guides], or empty */
+    plait_view bones;      /* float[12], 3x4 row-major skinning matrices [bones], or empty: by the
+                              groom's skin, the closest rotation of the blend, on the device */
+    plait_view mesh_positions; /* float[3], m, each [-1e6, 1e6], or empty: vertices of the mesh that
+                                  plait_sim_bind_roots bound the roots to */
+    /* How many times as large as the groom hair is, [1e-3, 1e3], default 1, on top of the scale
+       that all bones have; the product has the same range. Places stay metres of the world: head,
+       root_poses, the bones' translations, mesh_positions. Neither it nor a bone may mirror */
+    float scale;
 } plait_roots;
-
 PLAIT_API void plait_roots_init(plait_roots* roots, size_t size);
-/* The first call of a sim says where the hair is, unless time has passed or velocities were written
- * before; each later call says where it goes. A sim may begin on a head that moves: hair takes on the
- * head's velocity in the first step that has two places to tell it from. Below 0.9 m/s the head is taken
+
+/* The first call says where the hair is, unless time has passed or velocities were written before;
+ * each later one says where it goes. On a head that moves from the start hair takes on the head's
+ * velocity in the first step that has two places to tell it from; below 0.9 m/s the head is taken
  * to start from rest. The log warns once of a jump that no head makes.
- * A scale takes hold at once: hair, bodies, grids and the air's eddies are as they were, seen from the
- * head and in its size, wherever it is; POSITION is as large from the next time on that it is shown. At
- * any scale hair at rest has the same shape, and moves alike where its head moves as many times as far
- * (docs/character.md says what is kept). What roots have of their own stays as it lies around its
- * middle; where they have some a change of scale waits for the device. Of bones the scale is the median
- * of the cube roots of their determinants, to 1 part in 65536; the log warns once of a bone that has
- * another by more than 1 %, or other ones along its axes.
- * Copies; checks that counts are the guides' and at least the skin's bones, rotations of length 1
- * within 1e-3, translations within 1e6 m, that bones are finite, map to more than a line and do not
- * mirror, nor mesh_positions where hair grows, and the scale. A call that fails changes nothing. */
+ *
+ * Refused are other counts than the guides' and fewer bones than the skin's, rotations whose length
+ * is not 1 within 1e-3, translations beyond 1e6 m, bones that are not finite, map to a line or
+ * mirror, and mesh_positions that do so where hair grows.
+ *
+ * A new scale holds at once: hair, bodies, grids and eddies stay as they were, seen from the head
+ * and in its size, and POSITION is as large from the next time on that it is shown. Roots with
+ * places of their own keep these around their middle, and the change waits for the device. The
+ * scale of bones is the median of the cube roots of their determinants, to 1 part in 65536; the log
+ * warns once of a bone whose own differs by more than 1 %, or along its axes. docs/character.md
+ * says what is kept. */
 PLAIT_API plait_result plait_sim_set_roots(plait_sim* sim, const plait_roots* roots);
 
 /* Where on a mesh a root is bound. */
@@ -963,22 +801,19 @@ typedef struct plait_root_place {
 } plait_root_place;
 
 /* Binds the root of every guide to the triangle of `mesh` that is nearest to it, the groom and the
- * mesh lying as they were made, in one frame; NULL: roots are free again. The mesh may be destroyed
- * then. From the next plait_sim_set_roots on plait_roots.mesh_positions says where its vertices are:
- * a root keeps its place over the triangle and its height above it, and is turned as the triangle is
- * (the closest rotation), on the device. Bound ones that are farther than 1 cm from the mesh are
- * warned of in the log. `dst`: NULL, or `count` places, one per guide. No part of a snapshot, as a
- * skin is none. Docs: docs/meshes.md.
- * @errors INVALID_ARGUMENT (count), UNSUPPORTED (the backend lacks the stage skin_mesh). A call that
- *         fails changes nothing but *dst. */
+ * mesh lying as they were made, in one frame; NULL: roots are free again. From the next
+ * plait_sim_set_roots on, with plait_roots.mesh_positions, a root keeps its place over the triangle
+ * and its height above it, and turns as the triangle does (the closest rotation). The log warns of
+ * roots that are farther than 1 cm from the mesh. `dst`: NULL, or `count` places, one per guide,
+ * which a call that fails may write. Waits. Not part of a snapshot. See docs/meshes.md. */
 PLAIT_API plait_result plait_sim_bind_roots(plait_sim* sim, const plait_mesh* mesh,
                                             plait_root_place* dst, size_t count);
 
 /* Carries the hair rigidly to new roots, and to their scale, at once, without dynamics. Hair keeps
- * its motion relative to the head. If the head moves on as before, turned by the teleport, hair feels
- * nothing. If its velocity in the next step differs by 0.9 m/s or more, hair takes on the new velocity.
- * Checked as in set_roots.
- * Colliders are at once where their poses were last set: set those that go along before. */
+ * its motion relative to the head. It feels nothing if the head moves on as before, turned by the
+ * teleport; if the head's velocity in the next step differs by 0.9 m/s or more, hair takes on the
+ * new one. Colliders are at once where their poses were last set: set those that go along first.
+ * `roots` are those of plait_sim_set_roots. */
 PLAIT_API plait_result plait_sim_teleport(plait_sim* sim, const plait_roots* roots);
 
 /* What the air of a frame does, in which the hair's drag and a wind are. */
@@ -989,8 +824,9 @@ typedef enum plait_frame_air {
     PLAIT_FRAME_AIR_FORCE_32 = 0x7fffffff
 } plait_frame_air;
 
-/* A frame of reference that carries the hair: a vehicle, a lift, a horse, the root of an animation. Hair
- * feels a share of its motion; the rest takes hair, roots and bodies along as if it had not been. */
+/* A frame of reference that carries the hair: a vehicle, a lift, a horse, the root of an animation.
+ * Hair feels a share of its motion; the rest takes hair, roots and bodies along as if it had not
+ * been. */
 typedef struct plait_frame_desc {
     uint32_t struct_size;
     plait_pose pose; /* in the world, where it will be at the end of the next plait_sim_step */
@@ -998,37 +834,176 @@ typedef struct plait_frame_desc {
     float felt_rotation;    /* share of its turn about its origin, likewise, default 0 */
     plait_frame_air air;    /* default UNFELT */
 } plait_frame_desc;
-
 PLAIT_API void plait_frame_desc_init(plait_frame_desc* desc, size_t size);
 
-/* Where the frame will be, once per frame, beside plait_sim_set_roots: on the way it interpolates as
- * roots do. The first call, and the first after NULL, puts it there at once; NULL: no frame. Roots,
- * colliders, pins and winds stay what they are without a frame: places in the world, whether they go
- * along with it or not. Gravity keeps its direction. With shares of 1 and air UNFELT each step gives the
- * same bits as without a frame; with shares of 0 hair moves as if the frame stood still. A teleport
- * and a step of 0 s move the frame at once, too. Snapshots hold it. See docs/concepts.md.
- * @errors INVALID_ARGUMENT: a pose that is none, a share or an enum outside its range; UNSUPPORTED: the
- *         backend lacks a stage; COMPILE. A call that fails changes nothing. */
+/* Where the frame will be, once per frame, beside plait_sim_set_roots; on the way it interpolates.
+ * The first call, the first after NULL, a teleport and a step of 0 s put it there at once; NULL: no
+ * frame. Roots, colliders, pins and winds stay places in the world, whether they go along or not,
+ * and gravity keeps its direction. With shares of 1 and air UNFELT steps give the bits of no frame;
+ * with shares of 0 hair moves as if the frame stood still. Snapshots hold it. */
 PLAIT_API plait_result plait_sim_set_frame(plait_sim* sim, const plait_frame_desc* desc);
 
-/* Advance by dt seconds, [0, 1e9]: enqueues the fixed steps that fit; the rest waits for the next
- * call. Time beyond max_steps_per_call is dropped and counted (plait_sim_info.steps_dropped): hair is
- * carried along with its head over it. What is below 0 by less than a microsecond is taken as 0. A step
- * of 0 s takes hair along with a head that was moved meanwhile, as plait_sim_teleport does.
- * Returns before the device is done (docs/threading.md).
- * Failures of the device may come with a later call, at the latest with one that waits. */
+/* ---- time ----------------------------------------------------------------------------------- */
+
+/* Advances by dt seconds, [0, 1e9]: enqueues the fixed steps that fit; the rest is kept for the
+ * next call. Time beyond max_steps_per_call is dropped and counted (plait_sim_info.steps_dropped):
+ * hair is carried along with its head over it. A dt below 0 by less than a microsecond is taken as
+ * 0. A step of 0 s takes hair along with a head that was moved meanwhile, as plait_sim_teleport
+ * does. Failures of the device may come with a later call, at the latest with one that waits. */
 PLAIT_API plait_result plait_sim_step(plait_sim* sim, double dt);
 
-/* The same for many sims, `count` of them: each as plait_sim_step would, to the same bits, but put
- * on the device together, where the work of one fills what another leaves idle. For crowds of small
- * sims; with profile = 1 one runs after another, so that each is timed. All are of `context`, none
- * is NULL or there twice: else the message names the index, and no sim has moved. Where the device
- * fails it names the sim it was at: those before it have been stepped, those after it have not. */
+/* plait_sim_step for `count` sims of `context`, to the same bits, but put on the device together,
+ * where the work of one fills what another leaves idle: for crowds of small sims. With profile = 1
+ * one runs after another. A sim that is NULL, of another context or there twice is named by its
+ * index, and no sim has moved. Where the device fails the message names the sim it was at: those
+ * before it have been stepped, those after it have not. */
 PLAIT_API plait_result plait_context_step(plait_context* context, plait_sim* const* sims,
                                           size_t count, double dt);
 
-/* Wait for the device; reports failures of the steps before. */
+/* Waits, and reports failures of the steps before. */
 PLAIT_API plait_result plait_sim_wait(plait_sim* sim);
+
+/* ---- colliders ------------------------------------------------------------------------------ */
+
+/* Generational id of a collider inside its sim; zero is null. An id that is not of this sim, or
+ * whose collider was destroyed, is NOT_FOUND in every function. */
+typedef struct plait_collider_id {
+    uint64_t value;
+} plait_collider_id;
+
+typedef enum plait_collider_kind {
+    PLAIT_COLLIDER_KIND_CAPSULE = 0, /* tapered: the hull of two spheres */
+    PLAIT_COLLIDER_KIND_PLANE = 1,   /* all that lies under a plane */
+    PLAIT_COLLIDER_KIND_BOX = 2,     /* with rounded edges */
+    /* made by plait_collider_create_mesh and plait_collider_create_hull; refused by
+       plait_collider_create */
+    PLAIT_COLLIDER_KIND_MESH = 3,
+    PLAIT_COLLIDER_KIND_HULL = 4, /* all that lies under each of its faces */
+    PLAIT_COLLIDER_KIND_FORCE_32 = 0x7fffffff
+} plait_collider_kind;
+
+/* What hair stays out of. A kind reads the fields that name it, and friction, pose and scale; the
+ * others are kept and not looked at. Lengths are in metres, in the collider's own frame. */
+typedef struct plait_collider_desc {
+    uint32_t struct_size;
+    float a[3];      /* one end of a capsule, a point of a plane, the centre of a box; +-1e6 */
+    float b[3];      /* capsule: the other end; a == b: a sphere */
+    float radius_a;  /* capsule: at a, (0, 1e3] */
+    float radius_b;  /* capsule: at b, the same */
+    float friction;  /* Coulomb coefficient, [0, 10] */
+    plait_pose pose; /* at creation */
+
+    plait_collider_kind kind;
+    float normal[3]; /* plane: outward, where hair may be; each +-1e6, of length [1e-6, 2e6] */
+    float half_extents[3]; /* box: half its edges before it is rounded, [0, 1e3]; 0 in all three: a
+                              sphere, in two: a capsule */
+    float rounding;        /* box: all within this of it belongs to it, [0, 1e3] */
+    float orientation[4];  /* box: a unit quaternion, x y z w, from its edges to the own frame */
+    uint32_t inward; /* capsule, box: 1: hair stays inside of it, as in a hood or a sleeve; 0, the
+                        default: outside. Wind, volume and shelter do not see one that is 1 */
+    float scale;     /* factor of all lengths of its shape, [1e-3, 1e3]; 0, the default: as those of
+                        the roots (plait_roots.scale), part of the character; 1: it keeps its size,
+                        a floor or a wall. Its pose is in metres of the world, whatever this is */
+} plait_collider_desc;
+PLAIT_API void plait_collider_desc_init(plait_collider_desc* desc, size_t size);
+PLAIT_API plait_result plait_collider_create(plait_sim* sim, const plait_collider_desc* desc,
+                                             plait_collider_id* out);
+
+/* How hair finds a mesh. */
+typedef enum plait_mesh_form {
+    /* rigid, by distances on a grid, made once: loses what is thinner than two cells, or sharper */
+    PLAIT_MESH_FORM_FIELD = 0,
+    /* by its nearest triangle: exact, for meshes that bend, are thin or open; dearer where hair is
+       near */
+    PLAIT_MESH_FORM_NEAREST = 1,
+    PLAIT_MESH_FORM_FORCE_32 = 0x7fffffff
+} plait_mesh_form;
+
+typedef struct plait_collider_mesh_desc {
+    uint32_t struct_size;
+    uint32_t cells; /* of FIELD, along the grid's longest side, [8, 256], default 48 */
+    float margin;   /* m, hair stays so far outside, less within twice of it from its root, [0,
+                       0.05], default 5e-4 */
+    float friction; /* Coulomb coefficient, [0, 10], default 0.3 */
+    /* 1, the default: no vertex is pushed farther out than it is where the groom has it, the roots
+       and the mesh being where they are now; 0: all are */
+    uint32_t clearance;
+    /* 0: the mesh is closed, and hair stays outside. 1: it is a sheet, closed or not: hair stays,
+       by FIELD a cell's edge, by NEAREST the margin from it on the side where it is. By NEAREST a
+       vertex belongs to the side where it was first, until it goes round a rim */
+    uint32_t two_sided;
+    plait_pose pose; /* at creation */
+
+    plait_mesh_form form; /* default FIELD */
+} plait_collider_mesh_desc;
+PLAIT_API void plait_collider_mesh_desc_init(plait_collider_mesh_desc* desc, size_t size);
+
+/* As large as the roots' scale makes it. Model articulated; a vertex meets one mesh in a substep,
+ * the deepest, beside all other colliders. Waits.
+ * @errors INVALID_STATE (model tressfx), INVALID_ARGUMENT (also open edges, and others that leave
+ *         it without sides, where two_sided is 0) */
+PLAIT_API plait_result plait_collider_create_mesh(plait_sim* sim, const plait_mesh* mesh,
+                                                  const plait_collider_mesh_desc* desc,
+                                                  plait_collider_id* out);
+
+/* Faces of a hull, at most. */
+#define PLAIT_HULL_FACES_MAX 256
+
+/* A convex body with flat faces, where box and capsule are too plain. Rigid, for every model, at
+ * the cost of a box and a dot product per face. See docs/meshes.md. */
+typedef struct plait_collider_hull_desc {
+    uint32_t struct_size;
+    float margin;    /* m: every face lies so far outside, [0, 1e3], default 0; edges stay sharp */
+    float friction;  /* Coulomb coefficient, [0, 10], default 0.3 */
+    float tolerance; /* of the mesh's size: how far it may be from convex, and triangles of one face
+                        from its plane, [1e-6, 0.1], default 1e-4. The hull holds all of it */
+    plait_pose pose; /* at creation */
+    uint32_t inward; /* as plait_collider_desc.inward; the margin is then on the inside */
+    float scale;     /* as plait_collider_desc.scale, of its faces and its margin */
+} plait_collider_hull_desc;
+PLAIT_API void plait_collider_hull_desc_init(plait_collider_hull_desc* desc, size_t size);
+
+/* Of a closed convex mesh: its faces are the planes of its triangles, those that lie in one plane
+ * together.
+ * @errors INVALID_ARGUMENT (also open edges, and others that leave it without an inside; flat; not
+ *         convex, with the edge and by how much; more than PLAIT_HULL_FACES_MAX faces) */
+PLAIT_API plait_result plait_collider_create_hull(plait_sim* sim, const plait_mesh* mesh,
+                                                  const plait_collider_hull_desc* desc,
+                                                  plait_collider_id* out);
+
+/* Where it will be at the end of the next plait_sim_step; interpolated from where it is. */
+PLAIT_API plait_result plait_collider_set_pose(plait_sim* sim, plait_collider_id collider,
+                                               const plait_pose* pose);
+/* Puts it elsewhere at once, as if it had been there all the time, so that it sweeps no hair along;
+ * positions that were set for a mesh of form NEAREST are where it is now, too. Hair that is inside
+ * then is let out, and hair is on that side of a sheet where it is. Waits only of a sheet of form
+ * NEAREST. */
+PLAIT_API plait_result plait_collider_place(plait_sim* sim, plait_collider_id collider,
+                                            const plait_pose* pose);
+/* Where the vertices of a mesh of form NEAREST, PLAIT_MESH_FIELD_POSITIONS, will be at the end of
+ * the next plait_sim_step, in the collider's own frame: float[3], m, each [-1e6, 1e6], as many as
+ * there are; interpolated from where they are. They have the roots' scale in them, that of the next
+ * step's end, stay until the next call, and are meanwhile as large as roots are. Hair on it goes
+ * along with what moves and stretches under it.
+ * @errors INVALID_STATE (no mesh, or of form FIELD) */
+PLAIT_API plait_result plait_collider_set_positions(plait_sim* sim, plait_collider_id collider,
+                                                    const plait_view* positions);
+/* Shape and friction of `desc`, from the next fixed step on; hair that is inside then is pushed
+ * out. desc->pose is checked and not used. @errors INVALID_STATE (it is a mesh or a hull) */
+PLAIT_API plait_result plait_collider_set_shape(plait_sim* sim, plait_collider_id collider,
+                                                const plait_collider_desc* desc);
+/* As it was given: shape, friction, and the pose at the end of the next plait_sim_step; of a mesh
+ * kind, friction and pose, the rest is 0; of a hull the box around it along its own axes, too: a,
+ * half_extents, and as rounding its margin. */
+PLAIT_API plait_result plait_collider_describe(const plait_sim* sim, plait_collider_id collider,
+                                               plait_collider_desc* out);
+/* Those of a sim, restored ones too: a list. */
+PLAIT_API plait_result plait_colliders_list(const plait_sim* sim, plait_collider_id* dst,
+                                            size_t* count);
+/* Its id is never used again. */
+PLAIT_API plait_result plait_collider_destroy(plait_sim* sim, plait_collider_id collider);
+
+/* ---- pins ----------------------------------------------------------------------------------- */
 
 /* What plait_sim_set_pins holds vertices at. */
 typedef enum plait_pin_frame {
@@ -1041,32 +1016,31 @@ typedef enum plait_pin_frame {
 /* N/m: more than any strand takes, so that a vertex is held as fast as can be. */
 #define PLAIT_PIN_HELD 1e6f
 
-/* A spring from a vertex to a point, the same in every direction: a hair tie or a clip (REST: it
- * goes with the head, and nothing is to be done per frame), the end of a rope, a hand (WORLD). */
+/* A spring from a vertex to a point, the same in every direction: a hair tie or a clip (REST, with
+ * nothing to do per frame), the end of a rope, a hand (WORLD). See docs/pins.md. */
 typedef struct plait_pin {
     uint32_t strand;       /* a guide */
     uint32_t vertex;       /* 1 to its last; 0, the root, its pose holds. 1 alone does not clamp */
     plait_pin_frame frame; /* REST */
     float target[3];       /* m, each [-1e6, 1e6]; REST reads none. Of GROOM at the groom's size */
     /* N/m, (0, 1e6]. Clamped to max(1e4 m/s^2 M/l, 100 m/h'^2), and so that the force stays below
-       300 m/s^2 M: M the strand's mass, l the segment before the vertex, m the vertex's mass, h' the
-       substep (BDF2: 2/3 of it). At the clamp, a vertex that carries the whole strand at 10 g is off by
-       at most l/100 */
+       300 m/s^2 M: M the strand's mass, l the segment before the vertex, m the vertex's mass, h'
+       the substep (BDF2: 2/3 of it) */
     float stiffness;
 } plait_pin;
 
-/* All pins of a sim, `count` of them, in place of those before; 0: none. A target that was pinned
- * before, in the world or not, moves straight from where it was to where it is now in the next
- * plait_sim_step, as roots do; else it is there at once. The vertex feels stiffness x (target - x):
- * this is the tension in the tie, unless the clamp above limits it. Pins stay until they are set
- * or written again, over reset, teleport (what is in the world stays there) and switches of models;
- * snapshots hold them. The first call waits.
- * @errors INVALID_STATE: pins is off. A call that fails changes nothing; the message names the pin,
- *         its strand, its vertex and the range. */
+/* All pins of a sim, `count` of them, in place of those before; 0: none. The target of a vertex
+ * that was pinned before moves straight to where it is now in the next plait_sim_step, as roots do;
+ * others are there at once. The vertex feels stiffness x (target - x), the tension in the tie
+ * unless the clamp limits it. Pins stay until they are set or written again, over reset and
+ * teleport (what is in the world stays there); snapshots hold them. The first call waits.
+ * @errors INVALID_STATE (plait_sim_desc.pins is 0) */
 PLAIT_API plait_result plait_sim_set_pins(plait_sim* sim, const plait_pin* pins, size_t count);
 
-/* Air that moves past strands and drags them, each vertex as a slender cylinder with the drag of its
- * Reynolds number: mean velocity, gusts of all of it, and eddies that it carries along. Adds to
+/* ---- air ------------------------------------------------------------------------------------ */
+
+/* Air that moves past strands and drags them, each vertex as a slender cylinder with the drag of
+ * its Reynolds number: mean velocity, gusts of all of it, and eddies that it carries along. Adds to
  * `wind` and `air_with_head` of the params, to which their linear `drag` stays relative. Formulae:
  * docs/wind.md. */
 typedef struct plait_wind_desc {
@@ -1084,28 +1058,25 @@ typedef struct plait_wind_desc {
                           that are a hair's, 10 um to 1 mm, or 70 um */
     float air_density; /* kg/m^3, (0, 1e4], default 1.204 */
     float viscosity;   /* kinematic, m^2/s, [0, 1], default 1.516e-5; 0: a drag coefficient of 1 */
-    uint32_t
-        shelter; /* 1 (default): hair and colliders, but for sheets (meshes that are two_sided),
-                          stop the wind, and the air in hair goes along with it; 0: nothing does */
-    float
-        hairs_per_strand; /* that a guide stands for in giving shelter, [0, 1e6], default 0: itself
-                          and its follows */
+    /* 1, the default: hair and colliders, but for sheets (meshes that are two_sided), stop the
+       wind, and the air in hair goes along with it; 0: nothing does */
+    uint32_t shelter;
+    float hairs_per_strand; /* sheltering by a guide, [0, 1e6], default 0: itself and its follows */
 } plait_wind_desc;
-
 PLAIT_API void plait_wind_desc_init(plait_wind_desc* desc, size_t size);
 
 /* From the next step on; NULL: none, as at first. Its time and its eddies go on when it is changed,
  * and start anew with plait_sim_reset, or after NULL; snapshots hold them, and a sim without wind
- * leaves them there. Where it is off nothing is scheduled, stored or changed.
- * @errors INVALID_ARGUMENT: a value outside its range; INVALID_STATE: the sim is of model tressfx,
- *         whose wind is that of its params; UNSUPPORTED: the backend lacks a stage; COMPILE. A call
- *         that fails changes nothing. */
+ * leaves them there.
+ * @errors INVALID_STATE (model tressfx, whose wind is that of its params) */
 PLAIT_API plait_result plait_sim_set_wind(plait_sim* sim, const plait_wind_desc* desc);
 
-/* What follow strands get after the simulation, each by a ramp over its length: knots at the root, a
- * third, two thirds and the tip, linear between. First strands are drawn to the centres of their
+/* ---- detail of follows ---------------------------------------------------------------------- */
+
+/* What follow strands get after the simulation, each by a ramp over its length: knots at the root,
+ * a third, two thirds and the tip, linear between. First strands are drawn to the centres of their
  * clumps, turned and as long as they are; then come curl and frizz, as offsets in a frame that each
- * strand carries along, which lengthen it. Guides and roots stay as they are. Docs: docs/follows.md. */
+ * strand carries along, which lengthen it. Guides and roots stay. See docs/follows.md. */
 typedef struct plait_detail_desc {
     uint32_t struct_size;
     float clump[4];     /* share of the way to the centre, each [0, 1], default 0 */
@@ -1115,30 +1086,30 @@ typedef struct plait_detail_desc {
     float frizz[4];     /* m, rms in each of two directions, each [0, 1], default 0 */
     float frizz_length; /* m of hair over which it keeps its direction, [1e-4, 100], default 0.01 */
     uint32_t seed;      /* of clumps, phases and frizz */
-    uint32_t clumps; /* their number; centres are follows whose roots are spread evenly, [0, all of
-                           them]; default 0: one for each guide */
+    uint32_t clumps;    /* number of centres, follows whose roots are spread evenly, [0, follows];
+                           default 0: one for each guide */
     /* uint32_t [follows] or empty: the strand each is drawn to, in place of `clumps`, which must be
        0: a guide, or a follow that is its own centre */
     plait_view clump_centres;
 } plait_detail_desc;
-
 PLAIT_API void plait_detail_desc_init(plait_detail_desc* desc, size_t size);
 
-/* From the next time on that positions are shown, which is the next step's or reset's; NULL: none, as
- * at first. Copied. In every model; snapshots, which hold no parameters, do not hold it. Where it is
- * off nothing is scheduled, stored or changed. Waits for the device.
- * @errors INVALID_ARGUMENT: a value outside its range, a strand that is no centre; INVALID_STATE: the
- *         sim has no follows; UNSUPPORTED: the backend lacks a stage; COMPILE. A call that fails
- *         changes nothing. */
+/* From the next step or reset on, which shows positions; NULL: none, as at first. In every model;
+ * not part of a snapshot. Waits.
+ * @errors INVALID_STATE (no follows) */
 PLAIT_API plait_result plait_sim_set_detail(plait_sim* sim, const plait_detail_desc* desc);
 
+/* ---- state ---------------------------------------------------------------------------------- */
+
+/* V is the row length, nv the number of voxels along an edge of the grid. "With x" names the field
+ * of plait_sim_desc that turns it on. */
 typedef enum plait_field {
     PLAIT_FIELD_POSITION = 0,     /* float[4] [strands][V]: x, y, z, inverse mass; for display */
     PLAIT_FIELD_TANGENT = 1,      /* float[4] [strands][V], unit, towards the tip */
     PLAIT_FIELD_VELOCITY = 2,     /* float[4] [guides][V], m/s */
     PLAIT_FIELD_REST = 3,         /* float[4] [guides][V], at the groom's size */
     PLAIT_FIELD_VERTEX_COUNT = 4, /* uint32_t [strands] */
-    /* float [nv^3], x fastest, then z, then y: y*nv^2 + z*nv + x. Both of hair at the groom's size */
+    /* float [nv^3], voxel y*nv^2 + z*nv + x; of hair at the groom's size, as GRID_VELOCITY */
     PLAIT_FIELD_GRID_DENSITY = 5,
     PLAIT_FIELD_GRID_VELOCITY = 6, /* float[4] [nv^3]: mean velocity, the grid's frame; rms speed */
     PLAIT_FIELD_POSITION_PREV = 7, /* float[4] [guides][V]: Verlet history */
@@ -1150,39 +1121,35 @@ typedef enum plait_field {
     /* float[4] [2]: least and greatest x, y, z of POSITION, w 0; of what is finite, and if nothing
        is, FLT_MAX and -FLT_MAX. Computed on the device when it is read */
     PLAIT_FIELD_BOUNDS = 10,
-    /* float[4] [guides][V], m/s^2, in the world: acceleration of a vertex beside gravity and air,
-       in every model, until it is written again; 0 at first. The caller writes it, or the caller's
-       kernel for the stage accelerate does before each fixed step. Where a component is not
-       finite or beyond 1e4 it is taken as 0. It acts as on hair of the groom's size, at any scale
-       of the roots, as gravity does. Not part of a snapshot. With accelerations */
+    /* float[4] [guides][V], m/s^2, in the world, 0 at first: acceleration of a vertex beside
+       gravity and air, in every model, until it is written again, by the caller or before each
+       fixed step by the caller's kernel for the stage accelerate. A component that is not finite or
+       beyond 1e4 is taken as 0. It acts as on hair of the groom's size, at any scale of the roots,
+       as gravity does. Not part of a snapshot. With accelerations */
     PLAIT_FIELD_ACCELERATION = 11,
     /* float[4] [guides][V]: the target of a vertex that is pinned, m, and the stiffness of what
        holds it there, N/m: w > 0: in the world; w < 0: -w, and the target is a place in the groom
-       that its strand's root carries along; 0, as at first: it is free. Filled by plait_sim_set_pins,
-       or written by the caller as one array. Vertex 0 and rows past the tip are ignored. With pins */
+       that its strand's root carries along; 0, as at first: it is free. Filled by
+       plait_sim_set_pins, or written by the caller as one array. Vertex 0 and rows past the tip are
+       ignored. With pins */
     PLAIT_FIELD_PIN = 12,
-    /* float [guides], [0, 1]: how wet a strand is, after the steps so far; 0, as at first: dry. Written
-       by the caller, it acts from the next step on, and dries with `drying_time`; below 1e-3 it is 0.
-       A wet strand is heavier and softer, with volume it lies closer to others and holds to them, and
-       its follows are drawn to it: by factors that are not measured (docs/wetness.md). Material
-       is scaled anew once wetness has moved by more than 0.02. Stays over reset, teleport and
-       switches of models; snapshots hold it. While all hair is dry there is no buffer and no stage
-       of it. All but tressfx, which refuses it */
+    /* float [guides], [0, 1]: how wet a strand is, after the steps so far; 0, as at first: dry.
+       Once written it acts from the next step on and dries with `drying_time`; below 1e-3 it is 0.
+       A wet strand is heavier and softer, with volume it lies closer to others and holds to them,
+       and its follows are drawn to it (docs/wetness.md). Material is scaled anew once wetness has
+       moved by more than 0.02. Stays over reset and teleport; snapshots hold it. All but tressfx */
     PLAIT_FIELD_WETNESS = 13,
     PLAIT_FIELD_COUNT = 14,
     PLAIT_FIELD_FORCE_32 = 0x7fffffff
 } plait_field;
 
-/* Waits. dst == NULL: writes the needed size in bytes.
- * @errors INVALID_STATE (what would fill the field is off) */
+/* Bytes. Waits. @errors INVALID_STATE (what would fill the field is off) */
 PLAIT_API plait_result plait_sim_read(plait_sim* sim, plait_field field, void* dst, size_t* size);
 
-/* Overwrite POSITION (guides only, [guides][V]; w is kept), POSITION_PREV, VELOCITY (guides),
- * ACCELERATION, PIN or WETNESS. The size must match; of a value outside [-1e6, 1e6] m,
- * [-1e4, 1e4] m/s, [-1e4, 1e4] m/s^2, [-1e6, 1e6] N/m (0 at vertex 0) or [0, 1] the call says the
- * index, and writes nothing. Waits.
- * @errors INVALID_STATE (accelerations, or pins, is off; WETNESS in model tressfx); where hair
- *         becomes wet UNSUPPORTED (the backend lacks a stage) and COMPILE */
+/* Overwrites POSITION (guides only, [guides][V]; w is kept), POSITION_PREV, VELOCITY, ACCELERATION,
+ * PIN or WETNESS. `size` must match. Values are within [-1e6, 1e6] m, [-1e4, 1e4] m/s, [-1e4, 1e4]
+ * m/s^2, [-1e6, 1e6] N/m (0 at vertex 0) and [0, 1]. Waits.
+ * @errors INVALID_STATE (accelerations or pins is off; WETNESS in model tressfx) */
 PLAIT_API plait_result plait_sim_write(plait_sim* sim, plait_field field, const void* src,
                                        size_t size);
 
@@ -1207,300 +1174,104 @@ typedef struct plait_sim_stats {
     uint64_t joints_stiffened;
     uint64_t sag_unstable;
 
-    /* with strand_contact: pairs of segments beyond the four nearest of each, in the last fixed step */
+    /* with strand_contact: pairs beyond the four nearest of each segment, in the last fixed step */
     uint64_t pairs_dropped;
 } plait_sim_stats;
-
 PLAIT_API void plait_sim_stats_init(plait_sim_stats* stats, size_t size);
 
-/* Waits and measures. */
+/* Measures on the device. Waits. */
 PLAIT_API plait_result plait_sim_get_stats(plait_sim* sim, plait_sim_stats* out);
 
-typedef struct plait_stage_time {
-    char stage[32];
-    uint64_t calls;
-    double seconds; /* device time, all calls; 0 unless the context was made with profile = 1 */
-} plait_stage_time;
-
-/* Times since creation or the last call with `reset`: a list. */
-PLAIT_API plait_result plait_sim_get_stage_times(plait_sim* sim, plait_stage_time* dst,
-                                                 size_t* count, uint32_t reset);
-
-/* Per sim; of more launches between two calls the newest are kept. */
-#define PLAIT_LAUNCHES_KEPT 65536
-
-/* One run of one stage on the device. Times in ns of the device's clock, whose origin is arbitrary;
- * all three are 0 where its driver reports none. */
-typedef struct plait_launch {
-    uint32_t struct_size;
-    char stage[32];
-    uint64_t items;
-    uint64_t bytes;     /* that the stage has to move through memory at least */
-    uint64_t queued_ns; /* the call that caused it enqueued it */
-    uint64_t begin_ns;
-    uint64_t end_ns;
-} plait_launch;
-
-PLAIT_API void plait_launch_init(plait_launch* launch, size_t size);
-
-/* What has run for the sim since its creation or the last call, the oldest first: a list, whose
- * elements given have their struct_size. Waits. What is written to dst is removed.
- * @errors INVALID_STATE: its context was made without profile = 1 */
-PLAIT_API plait_result plait_sim_take_launches(plait_sim* sim, plait_launch* dst, size_t* count);
-
-/* The dynamic state (no parameters) as bytes that restore on any device, into a sim of
- * the same groom, model, step and substeps. dst == NULL: its size. Both wait. It has a checksum of
- * its bytes and a fingerprint of the groom's strands as imported. Every value is checked against
- * its range, too, so that a state that is restored is one the sim can continue from.
+/* The dynamic state (no parameters) as bytes that restore on any device, into a sim of the same
+ * groom, model, step and substeps. A checksum, a fingerprint of the groom's strands as imported and
+ * the ranges of all values are checked: what is restored is a state that the sim can continue from.
+ * See docs/replay.md. Both wait.
  * @errors BAD_DATA (not a snapshot, damaged, cut, a value out of range), INVALID_ARGUMENT (of
- * another groom, model or step), UNSUPPORTED (of another version). What is refused changes nothing.
- */
+ *         another groom, model or step), UNSUPPORTED (of another version) */
 PLAIT_API plait_result plait_sim_save(plait_sim* sim, void* dst, size_t* size);
 PLAIT_API plait_result plait_sim_restore(plait_sim* sim, const void* src, size_t size);
 
 /* 64-bit hash of a snapshot: equal states, equal hashes. Waits. */
 PLAIT_API plait_result plait_sim_hash(plait_sim* sim, uint64_t* out);
 
-/* ---- weights of follows, learnt -------------------------------------------------------------- */
+/* ---- kernels before the first frame --------------------------------------------------------- */
 
-/* Learns a map's weights from hair in motion, all of whose strands are simulated: of each follow those
- * shares of the guides it has that put it nearest to where it was, in the sum of squares over vertices
- * and frames; none negative, sum 1 (Chai, Zheng & Zhou 2014; docs/follows.md says what is minimised).
- * Which guides a follow has stays: those that the map gives some weight.
- *
- * `groom` has the map's strands, in the order that PLAIT_FOLLOW_MAP_FIELD_STRANDS says, or, of a map
- * without, its guides and then its follows. Both are copied. Takes 40 bytes a vertex, 160 a follow and
- * 32 for each of the guides' vertices, however many the frames. A learner is used by one thread at a
- * time, and different ones are independent. It is on the host: needs no context.
- * @errors INVALID_ARGUMENT: the groom is not of the map's strands (their number, a follow's number of
- *         vertices) */
-PLAIT_API plait_result plait_follow_learner_create(const plait_groom* groom,
-                                                   const plait_follow_map* map,
-                                                   plait_follow_learner** out);
+/* What sims use that not every sim does. Every sim may reset, teleport, read, write and measure,
+ * interpolate its output, and meet capsules, planes, boxes and hulls. */
+typedef enum plait_feature {
+    PLAIT_FEATURE_SWITCHES = 1,        /* plait_sim_set_settings */
+    PLAIT_FEATURE_SKIN = 2,            /* plait_roots.bones */
+    PLAIT_FEATURE_BOUND_ROOTS = 4,     /* plait_sim_bind_roots */
+    PLAIT_FEATURE_FRAME = 8,           /* plait_sim_set_frame */
+    PLAIT_FEATURE_MESHES = 16,         /* plait_collider_create_mesh, form FIELD */
+    PLAIT_FEATURE_BENDING_MESHES = 32, /* the same, form NEAREST */
+    PLAIT_FEATURE_PINS = 64,           /* plait_sim_desc.pins */
+    PLAIT_FEATURE_GROOM = 128,         /* plait_sim_params.groom, plait_material.groom_stiffness */
+    PLAIT_FEATURE_ACCELERATIONS = 256, /* plait_sim_desc.accelerations */
+    PLAIT_FEATURE_WIND = 512,          /* plait_sim_set_wind; of tressfx, that of the params */
+    PLAIT_FEATURE_INTERHAIR = 1024,    /* plait_sim_params.interhair EXACT */
+    PLAIT_FEATURE_SLOTS = 2048,        /* the same, SLOTS */
+    PLAIT_FEATURE_VOLUME = 4096,       /* plait_sim_params.volume */
+    PLAIT_FEATURE_STRAND_CONTACT = 8192, /* plait_sim_params.strand_contact */
+    PLAIT_FEATURE_FOLLOWS = 16384,       /* plait_sim_desc.follow_map, follows_per_guide */
+    PLAIT_FEATURE_DETAIL = 32768,        /* plait_sim_set_detail */
+    PLAIT_FEATURE_WETNESS = 65536,       /* PLAIT_FIELD_WETNESS */
+    PLAIT_FEATURE_ALL = 131071,
+    PLAIT_FEATURE_FORCE_32 = 0x7fffffff
+} plait_feature;
 
-/* One frame more: where all strands are, m, in the groom's order, and where the roots are then.
- * `positions`: float[3] [strands][V], V any that holds the longest, each within 1e6: what
- * PLAIT_FIELD_POSITION of a sim of `groom` is, with a stride of 16 bytes. `roots`: as
- * plait_sim_set_roots takes them, at any scale, root_poses for all strands; bones and mesh_positions it
- * does not take. Nothing is kept of either. Takes 5 to 10 us a follow of 32 vertices. A call that fails adds nothing.
- * @errors UNSUPPORTED (bones, mesh_positions) */
-PLAIT_API plait_result plait_follow_learner_add_frame(plait_follow_learner* learner,
-                                                      const plait_roots* roots,
-                                                      plait_view positions);
+/* Called before each stage that is built, `done` of `total` of them before it, and once at the end
+ * with done == total and stage "". It calls nothing of plait. 0: go on; any other value ends the
+ * call. `stage` is valid until it returns. */
+typedef int (*plait_progress_fn)(uint32_t done, uint32_t total, const char* stage, void* user);
 
-/* rms distance of the follows' vertices from where they were, m, over all frames. */
-typedef struct plait_follow_fit_info {
+typedef struct plait_prepare_desc {
     uint32_t struct_size;
-    uint64_t frames;
-    double rms_before; /* with the map's own weights */
-    double rms_after;  /* with those learnt, to first order in what they change */
-} plait_follow_fit_info;
+    uint32_t models;   /* of the sims: bits 1u << plait_model; default ARTICULATED's */
+    uint32_t features; /* bits of plait_feature, default 0; the skin of `groom` is among them */
+    uint32_t vertices_per_strand; /* V, [2, 256]; default 0: of `groom`, or 16 where that is NULL */
+    /* The hair: kernels are built for its strands' lengths and number. NULL: for 2,048 strands of
+       vertices_per_strand; where a driver tells these from many (PoCL: from 65,536 vertices on), a
+       sim builds some kernels again */
+    const plait_groom* groom;
+    plait_progress_fn progress; /* or NULL */
+    void* progress_user;
+} plait_prepare_desc;
+PLAIT_API void plait_prepare_desc_init(plait_prepare_desc* desc, size_t size);
 
-PLAIT_API void plait_follow_fit_info_init(plait_follow_fit_info* info, size_t size);
-
-/* A map with the weights that all frames so far teach; guides whose weight is 0 are gone from it. More
- * frames may be added, and a map learnt again. `info` may be NULL. The map is to be destroyed.
- * @errors INVALID_STATE (no frame was added) */
-PLAIT_API plait_result plait_follow_learner_learn(const plait_follow_learner* learner,
-                                                  plait_follow_map** out,
-                                                  plait_follow_fit_info* info);
-PLAIT_API void plait_follow_learner_destroy(plait_follow_learner* learner);
-
-/* ---- colliders ------------------------------------------------------------------------------ */
-
-typedef enum plait_collider_kind {
-    PLAIT_COLLIDER_KIND_CAPSULE = 0, /* tapered: the hull of two spheres */
-    PLAIT_COLLIDER_KIND_PLANE = 1,   /* all that lies under a plane */
-    PLAIT_COLLIDER_KIND_BOX = 2,     /* with rounded edges */
-    /* reported by plait_collider_describe; not accepted by plait_collider_create, but by
-       plait_collider_create_mesh and plait_collider_create_hull */
-    PLAIT_COLLIDER_KIND_MESH = 3,
-    PLAIT_COLLIDER_KIND_HULL = 4, /* all that lies under each of its faces */
-    PLAIT_COLLIDER_KIND_FORCE_32 = 0x7fffffff
-} plait_collider_kind;
-
-/* What hair stays out of. A kind reads the fields that name it, and friction and pose; the others
- * are kept and not looked at. Lengths are in metres, in the collider's own frame. */
-typedef struct plait_collider_desc {
-    uint32_t struct_size;
-    float a[3];      /* one end of a capsule, a point of a plane, the centre of a box; +-1e6 */
-    float b[3];      /* capsule: the other end; a == b: a sphere */
-    float radius_a;  /* capsule: at a, (0, 1e3] */
-    float radius_b;  /* capsule: at b, the same */
-    float friction;  /* Coulomb coefficient, [0, 10] */
-    plait_pose pose; /* at creation */
-
-    plait_collider_kind kind;
-    float normal[3];       /* plane: outward, where hair may be; components in +-1e6, and any length
-                              in [1e-6, 2e6] */
-    float half_extents[3]; /* box: half its edges before it is rounded, [0, 1e3]; 0 in all three: a
-                              sphere, in two: a capsule */
-    float rounding;        /* box: all within this of it belongs to it, [0, 1e3] */
-    float orientation[4];  /* box: a unit quaternion, x y z w, from its edges to the own frame */
-    uint32_t inward; /* capsule, box: 1: hair stays inside of it, as in a hood or a sleeve; 0, the
-                              default: outside. Wind, volume and shelter do not see one that is 1 */
-    /* Factor of all lengths of its shape, [1e-3, 1e3]; 0, the default: as those of
-       the roots (plait_roots.scale), part of the character; 1: it keeps its size, a floor or a wall.
-       Its pose is in metres of the world, whatever this is */
-    float scale;
-} plait_collider_desc;
-
-PLAIT_API void plait_collider_desc_init(plait_collider_desc* desc, size_t size);
-PLAIT_API plait_result plait_collider_create(plait_sim* sim, const plait_collider_desc* desc,
-                                             plait_collider_id* out);
-
-/* How far the surface of a mesh is from that of the capsules that stand for it, m. */
-typedef struct plait_mesh_fit_info {
-    uint32_t struct_size;
-    double rms;
-    double percentile_99;
-    double greatest;
-} plait_mesh_fit_info;
-
-#define PLAIT_MESH_FIT_MAX 64
-
-PLAIT_API void plait_mesh_fit_info_init(plait_mesh_fit_info* info, size_t size);
-/* `count` [1, PLAIT_MESH_FIT_MAX] capsules whose union comes near `mesh`, for plait_collider_create:
- * cheaper to meet than a mesh, and for all models. They are in the mesh's frame, of the default
- * friction; the same mesh gives the same. 16 take a second, 64 six. `out` may be NULL. */
-PLAIT_API plait_result plait_mesh_fit(const plait_mesh* mesh, plait_collider_desc* dst,
-                                      size_t count, plait_mesh_fit_info* out);
-
-/* How hair finds a mesh. */
-typedef enum plait_mesh_form {
-    /* rigid: distances are made once, on a grid; what is thinner than two cells, or sharper, is
-       lost */
-    PLAIT_MESH_FORM_FIELD = 0,
-    /* by its nearest triangle: exact, for meshes that bend, are thin or open; dearer where hair is
-       near */
-    PLAIT_MESH_FORM_NEAREST = 1,
-    PLAIT_MESH_FORM_FORCE_32 = 0x7fffffff
-} plait_mesh_form;
-
-typedef struct plait_collider_mesh_desc {
-    uint32_t struct_size;
-    uint32_t cells; /* of FIELD, along the grid's longest side, [8, 256], default 48 */
-    float margin;   /* m, hair stays so far outside, less within twice of it from its root, [0,
-                       0.05], default 5e-4 */
-    float friction; /* Coulomb coefficient, [0, 10], default 0.3 */
-    /* 1, the default: no vertex is pushed farther out than it is where the groom has it, the roots
-       and the mesh being where they are now; 0: all are */
-    uint32_t clearance;
-    /* 0: the mesh is closed, and hair stays outside. 1: it is a sheet, closed or not: hair stays, by
-       FIELD a cell's edge, by NEAREST the margin from it on the side where it is. By NEAREST a vertex
-       belongs to the side where it was first, until it goes round a rim */
-    uint32_t two_sided;
-    plait_pose pose; /* at creation */
-
-    plait_mesh_form form; /* default FIELD */
-} plait_collider_mesh_desc;
-
-PLAIT_API void plait_collider_mesh_desc_init(plait_collider_mesh_desc* desc, size_t size);
-/* The sim keeps what it needs of `mesh`. It is as large as the roots' scale makes it. Waits for the
- * device. Model articulated; one mesh per vertex is met in a substep, the
- * deepest, beside all other colliders.
- * @errors INVALID_STATE (model tressfx), INVALID_ARGUMENT (open edges, and others that leave it
- * without sides, where two_sided is 0) */
-PLAIT_API plait_result plait_collider_create_mesh(plait_sim* sim, const plait_mesh* mesh,
-                                                  const plait_collider_mesh_desc* desc,
-                                                  plait_collider_id* out);
-
-/* Faces of a hull, at most. */
-#define PLAIT_HULL_FACES_MAX 256
-
-/* A convex body with flat faces: what box and capsule are too plain for, at the cost of a box and a
- * dot product per face. Rigid, and for every model. See docs/meshes.md. */
-typedef struct plait_collider_hull_desc {
-    uint32_t struct_size;
-    float margin;    /* m: every face lies so far outside, [0, 1e3], default 0; edges stay sharp */
-    float friction;  /* Coulomb coefficient, [0, 10], default 0.3 */
-    float tolerance; /* of the mesh's size: how far it may be from convex, and triangles of one
-                        face from its plane, [1e-6, 0.1], default 1e-4. The hull holds all of it */
-    plait_pose pose; /* at creation */
-    uint32_t inward; /* 1: hair stays inside, the margin from its faces; 0, the default: outside.
-                        Wind, volume and shelter do not see one that is 1 */
-    float scale;     /* as plait_collider_desc.scale, of its faces and its margin; default 0 */
-} plait_collider_hull_desc;
-
-PLAIT_API void plait_collider_hull_desc_init(plait_collider_hull_desc* desc, size_t size);
-/* Of a closed convex mesh: its faces are the planes of its triangles, those that lie in one plane
- * together. The sim keeps what it needs of `mesh`.
- * @errors INVALID_ARGUMENT (open edges, and others that leave it without an inside; flat; not
- * convex, with the edge and by how much; more than PLAIT_HULL_FACES_MAX faces) */
-PLAIT_API plait_result plait_collider_create_hull(plait_sim* sim, const plait_mesh* mesh,
-                                                  const plait_collider_hull_desc* desc,
-                                                  plait_collider_id* out);
-/* Where it will be at the end of the next plait_sim_step; interpolated from where it is.
- * @errors NOT_FOUND (not of this sim, or destroyed) */
-PLAIT_API plait_result plait_collider_set_pose(plait_sim* sim, plait_collider_id collider,
-                                               const plait_pose* pose);
-/* Puts it elsewhere at once: it was there all the time, takes no way from where it was, and sweeps no
- * hair along. Positions that were set for a mesh of form NEAREST are where it is now, too. Hair that is
- * inside then is let out, and hair is on that side of a sheet where it is. Waits for the device only
- * of a sheet of form NEAREST. @errors NOT_FOUND, INVALID_ARGUMENT (the pose) */
-PLAIT_API plait_result plait_collider_place(plait_sim* sim, plait_collider_id collider,
-                                            const plait_pose* pose);
-/* Where the vertices of a mesh of form NEAREST, PLAIT_MESH_FIELD_POSITIONS, will be at the end of
- * the next plait_sim_step, in the collider's own frame: float[3], m, each [-1e6, 1e6], as many as
- * there are; interpolated from where they are. They have the roots' scale in them, that of the next
- * step's end. Kept until it is called again, and meanwhile as large as roots are. Hair on it goes along
- * with what moves and stretches under it.
- * @errors NOT_FOUND, INVALID_STATE (no mesh, or of form FIELD), INVALID_ARGUMENT (count; vertex and
- * value) */
-PLAIT_API plait_result plait_collider_set_positions(plait_sim* sim, plait_collider_id collider,
-                                                    const plait_view* positions);
-/* Shape and friction of `desc`, from the next fixed step on; hair that is inside then is pushed
- * out. desc->pose is checked and not used. @errors NOT_FOUND, INVALID_STATE (it is a mesh or a hull) */
-PLAIT_API plait_result plait_collider_set_shape(plait_sim* sim, plait_collider_id collider,
-                                                const plait_collider_desc* desc);
-/* As it was given: shape, friction, and the pose at the end of the next plait_sim_step; of a mesh
- * kind, friction and pose, the rest is 0; of a hull the box around it along its own axes, too: a,
- * half_extents, and as rounding its margin. Does not wait. @errors NOT_FOUND */
-PLAIT_API plait_result plait_collider_describe(const plait_sim* sim, plait_collider_id collider,
-                                               plait_collider_desc* out);
-/* Those of a sim, restored ones too: a list. Does not wait. */
-PLAIT_API plait_result plait_colliders_list(const plait_sim* sim, plait_collider_id* dst,
-                                            size_t* count);
-/* Its id is never used again. @errors NOT_FOUND */
-PLAIT_API plait_result plait_collider_destroy(plait_sim* sim, plait_collider_id collider);
+/* Builds now what sims will take, for a loading screen, which takes seconds where nothing is
+ * cached: whatever they do then that `desc` names, in grids of up to 32 voxels each way, compiles
+ * nothing. `desc` NULL: all defaults. Calls for several grooms add up. Meanwhile other threads may
+ * use everything but this context and its sims. What was built stays when it ends early; called
+ * again it goes on. Waits.
+ * @errors CANCELLED (by `progress`) */
+PLAIT_API plait_result plait_context_prepare(plait_context* context,
+                                             const plait_prepare_desc* desc);
 
 /* ---- defaults, by value --------------------------------------------------------------------- */
 
-#define PLAIT_DEFAULTS(type)                                                                       \
-    static inline type type##_defaults(void) {                                                     \
-        type value;                                                                                \
-        type##_init(&value, sizeof value);                                                         \
-        return value;                                                                              \
-    }
 PLAIT_DEFAULTS(plait_device_info)
 PLAIT_DEFAULTS(plait_context_desc)
 PLAIT_DEFAULTS(plait_import_options)
 PLAIT_DEFAULTS(plait_groom_desc)
 PLAIT_DEFAULTS(plait_groom_info)
-PLAIT_DEFAULTS(plait_follow_map_desc)
-PLAIT_DEFAULTS(plait_follow_fit_info)
 PLAIT_DEFAULTS(plait_mesh_desc)
 PLAIT_DEFAULTS(plait_mesh_info)
 PLAIT_DEFAULTS(plait_mesh_bone_info)
-PLAIT_DEFAULTS(plait_mesh_fit_info)
-PLAIT_DEFAULTS(plait_param_info)
-PLAIT_DEFAULTS(plait_fibre)
-PLAIT_DEFAULTS(plait_material)
-PLAIT_DEFAULTS(plait_strand_settings)
 PLAIT_DEFAULTS(plait_sim_params)
+PLAIT_DEFAULTS(plait_material)
 PLAIT_DEFAULTS(plait_sim_desc)
-PLAIT_DEFAULTS(plait_prepare_desc)
 PLAIT_DEFAULTS(plait_sim_info)
-PLAIT_DEFAULTS(plait_sim_stats)
-PLAIT_DEFAULTS(plait_launch)
+PLAIT_DEFAULTS(plait_strand_settings)
 PLAIT_DEFAULTS(plait_roots)
 PLAIT_DEFAULTS(plait_frame_desc)
-PLAIT_DEFAULTS(plait_wind_desc)
-PLAIT_DEFAULTS(plait_detail_desc)
 PLAIT_DEFAULTS(plait_collider_desc)
 PLAIT_DEFAULTS(plait_collider_mesh_desc)
 PLAIT_DEFAULTS(plait_collider_hull_desc)
-#undef PLAIT_DEFAULTS
+PLAIT_DEFAULTS(plait_wind_desc)
+PLAIT_DEFAULTS(plait_detail_desc)
+PLAIT_DEFAULTS(plait_sim_stats)
+PLAIT_DEFAULTS(plait_prepare_desc)
 
 #ifdef __cplusplus
 }

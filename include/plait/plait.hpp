@@ -1,11 +1,14 @@
-// Owning handles over plait.h, for C++17. The only exceptions of plait are thrown here.
+// Owning handles over plait.h, plait_offline.h and plait_profile.h, for C++17. The only exceptions of
+// plait are thrown here.
 //
 // Each class owns one handle: movable, not copyable, convertible to the C handle, so every function
-// of plait.h stays within reach. A failed call throws plait::Error with its code and sentence.
+// of these headers stays within reach. A failed call throws plait::Error with its code and sentence.
 #ifndef PLAIT_HPP
 #define PLAIT_HPP
 
 #include <plait/plait.h>
+#include <plait/plait_offline.h>
+#include <plait/plait_profile.h>
 
 #include <cstddef>
 #include <cstdint>

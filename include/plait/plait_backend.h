@@ -10,6 +10,7 @@
 
 #include <plait/params.h>
 #include <plait/plait.h>
+#include <plait/plait_profile.h>
 
 #ifdef __cplusplus
 extern "C" {

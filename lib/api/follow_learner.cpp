@@ -6,6 +6,8 @@
 #include "api/structs.hpp"
 #include "api/view.hpp"
 
+#include <plait/plait_offline.h>
+
 namespace plait::api {
 namespace {
 

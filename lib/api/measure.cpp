@@ -2,6 +2,8 @@
 #include "api/objects.hpp"
 #include "api/structs.hpp"
 
+#include <plait/plait_profile.h>
+
 #include <string_view>
 
 using namespace plait;

@@ -10,6 +10,8 @@
 #include "api/view.hpp"
 #include "io/io.hpp"
 
+#include <plait/plait_offline.h>
+
 namespace plait::api {
 namespace {
 

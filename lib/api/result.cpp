@@ -56,6 +56,6 @@ const char* plait_last_error(void) {
 }
 
 uint32_t plait_version(void) {
-    return PLAIT_VERSION_MAJOR * 10000 + PLAIT_VERSION_MINOR * 100 + PLAIT_VERSION_PATCH;
+    return PLAIT_VERSION_NUMBER;
 }
 }

@@ -11,6 +11,8 @@
 #include "core/params/params.hpp"
 #include "core/wind/wind.hpp"
 
+#include <plait/plait_offline.h>
+
 #include <algorithm>
 #include <cmath>
 

@@ -1,6 +1,8 @@
 // What a strand is made of: fibres, flat sections, scales per strand.
 #include "stability/one_strand.hpp"
 
+#include <plait/plait_offline.h>
+
 namespace plait::test {
 namespace {
 

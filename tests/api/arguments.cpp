@@ -1,4 +1,5 @@
 // Bad arguments of every function: the code, and a sentence that names the argument.
+#include "headers.hpp"
 #include "support.hpp"
 
 #ifdef PLAIT_TEST_OPENCL
@@ -6,11 +7,9 @@
 #endif
 
 #include <cstring>
-#include <fstream>
 #include <functional>
 #include <regex>
 #include <set>
-#include <sstream>
 
 namespace {
 
@@ -57,10 +56,7 @@ std::set<std::string> expect_refused(const std::vector<Bad>& table) {
 
 // Functions of a header that can fail.
 std::set<std::string> declared(const std::string& header) {
-    std::ifstream stream(PLAIT_SOURCE_DIR "/include/plait/" + header);
-    std::stringstream text;
-    text << stream.rdbuf();
-    const std::string all = text.str();
+    const std::string all = text_of_header(header);
     const std::regex declaration("PLAIT_API\\s+plait_result\\s+(\\w+)\\(");
     std::set<std::string> names;
     for (std::sregex_iterator i(all.begin(), all.end(), declaration), end; i != end; ++i)
@@ -296,8 +292,9 @@ TEST(Arguments, NullPointers) {
         {"api is NULL", [](O&) { return plait_backend_register(nullptr); }},
         {"path is NULL", [](O&) { return plait_backend_load(nullptr); }},
     });
-    auto functions = declared("plait.h");
-    functions.merge(declared("plait_backend.h"));
+    std::set<std::string> functions;
+    for (const std::string& header : names_of_headers())
+        functions.merge(declared(header));
     EXPECT_EQ(refused, functions) << "a function has no row above";
 }
 

@@ -254,7 +254,8 @@ TEST(Contexts, TheStageTableDescribesEveryStage) {
 }
 
 TEST(Contexts, VersionAndResultsHaveText) {
-    EXPECT_EQ(plait_version(), 100u);
+    static_assert(PLAIT_VERSION_NUMBER == 100, "0.1.0");
+    EXPECT_EQ(plait_version(), uint32_t(PLAIT_VERSION_NUMBER));
     EXPECT_STREQ(plait_result_string(PLAIT_OK), "ok");
     EXPECT_STREQ(plait_result_string(static_cast<plait_result>(99)), "not a result of plait");
 }

@@ -1,11 +1,10 @@
 // The table of parameters: nothing is missing, ranges are those that are checked and those that
 // plait.h names.
+#include "headers.hpp"
 #include "support.hpp"
 
 #include <cstring>
-#include <fstream>
 #include <regex>
-#include <sstream>
 
 namespace {
 
@@ -94,10 +93,7 @@ TEST_F(ParamTable, IsCutOrRefusedLikeEveryList) {
 // ---- what plait.h says of a field ---------------------------------------------------------------
 
 std::string params_struct() {
-    std::ifstream header(PLAIT_SOURCE_DIR "/include/plait/plait.h");
-    std::stringstream text;
-    text << header.rdbuf();
-    const std::string all = text.str();
+    const std::string all = text_of_header("plait.h");
     const size_t begin = all.find("typedef struct plait_sim_params {");
     return all.substr(begin, all.find("} plait_sim_params;") - begin);
 }

@@ -4,6 +4,7 @@
 #include "support.hpp"
 
 #include <plait/plait_opencl.h>
+#include <plait/plait_profile.h>
 
 #include <cmath>
 #include <map>

@@ -3,6 +3,8 @@
 
 #include "common/failure.hpp"
 
+#include <plait/plait_offline.h>
+
 #include <memory>
 
 namespace common {

@@ -2,6 +2,8 @@
 
 #include "common/failure.hpp"
 
+#include <plait/plait_offline.h>
+
 #include <cstring>
 #include <stdexcept>
 #include <vector>

@@ -1,5 +1,7 @@
 #include "report.hpp"
 
+#include <plait/plait_profile.h>
+
 #include <algorithm>
 #include <cstdio>
 

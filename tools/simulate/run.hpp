@@ -8,6 +8,8 @@
 #include "scene/motion.hpp"
 #include "shot.hpp"
 
+#include <plait/plait_profile.h>
+
 #include <functional>
 #include <optional>
 #include <string>

@@ -2,7 +2,7 @@
 // told.
 #pragma once
 
-#include <plait/plait.h>
+#include <plait/plait_offline.h>
 
 #include <span>
 #include <string>

@@ -22,6 +22,8 @@
 #include "core/wetness/wetness.hpp"
 #include "core/wind/wind.hpp"
 
+#include <plait/plait_profile.h>
+
 #include <memory>
 
 namespace plait {

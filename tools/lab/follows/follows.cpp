@@ -4,6 +4,8 @@
 
 #include "common/progress.hpp"
 
+#include <plait/plait_offline.h>
+
 #include <algorithm>
 #include <memory>
 

@@ -2,6 +2,8 @@
 
 #include "generator/generator.hpp"
 
+#include <plait/plait_offline.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>

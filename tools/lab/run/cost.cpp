@@ -1,5 +1,7 @@
 #include "cost.hpp"
 
+#include <plait/plait_profile.h>
+
 #include <algorithm>
 #include <chrono>
 

@@ -1,7 +1,7 @@
 // What the host called and what the device ran, frame by frame.
 #pragma once
 
-#include <plait/plait.h>
+#include <plait/plait_profile.h>
 
 #include <chrono>
 #include <cstdint>

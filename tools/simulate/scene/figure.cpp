@@ -2,6 +2,8 @@
 #include "loaded.hpp"
 #include "read_field.hpp"
 
+#include <plait/plait_offline.h>
+
 #include <Eigen/Dense>
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 
 #include "common.hpp"
 
-#include <plait/plait.h>
+#include <plait/plait_offline.h>
 
 #include <vector>
 

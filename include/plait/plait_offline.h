@@ -1,0 +1,175 @@
+/* Tools for the time before a simulation: maps of strands that follow, capsules that stand for a
+ * mesh, the material of a fibre, the table of parameters. They run on the host and need no context.
+ * The conventions are those of plait.h.
+ */
+#ifndef PLAIT_OFFLINE_H
+#define PLAIT_OFFLINE_H
+
+#include <plait/plait.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---- strands that follow --------------------------------------------------------------------- */
+
+/* Strands that are not simulated: each follows up to four guides, which are, by weights. For
+ * plait_sim_desc.follow_map; made of arrays here, of a groom by plait_groom_guides. See
+ * docs/follows.md. */
+typedef struct plait_follow_map_desc {
+    uint32_t struct_size;
+    const plait_groom* follows; /* the strands, at rest, in the space of the guides' groom */
+    uint32_t guide_count;       /* strands of the guides' groom, at least 1 */
+    plait_view guides;  /* uint32_t[4] [follows], each below guide_count; of weight 0 not read */
+    plait_view weights; /* float[4] [follows], each [0, 1], of a strand sum 1 within 1e-3 */
+} plait_follow_map_desc;
+PLAIT_API void plait_follow_map_desc_init(plait_follow_map_desc* desc, size_t size);
+PLAIT_API plait_result plait_follow_map_create(const plait_follow_map_desc* desc,
+                                               plait_follow_map** out);
+PLAIT_API void plait_follow_map_destroy(plait_follow_map* map);
+
+typedef enum plait_follow_map_field {
+    PLAIT_FOLLOW_MAP_FIELD_GUIDES = 0,  /* uint32_t[4] [follows], the greatest weight first */
+    PLAIT_FOLLOW_MAP_FIELD_WEIGHTS = 1, /* float[4] [follows], sum 1 */
+    /* uint32_t [guides and follows], in the order of a sim's strands: the strand's number in the
+       groom that plait_groom_guides chose from; none of a map made of arrays */
+    PLAIT_FOLLOW_MAP_FIELD_STRANDS = 2,
+    PLAIT_FOLLOW_MAP_FIELD_FORCE_32 = 0x7fffffff
+} plait_follow_map_field;
+
+/* Bytes. */
+PLAIT_API plait_result plait_follow_map_read(const plait_follow_map* map,
+                                             plait_follow_map_field field, void* dst, size_t* size);
+
+/* Chooses `guides` strands of a groom, [1, all of them], whose roots are spread evenly, as a groom
+ * of their own, `out`, and makes all others follow the four nearest to them on their side of a
+ * parting (directions within 60 degrees), the nearer the more. The same groom and seed give the
+ * same strands. Takes strands x guides distances. */
+PLAIT_API plait_result plait_groom_guides(const plait_groom* groom, size_t guides, uint64_t seed,
+                                          plait_groom** out, plait_follow_map** map);
+
+/* ---- weights of follows, learnt -------------------------------------------------------------- */
+
+typedef struct plait_follow_learner plait_follow_learner;
+
+/* Learns a map's weights from hair in motion, all of whose strands are simulated: those shares of
+ * its guides, none negative, sum 1, that put a follow nearest to where it was, in the sum of
+ * squares over vertices and frames (Chai, Zheng & Zhou 2014; docs/follows.md). A follow keeps the
+ * guides to which the map gives some weight.
+ *
+ * `groom` has the map's strands, in the order that PLAIT_FOLLOW_MAP_FIELD_STRANDS says, or, of a
+ * map without, its guides and then its follows. Both are copied. Takes 40 bytes a vertex, 160 a
+ * follow and 32 for each of the guides' vertices, however many the frames. A learner is used by one
+ * thread at a time; different ones are independent.
+ * @errors INVALID_ARGUMENT (also another number of strands than the map's, or of vertices of a
+ *         follow) */
+PLAIT_API plait_result plait_follow_learner_create(const plait_groom* groom,
+                                                   const plait_follow_map* map,
+                                                   plait_follow_learner** out);
+PLAIT_API void plait_follow_learner_destroy(plait_follow_learner* learner);
+
+/* One frame more: where all strands are, in the groom's order, and where the roots are then.
+ * `positions`: float[3], m, each within 1e6 [strands][V], V any that holds the longest:
+ * PLAIT_FIELD_POSITION of a sim of `groom` with a stride of 16 bytes. `roots`: as for
+ * plait_sim_set_roots, at any scale, with root_poses for all strands. Nothing is kept of either.
+ * @errors UNSUPPORTED (bones, mesh_positions) */
+PLAIT_API plait_result plait_follow_learner_add_frame(plait_follow_learner* learner,
+                                                      const plait_roots* roots,
+                                                      plait_view positions);
+
+/* rms distance of the follows' vertices from where they were, m, over all frames. */
+typedef struct plait_follow_fit_info {
+    uint32_t struct_size;
+    uint64_t frames;
+    double rms_before; /* with the map's own weights */
+    double rms_after;  /* with those learnt, to first order in what they change */
+} plait_follow_fit_info;
+PLAIT_API void plait_follow_fit_info_init(plait_follow_fit_info* info, size_t size);
+
+/* A map with the weights that all frames so far teach; guides whose weight is 0 are gone from it.
+ * More frames may be added, and a map learnt again. `info` may be NULL.
+ * @errors INVALID_STATE (no frame was added) */
+PLAIT_API plait_result plait_follow_learner_learn(const plait_follow_learner* learner,
+                                                  plait_follow_map** out,
+                                                  plait_follow_fit_info* info);
+
+/* ---- capsules for a mesh --------------------------------------------------------------------- */
+
+#define PLAIT_MESH_FIT_MAX 64
+
+/* How far the surface of a mesh is from that of the capsules that stand for it, m. */
+typedef struct plait_mesh_fit_info {
+    uint32_t struct_size;
+    double rms;
+    double percentile_99;
+    double greatest;
+} plait_mesh_fit_info;
+PLAIT_API void plait_mesh_fit_info_init(plait_mesh_fit_info* info, size_t size);
+
+/* `count` [1, PLAIT_MESH_FIT_MAX] capsules whose union comes near `mesh`, for
+ * plait_collider_create: cheaper to meet than a mesh, and for all models. They are in the mesh's
+ * frame, of the default friction; the same mesh gives the same. 16 take a second, 64 six. `out` may
+ * be NULL. */
+PLAIT_API plait_result plait_mesh_fit(const plait_mesh* mesh, plait_collider_desc* dst,
+                                      size_t count, plait_mesh_fit_info* out);
+
+/* ---- material of a fibre --------------------------------------------------------------------- */
+
+/* Material and section of a hair. */
+typedef struct plait_fibre {
+    uint32_t struct_size;
+    float density;        /* kg/m^3, [1, 1e5], default 1300 */
+    float radius;         /* m, [1e-7, 0.1], default 35e-6; of an ellipse the larger half axis */
+    float flatness;       /* the smaller half axis / radius, [0.05, 1], default 1 */
+    float youngs_modulus; /* Pa, [0, 1e13], default 4e9 */
+    float shear_modulus;  /* Pa, [0, 1e13], default 1.5e9 */
+} plait_fibre;
+PLAIT_API void plait_fibre_init(plait_fibre* fibre, size_t size);
+
+/* Sets line_density, bend_stiffness, twist_stiffness and section_ratio of `params` to those of a
+ * fibre of elliptic section; it bends about the longer axis most easily. stretch_stiffness stays.
+ * @source  beam theory: A = pi a b, EI = E pi a b^3/4, GJ = G pi a^3 b^3/(a^2 + b^2). */
+PLAIT_API plait_result plait_sim_params_set_fibre(plait_sim_params* params,
+                                                  const plait_fibre* fibre);
+
+/* ---- table of parameters --------------------------------------------------------------------- */
+
+typedef enum plait_param_kind {
+    PLAIT_PARAM_KIND_FLOAT = 0,
+    PLAIT_PARAM_KIND_UINT = 1,
+    PLAIT_PARAM_KIND_CHOICE = 2, /* an enum */
+    PLAIT_PARAM_KIND_FORCE_32 = 0x7fffffff
+} plait_param_kind;
+
+/* A field of plait_sim_params, for code that reads, shows or binds them all. Texts are static. Its
+ * default is that of plait_sim_params_init. `bdf2` may also be PLAIT_BDF2_OF_MODEL. */
+typedef struct plait_param_info {
+    uint32_t struct_size;
+    plait_param_kind kind;
+    const char* name;           /* "gravity" */
+    const char* unit;           /* "m/s^2"; "" without one */
+    const char* const* choices; /* CHOICE: names of the values 0 to `most`; else NULL */
+    uint32_t offset;            /* in plait_sim_params, bytes */
+    uint32_t count;             /* of components, 4 bytes each */
+    double least, most;         /* of each */
+    uint32_t least_excluded;    /* 1: greater than `least` */
+    uint32_t models;            /* that read it: bit 1u << plait_model */
+} plait_param_info;
+PLAIT_API void plait_param_info_init(plait_param_info* info, size_t size);
+
+/* All of them, in the order of the struct: a list. */
+PLAIT_API plait_result plait_params_list(plait_param_info* dst, size_t* count);
+
+/* ---- defaults, by value ---------------------------------------------------------------------- */
+
+PLAIT_DEFAULTS(plait_follow_map_desc)
+PLAIT_DEFAULTS(plait_follow_fit_info)
+PLAIT_DEFAULTS(plait_mesh_fit_info)
+PLAIT_DEFAULTS(plait_fibre)
+PLAIT_DEFAULTS(plait_param_info)
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
