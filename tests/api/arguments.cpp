@@ -632,6 +632,23 @@ TEST(Structs, ASizeBeyondThatOfAnyStructIsRefusedUnread) {
     EXPECT_EQ(plait_sim_describe(o.sim, &info), PLAIT_INVALID_ARGUMENT);
 }
 
+// Callers of a plait.h from before `text` have shorter elements.
+TEST(Structs, ElementsOfAListMayBeShorter) {
+    constexpr uint32_t size = offsetof(plait_param_info, text);
+    std::vector<uint64_t> memory(3 * size / sizeof(uint64_t) + 1, 77);
+    const auto element = [&](size_t i) {
+        return reinterpret_cast<plait_param_info*>(memory.data() + i * size / sizeof(uint64_t));
+    };
+    for (size_t i = 0; i < 3; ++i)
+        plait_param_info_init(element(i), size);
+    size_t count = 3;
+    ASSERT_EQ(plait_params_list(element(0), &count), PLAIT_OK) << plait_last_error();
+    EXPECT_STREQ(element(1)->name, "damping");
+    EXPECT_STREQ(element(2)->name, "local_stiffness");
+    EXPECT_EQ(element(2)->struct_size, size);
+    EXPECT_EQ(memory.back(), 77u);
+}
+
 struct LongerInfo {
     plait_param_info known;
     uint64_t unknown;
