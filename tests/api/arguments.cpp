@@ -144,6 +144,7 @@ TEST(Arguments, NullPointers) {
     const auto fibre = plait_fibre_defaults();
     const auto map = plait_follow_map_desc_defaults();
     const auto mesh = plait_mesh_desc_defaults();
+    const double one = 1;
     const auto refused = expect_refused({
         {"count is NULL", [](O&) { return plait_devices_list(nullptr, nullptr); }},
         {"out is NULL", [&](O&) { return plait_context_create(&context, nullptr); }},
@@ -274,6 +275,15 @@ TEST(Arguments, NullPointers) {
         {"sim is NULL", [](O&) { return plait_sim_describe(nullptr, nullptr); }},
         {"out is NULL", [](O& o) { return plait_sim_describe(o.sim, nullptr); }},
         {"count is NULL", [](O&) { return plait_params_list(nullptr, nullptr); }},
+        {"sim is NULL", [&](O&) { return plait_sim_set_param(nullptr, "drag", &one, 1); }},
+        {"name is NULL", [&](O& o) { return plait_sim_set_param(o.sim, nullptr, &one, 1); }},
+        {"values is NULL", [](O& o) { return plait_sim_set_param(o.sim, "drag", nullptr, 1); }},
+        {"sim is NULL",
+         [](O& o) { return plait_sim_get_param(nullptr, "drag", nullptr, &o.size); }},
+        {"name is NULL",
+         [](O& o) { return plait_sim_get_param(o.sim, nullptr, nullptr, &o.size); }},
+        {"count is NULL",
+         [](O& o) { return plait_sim_get_param(o.sim, "drag", nullptr, nullptr); }},
         {"params is NULL", [&](O&) { return plait_sim_params_set_fibre(nullptr, &fibre); }},
         {"fibre is NULL",
          [](O&) {
