@@ -662,8 +662,8 @@ typedef enum plait_param_kind {
 
 /* A field of plait_sim_params, for code that reads, shows or binds them all. Texts are static. Its
  * default is that of plait_sim_params_init. `bdf2` may also be PLAIT_BDF2_OF_MODEL. A slider's range
- * holds the default, except one that stands for off (max_displacement) or that leaves the choice to the
- * library (bdf2, stretch_stiffness, twist_stiffness). */
+ * holds the default, except one that stands for off (max_displacement) or that leaves the choice to
+ * the library (bdf2, stretch_stiffness, twist_stiffness). */
 typedef struct plait_param_info {
     uint32_t struct_size;
     plait_param_kind kind;
@@ -683,7 +683,7 @@ typedef struct plait_param_info {
                                    components that the field lacks */
     double slider_least;        /* a slider's range for values that suit real hair, the same for */
     double slider_most;         /* each component; it lies within [least, most] */
-    uint32_t slider_log;        /* 1: the slider is logarithmic, and slider_least above 0; 0: linear */
+    uint32_t slider_log;        /* 1: the slider is logarithmic, its least above 0; 0: linear */
 } plait_param_info;
 
 PLAIT_API void plait_param_info_init(plait_param_info* info, size_t size);
