@@ -715,6 +715,16 @@ PLAIT_API plait_result plait_sim_describe(const plait_sim* sim, plait_sim_info* 
 PLAIT_API plait_result plait_sim_set_params(plait_sim* sim, const plait_sim_params* params);
 PLAIT_API plait_result plait_sim_get_params(const plait_sim* sim, plait_sim_params* params);
 
+/* One field of them by its name, for sliders, consoles and bindings. `values` has each of its
+ * components (plait_param_info.count of plait_offline.h): a FLOAT is rounded to float32, a UINT and a CHOICE are whole
+ * numbers. For the rest as plait_sim_set_params with this field changed. `dst` is a list.
+ * @errors NOT_FOUND (no field has this name; the message says which are near), and those of
+ *         plait_sim_set_params. */
+PLAIT_API plait_result plait_sim_set_param(plait_sim* sim, const char* name, const double* values,
+                                           size_t count);
+PLAIT_API plait_result plait_sim_get_param(const plait_sim* sim, const char* name, double* dst,
+                                           size_t* count);
+
 /* What guide strands are made of, from the next step on. `strand_material`, uint32_t [guides], says
  * of each which of `materials` it is, or PLAIT_MATERIAL_OF_PARAMS; empty with one material: all are
  * of it; `count` 0: all are of the params again. strand_stiffness scales these, too. Hair moves on

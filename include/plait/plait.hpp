@@ -296,6 +296,17 @@ class Sim : public detail::Owner<plait_sim, plait_sim_destroy> {
         check(plait_sim_get_params(get(), &params));
         return params;
     }
+    // sim.set_param("gravity", {0, -1.62, 0}): every component of the field.
+    void set_param(const std::string& name, const std::vector<double>& values) {
+        check(plait_sim_set_param(get(), name.c_str(), values.data(), values.size()));
+    }
+    std::vector<double> param(const std::string& name) const {
+        std::size_t count = 0;
+        check(plait_sim_get_param(get(), name.c_str(), nullptr, &count));
+        std::vector<double> values(count);
+        check(plait_sim_get_param(get(), name.c_str(), values.data(), &count));
+        return values;
+    }
 
     void set_pins(const std::vector<plait_pin>& pins) {
         check(plait_sim_set_pins(get(), pins.data(), pins.size()));

@@ -142,7 +142,9 @@ typedef enum plait_param_kind {
 } plait_param_kind;
 
 /* A field of plait_sim_params, for code that reads, shows or binds them all. Texts are static. Its
- * default is that of plait_sim_params_init. `bdf2` may also be PLAIT_BDF2_OF_MODEL. */
+ * default is that of plait_sim_params_init. `bdf2` may also be PLAIT_BDF2_OF_MODEL. A slider's range
+ * holds the default, except one that stands for off (max_displacement) or that leaves the choice to
+ * the library (bdf2, stretch_stiffness, twist_stiffness). */
 typedef struct plait_param_info {
     uint32_t struct_size;
     plait_param_kind kind;
@@ -154,6 +156,15 @@ typedef struct plait_param_info {
     double least, most;         /* of each */
     uint32_t least_excluded;    /* 1: greater than `least` */
     uint32_t models;            /* that read it: bit 1u << plait_model */
+    const char* text;           /* one sentence: what it does to hair */
+    const char* feature;        /* that it belongs to: "gravity", "tressfx", "follows", "solver",
+                                   "material", "groom", "wind", "grid", "volume", "wetness",
+                                   "strand_contact" or "push" */
+    double default_value[3];    /* of each component; from the fourth on, that of the third; 0 for
+                                   components that the field lacks */
+    double slider_least;        /* a slider's range for values that suit real hair, the same for */
+    double slider_most;         /* each component; it lies within [least, most] */
+    uint32_t slider_log;        /* 1: the slider is logarithmic, its least above 0; 0: linear */
 } plait_param_info;
 PLAIT_API void plait_param_info_init(plait_param_info* info, size_t size);
 

@@ -7,7 +7,6 @@
 #include "api/view.hpp"
 #include "core/follows/detail.hpp"
 #include "core/groom/materials.hpp"
-#include "core/params/param_table.hpp"
 #include "core/params/params.hpp"
 #include "core/wind/wind.hpp"
 
@@ -99,22 +98,6 @@ extern "C" {
 
 void plait_sim_params_init(plait_sim_params* params, size_t size) {
     api::init_struct(params, size, default_params());
-}
-
-void plait_param_info_init(plait_param_info* info, size_t size) {
-    api::init_struct(info, size, plait_param_info{});
-}
-
-plait_result plait_params_list(plait_param_info* dst, size_t* count) {
-    return api::guard(__func__, [&]() -> Status {
-        PLAIT_TRY(api::need(count, "count"));
-        const auto table = param_table();
-        const size_t number = dst ? std::min(*count, table.size()) : table.size();
-        if (dst)
-            PLAIT_TRY(api::write_structs(dst, number, "dst", [&](size_t i) { return table[i]; }));
-        *count = number;
-        return {};
-    });
 }
 
 void plait_material_init(plait_material* material, size_t size) {

@@ -140,6 +140,7 @@ TEST(Arguments, NullPointers) {
     const auto fibre = plait_fibre_defaults();
     const auto map = plait_follow_map_desc_defaults();
     const auto mesh = plait_mesh_desc_defaults();
+    const double one = 1;
     const auto refused = expect_refused({
         {"count is NULL", [](O&) { return plait_devices_list(nullptr, nullptr); }},
         {"out is NULL", [&](O&) { return plait_context_create(&context, nullptr); }},
@@ -270,6 +271,15 @@ TEST(Arguments, NullPointers) {
         {"sim is NULL", [](O&) { return plait_sim_describe(nullptr, nullptr); }},
         {"out is NULL", [](O& o) { return plait_sim_describe(o.sim, nullptr); }},
         {"count is NULL", [](O&) { return plait_params_list(nullptr, nullptr); }},
+        {"sim is NULL", [&](O&) { return plait_sim_set_param(nullptr, "drag", &one, 1); }},
+        {"name is NULL", [&](O& o) { return plait_sim_set_param(o.sim, nullptr, &one, 1); }},
+        {"values is NULL", [](O& o) { return plait_sim_set_param(o.sim, "drag", nullptr, 1); }},
+        {"sim is NULL",
+         [](O& o) { return plait_sim_get_param(nullptr, "drag", nullptr, &o.size); }},
+        {"name is NULL",
+         [](O& o) { return plait_sim_get_param(o.sim, nullptr, nullptr, &o.size); }},
+        {"count is NULL",
+         [](O& o) { return plait_sim_get_param(o.sim, "drag", nullptr, nullptr); }},
         {"params is NULL", [&](O&) { return plait_sim_params_set_fibre(nullptr, &fibre); }},
         {"fibre is NULL",
          [](O&) {
@@ -627,6 +637,23 @@ TEST(Structs, ASizeBeyondThatOfAnyStructIsRefusedUnread) {
     auto info = plait_sim_info_defaults();
     info.struct_size = PLAIT_STRUCT_SIZE_MAX + 8;
     EXPECT_EQ(plait_sim_describe(o.sim, &info), PLAIT_INVALID_ARGUMENT);
+}
+
+// Callers of a plait.h from before `text` have shorter elements.
+TEST(Structs, ElementsOfAListMayBeShorter) {
+    constexpr uint32_t size = offsetof(plait_param_info, text);
+    std::vector<uint64_t> memory(3 * size / sizeof(uint64_t) + 1, 77);
+    const auto element = [&](size_t i) {
+        return reinterpret_cast<plait_param_info*>(memory.data() + i * size / sizeof(uint64_t));
+    };
+    for (size_t i = 0; i < 3; ++i)
+        plait_param_info_init(element(i), size);
+    size_t count = 3;
+    ASSERT_EQ(plait_params_list(element(0), &count), PLAIT_OK) << plait_last_error();
+    EXPECT_STREQ(element(1)->name, "damping");
+    EXPECT_STREQ(element(2)->name, "local_stiffness");
+    EXPECT_EQ(element(2)->struct_size, size);
+    EXPECT_EQ(memory.back(), 77u);
 }
 
 struct LongerInfo {

@@ -1,10 +1,13 @@
 // The table of parameters: nothing is missing, ranges are those that are checked and those that
-// plait.h names.
+// plait.h names, defaults are those of the struct, and each says in a sentence what it does.
 #include "headers.hpp"
 #include "support.hpp"
 
+#include <algorithm>
 #include <cstring>
 #include <regex>
+#include <set>
+#include <sstream>
 
 namespace {
 
@@ -77,6 +80,83 @@ TEST_F(ParamTable, ItsRangesAreTheOnesThatAreChecked) {
                 put(params, info, i, NAN);
                 expect(params, info, false);
             }
+}
+
+double component(const Params& params, const plait_param_info& info, uint32_t i) {
+    const auto* const at = reinterpret_cast<const unsigned char*>(&params) + info.offset + 4 * i;
+    float number;
+    uint32_t whole;
+    std::memcpy(&number, at, sizeof number);
+    std::memcpy(&whole, at, sizeof whole);
+    return info.kind == PLAIT_PARAM_KIND_FLOAT ? double(number) : double(whole);
+}
+
+TEST_F(ParamTable, ItsDefaultsAreThoseOfTheStruct) {
+    const Params params = plait_sim_params_defaults();
+    for (const plait_param_info& info : list) {
+        for (uint32_t i = 0; i < info.count; ++i)
+            EXPECT_EQ(info.default_value[std::min(i, 2u)], component(params, info, i))
+                << info.name << "[" << i << "]";
+        for (uint32_t i = info.count; i < 3; ++i)
+            EXPECT_EQ(info.default_value[i], 0) << info.name << "[" << i << "]";
+    }
+}
+
+// What plait.h says of its default: it stands for off, or for a choice of the library's.
+bool has_a_default_beside_its_slider(const std::string& name) {
+    return std::set<std::string>{"max_displacement", "bdf2", "stretch_stiffness", "twist_stiffness"}
+        .count(name);
+}
+
+TEST_F(ParamTable, SlidersLieInTheRangeAndHoldTheDefault) {
+    for (const plait_param_info& info : list) {
+        EXPECT_LE(info.least, info.slider_least) << info.name;
+        EXPECT_LT(info.slider_least, info.slider_most) << info.name;
+        EXPECT_LE(info.slider_most, info.most) << info.name;
+        EXPECT_FALSE(info.least_excluded && info.slider_least == info.least) << info.name;
+        EXPECT_TRUE(info.slider_log == 0 || (info.slider_log == 1 && info.slider_least > 0))
+            << info.name;
+        bool held = true;
+        for (uint32_t i = 0; i < std::min(info.count, 3u); ++i)
+            held = held && info.slider_least <= info.default_value[i] &&
+                   info.default_value[i] <= info.slider_most;
+        EXPECT_NE(held, has_a_default_beside_its_slider(info.name)) << info.name;
+        if (info.kind == PLAIT_PARAM_KIND_CHOICE) {
+            EXPECT_EQ(info.slider_least, info.least) << info.name;
+            EXPECT_EQ(info.slider_most, info.most) << info.name;
+        }
+    }
+}
+
+TEST_F(ParamTable, EveryTextIsASentence) {
+    std::set<std::string> texts;
+    for (const plait_param_info& info : list) {
+        ASSERT_NE(info.text, nullptr) << info.name;
+        const std::string text = info.text;
+        EXPECT_TRUE(std::regex_match(text, std::regex("[A-Z][^.\n]*[^ ]\\."))) << text;
+        EXPECT_GE(std::count(text.begin(), text.end(), ' '), 4) << text;
+        EXPECT_LE(text.size(), 120u) << text;
+        EXPECT_TRUE(texts.insert(text).second) << info.name << ": " << text;
+        for (int i = 0; info.choices && i <= static_cast<int>(info.most); ++i)
+            EXPECT_NE(text.find(info.choices[i]), std::string::npos) << text;
+    }
+}
+
+// Those without a page are the core of any simulation.
+TEST_F(ParamTable, EveryFeatureHasAPage) {
+    const std::string docs = PLAIT_SOURCE_DIR "/docs/";
+    for (const plait_param_info& info : list) {
+        ASSERT_NE(info.feature, nullptr) << info.name;
+        const std::string feature = info.feature;
+        if (std::set<std::string>{"gravity", "material", "solver"}.count(feature))
+            continue;
+        EXPECT_TRUE(std::ifstream(docs + feature + ".md") ||
+                    std::ifstream(docs + "stages/" + feature + ".md"))
+            << info.name << " is of " << feature;
+        if (info.models == 1u << PLAIT_MODEL_TRESSFX) {
+            EXPECT_EQ(feature, "tressfx") << info.name;
+        }
+    }
 }
 
 TEST_F(ParamTable, IsCutOrRefusedLikeEveryList) {

@@ -465,4 +465,12 @@ TEST_F(Program, lists_devices) {
     EXPECT_THAT(text(), HasSubstr("reference"));
 }
 
+TEST_F(Program, lists_parameters) {
+    EXPECT_EQ(run({"--list-params"}), 0);
+    for (const char* part :
+         {"gravity[3]", "0, -9.81, 0", "[-10000, 10000]", "m/s^2", "(0, 0.1]", "of the model",
+          "off, slots, exact", "strand_contact", "\n    Gravity pulls all hair"})
+        EXPECT_THAT(text(), HasSubstr(part));
+}
+
 } // namespace

@@ -1,6 +1,6 @@
 #include "common/params_reader.hpp"
 
-#include "common/failure.hpp"
+#include "common/params_list.hpp"
 
 #include <plait/plait_offline.h>
 
@@ -65,14 +65,6 @@ class Field {
     const plait_param_info& info_;
     unsigned char* at_;
 };
-
-std::vector<plait_param_info> all_params() {
-    size_t count = 0;
-    check(plait_params_list(nullptr, &count));
-    std::vector<plait_param_info> list(count, plait_param_info_defaults());
-    check(plait_params_list(list.data(), &count));
-    return list;
-}
 
 } // namespace
 

@@ -2,6 +2,7 @@
 #include "cache.hpp"
 #include "common/devices.hpp"
 #include "common/file.hpp"
+#include "common/params_list.hpp"
 #include "common/progress.hpp"
 #include "options.hpp"
 #include "pictures/album.hpp"
@@ -146,6 +147,10 @@ void replay(Scene scene) {
 Exit run(const CommandLine& line) {
     if (line.list_devices) {
         print_devices();
+        return Exit::ok;
+    }
+    if (line.list_params) {
+        print_params();
         return Exit::ok;
     }
     watch_for_interrupt();

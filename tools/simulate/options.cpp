@@ -96,6 +96,8 @@ void add_options(CLI::App& app, CommandLine& line) {
     app.add_flag_callback(
         "--no-film", [&keys] { keys["film"] = false; }, "pictures, but no film");
     app.add_flag("--list-devices", line.list_devices, "list the devices and stop");
+    app.add_flag("--list-params", line.list_params,
+                 "list the parameters of a scene's params, what each does, and stop");
 }
 
 } // namespace

@@ -9,6 +9,7 @@ namespace simulate {
 
 struct CommandLine {
     bool list_devices = false;
+    bool list_params = false;
     std::optional<int> exit_code; // set when --help or an error has been printed
     std::string scene_file;
     Json keys = Json::object(); // what was given, as keys of a scene file

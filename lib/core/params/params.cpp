@@ -39,38 +39,9 @@ double bound(const plait_param_info& param, double value) {
     return param.kind == PLAIT_PARAM_KIND_FLOAT ? double(static_cast<float>(value)) : value;
 }
 
-double component(const plait_param_info& param, const unsigned char* at) {
-    if (param.kind == PLAIT_PARAM_KIND_FLOAT) {
-        float number;
-        std::memcpy(&number, at, sizeof number);
-        return double(number);
-    }
-    // C callers can put any number into an enum: a negative one is outside, too
-    uint32_t number;
-    std::memcpy(&number, at, sizeof number);
-    return param.kind == PLAIT_PARAM_KIND_UINT ? double(number)
-                                               : double(static_cast<int32_t>(number));
-}
-
-Status check_param(const plait_param_info& param, const plait_sim_params& params) {
-    const auto* at = reinterpret_cast<const unsigned char*>(&params) + param.offset;
-    for (uint32_t i = 0; i < param.count; ++i) {
-        const std::string name = param.count > 1 ? format("%s[%u]", param.name, i) : param.name;
-        PLAIT_TRY(check_range(name.c_str(), component(param, at + size_t{4} * i),
-                              bound(param, param.least), bound(param, param.most),
-                              param.least_excluded != 0));
-    }
-    return {};
-}
-
 // Values beside the range that leave a choice to the model.
-bool left_to_model(const plait_param_info& param, const plait_sim_params& params) {
-    switch (param.offset) {
-    case offsetof(plait_sim_params, bdf2):
-        return params.bdf2 == PLAIT_BDF2_OF_MODEL;
-    default:
-        return false;
-    }
+bool left_to_model(const plait_param_info& param, double value) {
+    return param.offset == offsetof(plait_sim_params, bdf2) && value == PLAIT_BDF2_OF_MODEL;
 }
 
 // Buffers are indexed with 32 bits.
@@ -137,10 +108,18 @@ plait_sim_desc default_sim_desc() {
     return desc;
 }
 
+Status check_component(const plait_param_info& param, uint32_t component, double value) {
+    if (left_to_model(param, value))
+        return {};
+    const std::string name = param.count > 1 ? format("%s[%u]", param.name, component) : param.name;
+    return check_range(name.c_str(), value, bound(param, param.least), bound(param, param.most),
+                       param.least_excluded != 0);
+}
+
 Status check_params(const plait_sim_params& params) {
     for (const plait_param_info& param : param_table())
-        if (!left_to_model(param, params))
-            PLAIT_TRY(check_param(param, params));
+        for (uint32_t i = 0; i < param.count; ++i)
+            PLAIT_TRY(check_component(param, i, param_component(param, params, i)));
     if (params.volume != PLAIT_VOLUME_OFF && params.interhair != PLAIT_INTERHAIR_EXACT)
         return Error{PLAIT_INVALID_ARGUMENT,
                      format("volume is %d (pressure), interhair is %d: volume needs interhair 2 "

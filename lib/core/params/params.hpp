@@ -13,6 +13,7 @@ plait_sim_params default_params();
 plait_sim_desc default_sim_desc();
 
 // INVALID_ARGUMENT names the field, its value and its range.
+Status check_component(const plait_param_info& param, uint32_t component, double value);
 Status check_params(const plait_sim_params& params);
 Status check_sim_desc(const plait_sim_desc& desc);
 Status check_volume(const plait_sim_params& params, plait_model model); // whether it has one

@@ -1,6 +1,7 @@
 // What a sim says about itself without asking the device, and what it warns of.
 #include "core/base/units.hpp"
 #include "core/params/param_table.hpp"
+#include "core/params/param_warnings.hpp"
 #include "core/params/params.hpp"
 #include "core/sim/sim.hpp"
 

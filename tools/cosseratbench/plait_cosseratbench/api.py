@@ -36,6 +36,12 @@ class ParamInfo(c.Structure):
         ("most", c.c_double),
         ("least_excluded", c.c_uint32),
         ("models", c.c_uint32),
+        ("text", c.c_char_p),
+        ("feature", c.c_char_p),
+        ("default_value", c.c_double * 3),
+        ("slider_least", c.c_double),
+        ("slider_most", c.c_double),
+        ("slider_log", c.c_uint32),
     ]
 
 

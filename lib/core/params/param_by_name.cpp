@@ -1,0 +1,98 @@
+#include "core/params/param_by_name.hpp"
+
+#include "base/format.hpp"
+#include "core/params/param_table.hpp"
+#include "core/params/params.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <numeric>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace plait {
+namespace {
+
+// Levenshtein: letters to insert, remove or replace.
+size_t edit_distance(std::string_view a, std::string_view b) {
+    std::vector<size_t> row(b.size() + 1);
+    std::iota(row.begin(), row.end(), size_t{0});
+    for (size_t i = 0; i < a.size(); ++i) {
+        size_t diagonal = std::exchange(row[0], i + 1);
+        for (size_t j = 0; j < b.size(); ++j) {
+            const size_t replaced = diagonal + (a[i] != b[j]);
+            diagonal = row[j + 1];
+            row[j + 1] = std::min({replaced, row[j] + 1, diagonal + 1});
+        }
+    }
+    return row.back();
+}
+
+// "; the nearest: drag, groom", or "" where none is near. A third of the letters may differ.
+std::string nearest(std::string_view name) {
+    size_t least = std::max<size_t>(1, name.size() / 3) + 1;
+    std::string list;
+    for (const plait_param_info& param : param_table()) {
+        const size_t distance = edit_distance(name, param.name);
+        if (distance > least || (distance == least && list.empty()))
+            continue;
+        if (distance < least)
+            list.clear();
+        list.append(list.empty() ? "; the nearest: " : ", ").append(param.name);
+        least = distance;
+    }
+    return list;
+}
+
+Status put_float(const plait_param_info& param, uint32_t component, double value,
+                 unsigned char* at) {
+    // What float32 cannot hold is outside of every range.
+    if (!(std::abs(value) <= double(std::numeric_limits<float>::max())))
+        return check_component(param, component, value);
+    const auto number = static_cast<float>(value);
+    std::memcpy(at, &number, sizeof number);
+    return check_component(param, component, double(number));
+}
+
+Status put_whole(const plait_param_info& param, uint32_t component, double value,
+                 unsigned char* at) {
+    PLAIT_TRY(check_component(param, component, value));
+    if (value != std::floor(value))
+        return Error{PLAIT_INVALID_ARGUMENT,
+                     format("%s is %g, range is the whole numbers in [%g, %g]", param.name, value,
+                            param.least, param.most)};
+    const auto number = static_cast<uint32_t>(value);
+    std::memcpy(at, &number, sizeof number);
+    return {};
+}
+
+} // namespace
+
+Result<const plait_param_info*> find_param(const char* name) {
+    const std::string_view wanted(name);
+    for (const plait_param_info& param : param_table())
+        if (wanted == param.name)
+            return &param;
+    constexpr size_t most = 64; // letters that are compared and shown
+    return Error{PLAIT_NOT_FOUND, format("no parameter is called \"%.64s\"%s", name,
+                                         nearest(wanted.substr(0, most)).c_str())};
+}
+
+Result<plait_sim_params> with_param(const plait_sim_params& params, const plait_param_info& param,
+                                    std::span<const double> values) {
+    if (values.size() != param.count)
+        return Error{PLAIT_INVALID_ARGUMENT,
+                     format("count is %zu, %s needs %u", values.size(), param.name, param.count)};
+    plait_sim_params changed = params;
+    auto* const at = reinterpret_cast<unsigned char*>(&changed) + param.offset;
+    const auto put = param.kind == PLAIT_PARAM_KIND_FLOAT ? put_float : put_whole;
+    for (uint32_t i = 0; i < param.count; ++i)
+        PLAIT_TRY(put(param, i, values[i], at + size_t{4} * i));
+    PLAIT_TRY(check_params(changed));
+    return changed;
+}
+
+} // namespace plait

@@ -1,0 +1,17 @@
+// One field of plait_sim_params by its name, its components as numbers.
+#pragma once
+
+#include "base/result.hpp"
+
+#include <span>
+
+namespace plait {
+
+// NOT_FOUND names the fields whose names are near.
+Result<const plait_param_info*> find_param(const char* name);
+
+// `params` with these values of `param`, checked as check_params checks them all.
+Result<plait_sim_params> with_param(const plait_sim_params& params, const plait_param_info& param,
+                                    std::span<const double> values);
+
+} // namespace plait
