@@ -224,7 +224,7 @@ PLAIT_API plait_result plait_context_describe(const plait_context* context, plai
 
 /* What to do with strands that cannot be simulated as they are. Nothing is repaired silently. */
 typedef enum plait_repair_policy {
-    PLAIT_REPAIR_POLICY_MEND = 0,   /* repair, count, report the first offender */
+    PLAIT_REPAIR_POLICY_REPAIR = 0, /* repair, count, report the first offender */
     PLAIT_REPAIR_POLICY_REFUSE = 1, /* fail with BAD_DATA at the first offender */
     PLAIT_REPAIR_POLICY_FORCE_32 = 0x7fffffff
 } plait_repair_policy;

@@ -24,7 +24,7 @@ plait::Mesh make_mesh(const ShapeMesh& shape) {
 
 // Code and sentence of a refusal; OK and "" if it is taken.
 std::pair<plait_result, std::string>
-refusal(const ShapeMesh& shape, plait_repair_policy policy = PLAIT_REPAIR_POLICY_MEND) {
+refusal(const ShapeMesh& shape, plait_repair_policy policy = PLAIT_REPAIR_POLICY_REPAIR) {
     const auto desc = desc_of(shape);
     auto options = plait_import_options_defaults();
     options.policy = policy;
@@ -39,7 +39,7 @@ refusal(const ShapeMesh& shape, plait_repair_policy policy = PLAIT_REPAIR_POLICY
 }
 
 void expect_bad_data(const ShapeMesh& shape, const std::string& part,
-                     plait_repair_policy policy = PLAIT_REPAIR_POLICY_MEND) {
+                     plait_repair_policy policy = PLAIT_REPAIR_POLICY_REPAIR) {
     const auto [code, text] = refusal(shape, policy);
     EXPECT_EQ(code, PLAIT_BAD_DATA) << part;
     EXPECT_NE(text.find(part), std::string::npos) << text;

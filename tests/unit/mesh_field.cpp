@@ -257,7 +257,7 @@ TEST(MeshField, WhatHasNoInsideIsRefused) {
         p = {p[0] + 2, p[1] + 2, p[2]};
     two.add_mesh(other); // along one edge
     Mesh touching(std::pmr::get_default_resource());
-    ASSERT_TRUE(build_mesh(raw_of(two), PLAIT_REPAIR_POLICY_MEND, "", touching).ok());
+    ASSERT_TRUE(build_mesh(raw_of(two), PLAIT_REPAIR_POLICY_REPAIR, "", touching).ok());
     const Status unsided = bake_field(touching, {16, false}, field);
     EXPECT_NE(unsided.error().message.find("1 edges of more than two"), std::string::npos)
         << unsided.error().message;

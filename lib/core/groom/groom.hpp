@@ -16,7 +16,7 @@
 namespace plait {
 
 struct ImportRules {
-    plait_repair_policy policy = PLAIT_REPAIR_POLICY_MEND;
+    plait_repair_policy policy = PLAIT_REPAIR_POLICY_REPAIR;
     float min_segment = 1e-3f; // share of the strand's mean segment
     uint32_t resample = 0;     // vertices per strand; 0: as they come
     plait_root_end root_end = PLAIT_ROOT_END_FIRST;
