@@ -1,7 +1,7 @@
 // The parameters of a sim, as the library lists them.
 #pragma once
 
-#include <plait/plait.h>
+#include <plait/plait_offline.h>
 
 #include <vector>
 

@@ -3,6 +3,8 @@
 
 #include "base/result.hpp"
 
+#include <plait/plait_offline.h>
+
 #include <span>
 
 namespace plait {

@@ -1,7 +1,7 @@
 // Parameters that were set and do nothing: what the log says of them.
 #pragma once
 
-#include <plait/plait.h>
+#include <plait/plait_offline.h>
 
 #include <string>
 
