@@ -8,9 +8,10 @@
 
 namespace forged {
 
-// Of the header, bytes: where the checksum is, from where on it covers, where it ends, and where wetness is.
-constexpr size_t checksum_at = 8, covered_from = 16, header_size = 544, dried_at = 296,
-                 wet_at = 304;
+// Of the head, bytes: where the checksum is, from where on it covers.
+constexpr size_t checksum_at = 8, covered_from = 16;
+// Of the head of a block: its tag, its version, how many bytes follow it.
+constexpr size_t version_at = 4, bytes_at = 8, block_head = 16;
 
 // As base/hash.hpp does it.
 inline uint64_t hash_of(const unsigned char* bytes, size_t size) {
@@ -24,6 +25,17 @@ inline uint64_t hash_of(const unsigned char* bytes, size_t size) {
     state = (state ^ (state >> 30)) * 0xbf58476d1ce4e5b9u;
     state = (state ^ (state >> 27)) * 0x94d049bb133111ebu;
     return state ^ (state >> 31);
+}
+
+// Where the head of the block with this tag is; the snapshot's size: there is none.
+inline size_t find_block(const std::vector<unsigned char>& bytes, const char (&tag)[5]) {
+    size_t at = covered_from;
+    while (at < bytes.size() && std::memcmp(&bytes[at], tag, 4) != 0) {
+        uint64_t size = 0;
+        std::memcpy(&size, &bytes[at + bytes_at], sizeof size);
+        at += block_head + static_cast<size_t>(size);
+    }
+    return at;
 }
 
 inline void sign(std::vector<unsigned char>& bytes) {

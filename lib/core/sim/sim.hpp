@@ -54,7 +54,11 @@ struct StrandInput {
 Result<SimParts> make_sim_parts(Context& context, const Groom& groom, const plait_sim_desc& desc,
                                 const StrandInput& strands);
 
-struct SnapshotHeader; // snapshot.cpp
+// snapshot/
+enum class BlockKind : uint32_t;
+struct Saved;
+struct SavedRoots;
+class SnapshotWriter;
 
 class Sim {
   public:
@@ -284,7 +288,7 @@ class Sim {
     void close_wetness();
     void dry();
     // A run of floats that a snapshot holds.
-    struct Block {
+    struct Run {
         enum class Of {
             vertices,
             histories,
@@ -294,25 +298,28 @@ class Sim {
             pushes,
             pressures,
             wetness
-        }; // what its values may be
+        };              // what its values may be
+        BlockKind kind; // of which block
         const Buffer* buffer;
         size_t floats;
         Of of;
         LaneBuffer lanes; // no buffer: saved as it lies
     };
-    std::pmr::vector<Block> blocks(const SnapshotHeader& header);
-    std::pmr::vector<Block> saved_blocks(const SnapshotHeader& header,
-                                         std::span<const Settings> strands);
-    SnapshotHeader snapshot_header();
-    size_t snapshot_bytes(const SnapshotHeader& header) const;
-    Status check_fits(const SnapshotHeader& header) const;
-    Result<SettingsList> saved_settings(const SnapshotHeader& header,
-                                        const unsigned char* from) const;
-    Status check_block(const Block& block, const unsigned char* from, float scale) const;
-    Status restore_roots(const SnapshotHeader& header);
-    Status save_block(const Block& block, unsigned char* out);
-    Status restore_block(const Block& block, const unsigned char* from);
-    Status restore_blocks(std::span<const Block> list, const unsigned char* from);
+    std::pmr::vector<Run> runs(const Saved& saved);
+    std::pmr::vector<Run> saved_runs(const Saved& saved, std::span<const Settings> strands);
+    Saved saved_now();
+    Status write_snapshot(SnapshotWriter& to);
+    Status write_bodies(SnapshotWriter& to);
+    Status write_bending(SnapshotWriter& to, size_t index);
+    Status save_run(const Run& run, unsigned char* out);
+    using BlockBytes = std::array<std::span<const unsigned char>, 11>; // by BlockKind
+    Status check_fits(const Saved& saved) const;
+    Result<SettingsList> saved_settings(std::span<const unsigned char> from) const;
+    Status check_run(const Run& run, const unsigned char* from, float scale) const;
+    Status check_runs(std::span<const Run> list, const BlockBytes& from, float scale) const;
+    Status restore_roots(const SavedRoots& saved);
+    Status restore_run(const Run& run, const unsigned char* from);
+    Status restore_runs(std::span<const Run> list, BlockBytes from);
 
     Context& context_;
     Layout layout_;

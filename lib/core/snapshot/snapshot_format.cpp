@@ -126,26 +126,129 @@ Error malformed(const std::string& what) {
     return {PLAIT_BAD_DATA, "snapshot: " + what};
 }
 
+namespace {
+
+struct Kind {
+    const char* name;
+    const char tag[5];
+    uint32_t version;
+    bool always; // part of every snapshot
+    size_t head; // bytes, of what it begins with
+};
+// In the order of BlockKind.
+constexpr Kind kinds[block_kinds] = {
+    {"sim", "sim ", 1, true, sizeof(SavedSim)},
+    {"roots", "root", 1, true, sizeof(SavedRoots)},
+    {"frame", "fram", 1, true, sizeof(Frame::State)},
+    {"bodies", "body", 1, true, 0},
+    {"settings", "sett", 1, false, 0},
+    {"hair", "hair", 1, true, 0},
+    {"output", "outp", 1, false, 0},
+    {"pins", "pins", 1, false, 0},
+    {"wind", "wind", 1, false, sizeof(SavedWind)},
+    {"wetness", "wetn", 1, false, sizeof(SavedWetness)},
+    {"volume", "volu", 1, false, sizeof(SavedVolume)},
+};
+
+uint32_t tag_of(const Kind& kind) {
+    uint32_t tag;
+    std::memcpy(&tag, kind.tag, sizeof tag);
+    return tag;
+}
+
+// block_kinds where it is unknown.
+size_t find_kind(uint32_t tag) {
+    return static_cast<size_t>(
+        std::ranges::find(kinds, tag, [](const Kind& kind) { return tag_of(kind); }) - kinds);
+}
+
+Error of_another_version(const std::string& what) {
+    return {PLAIT_UNSUPPORTED, "snapshot: " + what};
+}
+
+template <typename Head> bool take(std::span<const unsigned char>& from, Head& to) {
+    if (from.size() < sizeof to)
+        return false;
+    std::memcpy(&to, from.data(), sizeof to);
+    from = from.subspan(sizeof to);
+    return true;
+}
+
+Status check_head(const SnapshotHead& head, std::span<const unsigned char> bytes) {
+    if (head.magic != magic)
+        return malformed(format("begins with 0x%08x, not 0x%08x", head.magic, magic));
+    if (head.version != version)
+        return of_another_version(
+            format("version %u, this library reads version %u", head.version, version));
+    if (const uint64_t sum = checksum_of(bytes); sum != head.checksum)
+        return malformed(format("its checksum is 0x%016llx, that of its %zu bytes 0x%016llx: it is "
+                                "damaged or cut",
+                                static_cast<unsigned long long>(head.checksum), bytes.size(),
+                                static_cast<unsigned long long>(sum)));
+    return {};
+}
+
+Status check_block(const BlockHead& block, size_t kind, size_t first, size_t left) {
+    if (kind == block_kinds)
+        return of_another_version(
+            format("a block has the tag 0x%08x, which this library does not know", block.tag));
+    const Kind& known = kinds[kind];
+    if (block.version != known.version)
+        return of_another_version(format("the block %s has version %u, this library reads version "
+                                         "%u",
+                                         known.name, block.version, known.version));
+    if (kind < first)
+        return malformed(format("the block %s is not in its place", known.name));
+    if (block.bytes > left || block.bytes < known.head)
+        return malformed(format("the block %s has %llu bytes, range is [%zu, %zu]", known.name,
+                                static_cast<unsigned long long>(block.bytes), known.head, left));
+    return {};
+}
+
+} // namespace
+
+const char* name_of(BlockKind kind) {
+    return kinds[static_cast<size_t>(kind)].name;
+}
+
+SnapshotHead head() {
+    return {magic, version, 0};
+}
+
+BlockHead head_of(BlockKind kind, uint64_t bytes) {
+    const Kind& known = kinds[static_cast<size_t>(kind)];
+    return {tag_of(known), known.version, bytes};
+}
+
 uint64_t checksum_of(std::span<const unsigned char> bytes) {
-    constexpr size_t first = offsetof(SnapshotHeader, checksum) + sizeof(uint64_t);
     Hash hash;
-    hash.add(bytes.data() + first, bytes.size() - first);
+    hash.add(bytes.data() + sizeof(SnapshotHead), bytes.size() - sizeof(SnapshotHead));
     return hash.value();
 }
 
-Status check_whole(const SnapshotHeader& h, std::span<const unsigned char> bytes) {
-    if (h.magic != magic)
-        return malformed(format("begins with 0x%08x, not 0x%08x", h.magic, magic));
-    if (h.version != version)
-        return Error{
-            PLAIT_UNSUPPORTED,
-            format("snapshot: version %u, this library reads version %u", h.version, version)};
-    if (const uint64_t sum = checksum_of(bytes); sum != h.checksum)
-        return malformed(format("its checksum is 0x%016llx, that of its %zu bytes 0x%016llx: it is "
-                                "damaged or cut",
-                                static_cast<unsigned long long>(h.checksum), bytes.size(),
-                                static_cast<unsigned long long>(sum)));
-    return {};
+Result<BlockBytes> split(std::span<const unsigned char> bytes) {
+    SnapshotHead begin;
+    auto left = bytes;
+    if (!take(left, begin))
+        return malformed(format("%zu bytes, the header takes %zu", bytes.size(), sizeof begin));
+    PLAIT_TRY(check_head(begin, bytes));
+    BlockBytes blocks;
+    size_t first = 0;
+    while (!left.empty()) {
+        BlockHead block;
+        if (!take(left, block))
+            return malformed(format("%zu bytes are left, a block takes %zu and more", left.size(),
+                                    sizeof block));
+        const size_t kind = find_kind(block.tag);
+        PLAIT_TRY(check_block(block, kind, first, left.size()));
+        blocks[kind] = left.first(block.bytes);
+        left = left.subspan(block.bytes);
+        first = kind + 1;
+    }
+    for (size_t i = 0; i < block_kinds; ++i)
+        if (kinds[i].always && !blocks[i].data())
+            return malformed(format("it has no block %s", kinds[i].name));
+    return blocks;
 }
 
 static Status check_frame(const Frame::State& frame, float scale) {
@@ -160,51 +263,76 @@ static Status check_frame(const Frame::State& frame, float scale) {
     return {};
 }
 
-Status check_header(const SnapshotHeader& h) {
-    if (const auto status = plait::check_range("scale", double(h.scale), 1e-3f, 1e3); !status)
-        return malformed(status.error().message);
-    if (!(std::abs(h.waiting) <= 2))
-        return malformed(format("%g s wait for a step, range is [-2, 2]", h.waiting));
-    for (size_t i = 0; i < std::size(h.heads); ++i) {
-        PLAIT_TRY(check_pose(h.heads[i], "head", h.scale));
-        if (h.own[i] > 1)
-            return malformed(format("own[%zu] is %u, range is [0, 1]", i, h.own[i]));
+static Status check_roots(const SavedRoots& r, float scale) {
+    for (size_t i = 0; i < std::size(r.heads); ++i) {
+        PLAIT_TRY(check_pose(r.heads[i], "head", scale));
+        if (r.own[i] > 1)
+            return malformed(format("own[%zu] is %u, range is [0, 1]", i, r.own[i]));
     }
-    if (!(h.wind_time >= 0 && h.wind_time <= 1e12))
-        return malformed(format("wind_time is %g s, range is [0, 1e12]", h.wind_time));
-    for (size_t i = 0; i < 3; ++i)
-        if (!(std::abs(h.wind_way[i]) <= 1e15 && std::abs(h.wind_jump[i]) <= 1e6f))
-            return malformed(format("wind_way[%zu] is %g m, wind_jump[%zu] %g m/s, ranges are "
-                                    "[-1e15, 1e15] and [-1e6, 1e6]",
-                                    i, h.wind_way[i], i, double(h.wind_jump[i])));
-    if (h.volume > 64)
-        return malformed(format("volume is %u nodes, range is [0, 64]", h.volume));
-    if (!(h.dried >= 0 && h.dried <= 1e12))
-        return malformed(format("dried is %g, range is [0, 1e12]", h.dried));
-    if (h.wet > 1 || h.told > 1 || h.waited > 1 || h.first_aim > 1)
-        return malformed(format("wet is %u, told is %u, waited is %u, first_aim is %u, range is "
+    for (const plait_pose& pose : r.placed)
+        PLAIT_TRY(check_pose(pose, "placed", scale));
+    if (r.aimed > 1 || r.told > 1 || r.waited > 1 || r.first_aim > 1)
+        return malformed(format("aimed is %u, told is %u, waited is %u, first_aim is %u, range is "
                                 "[0, 1]",
-                                h.wet, h.told, h.waited, h.first_aim));
-    if (h.bends > 2 || h.motion > 3)
+                                r.aimed, r.told, r.waited, r.first_aim));
+    if (r.bends > 2 || r.motion > 3)
         return malformed(
-            format("bends is %u, motion is %u, ranges are [0, 2] and [0, 3]", h.bends, h.motion));
-    PLAIT_TRY(check_frame(h.frame, h.scale));
-    for (const plait_pose& pose : h.placed)
-        PLAIT_TRY(check_pose(pose, "placed", h.scale));
-    if (h.aimed > 1 || h.kept > 1 || h.switched > 1 || h.pins > 1)
-        return malformed(
-            format("aimed is %u, kept is %u, switched is %u, pins is %u, range is [0, 1]", h.aimed,
-                   h.kept, h.switched, h.pins));
+            format("bends is %u, motion is %u, ranges are [0, 2] and [0, 3]", r.bends, r.motion));
     return {};
 }
 
+static Status check_wind(const SavedWind& wind) {
+    if (!(wind.time >= 0 && wind.time <= 1e12))
+        return malformed(format("wind.time is %g s, range is [0, 1e12]", wind.time));
+    for (size_t i = 0; i < 3; ++i)
+        if (!(std::abs(wind.way[i]) <= 1e15 && std::abs(wind.jump[i]) <= 1e6f))
+            return malformed(format("wind.way[%zu] is %g m, wind.jump[%zu] %g m/s, ranges are "
+                                    "[-1e15, 1e15] and [-1e6, 1e6]",
+                                    i, wind.way[i], i, double(wind.jump[i])));
+    if (wind.zero != 0)
+        return malformed(format("wind.zero is %u, and not 0", wind.zero));
+    return {};
+}
+
+Result<Saved> take_saved(BlockBytes& blocks) {
+    Saved saved{};
+    const auto of = [&](BlockKind kind) -> std::span<const unsigned char>& {
+        return blocks[static_cast<size_t>(kind)];
+    };
+    for (size_t i = 0; i < block_kinds; ++i)
+        saved.has[i] = blocks[i].data() != nullptr;
+    take(of(BlockKind::sim), saved.sim); // split() has looked at their sizes
+    take(of(BlockKind::roots), saved.roots);
+    take(of(BlockKind::frame), saved.frame);
+    take(of(BlockKind::wind), saved.wind);
+    take(of(BlockKind::wetness), saved.wetness);
+    take(of(BlockKind::volume), saved.volume);
+    const SavedSim& sim = saved.sim;
+    if (const auto status = plait::check_range("scale", double(sim.scale), 1e-3f, 1e3); !status)
+        return malformed(status.error().message);
+    if (!(std::abs(sim.waiting) <= 2))
+        return malformed(format("%g s wait for a step, range is [-2, 2]", sim.waiting));
+    PLAIT_TRY(check_roots(saved.roots, sim.scale));
+    PLAIT_TRY(check_frame(saved.frame, sim.scale));
+    PLAIT_TRY(snapshots::check_wind(saved.wind));
+    if (!(saved.wetness.dried >= 0 && saved.wetness.dried <= 1e12))
+        return malformed(format("dried is %g, range is [0, 1e12]", saved.wetness.dried));
+    if (saved.is(BlockKind::volume) && (saved.volume.nodes < 1 || saved.volume.nodes > 64))
+        return malformed(format("volume.nodes is %u, range is [1, 64]", saved.volume.nodes));
+    return saved;
+}
+
 Result<std::pmr::vector<Colliders::Slot>>
-saved_slots(const SnapshotHeader& h, const unsigned char* from, std::pmr::memory_resource* memory) {
-    std::pmr::vector<Colliders::Slot> slots(h.colliders, memory);
+saved_slots(std::span<const unsigned char>& from, float scale, std::pmr::memory_resource* memory) {
+    uint32_t count = 0;
+    if (!take(from, count) || from.size() / sizeof(Colliders::Slot) < count)
+        return malformed(format("%u colliders, %zu bytes are left", count, from.size()));
+    std::pmr::vector<Colliders::Slot> slots(count, memory);
     if (!slots.empty())
-        std::memcpy(slots.data(), from, slots.size() * sizeof slots[0]);
+        std::memcpy(slots.data(), from.data(), slots.size() * sizeof slots[0]);
+    from = from.subspan(slots.size() * sizeof(Colliders::Slot));
     for (size_t i = 0; i < slots.size(); ++i)
-        PLAIT_TRY(check_slot(slots[i], i, h.scale));
+        PLAIT_TRY(check_slot(slots[i], i, scale));
     return slots;
 }
 

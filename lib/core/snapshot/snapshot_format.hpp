@@ -3,14 +3,75 @@
 
 #include "core/sim/sim.hpp"
 
+#include <array>
 #include <span>
 
 namespace plait {
 
+// A snapshot begins with this. Blocks follow, in the order of BlockKind, each behind a BlockHead: a
+// feature that is off has none. A block has a version of its own, which rises when its bytes mean
+// something else; a new feature adds a block and changes no other.
+struct SnapshotHead {
+    uint32_t magic;
+    uint32_t version;  // of heads and of the order, not of what blocks hold
+    uint64_t checksum; // of every byte after it
+};
+struct BlockHead {
+    uint32_t tag;
+    uint32_t version;
+    uint64_t bytes; // that follow
+};
+
+enum class BlockKind : uint32_t {
+    sim,      // SavedSim: what it is of, and its clock
+    roots,    // SavedRoots, then poses of roots that have their own
+    frame,    // Frame::State
+    bodies,   // slots, faces of hulls, meshes by form
+    settings, // SavedSettings of every guide, where strands have some of their own
+    hair,     // positions and their history, poses, lanes
+    output,   // the step before the last, where output is interpolated
+    pins,
+    wind,    // SavedWind
+    wetness, // SavedWetness, then that of strands
+    volume,  // SavedVolume, then the pressure of strands and of nodes
+};
+constexpr size_t block_kinds = 11;
+
+struct SavedSim {
+    uint64_t groom; // its fingerprint
+    uint32_t model, guides, row, substeps;
+    float step, scale; // s; m, one of the groom's units
+    double waiting;    // s
+    uint64_t steps, dropped;
+};
+struct SavedRoots {
+    plait_pose heads[5]; // at, target, from, to, before
+    uint32_t own[5];
+    uint32_t aimed;
+    uint32_t bends;  // Roots::samples()
+    uint32_t motion; // Sim::Motion
+    uint32_t told, waited, first_aim;
+    plait_pose placed[2]; // Sim::placed_from_, placed_to_
+};
 // Of a strand, as Settings has it.
 struct SavedSettings {
     uint32_t substeps, iterations, bdf2;
 };
+struct SavedWind { // Wind::Moving
+    double time;
+    double way[3];
+    float jump[3];
+    uint32_t zero;
+};
+struct SavedWetness {
+    double dried; // Wetness::dried()
+};
+struct SavedVolume {
+    uint32_t nodes; // per edge of the grid whose pressure is carried
+};
+static_assert(sizeof(SavedSim) == 56 && sizeof(SavedRoots) == 240 && sizeof(Frame::State) == 156 &&
+                  sizeof(SavedWind) == 48,
+              "no padding: they are saved as bytes");
 
 // Of a collider that is a mesh, in the order of their slots; then come the values of its nodes, and
 // the clearance of every vertex.
@@ -26,64 +87,48 @@ struct SavedMesh {
 struct SavedBendingMesh {
     uint32_t vertices, triangles, two_sided, posed;
 };
-
-struct SnapshotHeader {
-    uint32_t magic;
-    uint32_t version;
-    uint64_t checksum; // of every byte after it
-    uint64_t groom;    // its fingerprint
-    uint32_t model;
-    uint32_t guides;
-    uint32_t row;
-    uint32_t substeps;
-    float step;
-    uint32_t colliders; // slots, dead ones included
-    double waiting;
-    uint64_t steps;
-    uint64_t dropped;
-    plait_pose heads[5]; // at, target, from, to, before
-    uint32_t own[5];
-    uint32_t aimed;
-    uint32_t kept;
-    uint32_t switched; // 1: strands have settings of their own
-    uint32_t pins;     // 1: they are there
-    double wind_time;  // Wind::Moving
-    double wind_way[3];
-    float wind_jump[3];
-    uint32_t volume; // nodes per edge of the grid whose pressure is carried; 0: none
-    double dried;    // Wetness::dried()
-    uint32_t wet;    // 1: strands may be
-    uint32_t bends;  // Roots::samples()
-    uint32_t motion; // Sim::Motion
-    uint32_t told, waited;
-    uint32_t first_aim;
-    Frame::State frame;
-    plait_pose placed[2]; // Sim::placed_from_, placed_to_
-    float scale;          // Sim::scale_
-};
-static_assert(sizeof(SnapshotHeader) == 72 + 140 + 36 + 48 + 16 + 16 + 156 + 56 + 4);
 static_assert(sizeof(Colliders::Slot) == sizeof(float) * (2 + 22 + 36),
               "no padding: slots are saved as bytes");
+
+// All of a snapshot but colliders, settings and runs of floats.
+struct Saved {
+    SavedSim sim;
+    SavedRoots roots;
+    Frame::State frame;
+    SavedWind wind;
+    SavedWetness wetness;
+    SavedVolume volume;
+    std::array<bool, block_kinds> has{};
+
+    bool is(BlockKind kind) const { return has[static_cast<size_t>(kind)]; }
+};
 
 namespace snapshots {
 
 constexpr uint32_t magic = 0x74696c70; // "plit"
-constexpr uint32_t version = 12;
+constexpr uint32_t version = 1;
+
+// "wetness".
+const char* name_of(BlockKind kind);
+SnapshotHead head();
+BlockHead head_of(BlockKind kind, uint64_t bytes);
 
 // BAD_DATA.
 Error malformed(const std::string& what);
 // `name[index]` is `value`, and that is outside of `range`.
 Error outside(const char* name, size_t index, double value, const char* range);
-uint64_t checksum_of(std::span<const unsigned char> bytes);
+uint64_t checksum_of(std::span<const unsigned char> bytes); // of a whole snapshot
 
-// What can be told before anything in it is believed.
-Status check_whole(const SnapshotHeader& h, std::span<const unsigned char> bytes);
-Status check_header(const SnapshotHeader& h);
-// Colliders, as a snapshot holds them from `from` on.
+// The bytes of every block, null where there is none.
+using BlockBytes = std::array<std::span<const unsigned char>, block_kinds>;
+// Before anything in it is believed. UNSUPPORTED: another version wrote it.
+Result<BlockBytes> split(std::span<const unsigned char> bytes);
+// Takes what Saved holds from the begin of each block, and checks it.
+Result<Saved> take_saved(BlockBytes& blocks);
+
+// Colliders, from the block of bodies, which each moves on; `vertices`: [guides][V].
 Result<std::pmr::vector<Colliders::Slot>>
-saved_slots(const SnapshotHeader& h, const unsigned char* from, std::pmr::memory_resource* memory);
-// The faces of those of them that are hulls, and those that are meshes, by form, from `from` on, which
-// each moves on; `vertices`: [guides][V].
+saved_slots(std::span<const unsigned char>& from, float scale, std::pmr::memory_resource* memory);
 Result<Colliders::FacesOf> saved_faces(std::span<const Colliders::Slot> slots,
                                        std::span<const unsigned char>& from,
                                        std::pmr::memory_resource* memory);
