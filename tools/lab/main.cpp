@@ -1,4 +1,4 @@
-// plait-lab: scenes with known answers, run by every model and measured.
+// plait-lab: scenes with known answers, run by models and baselines and measured.
 #include "commands.hpp"
 
 #include "common/devices.hpp"
@@ -21,7 +21,7 @@ Exit exit_after(Exit command) {
 }
 
 int main_of(int argc, char** argv) {
-    CLI::App app("Measures the strand models on scenes with known answers.", "plait-lab");
+    CLI::App app("Measures models and baselines on scenes with known answers.", "plait-lab");
     Command chosen;
     bool list_devices = false;
     app.footer(footer);

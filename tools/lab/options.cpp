@@ -14,7 +14,8 @@ void add_device_options(CLI::App& command, DeviceOptions& options) {
 }
 
 void add_choice(CLI::App& command, Choice& choice) {
-    command.add_option("--models", choice.models, "only these")->delimiter(',');
+    command.add_option("--models", choice.models, "only these models and baselines")
+        ->delimiter(',');
     command.add_option("--out", choice.out, "folder of what is found; a run goes on from there")
         ->capture_default_str();
     command.add_flag("--fresh", choice.fresh, "measure again what is there");

@@ -1,1 +1,1 @@
-"""plait's strand models as solvers of cosseratbench, through plait's C API."""
+"""plait's model `articulated` as a solver of cosseratbench, through plait's C API."""

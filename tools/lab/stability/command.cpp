@@ -64,10 +64,11 @@ namespace lab {
 
 void add_stability(CLI::App& app, Command& chosen) {
     auto options = std::make_shared<stability::Options>();
-    CLI::App* command = app.add_subcommand("stability", "shake the models till they fail");
+    CLI::App* command =
+        app.add_subcommand("stability", "shake models and baselines till they fail");
     command
         ->add_option("--models", options->sweep.models,
-                     "labels [tressfx,articulated,chain,cosserat,rod]")
+                     "models and baselines [tressfx,articulated,chain,cosserat,rod]")
         ->delimiter(',');
     command
         ->add_option("--scenes", options->sweep.scenes,

@@ -37,7 +37,9 @@ void add_volume(CLI::App& app, Command& chosen) {
     CLI::App* command = app.add_subcommand(
         "volume",
         "limp hair on a ball: what different methods keep of its volume, and what it costs");
-    command->add_option("--model", options->run.model, "that the hair is simulated by")
+    command
+        ->add_option("--model", options->run.model,
+                     "model or baseline that the hair is simulated by")
         ->capture_default_str()
         ->check(CLI::IsMember({"articulated", "chain", "cosserat", "rod"}));
     command->add_option("--strands", options->run.strands, "hairs")
