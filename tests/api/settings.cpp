@@ -284,13 +284,13 @@ TEST_P(Settings, OfASnapshotThatCannotBeAreRefused) {
     run(sim, 2);
     const auto saved = sim.save();
     const uint64_t hash = sim.hash();
-    const size_t strands = forged::find_block(saved, "sett") + forged::block_head;
+    const size_t first = forged::find_block(saved, "sett") + forged::block_head;
     const std::pair<size_t, const char*> fields[] = {
         {0, "strand 3: substeps is"}, {1, "strand 3: iterations is"}, {2, "strand 3: bdf2 is"}};
     for (const auto& [field, sentence] : fields) {
         auto damaged = saved;
         const uint32_t value = 70000;
-        std::memcpy(&damaged[strands + (3 * 3 + field) * sizeof value], &value, sizeof value);
+        std::memcpy(&damaged[first + (3 * 3 + field) * sizeof value], &value, sizeof value);
         forged::sign(damaged);
         EXPECT_EQ(plait_sim_restore(sim, damaged.data(), damaged.size()), PLAIT_BAD_DATA);
         EXPECT_NE(std::string(plait_last_error()).find(sentence), std::string::npos)
