@@ -305,7 +305,7 @@ class Sim {
         Of of;
         LaneBuffer lanes; // no buffer: saved as it lies
     };
-    std::pmr::vector<Run> runs(const Saved& saved);
+    std::pmr::vector<Run> list_runs(const Saved& saved);
     std::pmr::vector<Run> saved_runs(const Saved& saved, std::span<const Settings> strands);
     Saved saved_now();
     Status write_snapshot(SnapshotWriter& to);

@@ -21,7 +21,7 @@ constexpr float most_potential = 1e30f;
 // lanes come part by part; first those that every model has, x, v, q and q before, then BDF2's x
 // and v where the part steps by it.
 std::pmr::vector<Sim::Run> Sim::saved_runs(const Saved& now, std::span<const Settings> strands) {
-    auto list = runs(now);
+    auto list = list_runs(now);
     if (std::ranges::equal(strands, settings()))
         return list;
     const auto is_lane = [](const Run& run) {
@@ -230,7 +230,7 @@ Status Sim::restore(std::span<const unsigned char> src) {
         PLAIT_TRY(display_.interpolate(device(), schedule_, layout_, state_));
         PLAIT_TRY(submit());
     }
-    const auto list = runs(*saved);
+    const auto list = list_runs(*saved);
     PLAIT_TRY(take_meshes(std::move(*meshes), std::move(*bending)));
     PLAIT_TRY(colliders_.assign(device(), *slots, std::move(*faces), scale));
     scale_ = display_.scale = scale;

@@ -14,7 +14,7 @@ namespace plait {
 using namespace snapshots;
 
 // What a snapshot holds of buffers; runs of one block lie one after another.
-std::pmr::vector<Sim::Run> Sim::runs(const Saved& now) {
+std::pmr::vector<Sim::Run> Sim::list_runs(const Saved& now) {
     const size_t vertices = layout_.guide_vertices();
     std::pmr::vector<Run> list(&context_.memory);
     const auto add = [&](BlockKind kind, const Buffer& buffer, size_t floats, Run::Of of,
@@ -176,7 +176,7 @@ Status Sim::write_bending(SnapshotWriter& to, size_t index) {
 // What a block begins with, and its runs.
 Status Sim::write_snapshot(SnapshotWriter& to) {
     const Saved now = saved_now();
-    const auto list = runs(now);
+    const auto list = list_runs(now);
     const auto write_runs = [&](BlockKind kind) -> Status {
         for (const Run& run : list)
             if (run.kind == kind)
