@@ -168,7 +168,7 @@ TEST_P(State, ASnapshotSaysWhatIsWrongWithIt) {
 
 // A block that this library does not know, or knows in another version, was written by another plait.
 TEST_P(State, ASnapshotWithBlocksOfAnotherVersionIsRefused) {
-    plait::Sim sim(context, make_groom(tuft(2, 4)), busy());
+    plait::Sim sim(context, make_groom(tuft(6, 7)), busy());
     stir(sim);
     const auto saved = sim.save();
     const uint64_t hash = sim.hash();
@@ -199,7 +199,7 @@ TEST_P(State, ASnapshotWithBlocksOfAnotherVersionIsRefused) {
     bytes[static_cast<size_t>(frame) + forged::bytes_at] = 4;
     refused(bytes, PLAIT_BAD_DATA, "the block frame has 4 bytes");
     bytes = saved;
-    bytes.insert(bytes.begin() + static_cast<long>(forged::block_head) + frame, 4, 0);
+    bytes.insert(bytes.begin() + bodies, 4, 0);
     bytes[static_cast<size_t>(frame) + forged::bytes_at] += 4;
     refused(bytes, PLAIT_BAD_DATA, "the block frame has 4 bytes more than it needs");
 }
