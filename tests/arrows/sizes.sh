@@ -14,7 +14,6 @@ cl/contact/contact_plane.clh       one search for planes, over every shape of co
 cl/mesh/mesh_nearest.cl            one walk through a tree, whose parts share what it has found
 cl/strand_contact/contact_pair_find.cl     one walk through cells, whose parts share what it has found
 cl/strands/articulated.clh         one recursion, whose passes share the factors of the joints
-cl/strands/rod.cl                  one elimination, whose passes share its blocks
 '
 
 {

@@ -75,7 +75,7 @@ std::pmr::vector<Sim::Block> Sim::blocks(const SnapshotHeader& h) {
 }
 
 // The blocks of a snapshot whose strands may have other settings than the sim's have now: those of
-// the lanes come part by part; first those that every model has, x, v, q and q before, then BDF2's x
+// the lanes come part by part; first those that are always there, x, v, q and q before, then BDF2's x
 // and v where the part steps by it.
 std::pmr::vector<Sim::Block> Sim::saved_blocks(const SnapshotHeader& h,
                                                std::span<const Settings> strands) {
