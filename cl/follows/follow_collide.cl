@@ -3,7 +3,7 @@
  * Items   follows, over lanes: follow f is row guide_count + f of position.
  * Reads   lane_strand; collider, at the end of its substep.
  * Moves   position of the follows; w is kept, padding is a copy of the tip.
- * Source  follows/follow_out.clh; distances as in the strand models.
+ * Source  follows/follow_out.clh; distances as in the solve.
  * Limit   without friction, and of no memory: a follow is where its guides put it, less what is
  *         inside. A strand that leaves one collider may be brought into one before it in the list.
  */

@@ -7,7 +7,7 @@
  *         Q_i = R(Q_(i-1) r_i -> e_i) Q_(i-1), Q_(-1) the pose of the root, r_i and e_i segment i at
  *         rest and now, R the shortest rotation from one direction to the other: each joint of the
  *         guide turns as it must and no further.
- * Changed The shortest rotation from every segment's own rest direction, as `follow` has it, jumps
+ * Changed The shortest rotation from every segment's own rest direction, as tressfx_follow has it, jumps
  *         where a segment has turned by half a turn; this jumps where a single joint has.
  */
 #pragma OPENCL FP_CONTRACT OFF

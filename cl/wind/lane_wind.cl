@@ -1,4 +1,4 @@
-/* lane_wind: drag of the air on every vertex, as what the solves of all strand models know: a spring,
+/* lane_wind: drag of the air on every vertex, as what the solve knows: a spring,
  * which is drag taken implicitly, and an acceleration beside gravity.
  *
  * Items   strands, over lanes.
@@ -75,15 +75,13 @@ static inline void fetch_row(const lane_step* step, lane_buffers state,
     lane_fetch(lane_spring, place, 4, row);
 }
 
-__kernel void plait_lane_wind(const uint item_count, const plait_lane_wind_params params,
-                             __global const uint* lane_strand, __global const uint* vertex_count,
-                             __global const float4* rest, __global const float4* pose,
-                             __global const float4* acceleration,
-                             __global const float4* wind_velocity,
-                             __global const real* lane_material, __global const real* lane_x,
-                             __global const real* lane_v, __global const real* lane_x_before,
-                             __global const real* lane_v_before, __global const real* lane_pressure,
-                             __global real* lane_push, __global real* lane_spring) {
+__kernel void plait_lane_wind(
+    const uint item_count, const plait_lane_wind_params params, __global const uint* lane_strand,
+    __global const uint* vertex_count, __global const float4* rest, __global const float4* pose,
+    __global const float4* acceleration, __global const float4* wind_velocity,
+    __global const real* lane_material, __global const real* lane_x, __global const real* lane_v,
+    __global const real* lane_x_before, __global const real* lane_v_before,
+    __global const real* lane_pressure, __global real* lane_push, __global real* lane_spring) {
     const lane_place place = lane_place_of(get_global_id(0));
     if (!lane_place_used(place, item_count))
         return;

@@ -173,7 +173,7 @@ typedef struct plait_device_info {
     uint32_t compute_units;
     uint64_t memory_bytes;   /* 0: unknown */
     uint32_t float_width;    /* native vector width in floats, 1 on GPUs */
-    uint32_t lanes;          /* strands a work-item of a strand model steps at once: 1, 4, 8, 16 */
+    uint32_t lanes;          /* strands a work-item of articulated steps at once: 1, 4, 8, 16 */
     uint32_t tile;           /* strands per tile of the lane layout, a multiple of lanes */
     uint32_t max_group_size; /* work-items per work-group */
     uint64_t local_memory_bytes;
@@ -186,7 +186,7 @@ PLAIT_API plait_result plait_devices_list(plait_device_info* dst, size_t* count)
 /* The user's own kernel for one stage, checked against the stage's signature when the context is
  * made. See docs/backends.md. */
 typedef struct plait_stage_source {
-    const char* stage;  /* "wind" */
+    const char* stage;  /* "tressfx_wind" */
     const char* source; /* OpenCL C, defines plait_<stage>; may include those of cl/base */
     const char* name;   /* file name for the compiler's messages; NULL: "<stage>" */
 } plait_stage_source;
@@ -202,7 +202,7 @@ typedef struct plait_context_desc {
     uint32_t profile; /* 1: time every stage (a few percent slower), see plait_profile.h */
     const plait_stage_source* stage_sources;
     size_t stage_source_count;
-    uint32_t lanes; /* strands per work-item in the strand models: 1, 4, 8, 16; 0: the device's */
+    uint32_t lanes; /* strands per work-item in articulated: 1, 4, 8, 16; 0: the device's */
     /* Folder, created if missing, that keeps built kernels for later processes, one file each; a
        file that is damaged or of another driver is rebuilt and replaced. NULL: kernels live as long
        as a context of the device in this process */
@@ -544,10 +544,10 @@ typedef struct plait_sim_params {
     float groom; /* [0, 1], default 0: the share of a level strand's droop under its weight that is
                     taken away; 1: hair stays as groomed. docs/groom.md */
 
-    /* air; docs/air.md */
+    /* wind; docs/wind.md */
     float wind[3];       /* m/s, each [-1e3, 1e3], default 0; with no drag: no wind stage */
     float air_with_head; /* [0, 1], share of the head's velocity that the air has, at the middle of
-                            the groom; 1: under a hat; default 0. All but tressfx */
+                            the groom; 1: under a hat; default 0. Model articulated */
     float air_drag;      /* rho_air C_d d / (2 rho A), 1/m, [0, 1e6], default 0 */
     float wind_cone;     /* published form: its half angle, rad, [0, pi/2], default 0.7 */
 
@@ -574,7 +574,7 @@ typedef struct plait_sim_params {
     float volume_viscosity;   /* 1/s: hair takes on the velocity around it, [0, 1e3], default 5 */
     float cohesion; /* m^2/s^2: tension that hair bears, over its density, [0, 1e4], default 0 */
 
-    /* wetness, where PLAIT_FIELD_WETNESS was written. All but tressfx; docs/wetness.md */
+    /* wetness, where PLAIT_FIELD_WETNESS was written. Model articulated; docs/wetness.md */
     float drying_time;  /* tau, s: it falls with e^(-t/tau), [0, 1e9], default 0: it stays */
     float wet_cohesion; /* m^2/s^2, with volume: cohesion of wetness 1, [0, 1e4], default 0.03 */
 
@@ -959,7 +959,7 @@ PLAIT_API plait_result plait_collider_create_mesh(plait_sim* sim, const plait_me
 /* Faces of a hull, at most. */
 #define PLAIT_HULL_FACES_MAX 256
 
-/* A convex body with flat faces, where box and capsule are too plain. Rigid, for every model, at
+/* A convex body with flat faces, where box and capsule are too plain. Rigid, for both models, at
  * the cost of a box and a dot product per face. See docs/meshes.md. */
 typedef struct plait_collider_hull_desc {
     uint32_t struct_size;
@@ -1047,7 +1047,7 @@ typedef struct plait_pin {
  * @errors INVALID_STATE (plait_sim_desc.pins is 0) */
 PLAIT_API plait_result plait_sim_set_pins(plait_sim* sim, const plait_pin* pins, size_t count);
 
-/* ---- air ------------------------------------------------------------------------------------ */
+/* ---- wind ----------------------------------------------------------------------------------- */
 
 /* Air that moves past strands and drags them, each vertex as a slender cylinder with the drag of
  * its Reynolds number: mean velocity, gusts of all of it, and eddies that it carries along. Adds to
@@ -1147,7 +1147,8 @@ typedef enum plait_field {
        Once written it acts from the next step on and dries with `drying_time`; below 1e-3 it is 0.
        A wet strand is heavier and softer, with volume it lies closer to others and holds to them,
        and its follows are drawn to it (docs/wetness.md). Material is scaled anew once wetness has
-       moved by more than 0.02. Stays over reset and teleport; snapshots hold it. All but tressfx */
+       moved by more than 0.02. Stays over reset and teleport; snapshots hold it. Model
+       articulated */
     PLAIT_FIELD_WETNESS = 13,
     PLAIT_FIELD_COUNT = 14,
     PLAIT_FIELD_FORCE_32 = 0x7fffffff

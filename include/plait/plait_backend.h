@@ -63,8 +63,8 @@ typedef struct plait_stage_arg {
 
 typedef struct plait_stage_info {
     plait_stage stage;
-    const char* name;        /* "wind" */
-    const char* kernel;      /* "plait_wind" */
+    const char* name;        /* "tressfx_wind" */
+    const char* kernel;      /* "plait_tressfx_wind" */
     const char* params_type; /* "plait_tressfx_wind_params" */
     const char* summary;
     plait_space space;

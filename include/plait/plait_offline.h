@@ -107,7 +107,7 @@ typedef struct plait_mesh_fit_info {
 PLAIT_API void plait_mesh_fit_info_init(plait_mesh_fit_info* info, size_t size);
 
 /* `count` [1, PLAIT_MESH_FIT_MAX] capsules whose union comes near `mesh`, for
- * plait_collider_create: cheaper to meet than a mesh, and for all models. They are in the mesh's
+ * plait_collider_create: cheaper to meet than a mesh, and for both models. They are in the mesh's
  * frame, of the default friction; the same mesh gives the same. 16 take a second, 64 six. `out` may
  * be NULL. */
 PLAIT_API plait_result plait_mesh_fit(const plait_mesh* mesh, plait_collider_desc* dst,

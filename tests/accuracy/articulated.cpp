@@ -172,7 +172,7 @@ TEST(ArticulatedAtRest, joints_hold_the_weight) {
     }
 }
 
-// Shaken by 0.2 m at 4 Hz, which stretches `rod` by 15 % (docs/models/rod.md).
+// Shaken by 0.2 m at 4 Hz, which stretches `rod` by 15 % (tools/lab/baselines/rod.md).
 TEST(Articulated, keeps_its_lengths) {
     plait_sim_desc desc = desc_of(1);
     desc.params.bend_stiffness = 1e-6f;

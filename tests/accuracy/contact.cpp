@@ -1,4 +1,4 @@
-// Contact of the strand models with capsules: friction that holds up to its angle and no further,
+// Contact of the model articulated with capsules: friction that holds up to its angle and no further,
 // nothing that passes through, nothing that bursts. Bars and measured values: docs/models.
 #include "stability/one_strand.hpp"
 
@@ -51,7 +51,7 @@ double largest_move(const Points& a, const Points& b) {
     return most;
 }
 
-// A model as it is used: `chain` needs substeps to come to rest at all.
+// A model as it is used.
 struct Use {
     plait_model model;
     uint32_t substeps;

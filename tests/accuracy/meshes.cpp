@@ -1,4 +1,4 @@
-// Contact of the strand models with meshes: a ball of triangles is a ball, a face is a plane whose
+// Contact of the model articulated with meshes: a ball of triangles is a ball, a face is a plane whose
 // friction lets go at its angle, and nothing passes through what is thin.
 #include "accuracy/one_collider.hpp"
 #include "api/mesh_shapes.hpp"

@@ -1,4 +1,4 @@
-// One strand that meets a collider: the models as they are used, and how far apart two states are.
+// One strand that meets a collider: the model as it is used, and how far apart two states are.
 #pragma once
 
 #include "stability/one_strand.hpp"
@@ -14,7 +14,7 @@ inline constexpr double pi = 3.14159265358979;
 
 using Points = std::vector<std::array<float, 4>>;
 
-// A model as it is used: `chain` needs substeps to come to rest at all.
+// A model as it is used.
 struct Use {
     plait_model model;
     uint32_t substeps;

@@ -1,4 +1,4 @@
-// Contact of the strand models with planes, boxes and hulls: what a plane at any tilt and friction's
+// Contact of the model articulated with planes, boxes and hulls: what a plane at any tilt and friction's
 // angle say in closed form, kinds that are each other's limits, and nothing that passes through.
 #include "accuracy/one_collider.hpp"
 #include "api/mesh_shapes.hpp"

@@ -1,5 +1,5 @@
 // Volume: limp hair on a ball, which without it sinks onto the ball, keeps the room of the groom and its
-// height at 60 and 120 Hz in every strand model, and comes to rest; and few strands, of which none may
+// height at 60 and 120 Hz, and comes to rest; and few strands, of which none may
 // shoot out.
 #include "api/mesh_shapes.hpp"
 #include "api/support.hpp"

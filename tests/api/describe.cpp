@@ -342,7 +342,7 @@ TEST(IgnoredParams, AreLoggedByNameOnceSet) {
     Logged logged;
     auto desc = plait_sim_desc_defaults();
     desc.params.length_iterations = 5;
-    desc.params.drag = 2; // which every strand model reads
+    desc.params.drag = 2; // which the model reads
     plait::Sim sim(logged.context, make_groom(tuft(2, 6)), desc);
     std::string text = logged.warnings();
     EXPECT_TRUE(has(text, "length_iterations is set, and no strand's model (articulated) reads it; "

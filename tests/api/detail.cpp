@@ -136,7 +136,7 @@ TEST_P(Detail, CostsNothingWhereThereIsNone) {
     }
 }
 
-// In every model, on a head that shakes.
+// In both models, on a head that shakes.
 TEST_P(Detail, ClumpedStrandsKeepTheirLengths) {
     for (const plait_model model : models)
         for (const bool map : {true, false}) {

@@ -155,7 +155,7 @@ TEST_P(FollowContact, KeepsThemOutOfBodies) {
         }
 }
 
-// Every model's, whose guides go their own ways.
+// Both models', whose guides go their own ways.
 TEST_P(FollowContact, IsOfEveryModel) {
     const Hair hair;
     for (const plait_model model : {PLAIT_MODEL_TRESSFX, PLAIT_MODEL_ARTICULATED}) {

@@ -177,7 +177,7 @@ struct Call {
     const char* name;
     std::vector<const char*> functions;
     std::function<void(Ride&)> make;
-    bool lanes_only = false; // the strand models'
+    bool lanes_only = false; // of the model articulated
     bool scales = false;     // places in the world are not those of a grid of float32 then
 };
 

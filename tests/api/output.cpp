@@ -78,8 +78,8 @@ TEST_P(Output, BoundsAreNotWritten) {
     EXPECT_EQ(plait_sim_write(sim, PLAIT_FIELD_BOUNDS, box.data(), 32), PLAIT_INVALID_ARGUMENT);
 }
 
-// The models over lanes write them with positions, where strands of several lengths, models and
-// numbers of substeps lie, in whatever order; those of written positions are the stage's. Bit for bit
+// The model articulated writes them with positions, where strands of several lengths and numbers of
+// substeps lie, in whatever order; those of written positions are the stage's. Bit for bit
 // where what is read and written are the device's floats; the reference has doubles.
 TEST_P(Output, TangentsOfTheModelAreThoseOfTheStage) {
     Strands groom = tuft(70, 16);

@@ -16,7 +16,7 @@ namespace {
 struct Case {
     std::string backend, name;
     plait_model model;
-    bool bdf2, mixed; // strands of several models
+    bool bdf2, mixed; // strands of several settings
 };
 
 void PrintTo(const Case& c, std::ostream* out) {

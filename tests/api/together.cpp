@@ -10,7 +10,7 @@ namespace {
 
 constexpr plait_model every_model[] = {PLAIT_MODEL_ARTICULATED, PLAIT_MODEL_TRESSFX};
 
-// Of one context: every model, of another size each, alone and with everything.
+// Of one context: both models, of another size each, alone and with everything.
 class Crowd {
   public:
     explicit Crowd(const plait::Context& context) {

@@ -10,7 +10,7 @@
 namespace bench {
 namespace {
 
-// `snapshot` has what a copy needs: a buffer to read and one to write, both float4 per vertex.
+// `output_keep` has what a copy needs: a buffer to read and one to write, both float4 per vertex.
 constexpr char copy_source[] =
     "#include \"plait/params.h\"\n"
     "__kernel void plait_output_keep(uint item_count, plait_layout_params params,\n"
@@ -20,7 +20,7 @@ constexpr char copy_source[] =
     "        position_local[get_global_id(0)] = position[get_global_id(0)];\n"
     "}\n";
 
-// A device whose `snapshot` copies, with buffers such that `bytes` move.
+// A device whose `output_keep` copies, with buffers such that `bytes` move.
 class Copy {
   public:
     Copy(uint32_t index, double bytes)

@@ -1,6 +1,6 @@
 // The whole step over the number of strands. Of tressfx without and with the inter-hair step: the
 // two columns of table 5.1 of Ugurca 2015, by its own hash and rule, and two more for slots and
-// exact sums as they are by default. Of every model as it is by default, without.
+// exact sums as they are by default. Of both models as they are by default, without.
 #include "bench.hpp"
 #include "inputs.hpp"
 #include "sim.hpp"

@@ -45,10 +45,10 @@ plait_lane_params lane_params(const Size& size, uint32_t iterations, uint32_t bd
 // BDF2 and a tenth of the gravity: velocities change by more than it does, and no pairs count.
 plait_lane_params lane_params_afloat(const Size& size, uint32_t iterations);
 
-// The setup of a strand model: `bends` with orientations.
+// The setup of a stage over lanes: `bends` with orientations.
 Setup lane_setup(const Size& size, const LaneHair& hair, const plait_lane_params& params,
                  bool bends);
-// Of a rod model, on surfaces of every kind, alone and behind 70 others.
+// Of `articulated`, on surfaces of every kind, alone and behind 70 others.
 void add_rods_on_surfaces(Case& result, uint32_t seed = 48);
 void add_rods_on_hulls(Case& result);
 void add_rods_in_rooms(Case& result, uint32_t seed = 53);

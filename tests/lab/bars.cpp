@@ -1,4 +1,4 @@
-// The bars: every row of the accuracy table by every model that can do it, in its setting for real
+// The bars: every row of the accuracy table that `articulated` can do, in its setting for real
 // time and in the one for quality, on OpenCL and on the reference. A value has to meet its row's
 // mark, or to be a known miss and no worse than recorded.
 #include "accuracy/accuracy.hpp"

@@ -1,4 +1,4 @@
-// Scenes that the parity model and the strand models are both put through.
+// Scenes that both models are put through.
 #pragma once
 
 #include "one_strand.hpp"

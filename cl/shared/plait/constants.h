@@ -26,7 +26,7 @@
 /* m: shortest distance that the length constraint divides by. Ours. */
 #define PLAIT_LENGTH_MIN_DISTANCE PLAIT_NUMBER(1e-7)
 
-/* ---- contact of the strand models --------------------------------------------------------------
+/* ---- contact in the solve ----------------------------------------------------------------------
  */
 
 /* Segment lengths: penetration tolerance. A vertex deeper at the substep's begin started inside and
@@ -91,7 +91,7 @@
  * strand can turn about what it lies on. Ours. */
 #define PLAIT_PAIR_SHARE PLAIT_NUMBER(0.25)
 
-/* ---- energy budget of the strand models --------------------------------------------------------
+/* ---- energy budget -----------------------------------------------------------------------------
  */
 
 /* J: smallest budget; a strand with less does not move. Ours. */
@@ -212,7 +212,7 @@
 /* Turns of a segment towards one surface: the second is for its curvature. Ours. */
 #define PLAIT_FOLLOW_TURNS 2
 
-/* ---- set_off and lane_set_off ------------------------------------------------------------------
+/* ---- tressfx_set_off and lane_set_off ----------------------------------------------------------
  */
 
 /* m: a turn counts as the speed it has so far from its axis, about a head's radius. Ours. */

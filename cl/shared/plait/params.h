@@ -142,7 +142,8 @@ typedef struct plait_roots_params {
     plait_u32 bends;    /* 0: the path is straight, and `before` is not read */
 } plait_roots_params;
 
-/* skin, skin_mesh, reset, teleport, guide_turns, snapshot, stats: stages that need only the layout. */
+/* skin, skin_mesh, tressfx_reset, tressfx_teleport, velocity_shock, guide_turns, output_keep, stats: stages
+ * that need only the layout. */
 typedef struct plait_layout_params {
     plait_u32 vertex_stride; /* V: vertices per strand row, 2..256 */
 } plait_layout_params;
@@ -153,20 +154,20 @@ typedef struct plait_last_frame_params {
     float scale; /* times positions */
 } plait_last_frame_params;
 
-/* set_off, lane_set_off: the motion of a head whose motion was not known. */
+/* tressfx_set_off, lane_set_off: the motion of a head whose motion was not known. */
 typedef struct plait_tressfx_set_off_params {
     plait_u32 vertex_stride;
-    plait_u32 tile;       /* lane_set_off; 1 in set_off */
+    plait_u32 tile;       /* lane_set_off; 1 in tressfx_set_off */
     plait_u32 row_stride; /* V of `rest` */
     plait_u32 history; /* 1: BDF2's step before is kept; 0: lane_x_before, lane_v_before are null */
     float h;           /* s, the substep */
     float jump;        /* m/s: strands whose motions differ by less are left alone */
 } plait_tressfx_set_off_params;
 
-/* carry, lane_carry: the rigid motion p -> q*p + t, of all strands. */
+/* tressfx_carry, lane_carry: the rigid motion p -> q*p + t, of all strands. */
 typedef struct plait_tressfx_carry_params {
     plait_u32 vertex_stride;
-    plait_u32 tile;    /* lane_carry; 1 in carry */
+    plait_u32 tile;    /* lane_carry; 1 in tressfx_carry */
     plait_u32 history; /* 1: BDF2's step before is kept; 0: lane_x_before, lane_v_before are null */
     plait_u32 turns;   /* 0: q is the identity, and only what is a place in the world changes */
     float q[4];
@@ -179,7 +180,7 @@ typedef struct plait_mesh_take_params {
     float scale;     /* times what is taken: to the groom's units */
 } plait_mesh_take_params;
 
-/* mesh_pose: where the vertices of a mesh are at the end of a fixed step. */
+/* mesh_advance: where the vertices of a mesh are at the end of a fixed step. */
 typedef struct plait_mesh_advance_params {
     plait_u32 begins;   /* in mesh_from and mesh_to: where this mesh's vertices begin */
     float part;         /* of their way, [0, 1] */
@@ -187,7 +188,7 @@ typedef struct plait_mesh_advance_params {
     float target_scale; /* times mesh_target */
 } plait_mesh_advance_params;
 
-/* mesh_fit: boxes of a tree's nodes that have more than `least` and at most `most` triangles under them. */
+/* mesh_refit: boxes of a tree's nodes that have more than `least` and at most `most` triangles under them. */
 typedef struct plait_mesh_refit_params {
     plait_u32 mesh;  /* of mesh_first */
     plait_u32 least; /* 0: by the triangles; else by nodes with no more, whose boxes are there */
@@ -235,7 +236,7 @@ typedef struct plait_local_shape_params {
     plait_u32 iterations;
 } plait_local_shape_params;
 
-/* wind: published cone of four winds, or aerodynamic drag. */
+/* tressfx_wind: published cone of four winds, or aerodynamic drag. */
 typedef struct plait_tressfx_wind_params {
     plait_u32 vertex_stride;
     float h;          /* s */
@@ -251,7 +252,7 @@ typedef struct plait_length_params {
     plait_u32 iterations;
 } plait_length_params;
 
-/* collide: push out of colliders with Coulomb friction. */
+/* tressfx_collide: push out of colliders with Coulomb friction. */
 typedef struct plait_tressfx_collide_params {
     plait_u32 vertex_stride;
     plait_u32 collider_count;
@@ -270,7 +271,7 @@ typedef struct plait_attach_params {
     float reach; /* farthest, as a share of the arc length from the root, > 0 */
 } plait_attach_params;
 
-/* follow: place follow strands beside their guides. */
+/* tressfx_follow: place follow strands beside their guides. */
 typedef struct plait_tressfx_follow_params {
     plait_u32 vertex_stride;
     plait_u32 guide_count;

@@ -1,4 +1,4 @@
-// Where the strand models keep a strand: [tile][V][components][strands of a tile], so that a device
+// Where the model articulated keeps a strand: [tile][V][components][strands of a tile], so that a device
 // reads as many strands at once as it has lanes.
 #pragma once
 

@@ -49,7 +49,7 @@ void turn(const plait_pose& from, const plait_pose& to, float out[4]);
 // The rotation of `after` after that of `first`, a unit quaternion, x y z w.
 void rotation_product(const plait_pose& after, const plait_pose& first, float out[4]);
 
-// Of the stages carry and lane_carry.
+// Of the stages tressfx_carry and lane_carry.
 plait_tressfx_carry_params carry_params(const plait_pose& motion, uint32_t row, uint32_t tile,
                                         bool history);
 

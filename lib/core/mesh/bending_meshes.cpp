@@ -103,7 +103,7 @@ Status read_points(Device& device, const Buffer& from, size_t first, size_t coun
     return {};
 }
 
-// Triangles under the greatest nodes of one launch of mesh_fit, over those of the one before.
+// Triangles under the greatest nodes of one launch of mesh_refit, over those of the one before.
 constexpr uint32_t fit_ratio = 32;
 
 } // namespace

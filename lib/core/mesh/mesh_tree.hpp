@@ -1,4 +1,4 @@
-// A tree of boxes over the triangles of a mesh whose vertices move: the tree stays, boxes follow (mesh_fit).
+// A tree of boxes over the triangles of a mesh whose vertices move: the tree stays, boxes follow (mesh_refit).
 #pragma once
 
 #include "core/mesh/mesh.hpp"

@@ -82,7 +82,7 @@ class Sim {
     // The settings of every guide strand, checked; the same as they have costs nothing.
     Status set_settings(std::span<const Settings> settings);
     SettingsList settings() const;
-    // The sim's own, with this model.
+    // The sim's own.
     Settings own_settings() const { return {desc_.substeps}; }
     // Null: roots are free again. `places`: [guides], or empty.
     Status bind_roots(const Mesh* mesh, std::span<plait_root_place> places);

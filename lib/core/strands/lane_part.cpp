@@ -143,7 +143,7 @@ RestLoad LanePart::load() const {
     return {source_.sag_free, source_.gravity};
 }
 
-// Buffers for `members`, strands of this model.
+// Buffers for `members`.
 Status LanePart::make_fill(Device& device, Fill& fill, const Members& members,
                            const Materials& materials, const RestLoad& load, bool grooms) const {
     const LaneLayout lanes{static_cast<uint32_t>(members.size()), lanes_.row, lanes_.tile};

@@ -1,4 +1,4 @@
-// Strands of equal settings, of a lane model, and of one class of length: the buffers they are in and
+// Strands of equal settings and of one class of length, in the model articulated: the buffers they are in and
 // the stages they take. A sim whose strands are all solved alike and about as long has one part; else
 // it has one for each settings in use and class (length_classes.hpp), each with its strands side by
 // side, so that no lane is spent on a strand that is solved otherwise, and no row on one far longer.

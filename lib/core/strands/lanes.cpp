@@ -1,6 +1,5 @@
-// The model articulated, over lanes. Strands
-// keep their own state in the lane layout and publish it to position and its history, which
-// display, the inter-hair step and interop read.
+// The model articulated, over lanes. Strands keep their own state in the lane layout and publish it to
+// position and its history, which display, the inter-hair step and interop read.
 #include "core/base/strand_order.hpp"
 #include "core/groom/groom.hpp"
 #include "core/strands/lane_part.hpp"

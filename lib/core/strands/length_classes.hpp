@@ -10,7 +10,7 @@
 namespace plait {
 
 // How strands are divided by their numbers of vertices, so that short ones do not pay for long
-// ones. It depends on these numbers alone, not on models, parameters or the device: a strand stays
+// ones. It depends on these numbers alone, not on settings, parameters or the device: a strand stays
 // in its class, and a snapshot restores elsewhere.
 class LengthClasses {
   public:

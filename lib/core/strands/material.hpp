@@ -1,4 +1,4 @@
-// A groom's strands as the strand models see them: lengths, masses, stiffnesses and the rest
+// A groom's strands as the model articulated sees them: lengths, masses, stiffnesses and the rest
 // rotation of every joint, in the lane layout [tile][V][components][tile strands].
 #pragma once
 
@@ -17,7 +17,7 @@ struct RestStrands {
     std::pmr::vector<float> stiffness; // scale of each strand's, or empty
 };
 
-// The material of each strand of a model: the first is what the parameters say, then comes the
+// The material of each strand: the first is what the parameters say, then comes the
 // table's.
 struct Materials {
     std::pmr::vector<Material> list;

@@ -1,4 +1,4 @@
-// A strand model: which stages one substep takes, over which buffers.
+// A model: which stages one substep takes, over which buffers.
 #pragma once
 
 #include "core/base/part.hpp"

@@ -1,4 +1,4 @@
-// One strand at rest as the rod models see it, in float64: what cl/strands/rod.clh calls l, ks, kb,
+// One strand at rest as the model articulated sees it, in float64: what cl/strands/rod.clh calls l, ks, kb,
 // m and r.
 #pragma once
 

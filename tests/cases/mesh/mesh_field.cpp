@@ -27,7 +27,7 @@ Meshes make_meshes(const LaneHair& lanes, uint32_t seed) {
     return meshes;
 }
 
-// The buffers of a strand model without orientations, and those of the meshes among them.
+// The buffers of a stage over lanes without orientations, and those of the meshes among them.
 Setup mesh_setup(const Size& size, uint32_t bdf2, uint32_t seed) {
     const LaneHair lanes = make_lane_hair(size, seed);
     const Meshes meshes = make_meshes(lanes, seed + 1);

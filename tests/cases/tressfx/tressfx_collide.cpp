@@ -7,7 +7,7 @@ namespace {
 // Holds all hair, and belongs to the substep before.
 const Collider past = {{0, 0, 0, 9, 0, 0, 0, 9}, {0, 0, 0, 9, 0, 0, 0, 9}, {0, 0, 0, 1}, 1};
 
-// More than a strand model lists, of every kind.
+// More than the solve over lanes lists, of every kind.
 std::vector<Collider> many() {
     std::vector<Collider> colliders;
     for (int i = 0; i < 22; ++i)

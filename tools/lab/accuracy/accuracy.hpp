@@ -27,7 +27,7 @@ AccuracyRun run_accuracy(const AccuracyOptions& options);
 std::string accuracy_text(const AccuracyRun& run);     // for a terminal
 std::string accuracy_markdown(const AccuracyRun& run); // for a page
 
-// The models named, or all; baselines only if asked for, or named.
+// The models and baselines named, or the library's models; with `baselines` all.
 std::vector<const Model*> models_of(const std::vector<std::string>& labels, bool baselines);
 // They, with the settings they are measured with.
 std::vector<Method> methods_of(const std::vector<std::string>& models, bool baselines,

@@ -14,7 +14,7 @@ struct Family {
     Json overrides = Json::object();
     std::vector<std::string> needs;
     std::vector<uint32_t> segments; // where their number is free: these, scored as E_total
-    std::vector<Method> methods;    // empty: every model in each of its settings
+    std::vector<Method> methods;    // empty: all in each of their settings
     std::string metric = "rms_error";
     bool free() const { return !segments.empty(); }
 };

@@ -36,7 +36,7 @@ struct TipPin {
 struct Reference {
     std::string table;                   // "" when `plane` or `converged`
     bool plane = false;                  // with the masses and the joint of the model it is for
-    std::string converged;               // a model, run in float64
+    std::string converged;               // a model, run in float64, or a baseline
     uint32_t substeps = 64;              // of `converged`, BDF2 with two iterations
     uint32_t segments = 0;               // it goes to the limit from; 0: it has the scene's own
     std::map<std::string, double> where; // only rows with these values in these columns

@@ -60,7 +60,7 @@ void print_count(const std::vector<Row>& rows);
 std::string counts_markdown(const std::vector<Row>& rows);
 std::string axes_markdown(const std::vector<Row>& rows); // a letter for each value
 
-// DIR/MODEL.svg and .png for each model, and DIR/stability.svg of all. False where there is no
+// DIR/MODEL.svg and .png for each model and baseline, and DIR/stability.svg of all. False where there is no
 // gnuplot.
 bool draw_maps(const std::vector<Row>& rows, const std::filesystem::path& folder);
 

@@ -1,5 +1,5 @@
-// Strands in the lane layout [tile][V][components][tile strands], one at a time, and what every
-// strand model does around its solve: inertial targets before, velocities after.
+// Strands in the lane layout [tile][V][components][tile strands], one at a time, and what is
+// done around their solve: inertial targets before, velocities after.
 #pragma once
 
 #include "backend/reference/base/stages.hpp"

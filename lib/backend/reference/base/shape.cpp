@@ -57,8 +57,8 @@ void Shape::set_rows(plait_space space) {
     }
 }
 
-// The items of follow are the followers' vertices, those of follow_turns, follow_clump and follow_curl
-// the followers; what else they read belongs to the guides.
+// The items of tressfx_follow are the followers' vertices, those of follow_turns, follow_clump
+// and follow_curl the followers; what else they read belongs to the guides.
 void Shape::set_guides(size_t guides) {
     followers_ = strands_;
     strands_ = guides;

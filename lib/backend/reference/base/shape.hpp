@@ -90,7 +90,7 @@ class Shape {
     size_t items_;
     size_t stride_ = 0;     // V, of the lanes where there are any
     size_t row_stride_ = 0; // of a strand in buffers of vertices
-    size_t strands_ = 0;  // rows whose state is read or written; the guides in follow and follow_*
+    size_t strands_ = 0;  // rows whose state is read or written; the guides where follows are moved
     size_t vertices_ = 0; // of those rows
     size_t followers_ = 0;
     size_t colliders_ = 0;

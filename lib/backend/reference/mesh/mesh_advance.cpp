@@ -1,4 +1,4 @@
-// mesh_pose: x_from' = x_to, x_to' = x_at + part (x_target - x_at), both in the groom's units.
+// mesh_advance: x_from' = x_to, x_to' = x_at + part (x_target - x_at), both in the groom's units.
 #include "backend/reference/base/math.hpp"
 #include "backend/reference/base/stages.hpp"
 

@@ -1,4 +1,4 @@
-// mesh_fit: the least box around the corners of all triangles under a node, at both ends of the step,
+// mesh_refit: the least box around the corners of all triangles under a node, at both ends of the step,
 // a little larger for what float32 makes of places between, and the farthest way of one of them; of
 // what has more than `least` triangles, around the boxes of the greatest nodes under it with no more.
 #include "backend/reference/base/math.hpp"

@@ -1,4 +1,4 @@
-// snapshot: keep a step's positions in the frames of their roots, local = conj(q) (x - t).
+// output_keep: keep a step's positions in the frames of their roots, local = conj(q) (x - t).
 #include "backend/reference/base/stages.hpp"
 
 namespace plait::reference {

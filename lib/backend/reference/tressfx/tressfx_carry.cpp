@@ -1,4 +1,4 @@
-// carry: one rigid motion of all positions and both histories.
+// tressfx_carry: one rigid motion of all positions and both histories.
 #include "backend/reference/base/stages.hpp"
 
 namespace plait::reference {

@@ -1,4 +1,4 @@
-// collide: push vertices out of colliders, with Coulomb friction.
+// tressfx_collide: push vertices out of colliders, with Coulomb friction.
 // Friction takes at most mu * (push depth) off the tangential part of the vertex's displacement
 // relative to the surface, and never reverses it
 // (Mueller et al. 2007, section 3.4, with the depth in place of a restitution model).

@@ -1,4 +1,4 @@
-// follow: x_f = x_g + (tip_separation i / count + 1) offset, beside every vertex of the guide.
+// tressfx_follow: x_f = x_g + (tip_separation i / count + 1) offset, beside every vertex of the guide.
 // Published, the offset is fixed in rest space, so a follower changes sides when the head turns.
 // Ours turns with the guide: by its root's pose, then by the turn of its segment from rest to now.
 #include "backend/reference/base/stages.hpp"

@@ -1,4 +1,4 @@
-// reset: the skinned rest position with an empty history, so that the velocity is zero.
+// tressfx_reset: the skinned rest position with an empty history, so that the velocity is zero.
 #include "backend/reference/base/stages.hpp"
 
 namespace plait::reference {

@@ -1,4 +1,4 @@
-// set_off: histories M brought here come from where N would have brought them from: N^-1 M x, and
+// tressfx_set_off: histories M brought here come from where N would have brought them from: N^-1 M x, and
 // N^-2 M^2 x of the step before the last.
 #include "backend/reference/strands/set_off.hpp"
 

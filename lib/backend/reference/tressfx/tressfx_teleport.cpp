@@ -1,4 +1,4 @@
-// teleport: the rigid motion pose_to * pose_from^-1 applied to the state and its whole history, so
+// tressfx_teleport: the rigid motion pose_to * pose_from^-1 applied to the state and its whole history, so
 // that velocities turn with the head and no segment changes length.
 #include "backend/reference/base/stages.hpp"
 

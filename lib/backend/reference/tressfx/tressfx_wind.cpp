@@ -1,4 +1,4 @@
-// wind: the published blend of four winds, or aerodynamic drag.
+// tressfx_wind: the published blend of four winds, or aerodynamic drag.
 // Published (TressFX 3.1, kept for parity): a = (strand mod 20)/20 picks W between the four winds
 // and
 //   x_i += -((d x W) x d) h^2,  d = x_i - x_{i+1},   free vertices 2..count-2.
