@@ -92,11 +92,12 @@ static inline solid_corner solid_turned(solid_corner corner) {
     return corner;
 }
 
-__kernel void plait_grid_solid_cross(const uint item_count, const plait_grid_solid_cross_params params,
-                                __global const float4* collider, __global const uint* mesh_first,
-                                __global const uint* mesh_triangle,
-                                __global const float4* mesh_from, __global const float4* mesh_to,
-                                __global uint* mesh_passed, __global uint* mesh_met) {
+__kernel void
+plait_grid_solid_cross(const uint item_count, const plait_grid_solid_cross_params params,
+                       __global const float4* collider, __global const uint* mesh_first,
+                       __global const uint* mesh_triangle, __global const float4* mesh_from,
+                       __global const float4* mesh_to, __global uint* mesh_passed,
+                       __global uint* mesh_met) {
     const uint item = get_global_id(0);
     if (item >= item_count)
         return;

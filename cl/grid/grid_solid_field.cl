@@ -44,10 +44,11 @@ static inline void solid_row(const plait_grid_solid_field_params* params, const 
     }
 }
 
-__kernel void plait_grid_solid_field(const uint item_count, const plait_grid_solid_field_params params,
-                                __global const float4* collider, __global const float4* mesh_grid,
-                                __global const uint* mesh_nodes, __global const float* mesh_values,
-                                __global float4* mesh_solid) {
+__kernel void
+plait_grid_solid_field(const uint item_count, const plait_grid_solid_field_params params,
+                       __global const float4* collider, __global const float4* mesh_grid,
+                       __global const uint* mesh_nodes, __global const float* mesh_values,
+                       __global float4* mesh_solid) {
     const uint item = get_global_id(0);
     if (item >= item_count)
         return;

@@ -12,11 +12,12 @@
 #include "grid/grid.clh"
 #include "grid/mesh_solid.clh"
 
-__kernel void plait_grid_solid_fill(const uint item_count, const plait_grid_solid_fill_params params,
-                               __global const float4* collider, __global const uint* mesh_first,
-                               __global const uint* mesh_triangle, __global const float4* mesh_from,
-                               __global const float4* mesh_to, __global const uint* mesh_passed,
-                               __global const uint* mesh_met, __global float4* mesh_solid) {
+__kernel void
+plait_grid_solid_fill(const uint item_count, const plait_grid_solid_fill_params params,
+                      __global const float4* collider, __global const uint* mesh_first,
+                      __global const uint* mesh_triangle, __global const float4* mesh_from,
+                      __global const float4* mesh_to, __global const uint* mesh_passed,
+                      __global const uint* mesh_met, __global float4* mesh_solid) {
     const uint item = get_global_id(0);
     if (item >= item_count)
         return;

@@ -10,8 +10,8 @@
 #include "plait/params.h"
 
 __kernel void plait_mesh_advance(const uint item_count, const plait_mesh_advance_params params,
-                              __global const float4* mesh_at, __global const float4* mesh_target,
-                              __global float4* mesh_from, __global float4* mesh_to) {
+                                 __global const float4* mesh_at, __global const float4* mesh_target,
+                                 __global float4* mesh_from, __global float4* mesh_to) {
     const uint item = get_global_id(0);
     if (item >= item_count)
         return;

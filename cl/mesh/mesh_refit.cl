@@ -43,10 +43,10 @@ static inline fit_box fit_triangles(fit_box box, __global const uint* triangle, 
 }
 
 __kernel void plait_mesh_refit(const uint item_count, const plait_mesh_refit_params params,
-                             __global const uint* mesh_first, __global const uint* mesh_under,
-                             __global const uint* mesh_triangle, __global const float4* mesh_from,
-                             __global const float4* mesh_to, __global float* mesh_way,
-                             __global float4* mesh_box, __global float* mesh_bends) {
+                               __global const uint* mesh_first, __global const uint* mesh_under,
+                               __global const uint* mesh_triangle, __global const float4* mesh_from,
+                               __global const float4* mesh_to, __global float* mesh_way,
+                               __global float4* mesh_box, __global float* mesh_bends) {
     const uint item = get_global_id(0);
     if (item >= item_count)
         return;

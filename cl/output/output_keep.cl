@@ -8,8 +8,8 @@
 #include "base/pose.clh"
 
 __kernel void plait_output_keep(const uint item_count, const plait_layout_params params,
-                             __global const float4* pose, __global const float4* position,
-                             __global float4* position_local) {
+                                __global const float4* pose, __global const float4* position,
+                                __global float4* position_local) {
     const uint item = get_global_id(0);
     if (item >= item_count)
         return;

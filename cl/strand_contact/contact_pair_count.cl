@@ -14,9 +14,10 @@ static inline float pair_moves(__global const float4* position, __global const f
 }
 
 __kernel void plait_contact_pair_count(const uint item_count, const plait_pair_params params,
-                               __global const uint* vertex_count, __global const float4* position,
-                               __global const float4* position_prev, __global uint* cell_count,
-                               __global uint* cell_moves) {
+                                       __global const uint* vertex_count,
+                                       __global const float4* position,
+                                       __global const float4* position_prev,
+                                       __global uint* cell_count, __global uint* cell_moves) {
     const uint item = get_global_id(0);
     if (item >= item_count || !pair_has_segment(vertex_count, item, params.vertex_stride))
         return;

@@ -15,9 +15,10 @@ static inline void pair_put3(__global float* line, size_t stride, vec3 value) {
 }
 
 __kernel void plait_contact_pair_fill(const uint item_count, const plait_pair_params params,
-                              __global const uint* vertex_count, __global const float4* position,
-                              __global const float4* position_prev, __global uint* cell_end,
-                              __global uint* cell_segment, __global float* cell_line) {
+                                      __global const uint* vertex_count,
+                                      __global const float4* position,
+                                      __global const float4* position_prev, __global uint* cell_end,
+                                      __global uint* cell_segment, __global float* cell_line) {
     const uint item = get_global_id(0);
     if (item >= item_count || !pair_has_segment(vertex_count, item, params.vertex_stride))
         return;

@@ -6,9 +6,10 @@
  */
 #include "plait/params.h"
 
-__kernel void plait_contact_pair_scan(const uint item_count, const plait_contact_pair_scan_params params,
-                              __global const uint* cell_count, __global uint* cell_end,
-                              __local uint* partial) {
+__kernel void plait_contact_pair_scan(const uint item_count,
+                                      const plait_contact_pair_scan_params params,
+                                      __global const uint* cell_count, __global uint* cell_end,
+                                      __local uint* partial) {
     const uint cells = params.edge_count * params.edge_count * params.edge_count;
     const uint item = get_local_id(0), size = get_local_size(0);
     const uint share = get_group_id(0) < item_count ? (cells + size - 1u) / size : 0u;

@@ -52,11 +52,11 @@ static inline mask set_off_jumps(set_off_motion was, set_off_motion is, quat cha
     return dot3(way, way) + dot3(turn, turn) >= (real)(least * least);
 }
 
-static inline void set_off_vertex(const plait_tressfx_set_off_params* params, lane_place place, int i,
-                                  mask jumps, quat change, set_off_motion was, set_off_motion is,
-                                  __global const real* lane_x, __global real* lane_v,
-                                  __global real* lane_q_before, __global real* lane_x_before,
-                                  __global real* lane_v_before) {
+static inline void set_off_vertex(const plait_tressfx_set_off_params* params, lane_place place,
+                                  int i, mask jumps, quat change, set_off_motion was,
+                                  set_off_motion is, __global const real* lane_x,
+                                  __global real* lane_v, __global real* lane_q_before,
+                                  __global real* lane_x_before, __global real* lane_v_before) {
     const vec3 root = zero3();
     const vec3 x = i > 0 ? load3(lane_x, place, i) : root;
     const vec3 v = load3(lane_v, place, i);

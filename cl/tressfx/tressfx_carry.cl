@@ -9,8 +9,8 @@
 #include "base/pose.clh"
 
 __kernel void plait_tressfx_carry(const uint item_count, const plait_tressfx_carry_params params,
-                          __global float4* position, __global float4* position_prev,
-                          __global float4* position_prev2) {
+                                  __global float4* position, __global float4* position_prev,
+                                  __global float4* position_prev2) {
     const uint item = get_global_id(0);
     if (item >= item_count)
         return;

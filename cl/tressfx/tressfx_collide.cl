@@ -33,9 +33,10 @@ static inline vec3 collide_with(__global const float4* colliders, uint index, ve
     return add3(pushed, coulomb(slip, gap.normal, -gap.distance, friction));
 }
 
-__kernel void plait_tressfx_collide(const uint item_count, const plait_tressfx_collide_params params,
-                            __global const uint* vertex_count, __global const float4* collider,
-                            __global const float4* position_prev, __global float4* position) {
+__kernel void
+plait_tressfx_collide(const uint item_count, const plait_tressfx_collide_params params,
+                      __global const uint* vertex_count, __global const float4* collider,
+                      __global const float4* position_prev, __global float4* position) {
     const uint item = get_global_id(0);
     if (item >= item_count)
         return;

@@ -25,9 +25,11 @@ static inline vec3 turn_offset(vec3 offset, quat root_q, size_t guide, uint vert
 }
 
 __kernel void plait_tressfx_follow(const uint item_count, const plait_tressfx_follow_params params,
-                           __global const float4* rest, __global const float4* pose,
-                           __global const uint* vertex_count, __global const uint* follow_guide,
-                           __global const float4* follow_offset, __global float4* position) {
+                                   __global const float4* rest, __global const float4* pose,
+                                   __global const uint* vertex_count,
+                                   __global const uint* follow_guide,
+                                   __global const float4* follow_offset,
+                                   __global float4* position) {
     const uint item = get_global_id(0);
     if (item >= item_count)
         return;

@@ -8,9 +8,9 @@
 #include "base/pose.clh"
 
 __kernel void plait_tressfx_reset(const uint item_count, const plait_layout_params params,
-                          __global const float4* rest, __global const float4* pose,
-                          __global float4* position, __global float4* position_prev,
-                          __global float4* position_prev2) {
+                                  __global const float4* rest, __global const float4* pose,
+                                  __global float4* position, __global float4* position_prev,
+                                  __global float4* position_prev2) {
     const uint item = get_global_id(0);
     if (item >= item_count)
         return;

@@ -14,9 +14,10 @@ static inline float4 carry(pose_t from, pose_t to, float4 x) {
 }
 
 __kernel void plait_tressfx_teleport(const uint item_count, const plait_layout_params params,
-                             __global const float4* pose_from, __global const float4* pose_to,
-                             __global float4* position, __global float4* position_prev,
-                             __global float4* position_prev2) {
+                                     __global const float4* pose_from,
+                                     __global const float4* pose_to, __global float4* position,
+                                     __global float4* position_prev,
+                                     __global float4* position_prev2) {
     const uint item = get_global_id(0);
     if (item >= item_count)
         return;

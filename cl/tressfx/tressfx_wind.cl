@@ -38,8 +38,8 @@ static inline vec3 published_wind(const plait_tressfx_wind_params* params, uint 
     return axpy3(a, even, scale3(odd, 1.0f - a));
 }
 
-static inline vec3 published_displacement(const plait_tressfx_wind_params* params, uint strand, vec3 x,
-                                          vec3 next) {
+static inline vec3 published_displacement(const plait_tressfx_wind_params* params, uint strand,
+                                          vec3 x, vec3 next) {
     const vec3 d = sub3(x, next);
     const vec3 back = cross3(cross3(d, published_wind(params, strand)), d);
     return scale3(back, -(params->h * params->h));
@@ -65,8 +65,9 @@ static inline vec3 wind_displacement(const plait_tressfx_wind_params* params, st
 }
 
 __kernel void plait_tressfx_wind(const uint item_count, const plait_tressfx_wind_params params,
-                         __global const uint* vertex_count, __global const float4* position_prev,
-                         __global float4* position, __local float4* shared_position) {
+                                 __global const uint* vertex_count,
+                                 __global const float4* position_prev, __global float4* position,
+                                 __local float4* shared_position) {
     const strand_item_t item = strand_item(params.vertex_stride);
     const uint count = item.strand < item_count ? vertex_count[item.strand] : 0u;
     if (item.vertex < count)

@@ -11,8 +11,8 @@
 #include "contact/collider.clh"
 #include "grid/grid.clh"
 
-static inline int is_solid(__global const float4* collider, const plait_wind_obstacle_params* params,
-                           vec3 x) {
+static inline int is_solid(__global const float4* collider,
+                           const plait_wind_obstacle_params* params, vec3 x) {
     for (uint index = 0u; index < params->collider_count; ++index)
         if (!lane_collider_is_inward(
                 lane_collider_kind(collider, params->collider_first + index)) &&
@@ -22,9 +22,10 @@ static inline int is_solid(__global const float4* collider, const plait_wind_obs
 }
 
 __kernel void plait_wind_obstacle(const uint item_count, const plait_wind_obstacle_params params,
-                                 __global const float* grid_density,
-                                 __global const float4* collider, __global const float4* mesh_solid,
-                                 __global float* wind_extinction) {
+                                  __global const float* grid_density,
+                                  __global const float4* collider,
+                                  __global const float4* mesh_solid,
+                                  __global float* wind_extinction) {
     const uint item = get_global_id(0);
     if (item >= item_count)
         return;

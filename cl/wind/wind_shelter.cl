@@ -76,10 +76,10 @@ static inline real node_number(__global const float* data, mask node) {
 }
 
 __kernel void plait_wind_shelter(const uint item_count, const plait_wind_shelter_params params,
-                                __global const float* wind_extinction,
-                                __global const float* grid_density,
-                                __global const float4* grid_velocity, __global float* wind_depth,
-                                __global float4* wind_velocity) {
+                                 __global const float* wind_extinction,
+                                 __global const float* grid_density,
+                                 __global const float4* grid_velocity, __global float* wind_depth,
+                                 __global float4* wind_velocity) {
     const uint n = params.edge_count, nodes = min(item_count, n * n);
     const uint item = get_global_id(0) * PLAIT_LANES;
     if (item >= nodes)
@@ -96,8 +96,9 @@ __kernel void plait_wind_shelter(const uint item_count, const plait_wind_shelter
     real tau = (real)(0.0f);
     if (params.plane > 0u) {
         const uint before = params.reversed ? plane + 1u : plane - 1u;
-        const shelter_foot foot = foot_at(n, steps, before, LANE_REAL(a) - params.foot[0],
-                                          LANE_REAL(b) - params.foot[1], wind_depth, wind_extinction);
+        const shelter_foot foot =
+            foot_at(n, steps, before, LANE_REAL(a) - params.foot[0], LANE_REAL(b) - params.foot[1],
+                    wind_depth, wind_extinction);
         tau =
             foot.depth + 0.5f * (node_number(wind_extinction, node) + foot.extinction) * params.way;
     }
