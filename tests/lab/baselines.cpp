@@ -18,7 +18,15 @@ class BaselineContact : public testing::TestWithParam<std::string> {
     static double value(const char* file, const Json& overrides = Json::object()) {
         const lab::Model& model = *lab::find_model(GetParam());
         const lab::Scene scene = lab::read_scene(std::string(PLAIT_SCENES) + "/" + file, overrides);
-        return measured(file, GetParam().c_str(), default_setting(model, scene), overrides).value;
+        return measured(file, GetParam().c_str(), setting_of(model, scene), overrides).value;
+    }
+
+  private:
+    // In one substep cosserat slides at a quarter of what friction lets it, and chain lets a bar through.
+    static lab::Setting setting_of(const lab::Model& model, const lab::Scene& scene) {
+        if (model.label == "chain" || model.label == "cosserat")
+            return {4, model.label == "chain" ? 1u : 2u, false};
+        return default_setting(model, scene);
     }
 };
 

@@ -34,9 +34,10 @@ TEST(LabChart, costs_are_of_a_sixtieth_second_and_a_million_vertices) {
 
 TEST(LabChart, the_front_is_what_nothing_beats) {
     lab::Chart chart;
-    chart.points = {point("rod", 0.01, 30),   point("rod", 0.5, 10),     point("rod", 0.02, 40),
-                    point("rod", 0.001, 90),  point("verlet", 3e-4, 95), point("rod", 1e-6, 5, 'E'),
-                    point("rod", NAN, 1, 'N')};
+    chart.points = {point("articulated", 0.01, 30),   point("articulated", 0.5, 10),
+                    point("articulated", 0.02, 40),   point("articulated", 0.001, 90),
+                    point("verlet", 3e-4, 95),        point("articulated", 1e-6, 5, 'E'),
+                    point("articulated", NAN, 1, 'N')};
     const lab::Figure figure = lab::figure_of(chart, plait_device_info_defaults());
     const auto front = lab::front_of(figure);
     ASSERT_EQ(front.size(), 4u);
@@ -45,9 +46,11 @@ TEST(LabChart, the_front_is_what_nothing_beats) {
     EXPECT_EQ(front[2].error, 0.001);
     EXPECT_EQ(front[3].name, "verlet 2x3 BDF2");
     const std::string table = lab::winners_markdown(figure);
-    EXPECT_THAT(table, HasSubstr("| 10 | rod 2x3 BDF2 | 0.5 | rod 2x3 BDF2 | 0.5 |\n"));
-    EXPECT_THAT(table, HasSubstr("| 95 | verlet 2x3 BDF2 (baseline) | 0.0003 | rod 2x3 BDF2 | "
-                                 "0.001 |\n"));
+    EXPECT_THAT(table,
+                HasSubstr("| 10 | articulated 2x3 BDF2 | 0.5 | articulated 2x3 BDF2 | 0.5 |\n"));
+    EXPECT_THAT(table,
+                HasSubstr("| 95 | verlet 2x3 BDF2 (baseline) | 0.0003 | articulated 2x3 BDF2 | "
+                          "0.001 |\n"));
 }
 
 TEST(LabChart, who_is_left_out_is_said_once_a_reason) {
@@ -60,14 +63,14 @@ TEST(LabChart, failures_are_drawn_on_the_edge) {
     lab::Chart chart;
     chart.family.title = "A family";
     chart.floor = 0.0023;
-    chart.points = {point("rod", 0.01, 30), point("tressfx", NAN, 10, 'N')};
+    chart.points = {point("articulated", 0.01, 30), point("tressfx", NAN, 10, 'N')};
     const auto device = plait_device_info_defaults();
     const std::string script = lab::gnuplot_script(lab::figure_of(chart, device), "a/b");
     EXPECT_THAT(script, AllOf(HasSubstr("A family"), HasSubstr("2×3 b N"), HasSubstr("a/b.svg"),
                               HasSubstr("a/b.png"), HasSubstr("0.0023 with lines"),
-                              HasSubstr("title 'rod'"), HasSubstr("title 'tressfx'")));
+                              HasSubstr("title 'articulated'"), HasSubstr("title 'tressfx'")));
     EXPECT_THAT(script, Not(HasSubstr("nan")));
-    EXPECT_THAT(lab::chart_csv(chart, device), HasSubstr("rod,0,16,2,3,1,0.01,.,30,51,"));
+    EXPECT_THAT(lab::chart_csv(chart, device), HasSubstr("articulated,0,16,2,3,1,0.01,.,30,51,"));
     EXPECT_THAT(lab::chart_csv(chart, device), HasSubstr("tressfx,0,16,2,3,1,nan,N,10,"));
 }
 
@@ -124,7 +127,7 @@ TEST_F(LabPages, keep_what_was_written_by_hand) {
     std::strcpy(page.accuracy.device.name, "A Device");
     lab::Chart chart;
     chart.family.title = "A family";
-    chart.points = {point("rod", 0.01, 30), point("verlet", 0.001, 300)};
+    chart.points = {point("articulated", 0.01, 30), point("verlet", 0.001, 300)};
     page.charts.charts = {chart};
     lab::stability::Row row{{"map", "rod", "1x1", {60, 16, 10}, ""}, "10 g", {}};
     page.stability.rows = {row};
@@ -137,7 +140,8 @@ TEST_F(LabPages, keep_what_was_written_by_hand) {
     std::string text = text_of(file);
     EXPECT_THAT(text, HasSubstr("### Baselines"));
     EXPECT_THAT(text, HasSubstr("| pbd 20x1 |\n"));
-    EXPECT_THAT(text, HasSubstr("| 300 | verlet 2x3 BDF2 (baseline) | 0.001 | rod 2x3 BDF2 |"));
+    EXPECT_THAT(text,
+                HasSubstr("| 300 | verlet 2x3 BDF2 (baseline) | 0.001 | articulated 2x3 BDF2 |"));
     EXPECT_THAT(text, HasSubstr("| rod 1x1 | 2 | 0 | 1 | 0 | 0 | 0 | 0 | 1 | 2 | 1 |"));
     const std::string mark = lab::by_hand;
     text.insert(text.find(mark) + mark.size(), "\nOf my own.\n");
