@@ -87,7 +87,7 @@ TEST(LabFreeSegments, are_said_and_cost_by_the_strand) {
     EXPECT_THAT(script, HasSubstr("100,000 strands"));
     EXPECT_THAT(script, HasSubstr("error of the reference"));
     EXPECT_THAT(script, HasSubstr("$m0o << EOD\n102 0.05")); // beaten by its own: a dot
-    EXPECT_THAT(lab::chart_csv(chart, device), HasSubstr("rod,0,16,2,3,1,0.01,.,30,51,"));
+    EXPECT_THAT(lab::chart_csv(chart, device), HasSubstr("rod,1,16,2,3,1,0.01,.,30,51,"));
 }
 
 class LabFreeFamily : public TemporaryFolder {};

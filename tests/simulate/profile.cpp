@@ -69,7 +69,7 @@ TEST(Profile, AddsUpToTheFrame) {
 TEST(Profile, SaysIt) {
     const std::string text = to_text(make_profile(two_frames(), 1000, 200e9));
     // 40 us of 1000 vertices; 4 MB in 40 us are 100 GB/s, half of the copy's 200
-    EXPECT_NE(text.find("rod                    1.00       40.0     40.000    100.00     50.0%"),
+    EXPECT_NE(text.find("articulated            1.00       40.0     40.000    100.00     50.0%"),
               std::string::npos)
         << text;
     EXPECT_NE(text.find("not in a stage                    40.0     40.000"), std::string::npos)
