@@ -290,9 +290,9 @@ TEST_F(Program, draws_sheets) {
 }
 
 TEST_F(Program, draws_only_what_is_asked) {
-    ASSERT_EQ(run({"--strands", "50", "--seconds", "0.1", "--no-compare", "--no-film", "--out",
-                   path("out")}),
-              0)
+    const std::string scene = write("scene.json", R"({"strands": 50, "seconds": 0.1, "picture":
+        {"width": 40, "height": 50, "samples": 1, "video_samples": 1, "cells": 2}})");
+    ASSERT_EQ(run({"--scene", scene, "--no-compare", "--no-film", "--out", path("out")}), 0)
         << text();
     EXPECT_FALSE(std::filesystem::exists(path("out/ab.png")));
     EXPECT_FALSE(std::filesystem::exists(path("out/motion.mp4")));
