@@ -8,8 +8,8 @@
 #pragma OPENCL FP_CONTRACT OFF
 #include "base/lane_step.clh"
 
-static inline void carry_places(const plait_tressfx_carry_params* params, quat turn,
-                                lane_place place, __global real* x) {
+static inline void carry_places(const plait_carry_params* params, quat turn, lane_place place,
+                                __global real* x) {
     const vec3 t = vec3_of((real)(params->t[0]), (real)(params->t[1]), (real)(params->t[2]));
     const vec3 root = load3(x, place, 0);
     store3(x, place, 0, add3(params->turns ? rotate3(turn, root) : root, t));
@@ -18,13 +18,13 @@ static inline void carry_places(const plait_tressfx_carry_params* params, quat t
             store3(x, place, i, rotate3(turn, load3(x, place, i)));
 }
 
-static inline void carry_velocities(const plait_tressfx_carry_params* params, quat turn,
-                                    lane_place place, __global real* v) {
+static inline void carry_velocities(const plait_carry_params* params, quat turn, lane_place place,
+                                    __global real* v) {
     for (int i = 0; i < (int)params->vertex_stride; ++i)
         store3(v, place, i, rotate3(turn, load3(v, place, i)));
 }
 
-__kernel void plait_lane_carry(const uint item_count, const plait_tressfx_carry_params params,
+__kernel void plait_lane_carry(const uint item_count, const plait_carry_params params,
                                __global real* lane_x, __global real* lane_v, __global real* lane_q,
                                __global real* lane_q_before, __global real* lane_x_before,
                                __global real* lane_v_before) {

@@ -45,18 +45,18 @@ static inline set_off_motion set_off_before(set_off_motion m) {
 
 /* Whether the motions differ by a speed of at least `jump`. */
 static inline mask set_off_jumps(set_off_motion was, set_off_motion is, quat change,
-                                 const plait_tressfx_set_off_params* params) {
+                                 const plait_set_off_params* params) {
     const vec3 way = sub3(is.step, was.step);
     const vec3 turn = scale3(vector_part(change), (real)(2.0f * PLAIT_SET_OFF_REACH));
     const float least = params->jump * params->h;
     return dot3(way, way) + dot3(turn, turn) >= (real)(least * least);
 }
 
-static inline void set_off_vertex(const plait_tressfx_set_off_params* params, lane_place place,
-                                  int i, mask jumps, quat change, set_off_motion was,
-                                  set_off_motion is, __global const real* lane_x,
-                                  __global real* lane_v, __global real* lane_q_before,
-                                  __global real* lane_x_before, __global real* lane_v_before) {
+static inline void set_off_vertex(const plait_set_off_params* params, lane_place place, int i,
+                                  mask jumps, quat change, set_off_motion was, set_off_motion is,
+                                  __global const real* lane_x, __global real* lane_v,
+                                  __global real* lane_q_before, __global real* lane_x_before,
+                                  __global real* lane_v_before) {
     const vec3 root = zero3();
     const vec3 x = i > 0 ? load3(lane_x, place, i) : root;
     const vec3 v = load3(lane_v, place, i);
@@ -83,7 +83,7 @@ static inline void set_off_vertex(const plait_tressfx_set_off_params* params, la
     store3(lane_v_before, place, i, pick3(jumps, moved, v_before));
 }
 
-__kernel void plait_lane_set_off(const uint item_count, const plait_tressfx_set_off_params params,
+__kernel void plait_lane_set_off(const uint item_count, const plait_set_off_params params,
                                  __global const uint* lane_strand, __global const float4* rest,
                                  __global const float4* pose_before,
                                  __global const float4* pose_was, __global const float4* pose,

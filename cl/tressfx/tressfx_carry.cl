@@ -8,7 +8,7 @@
 #pragma OPENCL FP_CONTRACT OFF
 #include "base/pose.clh"
 
-__kernel void plait_tressfx_carry(const uint item_count, const plait_tressfx_carry_params params,
+__kernel void plait_tressfx_carry(const uint item_count, const plait_carry_params params,
                                   __global float4* position, __global float4* position_prev,
                                   __global float4* position_prev2) {
     const uint item = get_global_id(0);

@@ -28,16 +28,14 @@ static inline float4 change(pose_t from, pose_t to, float4 x) {
     return pack3(pose_apply(to, pose_apply_inverse(from, unpack3(x))), x.w);
 }
 
-static inline int jumps(pose_t was, pose_t is, vec3 root,
-                        const plait_tressfx_set_off_params* params) {
+static inline int jumps(pose_t was, pose_t is, vec3 root, const plait_set_off_params* params) {
     const vec3 way = sub3(pose_apply(was, root), pose_apply(is, root));
     const vec3 turn = scale3(vector_part(mulq(is.q, conjq(was.q))), 2.0f * PLAIT_SET_OFF_REACH);
     const float least = params->jump * params->h;
     return dot3(way, way) + dot3(turn, turn) >= least * least;
 }
 
-__kernel void plait_tressfx_set_off(const uint item_count,
-                                    const plait_tressfx_set_off_params params,
+__kernel void plait_tressfx_set_off(const uint item_count, const plait_set_off_params params,
                                     __global const float4* rest, __global const float4* pose_before,
                                     __global const float4* pose_was, __global const float4* pose,
                                     __global const float4* pose_next,

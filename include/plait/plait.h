@@ -718,8 +718,7 @@ PLAIT_API plait_result plait_sim_get_params(const plait_sim* sim, plait_sim_para
 /* One field of them by its name, for sliders, consoles and bindings. `values` has each of its
  * components (plait_param_info.count of plait_offline.h): a FLOAT is rounded to float32, a UINT and a CHOICE are whole
  * numbers. For the rest as plait_sim_set_params with this field changed. `dst` is a list.
- * @errors NOT_FOUND (no field has this name; the message says which are near), and those of
- *         plait_sim_set_params. */
+ * @errors NOT_FOUND (no field has this name), and those of plait_sim_set_params. */
 PLAIT_API plait_result plait_sim_set_param(plait_sim* sim, const char* name, const double* values,
                                            size_t count);
 PLAIT_API plait_result plait_sim_get_param(const plait_sim* sim, const char* name, double* dst,

@@ -34,10 +34,10 @@ void fill(plait_roots_params& p, const Shape&) {
     p.alpha = 1;
     p.per_root = 1;
 }
-void fill(plait_tressfx_set_off_params& p, const Shape& shape) {
+void fill(plait_set_off_params& p, const Shape& shape) {
     p = {shape.vertices, shape.tile, shape.vertices, 1, step, 0};
 }
-void fill(plait_tressfx_carry_params& p, const Shape& shape) {
+void fill(plait_carry_params& p, const Shape& shape) {
     p = {shape.vertices, shape.tile, 1, 1, {0, 0, 0, 1}, {0.5f, 0, 0, 0}};
 }
 void fill(plait_integrate_params& p, const Shape& shape) {

@@ -155,24 +155,24 @@ typedef struct plait_last_frame_params {
 } plait_last_frame_params;
 
 /* tressfx_set_off, lane_set_off: the motion of a head whose motion was not known. */
-typedef struct plait_tressfx_set_off_params {
+typedef struct plait_set_off_params {
     plait_u32 vertex_stride;
     plait_u32 tile;       /* lane_set_off; 1 in tressfx_set_off */
     plait_u32 row_stride; /* V of `rest` */
     plait_u32 history; /* 1: BDF2's step before is kept; 0: lane_x_before, lane_v_before are null */
     float h;           /* s, the substep */
     float jump;        /* m/s: strands whose motions differ by less are left alone */
-} plait_tressfx_set_off_params;
+} plait_set_off_params;
 
 /* tressfx_carry, lane_carry: the rigid motion p -> q*p + t, of all strands. */
-typedef struct plait_tressfx_carry_params {
+typedef struct plait_carry_params {
     plait_u32 vertex_stride;
     plait_u32 tile;    /* lane_carry; 1 in tressfx_carry */
     plait_u32 history; /* 1: BDF2's step before is kept; 0: lane_x_before, lane_v_before are null */
     plait_u32 turns;   /* 0: q is the identity, and only what is a place in the world changes */
     float q[4];
     float t[4];
-} plait_tressfx_carry_params;
+} plait_carry_params;
 
 /* mesh_take: vertices of a mesh from a buffer of the caller's. */
 typedef struct plait_mesh_take_params {

@@ -14,7 +14,6 @@ namespace plait {
 struct Part {
     LaneLayout lanes;
     uint32_t row_stride; // V of the sim
-    uint32_t substeps;   // of a fixed step
     float h;             // s, of a substep
     float share;         // of the fixed step, at the substep's end
     uint32_t bdf2;
@@ -46,7 +45,7 @@ struct Part {
     const Buffer& pushed() const { return push ? push : pressure; }
 };
 
-// Which doors of a part are filled in a substep, beside its push: that is filled where it is there.
+// Which doors of a part are filled in a substep. The push has no flag: where its buffer exists, it is filled.
 struct Doors {
     bool spring = false;
     bool plane = false;  // by bodies
@@ -59,7 +58,7 @@ struct ColliderRows {
     uint32_t first, count;
 };
 
-// What a stage beside the solve is told to see `rows` as the solve will: with the doors so far.
+// The parameters of a stage that meets `rows` as the solve would, with the doors that are filled so far.
 inline plait_lane_params solve_params(const Part& part, const Doors& doors,
                                       const ColliderRows& rows) {
     plait_lane_params params = part.solve;

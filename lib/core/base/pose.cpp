@@ -105,9 +105,9 @@ plait_pose carried(const plait_pose& pose, const plait_pose& from, const plait_p
     return moved;
 }
 
-plait_tressfx_carry_params carry_params(const plait_pose& motion, uint32_t row, uint32_t tile,
-                                        bool history) {
-    plait_tressfx_carry_params params{row, tile, history ? 1u : 0u, 0, {}, {}};
+plait_carry_params carry_params(const plait_pose& motion, uint32_t row, uint32_t tile,
+                                bool history) {
+    plait_carry_params params{row, tile, history ? 1u : 0u, 0, {}, {}};
     params.turns = std::equal(motion.q, motion.q + 4, identity_pose.q) ? 0 : 1;
     std::copy_n(motion.q, 4, params.q);
     std::copy_n(motion.t, 3, params.t);

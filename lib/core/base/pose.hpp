@@ -50,8 +50,8 @@ void turn(const plait_pose& from, const plait_pose& to, float out[4]);
 void rotation_product(const plait_pose& after, const plait_pose& first, float out[4]);
 
 // Of the stages tressfx_carry and lane_carry.
-plait_tressfx_carry_params carry_params(const plait_pose& motion, uint32_t row, uint32_t tile,
-                                        bool history);
+plait_carry_params carry_params(const plait_pose& motion, uint32_t row, uint32_t tile,
+                                bool history);
 
 // Whether a body lies to the head after a jump as it did before, but for rounding.
 bool goes_along(const plait_pose& head_before, const plait_pose& body_before,

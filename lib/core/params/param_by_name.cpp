@@ -4,48 +4,13 @@
 #include "core/params/param_table.hpp"
 #include "core/params/params.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <numeric>
 #include <string_view>
-#include <utility>
-#include <vector>
 
 namespace plait {
 namespace {
-
-// Levenshtein: letters to insert, remove or replace.
-size_t edit_distance(std::string_view a, std::string_view b) {
-    std::vector<size_t> row(b.size() + 1);
-    std::iota(row.begin(), row.end(), size_t{0});
-    for (size_t i = 0; i < a.size(); ++i) {
-        size_t diagonal = std::exchange(row[0], i + 1);
-        for (size_t j = 0; j < b.size(); ++j) {
-            const size_t replaced = diagonal + (a[i] != b[j]);
-            diagonal = row[j + 1];
-            row[j + 1] = std::min({replaced, row[j] + 1, diagonal + 1});
-        }
-    }
-    return row.back();
-}
-
-// "; the nearest: drag, groom", or "" where none is near. A third of the letters may differ.
-std::string nearest(std::string_view name) {
-    size_t least = std::max<size_t>(1, name.size() / 3) + 1;
-    std::string list;
-    for (const plait_param_info& param : param_table()) {
-        const size_t distance = edit_distance(name, param.name);
-        if (distance > least || (distance == least && list.empty()))
-            continue;
-        if (distance < least)
-            list.clear();
-        list.append(list.empty() ? "; the nearest: " : ", ").append(param.name);
-        least = distance;
-    }
-    return list;
-}
 
 Status put_float(const plait_param_info& param, uint32_t component, double value,
                  unsigned char* at) {
@@ -76,9 +41,9 @@ Result<const plait_param_info*> find_param(const char* name) {
     for (const plait_param_info& param : param_table())
         if (wanted == param.name)
             return &param;
-    constexpr size_t most = 64; // letters that are compared and shown
-    return Error{PLAIT_NOT_FOUND, format("no parameter is called \"%.64s\"%s", name,
-                                         nearest(wanted.substr(0, most)).c_str())};
+    return Error{
+        PLAIT_NOT_FOUND,
+        format("no parameter is called \"%.64s\"; plait_params_list names them all", name)};
 }
 
 Result<plait_sim_params> with_param(const plait_sim_params& params, const plait_param_info& param,

@@ -9,7 +9,7 @@
 
 namespace plait {
 
-// NOT_FOUND names the fields whose names are near.
+// NOT_FOUND: no field has this name.
 Result<const plait_param_info*> find_param(const char* name);
 
 // `params` with these values of `param`, checked as check_params checks them all.

@@ -285,7 +285,6 @@ Part LanePart::part(const StepInput& at, float mean_length) const {
     solve.contact_slip = contact_slip(at.h, mean_length);
     return {lanes_,
             source_.layout.row,
-            settings_.substeps,
             at.h,
             at.share,
             solve.bdf2,
@@ -353,8 +352,8 @@ void LanePart::teleport(Schedule& schedule, const StepInput& at, const Buffer& p
 void LanePart::set_off(Schedule& schedule, const StepInput& at, const Buffer& before,
                        const Buffer& was, const Buffer& next, float jump) const {
     schedule.add(PLAIT_STAGE_lane_set_off, lanes_.strands,
-                 plait_tressfx_set_off_params{lanes_.row, lanes_.tile, source_.layout.row,
-                                              history_.x ? 1u : 0u, at.h, jump},
+                 plait_set_off_params{lanes_.row, lanes_.tile, source_.layout.row,
+                                      history_.x ? 1u : 0u, at.h, jump},
                  {&lane_strand_, &at.state.rest, &before, &was, &at.state.pose, &next, &x_, &v_,
                   &q_before_, &history_.x, &history_.v},
                  lanes_.row);

@@ -24,7 +24,7 @@ struct StepInput {
     const plait_sim_params& params;
     Bodies bodies;            // at the substep's end
     double step;              // s, the fixed one
-    uint32_t substeps;        // of it; what steps are strands that take so many
+    uint32_t substeps;        // of it; only strands with this number of substeps are stepped
     float h;                  // s, its length
     std::array<float, 3> air; // m/s: the wind, and what the head takes along
     float share;              // of the fixed step, at the substep's end

@@ -187,7 +187,7 @@ void TressFx::set_off(Schedule& schedule, const StepInput& at, const Buffer& bef
                       const Buffer& was, const Buffer& next, float jump) {
     const State& s = at.state;
     schedule.add(PLAIT_STAGE_tressfx_set_off, layout_.guide_vertices(),
-                 plait_tressfx_set_off_params{layout_.row, 1, layout_.row, 1, at.h, jump},
+                 plait_set_off_params{layout_.row, 1, layout_.row, 1, at.h, jump},
                  {&s.rest, &before, &was, &s.pose, &next, &s.position_prev, &s.position_prev2});
 }
 

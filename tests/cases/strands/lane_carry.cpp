@@ -27,7 +27,7 @@ Case lane_carry_case() {
             setup.buffers = {lane_floats(lanes.x, 3),        lane_floats(lanes.v, 3),
                              lane_floats(lanes.q, 4),        lane_floats(lanes.q_before, 4),
                              lane_floats(lanes.x_before, 3), lane_floats(lanes.v_before, 3)};
-            result.setups.push_back(setup.with(plait_tressfx_carry_params{
+            result.setups.push_back(setup.with(plait_carry_params{
                 size.stride, 1, 1, turns, {0.48f, 0.6f, 0, 0.64f}, {0.3f, -0.2f, 0.7f, 0}}));
         }
     return result;

@@ -60,8 +60,8 @@ Case lane_set_off_case() {
                              lane_floats(lanes.q_before, 4),
                              lane_floats(lanes.x_before, 3),
                              lane_floats(lanes.v_before, 3)};
-            const plait_tressfx_set_off_params params = {size.stride, 1,         size.stride,
-                                                         history,     1.0f / 60, 0};
+            const plait_set_off_params params = {size.stride, 1,         size.stride,
+                                                 history,     1.0f / 60, 0};
             result.setups.push_back(setup.with(params));
             result.setups.push_back(reordered(setup).with(params));
         }

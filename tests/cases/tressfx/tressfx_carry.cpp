@@ -19,7 +19,7 @@ Case tressfx_carry_case() {
         setup.items = hair.vertices();
         setup.buffers = {float4s(hair.position), float4s(hair.position_prev),
                          float4s(hair.position_prev2)};
-        result.setups.push_back(setup.with(plait_tressfx_carry_params{
+        result.setups.push_back(setup.with(plait_carry_params{
             size.stride, 1, 1, 1, {0.48f, 0.6f, 0, 0.64f}, {0.3f, -0.2f, 0.7f, 0}}));
     }
     return result;

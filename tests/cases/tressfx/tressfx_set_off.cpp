@@ -22,7 +22,7 @@ Case tressfx_set_off_case() {
                          float4s(hair.pose_other),    float4s(hair.position_prev),
                          float4s(hair.position_prev2)};
         result.setups.push_back(
-            setup.with(plait_tressfx_set_off_params{size.stride, 1, size.stride, 1, 1.0f / 60, 0}));
+            setup.with(plait_set_off_params{size.stride, 1, size.stride, 1, 1.0f / 60, 0}));
     }
     return result;
 }

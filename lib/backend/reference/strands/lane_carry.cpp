@@ -4,7 +4,7 @@
 
 namespace plait::reference {
 
-void lane_carry(uint32_t item_count, const plait_tressfx_carry_params& params,
+void lane_carry(uint32_t item_count, const plait_carry_params& params,
                 const lane_carry_args& args) {
     const Pose motion{params.turns ? quat(params.q) : Quat::Identity(), vec3(params.t)};
     for (size_t slot = 0; slot < item_count; ++slot) {

@@ -16,7 +16,7 @@ Vec3 velocity(const RigidMotion& motion, const Vec3& x, double h, bool bdf2) {
 
 } // namespace
 
-void lane_set_off(uint32_t item_count, const plait_tressfx_set_off_params& params,
+void lane_set_off(uint32_t item_count, const plait_set_off_params& params,
                   const lane_set_off_args& args) {
     for (size_t slot = 0; slot < item_count; ++slot) {
         const Lane lane(slot, params.vertex_stride, params.tile);

@@ -27,7 +27,7 @@ inline Pose carried(const Pose& pose, const Pose& from, const Pose& to) {
 
 // Whether the ways here of a root that is at `root` now differ by a speed of `jump` or more.
 inline bool sets_off(const RigidMotion& was, const RigidMotion& is, const Vec3& root,
-                     const plait_tressfx_set_off_params& params) {
+                     const plait_set_off_params& params) {
     const Vec3 way = is.undo(root) - was.undo(root);
     const Quat change = is.turn().conjugate() * was.turn();
     const Vec3 turn = 2 * PLAIT_SET_OFF_REACH * change.vec();

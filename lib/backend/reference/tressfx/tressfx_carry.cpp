@@ -3,7 +3,7 @@
 
 namespace plait::reference {
 
-void tressfx_carry(uint32_t item_count, const plait_tressfx_carry_params& params,
+void tressfx_carry(uint32_t item_count, const plait_carry_params& params,
                    const tressfx_carry_args& args) {
     const Pose motion{quat(params.q), vec3(params.t)};
     for (size_t item = 0; item < item_count; ++item)

@@ -11,7 +11,7 @@ Pose earlier(const Pose& now, const Pose& next) {
 
 } // namespace
 
-void tressfx_set_off(uint32_t item_count, const plait_tressfx_set_off_params& params,
+void tressfx_set_off(uint32_t item_count, const plait_set_off_params& params,
                      const tressfx_set_off_args& args) {
     for (size_t item = 0; item < item_count; ++item) {
         const size_t strand = strand_vertex(item, params.vertex_stride).strand;
