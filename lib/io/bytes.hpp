@@ -12,6 +12,7 @@
 #include <memory_resource>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -38,12 +39,20 @@ class ByteReader {
     uint64_t size() const { return bytes_.size(); }
     const std::string& file() const { return file_; }
 
+    uint8_t u8(uint64_t offset) const { return word<uint8_t>(offset); }
     uint16_t u16(uint64_t offset) const { return word<uint16_t>(offset); }
     uint32_t u32(uint64_t offset) const { return word<uint32_t>(offset); }
+    uint64_t u64(uint64_t offset) const { return word<uint64_t>(offset); }
+    double f64(uint64_t offset) const { return std::bit_cast<double>(u64(offset)); }
     float f32(uint64_t offset) const { return std::bit_cast<float>(u32(offset)); }
     std::string text(uint64_t offset, uint64_t length) const {
+        return std::string(view(offset, length));
+    }
+    // The same, as long as the bytes live.
+    std::string_view view(uint64_t offset, uint64_t length) const {
         return {reinterpret_cast<const char*>(bytes_.data() + offset), static_cast<size_t>(length)};
     }
+    const std::byte* data(uint64_t offset) const { return bytes_.data() + offset; }
 
     // BAD_DATA unless `count` elements of `element` bytes at `offset` lie inside the file. No sum
     // or product here can wrap: each is compared by subtraction or division. `field` is the place
@@ -77,15 +86,19 @@ class ByteWriter {
   public:
     explicit ByteWriter(std::pmr::memory_resource* memory) : bytes_(memory) {}
 
+    void u8(uint8_t value) { word(value); }
     void u16(uint16_t value) { word(value); }
     void u32(uint32_t value) { word(value); }
+    void u64(uint64_t value) { word(value); }
+    void f64(double value) { word(std::bit_cast<uint64_t>(value)); }
     void f32(float value) { word(std::bit_cast<uint32_t>(value)); }
-    void text(const std::string& value) {
-        const auto* first = reinterpret_cast<const std::byte*>(value.data());
-        bytes_.insert(bytes_.end(), first, first + value.size());
+    void text(std::string_view value) { add(std::as_bytes(std::span(value))); }
+    void add(std::span<const std::byte> more) {
+        bytes_.insert(bytes_.end(), more.begin(), more.end());
     }
     void zeros(size_t count) { bytes_.resize(bytes_.size() + count); }
     size_t size() const { return bytes_.size(); }
+    std::span<const std::byte> bytes() const { return bytes_; }
     ByteVector take() && { return std::move(bytes_); }
 
   private:

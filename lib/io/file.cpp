@@ -8,6 +8,7 @@
 #include <memory>
 #include <random>
 #include <system_error>
+#include <utility>
 
 #if defined(__unix__) || defined(__APPLE__)
 #include <unistd.h>
@@ -50,17 +51,6 @@ bool flush_to_disk(std::FILE* file) {
 #endif
 }
 
-Status write_and_close(const std::string& path, std::FILE* opened,
-                       std::span<const std::byte> bytes) {
-    File file(opened);
-    if (std::fwrite(bytes.data(), 1, bytes.size(), file.get()) != bytes.size() ||
-        !flush_to_disk(file.get()))
-        return failure(path, "cannot write", errno);
-    if (std::fclose(file.release()) != 0)
-        return failure(path, "cannot write", errno);
-    return {};
-}
-
 std::FILE* open_to_read(const std::string& path) {
 #ifdef _WIN32
     return _wfopen(native_path(path).c_str(), L"rb");
@@ -77,6 +67,14 @@ std::FILE* open_new(const std::string& path) {
     return made < 0 ? nullptr : _fdopen(made, "wb");
 #else
     return std::fopen(path.c_str(), "wbx");
+#endif
+}
+
+int seek_to(std::FILE* file, uint64_t offset) {
+#ifdef _WIN32
+    return _fseeki64(file, static_cast<int64_t>(offset), SEEK_SET);
+#else
+    return fseeko(file, static_cast<off_t>(offset), SEEK_SET);
 #endif
 }
 
@@ -118,21 +116,61 @@ Result<ByteVector> read_file(const std::string& path, std::pmr::memory_resource*
     return bytes;
 }
 
-Status write_file(const std::string& path, std::span<const std::byte> bytes) {
-    const std::string temporary = temporary_name(path);
-    std::FILE* file = open_new(temporary);
+Result<NewFile> NewFile::create(const std::string& path) {
+    std::string temporary = temporary_name(path);
+    std::FILE* const file = open_new(temporary);
     if (!file)
         return failure(path, "cannot make a file beside it", errno);
-    Status status = write_and_close(path, file, bytes);
+    return NewFile(path, std::move(temporary), file);
+}
+
+NewFile::NewFile(NewFile&& other) noexcept
+    : path_(std::move(other.path_)), temporary_(std::move(other.temporary_)),
+      file_(std::exchange(other.file_, nullptr)), size_(other.size_) {
+    other.temporary_.clear();
+}
+
+NewFile::~NewFile() {
+    if (file_)
+        std::fclose(file_);
     std::error_code error;
-    if (status) {
-        fs::rename(native_path(temporary), native_path(path), error);
-        if (!error)
-            return {};
-        status = failure(path, "cannot put the new file in its place", error);
-    }
-    fs::remove(native_path(temporary), error);
-    return status;
+    if (!temporary_.empty())
+        fs::remove(native_path(temporary_), error);
+}
+
+Status NewFile::write(std::span<const std::byte> bytes) {
+    if (std::fwrite(bytes.data(), 1, bytes.size(), file_) != bytes.size())
+        return failure(path_, "cannot write", errno);
+    size_ += bytes.size();
+    return {};
+}
+
+Status NewFile::patch(uint64_t offset, std::span<const std::byte> bytes) {
+    if (seek_to(file_, offset) != 0 ||
+        std::fwrite(bytes.data(), 1, bytes.size(), file_) != bytes.size() ||
+        seek_to(file_, size_) != 0)
+        return failure(path_, "cannot write", errno);
+    return {};
+}
+
+Status NewFile::commit() {
+    if (!flush_to_disk(file_))
+        return failure(path_, "cannot write", errno);
+    if (std::fclose(std::exchange(file_, nullptr)) != 0)
+        return failure(path_, "cannot write", errno);
+    std::error_code error;
+    fs::rename(native_path(temporary_), native_path(path_), error);
+    if (error)
+        return failure(path_, "cannot put the new file in its place", error);
+    temporary_.clear();
+    return {};
+}
+
+Status write_file(const std::string& path, std::span<const std::byte> bytes) {
+    auto file = NewFile::create(path);
+    PLAIT_TRY(file);
+    PLAIT_TRY(file->write(bytes));
+    return file->commit();
 }
 
 } // namespace plait

@@ -19,6 +19,9 @@ Result<ByteVector> write_tfxbone(const StrandSet& strands);
 Result<StrandSet> read_hair(const ByteReader& file, const ReadOptions& options);
 Result<ByteVector> write_hair(const StrandSet& strands);
 
+// Curves of Alembic in Ogawa.
+Result<StrandSet> read_alembic(const ByteReader& file, const ReadOptions& options);
+
 // Polylines of OBJ, once check_obj() has passed the text.
 Result<StrandSet> read_polylines(const std::string& path, const ReadOptions& options);
 // The same from memory; `file` is for messages.

@@ -1,6 +1,8 @@
 #include "io/io.hpp"
 
 #include "base/path.hpp"
+#include "io/curves/save.hpp"
+#include "io/extension.hpp"
 #include "io/file.hpp"
 #include "io/formats.hpp"
 
@@ -9,14 +11,6 @@
 
 namespace plait {
 namespace {
-
-std::string extension_of(const std::string& path) {
-    std::string extension = utf8_path(native_path(path).extension());
-    std::transform(extension.begin(), extension.end(), extension.begin(), [](char c) {
-        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    });
-    return extension;
-}
 
 std::string skin_path(const std::string& path) {
     return utf8_path(native_path(path).replace_extension(".tfxbone"));
@@ -42,10 +36,12 @@ Result<StrandSet> read_tfx_file(const std::string& path, const ReadOptions& opti
     return strands;
 }
 
-Result<StrandSet> read_hair_file(const std::string& path, const ReadOptions& options) {
+using ReadBytes = Result<StrandSet> (*)(const ByteReader& file, const ReadOptions& options);
+
+Result<StrandSet> read_whole(const std::string& path, const ReadOptions& options, ReadBytes read) {
     auto bytes = read_file(path, options.memory);
     PLAIT_TRY(bytes);
-    return read_hair({*bytes, path}, options);
+    return read({*bytes, path}, options);
 }
 
 Result<StrandSet> read_by_extension(const std::string& path, const ReadOptions& options) {
@@ -53,7 +49,9 @@ Result<StrandSet> read_by_extension(const std::string& path, const ReadOptions& 
     if (extension == ".tfx")
         return read_tfx_file(path, options);
     if (extension == ".hair")
-        return read_hair_file(path, options);
+        return read_whole(path, options, read_hair);
+    if (extension == ".abc")
+        return read_whole(path, options, read_alembic);
     if (extension == ".obj")
         return read_polylines(path, options);
     return Error{PLAIT_UNSUPPORTED,
@@ -113,6 +111,8 @@ Status write_by_extension(const std::string& path, const StrandSet& strands) {
         return write_tfx_file(path, strands);
     if (extension == ".hair")
         return write_hair_file(path, strands);
+    if (extension == ".abc")
+        return save_curves(path, strands);
     return Error{PLAIT_UNSUPPORTED,
                  format("%s: cannot write strands to \"%s\"; known are .tfx, .hair", path.c_str(),
                         extension.c_str())};

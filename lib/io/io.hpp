@@ -11,9 +11,14 @@
 
 namespace plait {
 
+// Which curves of a file that tells guides from others.
+enum class StrandPart { ALL, GUIDES, FOLLOWS };
+
 struct ReadOptions {
     float scale = 1.0f; // file units to metres, applied to positions and thickness
     std::pmr::memory_resource* memory = std::pmr::get_default_resource(); // of what is read
+    StrandPart part = StrandPart::ALL;
+    std::string* notes = nullptr; // or: what was taken from the file and what was not, in sentences
 };
 
 // .tfx (TressFX 3 and 4, with the .tfxbone beside it, if any, as skin), .hair, and polylines of

@@ -4,6 +4,7 @@
 
 #include "io/formats.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 
@@ -26,17 +27,29 @@ inline bool same(const std::pmr::vector<float>& a, const std::pmr::vector<float>
            (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(float)) == 0);
 }
 
-inline void demand_whole(const StrandSet& strands, size_t file_size) {
+inline void demand_arrays_agree(const StrandSet& strands) {
     const size_t count = strands.vertex_counts.size();
     uint64_t vertices = 0;
     for (uint32_t n : strands.vertex_counts)
         vertices += n;
     demand(count > 0, "a file that was read has strands");
     demand(strands.positions.size() == 3 * vertices, "vertex counts sum to the positions");
-    demand(count <= file_size && vertices <= file_size, "no more strands than bytes");
     for (size_t size : {strands.strand_uv.size() / 2, strands.thickness.size(),
                         strands.bone_indices.size() / 4, strands.bone_weights.size() / 4})
         demand(size == 0 || size == count, "arrays of strands have one entry for each");
+}
+
+inline void demand_whole(const StrandSet& strands, size_t file_size) {
+    demand_arrays_agree(strands);
+    const size_t count = strands.vertex_counts.size(), vertices = strands.positions.size() / 3;
+    demand(count <= file_size && vertices <= file_size, "no more strands than bytes");
+}
+
+// Of files whose objects may share arrays, and whose cubic curves have up to 32 chords for each span.
+inline void demand_whole_curves(const StrandSet& strands, size_t file_size) {
+    demand_arrays_agree(strands);
+    const size_t points = strands.positions.size() / 3;
+    demand(points <= 32 * std::max<size_t>(file_size, 64 << 20), "no more points than is allowed");
 }
 
 } // namespace plait::fuzz

@@ -1,0 +1,209 @@
+#include "io/curves/curve_set.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace plait {
+namespace {
+
+// Objects of one file may share arrays, which each then takes for itself.
+constexpr uint64_t MOST_SHARED = 64 << 20;
+
+Error bad(const CurveObject& object, const std::string& text) {
+    return {PLAIT_BAD_DATA, object.place + ": " + text};
+}
+
+// The number of values for `count` of an object of so many curves and points.
+Status check_scope(const CurveObject& object, const char* what, size_t count) {
+    const size_t curves = object.counts.size(), points = object.points.size() / 3;
+    if (count == 0 || count == 1 || count == curves || count == points)
+        return {};
+    return bad(object,
+               format("%s has %zu values; allowed are 1, one for each of the %zu curves, or "
+                      "one for each of the %zu points",
+                      what, count, curves, points));
+}
+
+// The index, in an array of `count` of check_scope(), of a curve whose first point is `first`.
+size_t index_of(const CurveObject& object, size_t count, size_t curve, size_t first) {
+    if (count == 1)
+        return 0;
+    return count == object.counts.size() ? curve : first;
+}
+
+// The mean over its points, of equal ones their value to the bit.
+float width_of(const CurveObject& object, size_t curve, size_t first, size_t points, float factor) {
+    const size_t at = index_of(object, object.widths.size(), curve, first);
+    const bool per_point =
+        object.widths.size() != 1 && object.widths.size() != object.counts.size();
+    const size_t count = per_point ? points : 1;
+    double sum = 0;
+    for (size_t i = 0; i < count; ++i)
+        sum += static_cast<double>(object.widths[at + i]);
+    return factor * static_cast<float>(sum / static_cast<double>(count));
+}
+
+CurvePoint point_of(const CurveObject& object, size_t i) {
+    return {static_cast<double>(object.points[3 * i]),
+            static_cast<double>(object.points[3 * i + 1]),
+            static_cast<double>(object.points[3 * i + 2])};
+}
+
+const char* basis_name(CurveBasis basis) {
+    return basis == CurveBasis::BEZIER     ? "Bezier"
+           : basis == CurveBasis::B_SPLINE ? "B-spline"
+                                           : "Catmull-Rom";
+}
+
+} // namespace
+
+Status StrandBuilder::check(const CurveObject& object) {
+    const uint64_t points = object.points.size() / 3;
+    uint64_t sum = 0;
+    for (size_t c = 0; c < object.counts.size(); ++c) {
+        const int64_t count = object.counts[c];
+        if (count < 1 || static_cast<uint64_t>(count) > points - sum)
+            return bad(object, format("curve %zu has %" PRId64 " points; allowed are 1 to %" PRIu64
+                                      ", which are left of the object's %" PRIu64,
+                                      c, count, points - sum, points));
+        sum += static_cast<uint64_t>(count);
+    }
+    if (sum != points)
+        return bad(object, format("its curves have %" PRIu64 " points together; it has %" PRIu64,
+                                  sum, points));
+    PLAIT_TRY(check_scope(object, "width", object.widths.size()));
+    PLAIT_TRY(check_scope(object, "uv", object.uv.size() / 2));
+    for (const auto& [name, count] :
+         {std::pair("guide", object.guide.size()), std::pair("group id", object.group.size())})
+        if (count > 1 && count != object.counts.size())
+            return bad(object,
+                       format("%s has %zu values; allowed are 1, or one for each of the %zu "
+                              "curves",
+                              name, count, object.counts.size()));
+    if (!object.to_world.is_finite())
+        return bad(object, "its transform has a number that is not finite");
+    taken_ += 12 * points + 12 * object.counts.size();
+    if (taken_ > std::max(3 * budget_, MOST_SHARED))
+        return Error{PLAIT_UNSUPPORTED,
+                     format("%s: the file's objects share arrays: their points would take %" PRIu64
+                            " bytes, allowed are three times the file's %" PRIu64,
+                            object.place.c_str(), taken_, budget_)};
+    return {};
+}
+
+Status StrandBuilder::check_curve(const CurveObject& object, size_t curve, size_t first,
+                                  size_t points) const {
+    if (object.basis == CurveBasis::LINEAR || span_count(object.basis, object.ends, points))
+        return {};
+    return bad(object, format("curve %zu, from point %zu on, has %zu points; a %s curve has %s",
+                              curve, first, points, basis_name(object.basis),
+                              object.basis == CurveBasis::BEZIER ? "4, 7, 10, ..."
+                              : object.ends == CurveEnds::OUTER  ? "2 or more"
+                                                                 : "4 or more"));
+}
+
+void StrandBuilder::push(const CurveObject& object, const CurvePoint& point) {
+    const auto placed = object.to_world(point[0], point[1], point[2]);
+    for (const double c : placed)
+        strands_.positions.push_back(options_.scale * static_cast<float>(c * object.unit));
+}
+
+void StrandBuilder::add_points(const CurveObject& object, size_t first, size_t points) {
+    if (object.basis == CurveBasis::LINEAR) {
+        if (object.to_world == Matrix{} && object.unit == 1) // to the bit
+            for (size_t i = 3 * first; i < 3 * (first + points); ++i)
+                strands_.positions.push_back(options_.scale * object.points[i]);
+        else
+            for (size_t i = first; i < first + points; ++i)
+                push(object, point_of(object, i));
+        strands_.vertex_counts.push_back(static_cast<uint32_t>(points));
+        return;
+    }
+    curve_.clear();
+    for (size_t i = first; i < first + points; ++i)
+        curve_.push_back(point_of(object, i));
+    CubicCurve cubic(object.basis, object.ends);
+    const std::span<const CurvePoint> polyline = cubic.polyline(curve_);
+    for (const CurvePoint& point : polyline)
+        push(object, point);
+    strands_.vertex_counts.push_back(static_cast<uint32_t>(polyline.size()));
+    ++cubic_;
+    sharp_spans_ += cubic.sharp_spans();
+}
+
+bool StrandBuilder::is_wanted(const CurveObject& object, size_t curve) {
+    ++curves_;
+    if (object.guide.empty())
+        return options_.part != StrandPart::GUIDES;
+    says_guides_ = true;
+    const bool guide = object.guide[object.guide.size() == 1 ? 0 : curve] != 0;
+    guides_ += guide;
+    return options_.part == StrandPart::ALL || (options_.part == StrandPart::GUIDES) == guide;
+}
+
+void StrandBuilder::count_groups(const CurveObject& object) {
+    for (size_t c = 0; c < object.group.size(); ++c)
+        if (object.group[c] != last_group_) {
+            last_group_ = object.group[c];
+            groups_.add(format("%" PRId64, last_group_));
+        }
+}
+
+Status StrandBuilder::add(const CurveObject& object) {
+    PLAIT_TRY(check(object));
+    if (objects_++ == 0) {
+        strands_.positions.reserve(object.points.size());
+        strands_.vertex_counts.reserve(object.counts.size());
+    }
+    without_width_ += object.widths.empty();
+    without_uv_ += object.uv.empty();
+    count_groups(object);
+    const float factor = options_.scale * static_cast<float>(object.to_world.scale() * object.unit);
+    for (size_t curve = 0, first = 0; curve < object.counts.size(); ++curve) {
+        const auto points = static_cast<size_t>(object.counts[curve]);
+        PLAIT_TRY(check_curve(object, curve, first, points));
+        if (is_wanted(object, curve)) {
+            add_points(object, first, points);
+            if (!object.widths.empty())
+                strands_.thickness.push_back(width_of(object, curve, first, points, factor));
+            for (size_t i = 0; i < 2 && !object.uv.empty(); ++i)
+                strands_.strand_uv.push_back(
+                    object.uv[2 * index_of(object, object.uv.size() / 2, curve, first) + i]);
+        }
+        first += points;
+    }
+    return {};
+}
+
+Result<StrandSet> StrandBuilder::finish(const std::string& file, Notes& notes) {
+    if (strands_.vertex_counts.empty())
+        return Error{
+            PLAIT_BAD_DATA,
+            options_.part != StrandPart::ALL && curves_ > 0
+                ? format("%s: has no %s among its %" PRIu64 " curves", file.c_str(),
+                         options_.part == StrandPart::GUIDES ? "guides" : "strands beside guides",
+                         curves_)
+                : format("%s: has no curves", file.c_str())};
+    const size_t strands = strands_.vertex_counts.size();
+    if (says_guides_)
+        notes.add(format("%" PRIu64 " of its %" PRIu64 " curves are guides", guides_, curves_));
+    notes.add("runs of curves with one group id", groups_);
+    if (cubic_ > 0)
+        notes.add(format("%" PRIu64 " cubic curves were evaluated to polylines", cubic_));
+    if (sharp_spans_ > 0)
+        notes.add(format("%" PRIu64 " of their spans bend too sharply for %zu chords each",
+                         sharp_spans_, CubicCurve::MOST_CHORDS));
+    if (strands_.thickness.size() != strands && !strands_.thickness.empty()) {
+        strands_.thickness.clear();
+        notes.add(format("widths are not used: %" PRIu64 " of %" PRIu64 " objects have none",
+                         without_width_, objects_));
+    }
+    if (strands_.strand_uv.size() != 2 * strands && !strands_.strand_uv.empty()) {
+        strands_.strand_uv.clear();
+        notes.add(format("uv is not used: %" PRIu64 " of %" PRIu64 " objects have none",
+                         without_uv_, objects_));
+    }
+    return std::move(strands_);
+}
+
+} // namespace plait
