@@ -97,6 +97,7 @@ class ByteWriter {
         bytes_.insert(bytes_.end(), more.begin(), more.end());
     }
     void zeros(size_t count) { bytes_.resize(bytes_.size() + count); }
+    void reserve(size_t count) { bytes_.reserve(count); }
     size_t size() const { return bytes_.size(); }
     std::span<const std::byte> bytes() const { return bytes_; }
     ByteVector take() && { return std::move(bytes_); }

@@ -2,6 +2,7 @@
 
 #include "base/path.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
@@ -9,6 +10,7 @@
 #include <random>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #if defined(__unix__) || defined(__APPLE__)
 #include <unistd.h>
@@ -62,11 +64,11 @@ std::FILE* open_to_read(const std::string& path) {
 // A new file; an error where there is one of that name.
 std::FILE* open_new(const std::string& path) {
 #ifdef _WIN32 // whose older C library knows no mode "x"
-    const int made = _wopen(native_path(path).c_str(), _O_CREAT | _O_EXCL | _O_BINARY | _O_WRONLY,
+    const int made = _wopen(native_path(path).c_str(), _O_CREAT | _O_EXCL | _O_BINARY | _O_RDWR,
                             _S_IREAD | _S_IWRITE);
-    return made < 0 ? nullptr : _fdopen(made, "wb");
+    return made < 0 ? nullptr : _fdopen(made, "w+b");
 #else
-    return std::fopen(path.c_str(), "wbx");
+    return std::fopen(path.c_str(), "w+bx");
 #endif
 }
 
@@ -150,6 +152,23 @@ Status NewFile::patch(uint64_t offset, std::span<const std::byte> bytes) {
         std::fwrite(bytes.data(), 1, bytes.size(), file_) != bytes.size() ||
         seek_to(file_, size_) != 0)
         return failure(path_, "cannot write", errno);
+    return {};
+}
+
+Status NewFile::copy_to(NewFile& other) {
+    if (seek_to(file_, 0) != 0)
+        return failure(path_, "cannot read", errno);
+    std::vector<std::byte> piece(1 << 20);
+    for (uint64_t left = size_; left > 0;) {
+        const size_t count =
+            std::fread(piece.data(), 1, std::min<uint64_t>(left, piece.size()), file_);
+        if (count == 0)
+            return failure(path_, "cannot read", errno);
+        PLAIT_TRY(other.write(std::span(piece).first(count)));
+        left -= count;
+    }
+    if (seek_to(file_, size_) != 0)
+        return failure(path_, "cannot read", errno);
     return {};
 }
 

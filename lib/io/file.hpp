@@ -29,6 +29,8 @@ class NewFile {
     Status write(std::span<const std::byte> bytes);
     // Overwrites what was written at `offset`.
     Status patch(uint64_t offset, std::span<const std::byte> bytes);
+    // Writes all of it to `other`, too.
+    Status copy_to(NewFile& other);
     // Flushes every byte to the disk and renames the file to `path`.
     Status commit();
 

@@ -22,6 +22,11 @@ Result<ByteVector> write_hair(const StrandSet& strands);
 // Curves of Alembic in Ogawa.
 Result<StrandSet> read_alembic(const ByteReader& file, const ReadOptions& options);
 
+// BasisCurves of USD text.
+Result<StrandSet> read_usd(const ByteReader& file, const ReadOptions& options);
+// UNSUPPORTED, for USD that is `what`: "binary".
+Error usd_not_text(const std::string& file, const char* what);
+
 // Polylines of OBJ, once check_obj() has passed the text.
 Result<StrandSet> read_polylines(const std::string& path, const ReadOptions& options);
 // The same from memory; `file` is for messages.

@@ -52,11 +52,16 @@ Result<StrandSet> read_by_extension(const std::string& path, const ReadOptions& 
         return read_whole(path, options, read_hair);
     if (extension == ".abc")
         return read_whole(path, options, read_alembic);
+    if (extension == ".usda" || extension == ".usd")
+        return read_whole(path, options, read_usd);
+    if (extension == ".usdc" || extension == ".usdz")
+        return usd_not_text(path, extension == ".usdc" ? "binary" : "an archive");
     if (extension == ".obj")
         return read_polylines(path, options);
-    return Error{PLAIT_UNSUPPORTED,
-                 format("%s: cannot read strands from \"%s\"; known are .tfx, .hair, .obj",
-                        path.c_str(), extension.c_str())};
+    return Error{
+        PLAIT_UNSUPPORTED,
+        format("%s: cannot read strands from \"%s\"; known are .tfx, .hair, .obj, .abc, .usda",
+               path.c_str(), extension.c_str())};
 }
 
 Result<RawMesh> read_tfxmesh_file(const std::string& path, const ReadOptions& options) {
@@ -111,11 +116,11 @@ Status write_by_extension(const std::string& path, const StrandSet& strands) {
         return write_tfx_file(path, strands);
     if (extension == ".hair")
         return write_hair_file(path, strands);
-    if (extension == ".abc")
+    if (extension == ".abc" || extension == ".usda")
         return save_curves(path, strands);
     return Error{PLAIT_UNSUPPORTED,
-                 format("%s: cannot write strands to \"%s\"; known are .tfx, .hair", path.c_str(),
-                        extension.c_str())};
+                 format("%s: cannot write strands to \"%s\"; known are .tfx, .hair, .abc, .usda",
+                        path.c_str(), extension.c_str())};
 }
 
 Error out_of_memory(const std::string& path) {

@@ -1,5 +1,7 @@
 #include "io/alembic/writer.hpp"
 
+#include "io/curves/number.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -195,9 +197,9 @@ Result<OgawaWord> AlembicClip::write_root(OgawaWord top) {
     ByteWriter version(rules_.memory), library(rules_.memory);
     version.u32(0);
     library.u32(LIBRARY_VERSION);
-    const std::string about =
-        format("FramesPerTimeUnit=%f;_ai_Application=plait %d.%d.%d", rules_.frames_per_second,
-               PLAIT_VERSION_MAJOR, PLAIT_VERSION_MINOR, PLAIT_VERSION_PATCH);
+    const std::string about = format("FramesPerTimeUnit=%s;_ai_Application=plait %d.%d.%d",
+                                     number_text(rules_.frames_per_second).c_str(),
+                                     PLAIT_VERSION_MAJOR, PLAIT_VERSION_MINOR, PLAIT_VERSION_PATCH);
     std::vector<OgawaWord> children;
     const auto add = [&](std::span<const std::byte> bytes) -> Status {
         auto word = out_.data({bytes});

@@ -3,6 +3,7 @@
 #include "io/alembic/writer.hpp"
 #include "io/curves/save.hpp"
 #include "io/extension.hpp"
+#include "io/usd/writer.hpp"
 
 namespace plait {
 
@@ -11,9 +12,11 @@ Result<std::unique_ptr<ClipWriter>> make_clip_writer(const std::string& path,
     const std::string extension = extension_of(path);
     if (extension == ".abc")
         return AlembicClip::create(path, rules);
+    if (extension == ".usda")
+        return UsdClip::create(path, rules);
     return Error{PLAIT_UNSUPPORTED,
-                 format("%s: cannot write curves that move to \"%s\"; known is .abc", path.c_str(),
-                        extension.c_str())};
+                 format("%s: cannot write curves that move to \"%s\"; known are .abc, .usda",
+                        path.c_str(), extension.c_str())};
 }
 
 Status save_curves(const std::string& path, const StrandSet& strands) {

@@ -37,6 +37,22 @@ struct Matrix {
                                    m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
         return std::cbrt(std::abs(determinant));
     }
+    // Of an affine map; not finite where it has none.
+    Matrix inverse() const {
+        Matrix r;
+        const auto minor = [&](size_t i, size_t j) {
+            const size_t a = (i + 1) % 3, b = (i + 2) % 3, c = (j + 1) % 3, d = (j + 2) % 3;
+            return m[a][c] * m[b][d] - m[a][d] * m[b][c];
+        };
+        const double determinant =
+            m[0][0] * minor(0, 0) + m[0][1] * minor(0, 1) + m[0][2] * minor(0, 2);
+        for (size_t i = 0; i < 3; ++i)
+            for (size_t j = 0; j < 3; ++j)
+                r.m[i][j] = minor(j, i) / determinant;
+        for (size_t j = 0; j < 3; ++j)
+            r.m[3][j] = -(m[3][0] * r.m[0][j] + m[3][1] * r.m[1][j] + m[3][2] * r.m[2][j]);
+        return r;
+    }
     bool is_finite() const {
         for (const auto& row : m)
             for (const double value : row)
