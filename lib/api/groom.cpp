@@ -8,6 +8,8 @@
 #include "core/sim/import_frame.hpp"
 #include "io/io.hpp"
 
+#include <plait/plait_formats.h>
+
 #include <cmath>
 
 namespace plait::api {
@@ -65,12 +67,12 @@ Status copy_strands(const plait_groom_desc& desc, float scale, StrandSet& set) {
     return {};
 }
 
-// Mends what `read` (a callable: memory -> Result<StrandSet>) gives and makes the handle.
+// Mends what `read` (a callable: memory, notes -> Result<StrandSet>) gives and makes the handle.
 template <typename Read>
 Status make_groom(const plait_import_options& options, plait_groom** out, const Read& read) {
     Memory memory(options.allocator);
     auto handle = make_in<plait_groom>(&memory, options.allocator);
-    auto raw = read(&memory);
+    auto raw = read(&memory, handle->notes);
     if (!raw)
         return raw.error();
     place_points(raw->positions, options.axes, options.pose);
@@ -84,6 +86,20 @@ Status make_groom(const plait_import_options& options, plait_groom** out, const 
     handle->groom = std::move(*groom);
     *out = handle.release();
     return {};
+}
+
+Status load_groom(const char* path, plait_strand_part part, const plait_import_options* options,
+                  plait_groom** out) {
+    PLAIT_TRY(need(path, "path"));
+    PLAIT_TRY(need(out, "out"));
+    if (part < 0 || part > PLAIT_STRAND_PART_FOLLOWS)
+        return invalid(format("part is %d, range is [0, %d]", static_cast<int>(part),
+                              PLAIT_STRAND_PART_FOLLOWS));
+    plait_import_options rules;
+    PLAIT_TRY(read_options(options, rules));
+    return make_groom(rules, out, [&](Memory* memory, std::string& notes) {
+        return read_strands(path, {rules.scale, memory, static_cast<StrandPart>(part), &notes});
+    });
 }
 
 plait_groom_info empty_info() {
@@ -167,7 +183,7 @@ plait_result plait_groom_create(const plait_groom_desc* desc, const plait_import
         PLAIT_TRY(api::read_struct(desc, given, "desc"));
         plait_import_options rules;
         PLAIT_TRY(api::read_options(options, rules));
-        return api::make_groom(rules, out, [&](Memory* memory) -> Result<StrandSet> {
+        return api::make_groom(rules, out, [&](Memory* memory, std::string&) -> Result<StrandSet> {
             StrandSet set(memory);
             PLAIT_TRY(api::copy_strands(given, rules.scale, set));
             return set;
@@ -177,14 +193,23 @@ plait_result plait_groom_create(const plait_groom_desc* desc, const plait_import
 
 plait_result plait_groom_load(const char* path, const plait_import_options* options,
                               plait_groom** out) {
+    return api::guard(__func__,
+                      [&] { return api::load_groom(path, PLAIT_STRAND_PART_ALL, options, out); });
+}
+
+plait_result plait_groom_load_part(const char* path, plait_strand_part part,
+                                   const plait_import_options* options, plait_groom** out) {
+    return api::guard(__func__, [&] { return api::load_groom(path, part, options, out); });
+}
+
+plait_result plait_groom_read_notes(const plait_groom* groom, char* dst, size_t* size) {
     return api::guard(__func__, [&]() -> Status {
-        PLAIT_TRY(api::need(path, "path"));
-        PLAIT_TRY(api::need(out, "out"));
-        plait_import_options rules;
-        PLAIT_TRY(api::read_options(options, rules));
-        return api::make_groom(rules, out, [&](Memory* memory) {
-            return read_strands(path, {rules.scale, memory});
-        });
+        PLAIT_TRY(api::need(groom, "groom"));
+        const auto wanted = api::wants_bytes(dst, size, groom->notes.size() + 1);
+        PLAIT_TRY(wanted);
+        if (*wanted)
+            std::memcpy(dst, groom->notes.c_str(), groom->notes.size() + 1);
+        return {};
     });
 }
 

@@ -7,6 +7,8 @@
 #include "core/mesh/mesh.hpp"
 #include "core/sim/sim.hpp"
 
+#include <string>
+
 struct plait_context {
     plait::Context context;
     size_t users = 1;   // its handle, until destroyed, and its sims
@@ -21,6 +23,7 @@ struct plait_context {
 struct plait_groom {
     plait::Memory own;
     plait::Groom groom;
+    std::string notes; // of its file
 
     explicit plait_groom(const plait_allocator& allocator)
         : own(allocator), groom{plait::StrandSet(&own), {}, {}} {}

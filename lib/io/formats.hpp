@@ -27,6 +27,10 @@ Result<StrandSet> read_usd(const ByteReader& file, const ReadOptions& options);
 // UNSUPPORTED, for USD that is `what`: "binary".
 Error usd_not_text(const std::string& file, const char* what);
 
+// Strands of research on hair: counts and points; points of PLY with edges, or with a colour for each strand.
+Result<StrandSet> read_strand_data(const ByteReader& file, const ReadOptions& options);
+Result<StrandSet> read_ply(const ByteReader& file, const ReadOptions& options);
+
 // Polylines of OBJ, once check_obj() has passed the text.
 Result<StrandSet> read_polylines(const std::string& path, const ReadOptions& options);
 // The same from memory; `file` is for messages.

@@ -36,6 +36,19 @@ Result<StrandSet> read_tfx_file(const std::string& path, const ReadOptions& opti
     return strands;
 }
 
+// Formats that people have hair in, and what makes of them one that is read.
+constexpr struct Refused {
+    const char *extension, *what, *instead;
+} REFUSED[] = {
+    {".npz", "arrays of NumPy, which do not say what they are",
+     "write .data, or give the arrays to plait_groom_create"},
+    {".npy", "an array of NumPy, which does not say what it is",
+     "write .data, or give the array to plait_groom_create"},
+    {".ma", "a scene of Maya", "export its curves as Alembic, in Maya: Cache, Alembic Cache"},
+    {".mb", "a scene of Maya", "export its curves as Alembic, in Maya: Cache, Alembic Cache"},
+    {".blend", "a scene of Blender", "export its curves as Alembic (.abc) or USD (.usda)"},
+    {".bgeo", "geometry of Houdini", "export its curves as Alembic (.abc) or USD (.usda)"}};
+
 using ReadBytes = Result<StrandSet> (*)(const ByteReader& file, const ReadOptions& options);
 
 Result<StrandSet> read_whole(const std::string& path, const ReadOptions& options, ReadBytes read) {
@@ -46,6 +59,12 @@ Result<StrandSet> read_whole(const std::string& path, const ReadOptions& options
 
 Result<StrandSet> read_by_extension(const std::string& path, const ReadOptions& options) {
     const std::string extension = extension_of(path);
+    const bool of_curves = extension == ".abc" || extension.starts_with(".usd");
+    if (options.part != StrandPart::ALL && !of_curves)
+        return Error{PLAIT_UNSUPPORTED,
+                     format("%s: \"%s\" does not tell guides from other strands; "
+                            ".abc and .usda do",
+                            path.c_str(), extension.c_str())};
     if (extension == ".tfx")
         return read_tfx_file(path, options);
     if (extension == ".hair")
@@ -54,13 +73,22 @@ Result<StrandSet> read_by_extension(const std::string& path, const ReadOptions& 
         return read_whole(path, options, read_alembic);
     if (extension == ".usda" || extension == ".usd")
         return read_whole(path, options, read_usd);
-    if (extension == ".usdc" || extension == ".usdz")
-        return usd_not_text(path, extension == ".usdc" ? "binary" : "an archive");
     if (extension == ".obj")
         return read_polylines(path, options);
+    if (extension == ".ply")
+        return read_whole(path, options, read_ply);
+    if (extension == ".data")
+        return read_whole(path, options, read_strand_data);
+    if (extension == ".usdc" || extension == ".usdz")
+        return usd_not_text(path, extension == ".usdc" ? "binary" : "an archive");
+    for (const Refused& refused : REFUSED)
+        if (extension == refused.extension)
+            return Error{PLAIT_UNSUPPORTED, format("%s: is %s, which is not read; %s", path.c_str(),
+                                                   refused.what, refused.instead)};
     return Error{
         PLAIT_UNSUPPORTED,
-        format("%s: cannot read strands from \"%s\"; known are .tfx, .hair, .obj, .abc, .usda",
+        format("%s: cannot read strands from \"%s\"; known are .tfx, .hair, .obj, .abc, .usda, "
+               ".ply, .data",
                path.c_str(), extension.c_str())};
 }
 

@@ -12,7 +12,7 @@
 namespace plait {
 
 // Which curves of a file that tells guides from others.
-enum class StrandPart { ALL, GUIDES, FOLLOWS };
+enum class StrandPart { ALL = 0, GUIDES = 1, FOLLOWS = 2 };
 
 struct ReadOptions {
     float scale = 1.0f; // file units to metres, applied to positions and thickness
@@ -21,12 +21,13 @@ struct ReadOptions {
     std::string* notes = nullptr; // or: what was taken from the file and what was not, in sentences
 };
 
-// .tfx (TressFX 3 and 4, with the .tfxbone beside it, if any, as skin), .hair, and polylines of
-// .obj. NOT_FOUND, IO, BAD_DATA (file, place, value, range), UNSUPPORTED.
+// .tfx (TressFX 3 and 4, with the .tfxbone beside it, if any, as skin), .hair, polylines of .obj, curves
+// of .abc and .usda. NOT_FOUND, IO, BAD_DATA (file, place, value, range), UNSUPPORTED.
 Result<StrandSet> read_strands(const std::string& path, const ReadOptions& options = {});
 
-// .tfx (version 4; strands of equal vertex counts; the skin, if any, to a .tfxbone beside it) or
-// .hair (without UV and skin). A file appears whole or not at all. IO, UNSUPPORTED.
+// .tfx (version 4; strands of equal vertex counts; the skin, if any, to a .tfxbone beside it), .hair
+// (without UV and skin), .abc or .usda (without skin). A file appears whole or not at all. IO,
+// UNSUPPORTED.
 Status write_strands(const std::string& path, const StrandSet& strands);
 
 // Triangles of .obj, .gltf and .glb, where their nodes put them, and of .tfxmesh, with their skin;

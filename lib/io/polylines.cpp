@@ -1,5 +1,6 @@
 // Polylines of OBJ (`l`). Programs write a strand as one line of all its vertices or as one line per
 // segment, in any order and from either end: lines that share a vertex are one strand.
+#include "io/chains.hpp"
 #include "io/file.hpp"
 #include "io/formats.hpp"
 #include "io/obj_check.hpp"
@@ -15,7 +16,7 @@ namespace plait {
 namespace {
 
 constexpr std::string_view BLANKS = " \t";
-constexpr uint32_t NONE = std::numeric_limits<uint32_t>::max();
+constexpr uint32_t NONE = Chains::NONE;
 
 using Point = std::array<float, 3>;
 
@@ -38,18 +39,10 @@ template <typename Visit> void for_each_line(std::string_view text, const Visit&
     }
 }
 
-// The two ways on from a vertex, and whether its line says that hair grows that way: +1 from it, -1
-// to it, 0 where a line of two vertices says nothing.
-struct Vertex {
-    std::array<uint32_t, 2> next{NONE, NONE};
-    std::array<int, 2> grows{};
-    bool taken = false;
-};
-
 class Lines {
   public:
     Lines(const std::string& file, const ReadOptions& options)
-        : file_(file), options_(options), points_(options.memory), vertices_(options.memory),
+        : file_(file), options_(options), points_(options.memory), chains_(options.memory),
           points_only_(options.memory), line_(options.memory) {}
 
     Status read(std::string_view text) {
@@ -57,7 +50,7 @@ class Lines {
             if (keyword == "v")
                 add_point(rest);
         });
-        vertices_.resize(points_.size());
+        chains_.resize(points_.size());
         Status status;
         size_t points_so_far = 0;
         for_each_line(text, [&](uint64_t number, std::string_view keyword, std::string_view rest) {
@@ -70,15 +63,16 @@ class Lines {
 
     Result<StrandSet> strands() {
         StrandSet strands(options_.memory);
-        for (uint32_t i = 0; i < vertices_.size(); ++i)
-            if (!vertices_[i].taken && is_end(i))
-                add_strand(i, strands);
-        for (uint32_t i = 0; i < vertices_.size(); ++i)
-            if (!vertices_[i].taken && vertices_[i].next[0] != NONE)
-                return Error{PLAIT_BAD_DATA,
-                             format("%s: the lines of vertex %u close a ring; allowed are strands "
-                                    "with two ends",
-                                    file_.c_str(), i + 1)};
+        const uint32_t ring = chains_.for_each([&](std::span<const uint32_t> way) {
+            for (const uint32_t vertex : way)
+                push(vertex, strands);
+            strands.vertex_counts.push_back(static_cast<uint32_t>(way.size()));
+        });
+        if (ring != NONE)
+            return Error{PLAIT_BAD_DATA,
+                         format("%s: the lines of vertex %u close a ring; allowed are strands "
+                                "with two ends",
+                                file_.c_str(), ring + 1)};
         for (const uint32_t point : points_only_) {
             push(point, strands);
             push(point, strands);
@@ -117,7 +111,7 @@ class Lines {
                 line_.empty() || line_.back() != vertex)
                 line_.push_back(vertex);
         // a line that goes on where the one before ended, at a vertex of its own
-        if (before != NONE && line_.front() != before && is_free(line_.front()) &&
+        if (before != NONE && line_.front() != before && chains_.is_free(line_.front()) &&
             points_[line_.front()] == points_[before])
             line_.front() = before;
         if (line_.size() == 1)
@@ -131,51 +125,23 @@ class Lines {
     }
 
     Status link(uint64_t number, uint32_t from, uint32_t to, int grows) {
-        Vertex& vertex = vertices_[from];
-        for (size_t k = 0; k < 2; ++k)
-            if (vertex.next[k] == NONE) {
-                vertex.next[k] = to;
-                vertex.grows[k] = grows;
-                return {};
-            }
+        if (chains_.link(from, to, grows))
+            return {};
         return Error{PLAIT_BAD_DATA,
                      format("%s: line %" PRIu64 ": vertex %u is of three lines; allowed are two, "
                             "which are one strand",
                             file_.c_str(), number, from + 1)};
     }
 
-    bool is_free(uint32_t i) const { return vertices_[i].next[0] == NONE; }
-    bool is_end(uint32_t i) const { return !is_free(i) && vertices_[i].next[1] == NONE; }
-
     void push(uint32_t vertex, StrandSet& strands) const {
         for (const float c : points_[vertex])
             strands.positions.push_back(options_.scale * c);
     }
 
-    // From the end of the lower index, unless lines of three and more vertices say that hair grows
-    // the other way.
-    void add_strand(uint32_t end, StrandSet& strands) {
-        std::pmr::vector<uint32_t> way(options_.memory);
-        int64_t grows = 0;
-        for (uint32_t at = end, before = NONE; at != NONE;) {
-            Vertex& vertex = vertices_[at];
-            vertex.taken = true;
-            way.push_back(at);
-            const size_t on = vertex.next[0] != before || before == NONE ? 0 : 1;
-            grows += vertex.next[on] != NONE ? vertex.grows[on] : 0;
-            before = std::exchange(at, vertex.next[on]);
-        }
-        if (grows < 0)
-            std::ranges::reverse(way);
-        for (const uint32_t vertex : way)
-            push(vertex, strands);
-        strands.vertex_counts.push_back(static_cast<uint32_t>(way.size()));
-    }
-
     const std::string& file_;
     const ReadOptions& options_;
     std::pmr::vector<Point> points_;
-    std::pmr::vector<Vertex> vertices_;      // of each point
+    Chains chains_;
     std::pmr::vector<uint32_t> points_only_; // lines of one place: strands without length
     std::pmr::vector<uint32_t> line_;        // in hand
 };

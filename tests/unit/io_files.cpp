@@ -74,7 +74,7 @@ TEST(IoFiles, EmptyFile) {
 
 TEST(IoFiles, UnknownExtension) {
     TemporaryDirectory directory;
-    expect_read_error(directory.file("hair.abc"), PLAIT_UNSUPPORTED);
+    expect_read_error(directory.file("hair.xyz"), PLAIT_UNSUPPORTED);
     expect_read_error(directory.file("hair"), PLAIT_UNSUPPORTED);
     for (const char* name : {"hair.gltf", "hair.GLB"}) {
         auto strands = read_strands(directory.file(name));

@@ -51,7 +51,11 @@ Measurements run_scene(const Scene& scene, const Figure& figure, Album* album, I
     warn(simulation.take_warnings(), warnings);
     std::vector<Watcher> watchers;
     std::unique_ptr<CacheWriter> cache;
-    if (!scene.cache.empty()) {
+    std::unique_ptr<Recording> recording;
+    if (Recording::is_for(scene.cache)) {
+        recording = std::make_unique<Recording>(scene.cache, scene, figure);
+        simulation.record_to(*recording);
+    } else if (!scene.cache.empty()) {
         cache =
             std::make_unique<CacheWriter>(scene.cache, simulation.vertex_count(), simulation.row(),
                                           scene.frames(), static_cast<float>(scene.rate));
@@ -63,6 +67,8 @@ Measurements run_scene(const Scene& scene, const Figure& figure, Album* album, I
                             [album](const Shot& shot) { album->take(shot); }});
     watchers.push_back(watcher_of(inside));
     Measurements run = simulation.run(*motion_of(scene), watchers, "simulating");
+    if (recording)
+        recording->close();
     run.inside = inside.finish();
     warn(simulation.take_warnings(), warnings); // of its steps
     return run;
@@ -104,6 +110,8 @@ void finish_report(Report& report, Album* album) {
 void simulate_scene(Scene& scene) {
     const Figure figure = make_figure(scene);
     std::printf("%s\n", loaded_line(scene, figure).c_str());
+    if (!figure.notes.empty())
+        std::printf("%s: %s\n", scene.groom.name.c_str(), figure.notes.c_str());
     std::fflush(stdout); // before the progress, also into a pipe
     std::vector<std::string> warnings;
     warn(size_warnings(scene, figure), warnings);

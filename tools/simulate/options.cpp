@@ -41,7 +41,8 @@ void add_options(CLI::App& app, CommandLine& line) {
     app.add_option("--scene", line.scene_file, "scene file; options win over it")
         ->type_name("FILE.json");
     text("--groom", "groom", "NAME|FILE",
-         "long, braid, curly, short, ponytail, ball, or .tfx .hair .obj [long]");
+         "long, braid, curly, short, ponytail, ball, or .tfx .hair .obj .abc .usda .ply .data "
+         "[long]");
     count("--strands", "strands", "N",
           "strands; of a file, at most so many [10000, all of a file]");
     count("--vertices", "vertices", "V", "vertices per strand, 2..256 [16, as in the file]");
@@ -59,6 +60,10 @@ void add_options(CLI::App& app, CommandLine& line) {
            },
            "a file's unit in metres, or auto: the one that makes it as large as a head of hair [1]")
         ->type_name("X|auto");
+    text("--program", "program", "NAME",
+         "axes and unit of a file in the space of blender, houdini, maya, unreal or unity; not for "
+         "what "
+         "these turn when they export, as Blender does for .abc [none]");
     text("--axes", "axes", "NAME",
          "of a file: y_up (Maya, Houdini), z_up (Blender), y_up_left_handed (Unity), "
          "z_up_left_handed (Unreal) [y_up]");
@@ -81,7 +86,8 @@ void add_options(CLI::App& app, CommandLine& line) {
          "part of a device's, vendor's or platform's name, as pocl; cpu or gpu [the best]");
     text("--backend", "backend", "NAME", "opencl or reference [the best]");
     text("--out", "out", "FOLDER", "where the results go [out]");
-    text("--cache", "cache", "FILE", "write the trajectory here");
+    text("--cache", "cache", "FILE",
+         "write the trajectory here; .abc or .usda: as curves that move, with velocities");
     text("--replay", "replay", "FILE", "draw a trajectory instead of simulating one");
     text("--json", "json", "FILE", "write the statistics here as well");
     app.add_flag_callback(

@@ -332,6 +332,8 @@ void Simulation::find_worst(Measurements& measurements, uint32_t frame) {
 
 void Simulation::show(uint32_t frame, const plait_pose& head,
                       const std::vector<Watcher>& watchers) {
+    if (recording_)
+        recording_->add(sim_.get(), static_cast<double>(frame) / scene_.rate);
     const auto wanted = [&](const Watcher& watcher) { return watcher.wanted(frame); };
     if (std::none_of(watchers.begin(), watchers.end(), wanted))
         return;

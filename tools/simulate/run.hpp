@@ -4,6 +4,7 @@
 #include "neighbours.hpp"
 #include "pictures/inside.hpp"
 #include "profile/timeline.hpp"
+#include "recording.hpp"
 #include "scene/figure.hpp"
 #include "scene/motion.hpp"
 #include "shot.hpp"
@@ -56,6 +57,8 @@ class Simulation {
     Measurements run(const Motion& motion, const std::vector<Watcher>& watchers,
                      const std::string& label);
 
+    // Each frame goes to `recording`, too, which outlives the runs.
+    void record_to(Recording& recording) { recording_ = &recording; }
     uint32_t row() const { return row_; }
     const std::vector<uint32_t>& vertex_count() const { return vertex_count_; }
     plait_sim_stats stats() const;
@@ -102,6 +105,7 @@ class Simulation {
     std::unique_ptr<Neighbours> neighbours_;
     std::vector<uint32_t> vertex_count_;
     uint32_t row_ = 0;
+    Recording* recording_ = nullptr;
 };
 
 } // namespace simulate

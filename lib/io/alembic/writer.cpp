@@ -112,10 +112,9 @@ Status AlembicClip::add_geometry(CompoundWriter& geometry, uint32_t times, uint3
     const std::array<std::byte, 4> linear{std::byte{1}, {}, {}, {}};
     PLAIT_TRY(geometry.constant(BASIS, times, samples, linear));
     if (!widths_.empty())
-        PLAIT_TRY(geometry.constant({"width", parameter(widths_.size() == 1 ? "con" : "uni", 1, ""),
-                                     AlembicType::ARRAY, AlembicPod::F32, 1},
-                                    times, samples, file_bytes<float>(std::span(widths_), swapped),
-                                    widths_.size()));
+        PLAIT_TRY(geometry.constant(
+            {"width", parameter("vtx", 1, ""), AlembicType::ARRAY, AlembicPod::F32, 1}, times,
+            samples, file_bytes<float>(std::span(widths_), swapped), widths_.size()));
     if (!uv_.empty())
         PLAIT_TRY(geometry.constant({"uv", parameter("uni", 2, ";interpretation=vector"),
                                      AlembicType::ARRAY, AlembicPod::F32, 2},

@@ -33,7 +33,7 @@ class CubicCurve {
     uint64_t sharp_spans() const {
         return sharp_spans_;
     } // of all curves: those that got MOST_CHORDS
-      // and would have taken more
+    // and would have taken more
 
   private:
     using Bezier = std::array<CurvePoint, 4>;

@@ -2,6 +2,7 @@
 #include "loaded.hpp"
 #include "read_field.hpp"
 
+#include <plait/plait_formats.h>
 #include <plait/plait_offline.h>
 
 #include <Eigen/Dense>
@@ -63,8 +64,16 @@ GroomHandle thin_out(const plait_groom* groom, uint32_t wanted) {
     return GroomHandle(thinned);
 }
 
-// The info keeps the repairs of the file even when strands are left out.
-GroomHandle load(const GroomChoice& choice, plait_groom_info& info) {
+std::string notes_of(const plait_groom* groom) {
+    size_t size = 0;
+    check(plait_groom_read_notes(groom, nullptr, &size));
+    std::vector<char> notes(size);
+    check(plait_groom_read_notes(groom, notes.data(), &size));
+    return notes.data();
+}
+
+// The info and the notes are those of the whole file even when strands are left out.
+GroomHandle load(const GroomChoice& choice, plait_groom_info& info, std::string& notes) {
     plait_import_options options = plait_import_options_defaults();
     options.scale = choice.scale;
     options.resample = choice.vertices;
@@ -74,6 +83,7 @@ GroomHandle load(const GroomChoice& choice, plait_groom_info& info) {
     check(plait_groom_load(choice.name.c_str(), &options, &loaded));
     GroomHandle groom(loaded);
     info = describe(groom.get());
+    notes = notes_of(groom.get());
     if (choice.strands == 0 || choice.strands >= info.strands)
         return groom;
     GroomHandle thinned = thin_out(groom.get(), choice.strands);
@@ -240,12 +250,12 @@ void load_groom(Scene& scene, Figure& figure) {
         figure.info = describe(figure.groom.get());
         return;
     }
-    figure.groom = load(choice, figure.info);
+    figure.groom = load(choice, figure.info, figure.notes);
     if (!choice.scale_by_size)
         return;
     choice.scale = figure.info.likely_scale;
     if (choice.scale != 1.0f)
-        figure.groom = load(choice, figure.info);
+        figure.groom = load(choice, figure.info, figure.notes);
 }
 
 void choose_guides(const Scene& scene, Figure& figure) {

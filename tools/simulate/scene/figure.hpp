@@ -16,6 +16,7 @@ namespace simulate {
 struct Figure {
     GroomHandle groom;
     plait_groom_info info;
+    std::string notes;  // on the groom's file, in sentences; ""
     GroomHandle guides; // where some of its strands are simulated and the others follow; else null
     FollowMapHandle follows;
     HeadMesh head; // may be empty

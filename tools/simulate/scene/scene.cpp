@@ -63,6 +63,25 @@ void read_scale(JsonReader& top, GroomChoice& groom) {
         top.number("scale", groom.scale, 1e-6, 1e6);
 }
 
+// The axes and the unit of a program's own space; what the scene says of them beside it wins.
+bool read_program(JsonReader& top, GroomChoice& groom) {
+    constexpr const char* names[] = {"blender", "houdini", "maya", "unreal", "unity"};
+    constexpr struct {
+        plait_axes axes;
+        float scale;
+    } programs[] = {{PLAIT_AXES_Z_UP, 1},
+                    {PLAIT_AXES_Y_UP, 1},
+                    {PLAIT_AXES_Y_UP, 0.01f},
+                    {PLAIT_AXES_Z_UP_LEFT_HANDED, 0.01f},
+                    {PLAIT_AXES_Y_UP_LEFT_HANDED, 1}};
+    size_t program = 0;
+    if (!top.choice("program", program, names))
+        return false;
+    groom.axes = programs[program].axes;
+    groom.scale = programs[program].scale;
+    return true;
+}
+
 void read_groom(JsonReader& top, const Origin& origin, Scene& scene) {
     GroomChoice& groom = scene.groom;
     top.integer("strands", groom.strands, 1, 1000000);
@@ -70,6 +89,7 @@ void read_groom(JsonReader& top, const Origin& origin, Scene& scene) {
     top.integer("guides", groom.guides, 1, 1000000);
     if (groom.guides > 0 && scene.sim.follows_per_guide > 0)
         top.fail("guides", "are given, and follows_per_guide, too: hair follows in one way");
+    const bool has_program = read_program(top, groom);
     read_scale(top, groom);
     constexpr const char* axes[] = {"y_up", "z_up", "y_up_left_handed", "z_up_left_handed"};
     constexpr const char* ends[] = {"first", "last", "agreed"};
@@ -88,8 +108,10 @@ void read_groom(JsonReader& top, const Origin& origin, Scene& scene) {
         groom.name = resolve(groom.name, "groom", origin);
         return;
     }
-    if (has_axes || has_end)
-        top.fail(has_axes ? "axes" : "root_end",
+    if (has_program || has_axes || has_end)
+        top.fail(has_program ? "program"
+                 : has_axes  ? "axes"
+                             : "root_end",
                  "is for files; \"" + groom.name + "\" is generated");
     groom.style = make_style(static_cast<plait_generator::Hairstyle>(known - style_names.begin()));
     groom.style.seed = scene.seed;

@@ -1,0 +1,252 @@
+// Recording a sim to a file, by the functions that every user of the library has.
+#include "api/recorder.hpp"
+
+#include "api/objects.hpp"
+#include "api/structs.hpp"
+#include "api/view.hpp"
+
+#include <cmath>
+
+struct plait_recorder {
+    plait::Memory own;
+    plait::api::Recorder recorder;
+
+    plait_recorder(const plait_allocator& allocator, const plait_recorder_desc& desc)
+        : own(allocator), recorder(&own, desc) {}
+    plait::Memory& memory() { return own; }
+};
+
+namespace plait::api {
+namespace {
+
+plait_recorder_desc default_recorder_desc() {
+    plait_recorder_desc desc{};
+    desc.scale = 1;
+    desc.frames_per_second = 24;
+    return desc;
+}
+
+Status check_desc(const plait_recorder_desc& desc) {
+    if (desc.strands < 0 || desc.strands > PLAIT_RECORDER_STRANDS_GUIDES)
+        return invalid(format("desc->strands is %d, range is [0, %d]",
+                              static_cast<int>(desc.strands), PLAIT_RECORDER_STRANDS_GUIDES));
+    if (desc.velocities > 1)
+        return invalid(format("desc->velocities is %u, range is [0, 1]", desc.velocities));
+    if (desc.axes < 0 || desc.axes > PLAIT_AXES_Z_UP_LEFT_HANDED)
+        return invalid(format("desc->axes is %d, range is [0, %d]", static_cast<int>(desc.axes),
+                              PLAIT_AXES_Z_UP_LEFT_HANDED));
+    if (!(desc.scale > 0 && desc.scale <= 1e6f))
+        return invalid(
+            format("desc->scale is %g, range is (0, 1e6]", static_cast<double>(desc.scale)));
+    if (!(desc.frames_per_second >= 1e-3 && desc.frames_per_second <= 1e6))
+        return invalid(
+            format("desc->frames_per_second is %g, range is [1e-3, 1e6]", desc.frames_per_second));
+    return check_allocator(desc.allocator, "desc->allocator");
+}
+
+// What a public function that failed has said.
+Status passed_on(plait_result result) {
+    return result == PLAIT_OK ? Status() : Error{result, plait_last_error()};
+}
+
+template <typename T>
+Status read_field(plait_sim* sim, plait_field field, std::pmr::vector<T>& values) {
+    size_t size = 0;
+    PLAIT_TRY(passed_on(plait_sim_read(sim, field, nullptr, &size)));
+    values.resize(size / sizeof(T));
+    return passed_on(plait_sim_read(sim, field, values.data(), &size));
+}
+
+// Where a point of plait lies in the file: the reverse of plait_import_options.axes.
+void to_axes(plait_axes axes, float* p) {
+    const float y = p[1], z = p[2];
+    if (axes == PLAIT_AXES_Z_UP || axes == PLAIT_AXES_Z_UP_LEFT_HANDED) {
+        p[1] = axes == PLAIT_AXES_Z_UP ? -z : z;
+        p[2] = y;
+    } else if (axes == PLAIT_AXES_Y_UP_LEFT_HANDED) {
+        p[2] = -z;
+    }
+}
+
+} // namespace
+
+Status Recorder::open(const std::string& path) {
+    PLAIT_TRY(copy_view(desc_.widths, 1, "desc->widths", widths_));
+    PLAIT_TRY(copy_view(desc_.strand_uv, 2, "desc->strand_uv", uv_));
+    for (size_t i = 0; i < widths_.size(); ++i)
+        if (!(widths_[i] >= 0 && widths_[i] <= 1))
+            return invalid(format("desc->widths[%zu] is %g, range is [0, 1] m", i,
+                                  static_cast<double>(widths_[i])));
+    ClipRules rules;
+    rules.axes = desc_.axes;
+    rules.metres_per_unit = 1 / static_cast<double>(desc_.scale);
+    rules.frames_per_second = desc_.frames_per_second;
+    rules.velocities = desc_.velocities != 0;
+    rules.memory = widths_.get_allocator().resource();
+    auto clip = make_clip_writer(path, rules);
+    PLAIT_TRY(clip);
+    clip_ = std::move(*clip);
+    path_ = path;
+    return {};
+}
+
+Status Recorder::check_open() const {
+    if (!ended_)
+        return {};
+    return Error{PLAIT_INVALID_STATE, format("%s: the recording has ended: %s", path_.c_str(),
+                                             closed_ ? "it is closed" : "an earlier call failed")};
+}
+
+Status Recorder::begin(plait_sim* sim) {
+    auto info = plait_sim_info_defaults();
+    PLAIT_TRY(passed_on(plait_sim_describe(sim, &info)));
+    PLAIT_TRY(read_field(sim, PLAIT_FIELD_VERTEX_COUNT, counts_));
+    if (desc_.strands == PLAIT_RECORDER_STRANDS_GUIDES)
+        counts_.resize(info.guides);
+    row_ = info.vertices_per_strand;
+    const size_t strands = counts_.size();
+    if (widths_.size() > 1 && widths_.size() != strands)
+        return invalid(
+            format("widths of the recorder are %zu; allowed are 0, 1 or one for each of the "
+                   "%zu strands",
+                   widths_.size(), strands));
+    if (!uv_.empty() && uv_.size() != 2 * strands)
+        return invalid(format("strand_uv of the recorder is for %zu strands, there are %zu",
+                              uv_.size() / 2, strands));
+    return {};
+}
+
+Status Recorder::check_shape(plait_sim* sim) {
+    auto info = plait_sim_info_defaults();
+    PLAIT_TRY(passed_on(plait_sim_describe(sim, &info)));
+    const uint64_t strands =
+        desc_.strands == PLAIT_RECORDER_STRANDS_GUIDES ? info.guides : info.strands;
+    if (strands != counts_.size() || info.vertices_per_strand != row_)
+        return invalid(
+            format("sim has %llu strands in rows of %u vertices, the recording %zu of %u",
+                   static_cast<unsigned long long>(strands), info.vertices_per_strand,
+                   counts_.size(), row_));
+    return {};
+}
+
+Status Recorder::read_positions(plait_sim* sim) {
+    PLAIT_TRY(read_field(sim, PLAIT_FIELD_POSITION, shown_));
+    now_.clear();
+    for (size_t strand = 0; strand < counts_.size(); ++strand)
+        for (size_t vertex = 0; vertex < counts_[strand]; ++vertex) {
+            const float* const from = &shown_[4 * (strand * row_ + vertex)];
+            float p[3] = {desc_.scale * from[0], desc_.scale * from[1], desc_.scale * from[2]};
+            to_axes(desc_.axes, p);
+            now_.insert(now_.end(), p, p + 3);
+        }
+    return {};
+}
+
+// Of the moment in the middle of both, or of one of them where it is the first or the last.
+Status Recorder::write_velocities(double from, double to, std::span<const float> begin,
+                                  std::span<const float> end) {
+    const double seconds = to - from;
+    velocities_.resize(end.size());
+    for (size_t i = 0; i < end.size(); ++i)
+        velocities_[i] =
+            seconds > 0 ? static_cast<float>((double(end[i]) - double(begin[i])) / seconds) : 0.0f;
+    return clip_->add_velocities(velocities_);
+}
+
+Status Recorder::write_frame(double time) {
+    if (frames_ == 0) {
+        for (float& width : widths_)
+            width *= desc_.scale;
+        PLAIT_TRY(clip_->begin({counts_, widths_, uv_}));
+    }
+    PLAIT_TRY(clip_->add_frame(time, now_));
+    if (desc_.velocities && frames_ > 0) // of the frame before
+        PLAIT_TRY(write_velocities(frames_ > 1 ? time_before_ : time_, time,
+                                   frames_ > 1 ? before_ : last_, now_));
+    if (desc_.velocities) {
+        std::swap(before_, last_);
+        std::swap(last_, now_);
+    }
+    time_before_ = std::exchange(time_, time);
+    ++frames_;
+    return {};
+}
+
+Status Recorder::add(plait_sim* sim, double time) {
+    PLAIT_TRY(check_open());
+    if (!std::isfinite(time) || (frames_ > 0 && time <= time_))
+        return invalid(
+            frames_ > 0
+                ? format("time is %g, range is above that of the frame before, %g s", time, time_)
+                : format("time is %g, range is finite", time));
+    PLAIT_TRY(frames_ == 0 ? begin(sim) : check_shape(sim));
+    PLAIT_TRY(read_positions(sim));
+    ended_ = true; // unless all of it is written
+    PLAIT_TRY(write_frame(time));
+    ended_ = false;
+    return {};
+}
+
+Status Recorder::end() {
+    if (desc_.velocities)
+        PLAIT_TRY(write_velocities(time_before_, frames_ > 1 ? time_ : time_before_,
+                                   frames_ > 1 ? before_ : last_, last_));
+    return clip_->commit();
+}
+
+Status Recorder::close() {
+    PLAIT_TRY(check_open());
+    if (frames_ == 0)
+        return Error{PLAIT_INVALID_STATE, format("%s: has no frame yet", path_.c_str())};
+    ended_ = true;
+    PLAIT_TRY(end());
+    closed_ = true;
+    return {};
+}
+
+} // namespace plait::api
+
+using namespace plait;
+
+extern "C" {
+
+void plait_recorder_desc_init(plait_recorder_desc* desc, size_t size) {
+    api::init_struct(desc, size, api::default_recorder_desc());
+}
+
+plait_result plait_recorder_create(const char* path, const plait_recorder_desc* desc,
+                                   plait_recorder** out) {
+    return api::guard(__func__, [&]() -> Status {
+        PLAIT_TRY(api::need(path, "path"));
+        PLAIT_TRY(api::need(out, "out"));
+        plait_recorder_desc given = api::default_recorder_desc();
+        if (desc)
+            PLAIT_TRY(api::read_struct(desc, given, "desc"));
+        PLAIT_TRY(api::check_desc(given));
+        Memory memory(given.allocator);
+        auto handle = make_in<plait_recorder>(&memory, given.allocator, given);
+        PLAIT_TRY(handle->recorder.open(path));
+        *out = handle.release();
+        return {};
+    });
+}
+
+plait_result plait_recorder_add(plait_recorder* recorder, plait_sim* sim, double time) {
+    return api::guard(__func__, [&]() -> Status {
+        PLAIT_TRY(api::need(recorder, "recorder"));
+        PLAIT_TRY(api::need(sim, "sim"));
+        return recorder->recorder.add(sim, time);
+    });
+}
+
+plait_result plait_recorder_close(plait_recorder* recorder) {
+    return api::guard(__func__, [&]() -> Status {
+        PLAIT_TRY(api::need(recorder, "recorder"));
+        return recorder->recorder.close();
+    });
+}
+
+void plait_recorder_destroy(plait_recorder* recorder) {
+    api::destroy(recorder);
+}
+}
