@@ -5,8 +5,8 @@
  * maps a rest-space point p to q*p + t in the world. docs/concepts.md shows the calls of a frame.
  *
  * Headers:   this one has what a simulation needs; plait_offline.h has tools that need no context,
- *            plait_profile.h measures, plait_opencl.h shares buffers, plait_backend.h is for
- *            backends.
+ *            plait_recorder.h and plait_formats.h are for files, plait_profile.h measures,
+ *            plait_opencl.h shares buffers, plait_backend.h is for backends.
  * Errors:    every function that can fail returns a plait_result and leaves a sentence that names
  *            what failed, on what, with which value and range, in plait_last_error() of the thread.
  *            A call that fails leaves objects and outputs as they were, unless its comment says
@@ -289,14 +289,14 @@ PLAIT_API void plait_groom_desc_init(plait_groom_desc* desc, size_t size);
 PLAIT_API plait_result plait_groom_create(const plait_groom_desc* desc,
                                           const plait_import_options* options, plait_groom** out);
 
-/* By extension: .tfx (TressFX 3 and 4; a .tfxbone beside it is read as skin), .hair (Cem Yuksel),
- * .obj polylines: docs/formats.md. On Windows all paths are UTF-8.
+/* By extension: .abc, .usda, .tfx (a .tfxbone beside it is read as skin), .hair, .obj polylines, .ply,
+ * .data: docs/formats.md. On Windows all paths are UTF-8.
  * @errors NOT_FOUND, IO, BAD_DATA (file, place, value, range), UNSUPPORTED (unknown extension) */
 PLAIT_API plait_result plait_groom_load(const char* path, const plait_import_options* options,
                                         plait_groom** out);
 
-/* By extension: .tfx (version 4; strands must have equal vertex counts) or .hair. The file appears
- * whole or not at all. @errors IO, UNSUPPORTED */
+/* By extension: .abc, .usda, .hair or .tfx (version 4; strands must have equal vertex counts). The
+ * file appears whole or not at all. @errors IO, UNSUPPORTED */
 PLAIT_API plait_result plait_groom_save(const plait_groom* groom, const char* path);
 PLAIT_API void plait_groom_destroy(plait_groom* groom);
 
