@@ -114,6 +114,21 @@ TEST_F(Program, simulates_guides_and_draws_what_follows) {
     EXPECT_THAT(text(), HasSubstr("of which 20 are simulated"));
 }
 
+TEST_F(Program, records_a_clip_that_it_can_load) {
+    for (const char* name : {"clip.abc", "clip.usda"}) {
+        ASSERT_EQ(run({"--groom", "short", "--strands", "200", "--guides", "20", "--seconds", "0.2",
+                       "--no-pictures", "--out", path("out"), "--cache", path(name)}),
+                  0)
+            << text();
+        ASSERT_EQ(
+            run({"--groom", path(name), "--seconds", "0.1", "--no-pictures", "--out", path("out")}),
+            0)
+            << text();
+        EXPECT_THAT(text(), HasSubstr("200 strands of "));
+        EXPECT_THAT(text(), HasSubstr("are read at their first sample"));
+    }
+}
+
 TEST_F(Program, moves_a_body_by_its_animation) {
     const std::string scene = PLAIT_SCENES "/walk.json";
     const int code = run({"--scene", scene, "--strands", "200", "--seconds", "0.5", "--settle",

@@ -65,6 +65,19 @@ TEST_F(SceneFile, says_how_a_file_lies) {
     EXPECT_THAT(refusal(R"({"groom": "a.tfx", "axes": "x_up"})"), HasSubstr("not one of y_up"));
 }
 
+TEST_F(SceneFile, says_of_which_program_a_file_is_and_other_keys_win) {
+    const Scene unreal = read(R"({"groom": "a.abc", "program": "unreal"})");
+    EXPECT_EQ(unreal.groom.axes, PLAIT_AXES_Z_UP_LEFT_HANDED);
+    EXPECT_EQ(unreal.groom.scale, 0.01f);
+    const Scene own =
+        read(R"({"groom": "a.abc", "program": "maya", "axes": "z_up", "scale": 0.5})");
+    EXPECT_EQ(own.groom.axes, PLAIT_AXES_Z_UP);
+    EXPECT_EQ(own.groom.scale, 0.5f);
+    EXPECT_THAT(refusal(R"({"program": "maya"})"), HasSubstr("is for files"));
+    EXPECT_THAT(refusal(R"({"groom": "a.abc", "program": "word"})"),
+                HasSubstr("not one of blender"));
+}
+
 TEST_F(SceneFile, a_body_without_animation_is_refused) {
     EXPECT_THAT(refusal(R"({"body": {"file": "rat.tfxmesh"}})"),
                 AllOf(HasSubstr("body.file is"), HasSubstr(".tfxmesh holds no animation"),

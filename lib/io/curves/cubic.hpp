@@ -30,10 +30,8 @@ class CubicCurve {
     CubicCurve(CurveBasis basis, CurveEnds ends) : basis_(basis), ends_(ends) {}
     // Of span_count() spans or more than none. Valid until the next call.
     std::span<const CurvePoint> polyline(std::span<const CurvePoint> points);
-    uint64_t sharp_spans() const {
-        return sharp_spans_;
-    } // of all curves: those that got MOST_CHORDS
-    // and would have taken more
+    // Of all curves: those that got MOST_CHORDS and would have taken more.
+    uint64_t sharp_spans() const { return sharp_spans_; }
 
   private:
     using Bezier = std::array<CurvePoint, 4>;

@@ -150,6 +150,8 @@ void StrandBuilder::count_groups(const CurveObject& object) {
 }
 
 Status StrandBuilder::add(const CurveObject& object) {
+    if (object.counts.empty() && object.points.empty())
+        return {};
     PLAIT_TRY(check(object));
     if (objects_++ == 0) {
         strands_.positions.reserve(object.points.size());
