@@ -43,7 +43,7 @@ PLAIT_API plait_result plait_recorder_create(const char* path, const plait_recor
                                              plait_recorder** out);
 
 /* PLAIT_FIELD_POSITION of `sim` as the frame at `time`, in s, which is later than that of the frame
- * before. The first sim says how many strands and vertices there are; others may take its place if
+ * before. The first sim says how many strands and vertices there are; others may follow it if
  * they have as many. A frame that could not be written ends the recording. Waits.
  * @errors INVALID_STATE (closed, or ended by a failure), IO */
 PLAIT_API plait_result plait_recorder_add(plait_recorder* recorder, plait_sim* sim, double time);

@@ -5,6 +5,7 @@
 #include "api/structs.hpp"
 #include "api/view.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 struct plait_recorder {
@@ -97,13 +98,19 @@ Status Recorder::check_open() const {
                                              closed_ ? "it is closed" : "an earlier call failed")};
 }
 
-Status Recorder::begin(plait_sim* sim) {
+Status Recorder::read_shape(plait_sim* sim, std::pmr::vector<uint32_t>& counts,
+                            uint32_t& row) const {
     auto info = plait_sim_info_defaults();
     PLAIT_TRY(passed_on(plait_sim_describe(sim, &info)));
-    PLAIT_TRY(read_field(sim, PLAIT_FIELD_VERTEX_COUNT, counts_));
+    PLAIT_TRY(read_field(sim, PLAIT_FIELD_VERTEX_COUNT, counts));
     if (desc_.strands == PLAIT_RECORDER_STRANDS_GUIDES)
-        counts_.resize(info.guides);
-    row_ = info.vertices_per_strand;
+        counts.resize(info.guides);
+    row = info.vertices_per_strand;
+    return {};
+}
+
+Status Recorder::begin(plait_sim* sim) {
+    PLAIT_TRY(read_shape(sim, counts_, row_));
     const size_t strands = counts_.size();
     if (widths_.size() > 1 && widths_.size() != strands)
         return invalid(
@@ -117,15 +124,15 @@ Status Recorder::begin(plait_sim* sim) {
 }
 
 Status Recorder::check_shape(plait_sim* sim) {
-    auto info = plait_sim_info_defaults();
-    PLAIT_TRY(passed_on(plait_sim_describe(sim, &info)));
-    const uint64_t strands =
-        desc_.strands == PLAIT_RECORDER_STRANDS_GUIDES ? info.guides : info.strands;
-    if (strands != counts_.size() || info.vertices_per_strand != row_)
-        return invalid(
-            format("sim has %llu strands in rows of %u vertices, the recording %zu of %u",
-                   static_cast<unsigned long long>(strands), info.vertices_per_strand,
-                   counts_.size(), row_));
+    uint32_t row = 0;
+    PLAIT_TRY(read_shape(sim, other_counts_, row));
+    if (other_counts_.size() != counts_.size() || row != row_)
+        return invalid(format("sim has %zu strands in rows of %u vertices, the recording %zu of %u",
+                              other_counts_.size(), row, counts_.size(), row_));
+    const auto [other, own] = std::ranges::mismatch(other_counts_, counts_);
+    if (own != counts_.end())
+        return invalid(format("strand %td of sim has %u vertices, that of the recording %u",
+                              own - counts_.begin(), *other, *own));
     return {};
 }
 

@@ -14,8 +14,8 @@ namespace plait::api {
 class Recorder {
   public:
     Recorder(std::pmr::memory_resource* memory, const plait_recorder_desc& desc)
-        : desc_(desc), widths_(memory), uv_(memory), counts_(memory), shown_(memory), now_(memory),
-          before_(memory), last_(memory), velocities_(memory) {}
+        : desc_(desc), widths_(memory), uv_(memory), counts_(memory), other_counts_(memory),
+          shown_(memory), now_(memory), last_(memory), before_(memory), velocities_(memory) {}
 
     Status open(const std::string& path);
     Status add(plait_sim* sim, double time);
@@ -23,6 +23,7 @@ class Recorder {
 
   private:
     Status check_open() const;
+    Status read_shape(plait_sim* sim, std::pmr::vector<uint32_t>& counts, uint32_t& row) const;
     Status begin(plait_sim* sim);
     Status check_shape(plait_sim* sim);
     Status write_frame(double time);
@@ -38,10 +39,11 @@ class Recorder {
     size_t frames_ = 0;
     uint32_t row_ = 0; // vertices of a strand's row in the sim
     std::pmr::vector<float> widths_, uv_;
-    std::pmr::vector<uint32_t> counts_; // vertices of the strands that are recorded
-    std::pmr::vector<float> shown_;     // as the sim has them: 4 for each vertex of each row
-    std::pmr::vector<float> now_, before_,
-        last_; // xyz of vertices: of this frame and the two before
+    std::pmr::vector<uint32_t> counts_;       // vertices of the strands that are recorded
+    std::pmr::vector<uint32_t> other_counts_; // of the sim in hand
+    std::pmr::vector<float> shown_;           // as the sim has them: 4 for each vertex of each row
+    // xyz of vertices: of this frame, of the last one and of the one before that
+    std::pmr::vector<float> now_, last_, before_;
     double time_ = 0, time_before_ = 0;
     std::pmr::vector<float> velocities_;
 };

@@ -189,6 +189,9 @@ TEST_F(Recorders, WrongCallsAreRefusedWithReasons) {
     plait::Sim more = make_sim(1);
     expect_failure(plait_recorder_add(recorder.get(), more, 2), PLAIT_INVALID_ARGUMENT,
                    "sim has 4 strands in rows of 8 vertices, the recording 2 of 8");
+    plait::Sim other(context_, make_groom({curl({0, 0, 0}, 8), curl({0, 0.1f, 0}, 8)}));
+    expect_failure(plait_recorder_add(recorder.get(), other, 2), PLAIT_INVALID_ARGUMENT,
+                   "strand 0 of sim has 8 vertices, that of the recording 5");
     plait::check(plait_recorder_close(recorder.get()));
     expect_failure(plait_recorder_close(recorder.get()), PLAIT_INVALID_STATE, "it is closed");
     expect_failure(plait_recorder_add(recorder.get(), sim, 3), PLAIT_INVALID_STATE, "it is closed");

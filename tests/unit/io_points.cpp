@@ -59,6 +59,7 @@ TEST(IoPoints, MalformedPlyIsRefusedWithPlaceAndValue) {
         {"ply\nformat ascii 1.0\nelement vertex -1\n", "line 3: number of elements is \"-1\""},
         {"ply\nformat ascii 1.0\nelement vertex 3\nproperty half x\n", "line 4: type is \"half\""},
         {"ply\nformat ascii 1.0\n", "the header does not end"},
+        {ply("element vertex 0\n", points), "line 7: element \"vertex\" comes twice"},
         {ply("", points), "has points, and neither edges (vertex1, vertex2) nor colours"},
         {ply("", "0 0 0\n0 0 1\n0 0\n"), "element vertex: 3 of at least 6 bytes do not fit"},
         {ply("", "0 0 0\n0 0 1\n0 0 x\n"), "vertex 2 has \"x\"; allowed is a number"},

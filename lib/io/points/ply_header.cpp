@@ -89,6 +89,9 @@ class Header {
     Status read_element(std::string_view rest) {
         PlyElement element;
         element.name = next_word(rest, " \t");
+        for (const PlyElement& other : header_.elements)
+            if (other.name == element.name)
+                return bad(format("element \"%s\" comes twice", shown(element.name).c_str()));
         const std::string_view number = next_word(rest, " \t");
         const auto result =
             std::from_chars(number.data(), number.data() + number.size(), element.count);
