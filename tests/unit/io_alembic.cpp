@@ -245,6 +245,42 @@ TEST(IoAlembic, CurvesThatDoNotFitAreRefused) {
     }
 }
 
+Status put_knots(CompoundWriter& to, const std::vector<float>& knots) {
+    return to.constant({".knots", "", AlembicType::ARRAY, AlembicPod::F32, 1}, 0, 1,
+                       std::as_bytes(std::span(knots)), knots.size());
+}
+
+// Fourfold knots at the ends are those of a curve that reaches its first and its last point.
+TEST(IoAlembic, KnotsOfCubicCurvesAreUsed) {
+    const std::vector<float> points{0, 0, 0, 0, 1, 0, 1, 2, 0, 2, 1, 0, 2, 0, 0};
+    const auto make = [&](const std::vector<float>& knots, std::array<uint8_t, 4> basis) {
+        return read_made([&](CompoundWriter& to) -> Status {
+            PLAIT_TRY(put_points(to, points));
+            PLAIT_TRY(put_counts(to, {5}));
+            PLAIT_TRY(put_basis(to, basis));
+            return knots.empty() ? Status() : put_knots(to, knots);
+        });
+    };
+    const auto clamped = make({0, 0, 0, 0, 1, 2, 2, 2, 2}, {0, 0, 0, 0});
+    ASSERT_OK(clamped);
+    EXPECT_EQ(clamped->positions[0], 0);
+    EXPECT_EQ(clamped->positions[clamped->positions.size() - 3], 2);
+    const auto even = make({0, 1, 2, 3, 4, 5, 6, 7, 8}, {0, 0, 2, 2});
+    const auto without = make({}, {0, 0, 2, 2});
+    ASSERT_OK(even);
+    ASSERT_OK(without);
+    ASSERT_EQ(even->positions.size(), without->positions.size());
+    for (size_t i = 0; i < even->positions.size(); ++i)
+        EXPECT_NEAR(even->positions[i], without->positions[i], 1e-6f);
+    expect_bad_data(make({0, 1, 2, 3, 4, 5, 4, 7, 8}, {0, 0, 2, 2}), "some.abc: /c: ",
+                    "knot 6 of curve 0 is 4; allowed are finite ones that rise or stay");
+    expect_bad_data(make({1, 1, 1, 1, 1, 1, 1, 1, 1}, {0, 0, 2, 2}), "some.abc: /c: ",
+                    "curve 0 has no length: its knots are 1 from knot 3 to knot 5");
+    expect_bad_data(make({0, 1, 2}, {0, 0, 2, 2}), "some.abc: /c: ",
+                    "has 3 knots; allowed are four more than points for each curve, 9");
+    EXPECT_THAT(make({}, {0, 0, 0, 0}).error().message, HasSubstr("of basis 0 (none)"));
+}
+
 TEST(IoAlembic, AFrameIsASampleAndTimesAreKept) {
     const TemporaryDirectory directory;
     const StrandSet strands = sample_strands({3, 2});

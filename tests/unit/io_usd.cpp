@@ -106,6 +106,16 @@ TEST(IoUsd, FirstSamplesOfTimeAreTaken) {
     EXPECT_THAT(file.notes, HasSubstr("move and are read at their first sample: /a"));
 }
 
+TEST(IoUsd, InactivePrimsAreLeftOut) {
+    const std::string two =
+        linear("point3f[] points = [(0, 0, 0)]\nint[] curveVertexCounts = [1]") +
+        "def BasisCurves \"off\" (active = false) { point3f[] points = [(2, 2, 2)] }";
+    const Read file = read(two);
+    ASSERT_OK(file.strands);
+    EXPECT_EQ(file.strands->vertex_counts.size(), 1u);
+    EXPECT_THAT(file.notes, HasSubstr("1 prims are not read: /off (inactive)"));
+}
+
 TEST(IoUsd, BinaryAndArchivesAreRefusedWithTheCommandThatHelps) {
     EXPECT_THAT(read(corpus("binary")).strands.error().message,
                 HasSubstr("is USD, but binary, which is not read; \"usdcat IN -o OUT.usda\""));

@@ -36,8 +36,6 @@ Result<StrandSet> AlembicReader::read(Notes& notes) {
                          std::max<int64_t>(version_[1], 0)));
     auto strands = strands_.finish(file_.file(), notes);
     PLAIT_TRY(strands);
-    if (has_knots_)
-        notes.add("knots of cubic curves are not used: they are taken as evenly spaced");
     notes.add("of its transforms and curves move and are read at their first sample", moving_);
     notes.add("properties are not read", unused_);
     notes.add("objects are not read", other_objects_);

@@ -36,10 +36,10 @@ class AlembicReader {
     AlembicArchive archive_;
     AlembicSamples samples_;
     StrandBuilder strands_;
-    Names unused_;        // properties
-    Names other_objects_; // by schema
-    Names moving_;        // transforms and curves of more than one sample
-    bool has_knots_ = false;
+    Names unused_;                        // properties
+    Names other_objects_;                 // by schema
+    Names moving_;                        // transforms and curves of more than one sample
+    bool has_basis_ = true;               // the object in hand
     PackedFloats plain_width_, plain_uv_; // those of Alembic, in place of which Unreal's are taken
     int64_t version_[2] = {-1, -1};       // of Unreal's schema
 };

@@ -8,9 +8,6 @@ namespace {
 
 // What follows from the points.
 constexpr std::string_view DERIVED[] = {".selfBnds", ".childBnds"};
-// Of NURBS.
-constexpr std::string_view OF_NURBS[] = {".knots", ".orders"};
-
 bool is_one_of(std::string_view name, std::span<const std::string_view> names) {
     return std::ranges::find(names, name) != names.end();
 }
@@ -20,11 +17,7 @@ bool is_one_of(std::string_view name, std::span<const std::string_view> names) {
 Status AlembicReader::note_unused(const AlembicProperty& property) {
     auto empty = samples_.is_empty(property);
     PLAIT_TRY(empty);
-    if (*empty)
-        return {};
-    if (is_one_of(property.name, OF_NURBS))
-        has_knots_ = true;
-    else
+    if (!*empty)
         unused_.add(property.name);
     return {};
 }
@@ -42,15 +35,16 @@ Status AlembicReader::read_basis(const AlembicProperty& property, CurveObject& o
                                                out.place.c_str(), wrap)};
     if (type == 1)
         return {};
-    if (type != 0 || basis < 1 || basis > 3)
+    has_basis_ = basis != 0;
+    if (type != 0 || basis < 0 || basis > 3)
         return Error{PLAIT_UNSUPPORTED,
                      format("%s: its curves have type %" PRId64 " and basis %" PRId64
                             "; known are type 1 (linear) and type 0 (cubic) of basis 1 (Bezier), 2 "
-                            "(B-spline) and 3 (Catmull-Rom)",
+                            "(B-spline) and 3 (Catmull-Rom), or without basis (0) but with knots",
                             out.place.c_str(), type, basis)};
     out.basis = basis == 1   ? CurveBasis::BEZIER
-                : basis == 2 ? CurveBasis::B_SPLINE
-                             : CurveBasis::CATMULL_ROM;
+                : basis == 3 ? CurveBasis::CATMULL_ROM
+                             : CurveBasis::B_SPLINE;
     return {};
 }
 
@@ -72,6 +66,10 @@ Status AlembicReader::read_property(const AlembicProperty& property, CurveObject
         return keep(samples_.floats(out.place, property, 1), plain_width_);
     if (name == "uv")
         return keep(samples_.floats(out.place, property, 2), plain_uv_);
+    if (name == ".knots")
+        return keep(samples_.floats(out.place, property, 1), out.knots);
+    if (name == ".orders")
+        return {}; // linear and cubic curves have two and four
     if (name == "curveBasisAndType")
         return read_basis(property, out);
     if (name == ".arbGeomParams" && property.type == AlembicType::COMPOUND)
@@ -111,6 +109,7 @@ Status AlembicReader::read_curves(const AlembicObject& object, const Matrix& to_
                                   const std::string& place) {
     samples_.clear();
     plain_width_ = plain_uv_ = {};
+    has_basis_ = true;
     CurveObject curves;
     curves.place = place;
     curves.to_world = to_world;
@@ -123,6 +122,15 @@ Status AlembicReader::read_curves(const AlembicObject& object, const Matrix& to_
             return read_property(property, curves);
         });
     }));
+    if (!has_basis_ && curves.knots.empty())
+        return Error{PLAIT_UNSUPPORTED, place +
+                                            ": its curves are cubic, of basis 0 (none) and without "
+                                            "knots; known are 1 (Bezier), 2 (B-spline) and 3 "
+                                            "(Catmull-Rom)"};
+    if (curves.basis != CurveBasis::B_SPLINE && !curves.knots.empty()) {
+        unused_.add(".knots");
+        curves.knots = {};
+    }
     if (curves.widths.empty())
         curves.widths = plain_width_;
     if (curves.uv.empty())

@@ -117,11 +117,31 @@ void CubicCurve::add_span(const Bezier& span) {
 std::span<const CurvePoint> CubicCurve::polyline(std::span<const CurvePoint> points) {
     out_.clear();
     const size_t spans = *span_count(basis_, ends_, points.size());
-    for (size_t span = 0; span < spans; ++span) {
-        const Bezier b = bezier(points, span);
-        if (span == 0)
-            out_.push_back(b[0]);
-        add_span(b);
+    for (size_t span = 0; span < spans; ++span)
+        begin_span(bezier(points, span));
+    return out_;
+}
+
+std::span<const CurvePoint> CubicCurve::polyline(std::span<const CurvePoint> points,
+                                                 std::span<const double> knots) {
+    out_.clear();
+    for (size_t j = 3; j < points.size(); ++j) {
+        const double from = knots[j], to = knots[j + 1];
+        if (!(from < to))
+            continue;
+        // The blossom of the span between knots j and j + 1, by de Boor's recursion.
+        const auto at = [&](double r, double s, double t) {
+            std::array<CurvePoint, 4> p{points[j - 3], points[j - 2], points[j - 1], points[j]};
+            const double u[3] = {r, s, t};
+            for (size_t level = 1; level < 4; ++level)
+                for (size_t k = 3; k >= level; --k) {
+                    const size_t i = j - 3 + k;
+                    p[k] = blend(p[k - 1], p[k],
+                                 (u[level - 1] - knots[i]) / (knots[i + 4 - level] - knots[i]));
+                }
+            return p[3];
+        };
+        begin_span({at(from, from, from), at(from, from, to), at(from, to, to), at(to, to, to)});
     }
     return out_;
 }

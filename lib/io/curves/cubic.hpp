@@ -30,6 +30,10 @@ class CubicCurve {
     CubicCurve(CurveBasis basis, CurveEnds ends) : basis_(basis), ends_(ends) {}
     // Of span_count() spans or more than none. Valid until the next call.
     std::span<const CurvePoint> polyline(std::span<const CurvePoint> points);
+    // Of a B-spline with knots that rise or stay, four more than points; none, if none of its spans has a
+    // length in knots.
+    std::span<const CurvePoint> polyline(std::span<const CurvePoint> points,
+                                         std::span<const double> knots);
     // Of all curves: those that got MOST_CHORDS and would have taken more.
     uint64_t sharp_spans() const { return sharp_spans_; }
 
@@ -37,6 +41,11 @@ class CubicCurve {
     using Bezier = std::array<CurvePoint, 4>;
     Bezier bezier(std::span<const CurvePoint> points, size_t span) const;
     void add_span(const Bezier& span);
+    void begin_span(const Bezier& span) {
+        if (out_.empty())
+            out_.push_back(span[0]);
+        add_span(span);
+    }
 
     CurveBasis basis_;
     CurveEnds ends_;

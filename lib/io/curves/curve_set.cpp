@@ -1,6 +1,7 @@
 #include "io/curves/curve_set.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace plait {
@@ -71,6 +72,11 @@ Status StrandBuilder::check(const CurveObject& object) {
     if (sum != points)
         return bad(object, format("its curves have %" PRIu64 " points together; it has %" PRIu64,
                                   sum, points));
+    if (!object.knots.empty() && object.knots.size() != points + 4 * object.counts.size())
+        return bad(object,
+                   format("has %zu knots; allowed are four more than points for each curve, "
+                          "%" PRIu64,
+                          object.knots.size(), points + 4 * object.counts.size()));
     PLAIT_TRY(check_scope(object, "width", object.widths.size()));
     PLAIT_TRY(check_scope(object, "uv", object.uv.size() / 2));
     for (const auto& [name, count] :
@@ -108,7 +114,26 @@ void StrandBuilder::push(const CurveObject& object, const CurvePoint& point) {
         strands_.positions.push_back(options_.scale * static_cast<float>(c * object.unit));
 }
 
-void StrandBuilder::add_points(const CurveObject& object, size_t first, size_t points) {
+Status StrandBuilder::read_knots(const CurveObject& object, size_t curve, size_t first,
+                                 size_t points) {
+    knots_.clear();
+    for (size_t i = 0; i < points + 4; ++i) {
+        knots_.push_back(static_cast<double>(object.knots[first + 4 * curve + i]));
+        if (!std::isfinite(knots_[i]) || (i > 0 && knots_[i] < knots_[i - 1]))
+            return bad(object,
+                       format("knot %zu of curve %zu is %g; allowed are finite ones that rise or "
+                              "stay",
+                              i, curve, knots_[i]));
+    }
+    if (!(knots_[3] < knots_[points]))
+        return bad(object,
+                   format("curve %zu has no length: its knots are %g from knot 3 to knot %zu",
+                          curve, knots_[3], points));
+    return {};
+}
+
+Status StrandBuilder::add_points(const CurveObject& object, size_t curve, size_t first,
+                                 size_t points) {
     if (object.basis == CurveBasis::LINEAR) {
         if (object.to_world == Matrix{} && object.unit == 1) // to the bit
             for (size_t i = 3 * first; i < 3 * (first + points); ++i)
@@ -117,18 +142,22 @@ void StrandBuilder::add_points(const CurveObject& object, size_t first, size_t p
             for (size_t i = first; i < first + points; ++i)
                 push(object, point_of(object, i));
         strands_.vertex_counts.push_back(static_cast<uint32_t>(points));
-        return;
+        return {};
     }
     curve_.clear();
     for (size_t i = first; i < first + points; ++i)
         curve_.push_back(point_of(object, i));
     CubicCurve cubic(object.basis, object.ends);
-    const std::span<const CurvePoint> polyline = cubic.polyline(curve_);
+    if (!object.knots.empty())
+        PLAIT_TRY(read_knots(object, curve, first, points));
+    const std::span<const CurvePoint> polyline =
+        object.knots.empty() ? cubic.polyline(curve_) : cubic.polyline(curve_, knots_);
     for (const CurvePoint& point : polyline)
         push(object, point);
     strands_.vertex_counts.push_back(static_cast<uint32_t>(polyline.size()));
     ++cubic_;
     sharp_spans_ += cubic.sharp_spans();
+    return {};
 }
 
 bool StrandBuilder::is_wanted(const CurveObject& object, size_t curve) {
@@ -165,7 +194,7 @@ Status StrandBuilder::add(const CurveObject& object) {
         const auto points = static_cast<size_t>(object.counts[curve]);
         PLAIT_TRY(check_curve(object, curve, first, points));
         if (is_wanted(object, curve)) {
-            add_points(object, first, points);
+            PLAIT_TRY(add_points(object, curve, first, points));
             if (!object.widths.empty())
                 strands_.thickness.push_back(width_of(object, curve, first, points, factor));
             for (size_t i = 0; i < 2 && !object.uv.empty(); ++i)

@@ -23,6 +23,7 @@ struct CurveObject {
     PackedFloats points;   // 3 each
     PackedFloats widths;   // diameters
     PackedFloats uv;       // 2 each
+    PackedFloats knots;    // of B-splines, four more than points for each curve; or empty
     PackedIntegers guide;  // of the object or each curve: whether it is a guide; or empty
     PackedIntegers group;  // of each curve, or empty
 };
@@ -40,7 +41,8 @@ class StrandBuilder {
   private:
     Status check(const CurveObject& object);
     Status check_curve(const CurveObject& object, size_t curve, size_t first, size_t points) const;
-    void add_points(const CurveObject& object, size_t first, size_t points);
+    Status add_points(const CurveObject& object, size_t curve, size_t first, size_t points);
+    Status read_knots(const CurveObject& object, size_t curve, size_t first, size_t points);
     bool is_wanted(const CurveObject& object, size_t curve);
     void push(const CurveObject& object, const CurvePoint& point);
     void count_groups(const CurveObject& object);
@@ -48,7 +50,8 @@ class StrandBuilder {
     const ReadOptions& options_;
     StrandSet strands_;
     std::vector<CurvePoint> curve_; // in hand
-    uint64_t budget_;               // bytes of points that the file's size accounts for
+    std::vector<double> knots_;
+    uint64_t budget_; // bytes of points that the file's size accounts for
     uint64_t taken_ = 0;
     uint64_t curves_ = 0, guides_ = 0; // of the file
     uint64_t cubic_ = 0, sharp_spans_ = 0;

@@ -63,7 +63,7 @@ Status UsdReader::read_up_axis() {
     return {};
 }
 
-Status UsdReader::read_prim_metadata(const std::string& path) {
+Status UsdReader::read_prim_metadata(const std::string& path, bool& active) {
     if (!text_.take('('))
         return {};
     while (!text_.take(')')) {
@@ -78,6 +78,12 @@ Status UsdReader::read_prim_metadata(const std::string& path) {
         if (is_one_of(*name, COMPOSED))
             composed_.add(std::string(*name) + " of " + path);
         PLAIT_TRY(text_.need('='));
+        if (*name == "active") {
+            auto truth = text_.word();
+            PLAIT_TRY(truth);
+            active = *truth != "false" && *truth != "0";
+            continue;
+        }
         PLAIT_TRY(text_.skip_value());
         PLAIT_TRY(text_.skip_metadata()); // an offset of a layer
     }
@@ -98,7 +104,12 @@ Status UsdReader::read_prim(const Matrix& to_world, const std::string& path, uin
     auto name = text_.string();
     PLAIT_TRY(name);
     prim.path = path + "/" + shown(*name);
-    PLAIT_TRY(read_prim_metadata(prim.path));
+    bool active = true;
+    PLAIT_TRY(read_prim_metadata(prim.path, active));
+    if (!active) {
+        other_prims_.add(prim.path + " (inactive)");
+        return text_.skip_value();
+    }
     if (prim.type != "BasisCurves" && prim.type != "Xform" && prim.type != "Scope" &&
         !prim.type.empty())
         other_prims_.add(prim.type);
