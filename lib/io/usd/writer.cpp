@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <charconv>
 #include <limits>
+#include <utility>
 
 namespace plait {
 namespace {
 
-constexpr size_t LONG_TEXT = 1 << 20, LONGEST_NUMBER = 32;
 constexpr size_t TIME_WIDTH = 24; // room for a time that is not known yet
 
 std::array<float, 6> extent_of(std::span<const float> positions) {
@@ -26,49 +26,46 @@ std::array<float, 6> extent_of(std::span<const float> positions) {
 } // namespace
 
 Status TextFile::flush() {
-    PLAIT_TRY(file_.write(std::as_bytes(std::span(text_))));
-    text_.clear();
-    return {};
-}
-
-Status TextFile::flush_when_long() {
-    return text_.size() < LONG_TEXT ? Status() : flush();
+    const size_t used = std::exchange(used_, 0);
+    return file_.write(std::as_bytes(std::span(text_).first(used)));
 }
 
 Status TextFile::add(std::string_view text) {
-    text_ += text;
-    return flush_when_long();
+    while (!text.empty()) {
+        PLAIT_TRY(make_room());
+        const std::string_view piece = text.substr(0, LONGEST_NUMBER);
+        put(piece);
+        text.remove_prefix(piece.size());
+    }
+    return {};
 }
 
 template <typename T> void TextFile::put(T value) {
-    const size_t size = text_.size();
-    text_.resize(size + LONGEST_NUMBER);
-    char* const first = text_.data() + size;
-    text_.resize(size + static_cast<size_t>(
-                            std::to_chars(first, first + LONGEST_NUMBER, value).ptr - first));
+    char* const first = &text_[used_];
+    used_ += static_cast<size_t>(std::to_chars(first, first + LONGEST_NUMBER, value).ptr - first);
 }
 
 Status TextFile::add_list(std::span<const float> values, size_t width) {
-    text_ += '[';
+    PLAIT_TRY(add("["));
     for (size_t i = 0; i < values.size(); i += width) {
-        text_ += i == 0 ? "" : ", ";
-        text_ += width > 1 ? "(" : "";
+        PLAIT_TRY(make_room());
+        put(std::string_view(i == 0 ? "" : ", "));
+        put(std::string_view(width > 1 ? "(" : ""));
         for (size_t k = 0; k < width; ++k) {
-            text_ += k == 0 ? "" : ", ";
+            put(std::string_view(k == 0 ? "" : ", "));
             put(values[i + k]);
         }
-        text_ += width > 1 ? ")" : "";
-        PLAIT_TRY(flush_when_long());
+        put(std::string_view(width > 1 ? ")" : ""));
     }
     return add("]");
 }
 
 Status TextFile::add_list(std::span<const uint32_t> values) {
-    text_ += '[';
+    PLAIT_TRY(add("["));
     for (size_t i = 0; i < values.size(); ++i) {
-        text_ += i == 0 ? "" : ", ";
+        PLAIT_TRY(make_room());
+        put(std::string_view(i == 0 ? "" : ", "));
         put(values[i]);
-        PLAIT_TRY(flush_when_long());
     }
     return add("]");
 }

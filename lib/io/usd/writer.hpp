@@ -14,10 +14,10 @@ namespace plait {
 // Text that goes to a file in pieces that are not small.
 class TextFile {
   public:
-    explicit TextFile(NewFile file) : file_(std::move(file)) {}
+    explicit TextFile(NewFile file) : file_(std::move(file)), text_(LONG_TEXT) {}
 
     NewFile& file() { return file_; }
-    uint64_t size() const { return file_.size() + text_.size(); }
+    uint64_t size() const { return file_.size() + used_; }
     Status add(std::string_view text);
     // [1, 2, 3] or, of width 3, [(1, 2, 3), ...].
     Status add_list(std::span<const float> values, size_t width);
@@ -25,11 +25,16 @@ class TextFile {
     Status flush();
 
   private:
+    static constexpr size_t LONG_TEXT = 1 << 20, LONGEST_NUMBER = 32;
+
+    // For a few numbers and signs between them.
+    Status make_room() { return used_ + 4 * LONGEST_NUMBER < LONG_TEXT ? Status() : flush(); }
     template <typename T> void put(T value);
-    Status flush_when_long();
+    void put(std::string_view signs) { used_ += signs.copy(&text_[used_], signs.size()); }
 
     NewFile file_;
-    std::string text_;
+    std::vector<char> text_;
+    size_t used_ = 0; // bytes of it
 };
 
 class UsdClip final : public ClipWriter {
