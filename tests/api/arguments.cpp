@@ -2,6 +2,9 @@
 #include "headers.hpp"
 #include "support.hpp"
 
+#include <plait/plait_formats.h>
+#include <plait/plait_recorder.h>
+
 #ifdef PLAIT_TEST_OPENCL
 #include <plait/plait_opencl.h>
 #endif
@@ -25,6 +28,7 @@ struct Objects {
     plait::FollowLearner learner{groom, map};
     plait_follow_learner* no_learner = nullptr;
     plait_mesh* no_mesh = nullptr;
+    plait_recorder* no_recorder = nullptr;
     std::vector<float> floats = std::vector<float>(64, 0.0f);
     size_t size = 0;
 };
@@ -46,7 +50,7 @@ std::set<std::string> expect_refused(const std::vector<Bad>& table) {
             << "\"" << bad.sentence << "\" is not in: " << plait_last_error();
         EXPECT_EQ(o.sim.hash(), hash) << bad.sentence;
         EXPECT_TRUE(!o.no_context && !o.no_groom && !o.no_sim && !o.no_map && !o.no_mesh &&
-                    !o.no_learner)
+                    !o.no_learner && !o.no_recorder)
             << "written on failure";
         const std::string text = plait_last_error();
         functions.insert(text.substr(0, text.find(':')));
@@ -153,6 +157,21 @@ TEST(Arguments, NullPointers) {
         {"out is NULL", [&](O&) { return plait_groom_create(&groom, nullptr, nullptr); }},
         {"path is NULL", [](O& o) { return plait_groom_load(nullptr, nullptr, &o.no_groom); }},
         {"out is NULL", [](O&) { return plait_groom_load("x.tfx", nullptr, nullptr); }},
+        {"path is NULL",
+         [](O& o) {
+             return plait_groom_load_part(nullptr, PLAIT_STRAND_PART_ALL, nullptr, &o.no_groom);
+         }},
+        {"out is NULL",
+         [](O&) {
+             return plait_groom_load_part("x.abc", PLAIT_STRAND_PART_ALL, nullptr, nullptr);
+         }},
+        {"groom is NULL", [](O& o) { return plait_groom_read_notes(nullptr, nullptr, &o.size); }},
+        {"size is NULL", [](O& o) { return plait_groom_read_notes(o.groom, nullptr, nullptr); }},
+        {"path is NULL",
+         [](O& o) { return plait_recorder_create(nullptr, nullptr, &o.no_recorder); }},
+        {"out is NULL", [](O&) { return plait_recorder_create("x.abc", nullptr, nullptr); }},
+        {"recorder is NULL", [](O& o) { return plait_recorder_add(nullptr, o.sim, 0); }},
+        {"recorder is NULL", [](O&) { return plait_recorder_close(nullptr); }},
         {"groom is NULL", [](O&) { return plait_groom_save(nullptr, "x.tfx"); }},
         {"path is NULL", [](O& o) { return plait_groom_save(o.groom, nullptr); }},
         {"groom is NULL", [](O&) { return plait_groom_describe(nullptr, nullptr); }},
@@ -557,7 +576,7 @@ TEST(Arguments, TheRest) {
          [](O& o) { return plait_sim_write(o.sim, PLAIT_FIELD_VELOCITY, o.floats.data(), 64); }},
         {"x.tfx", [](O& o) { return plait_groom_load("/nowhere/x.tfx", nullptr, &o.no_groom); },
          PLAIT_NOT_FOUND},
-        {"x.abc", [](O& o) { return plait_groom_save(o.groom, "x.abc"); }, PLAIT_UNSUPPORTED},
+        {"x.xyz", [](O& o) { return plait_groom_save(o.groom, "x.xyz"); }, PLAIT_UNSUPPORTED},
         collider("radius_a is 0, range is (0, 1000]", [](C& c) { c.radius_a = 0; }),
         collider("radius_b", [](C& c) { c.radius_b = NAN; }),
         collider("friction", [](C& c) { c.friction = 11; }),
