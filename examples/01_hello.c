@@ -14,13 +14,13 @@ int main(void) {
     plait_groom_desc hair = plait_groom_desc_defaults();
     hair.positions = (plait_view){rest, VERTICES, 0};
     hair.vertices_per_strand = PER_STRAND;
-    plait_sim_desc desc = plait_sim_desc_defaults();
-    desc.params.bend_stiffness = 4.7e-8f; /* EI, N m^2: of a lock, ten times a single hair's */
+    const double stiffness = 4.7e-8; /* EI, N m^2: of a lock, ten times a single hair's */
     plait_context* context = NULL;
     plait_groom* groom = NULL;
     plait_sim* sim = NULL;
     int bad = plait_context_create(NULL, &context) || plait_groom_create(&hair, NULL, &groom) ||
-              plait_sim_create(context, groom, &desc, &sim);
+              plait_sim_create(context, groom, NULL, &sim) ||
+              plait_sim_set_param(sim, "bend_stiffness", &stiffness, 1);
     plait_roots roots = plait_roots_defaults();
     for (int frame = 1; !bad && frame <= 120; ++frame) {
         const float half = 0.3f * sinf(6.2831853f * (float)frame / 60); /* of the angle about y */

@@ -8,7 +8,7 @@ enum { STRANDS = 200, PER_STRAND = 20, VERTICES = STRANDS * PER_STRAND };
 enum { PARTS = 3, SETTLE = 120, FRAMES = SETTLE + 120 };
 
 /* Tapered capsules, each the hull of two spheres. The first turns with the head, about y. */
-static const plait_collider_desc body[PARTS] = {
+static const plait_capsule body[PARTS] = {
     {.a = {0, 0, 0}, .radius_a = 0.09f, .b = {0, -0.07f, 0.04f}, .radius_b = 0.05f},
     {.a = {0, -0.06f, -0.03f}, .radius_a = 0.05f, .b = {0, -0.18f, -0.03f}, .radius_b = 0.05f},
     {.a = {-0.17f, -0.23f, -0.03f},
@@ -40,10 +40,8 @@ static plait_result make_hair(plait_groom** groom) {
 static plait_result make_body(plait_sim* sim, plait_collider_id* parts) {
     plait_result result = PLAIT_OK;
     for (int i = 0; i < PARTS && result == PLAIT_OK; ++i) {
-        plait_collider_desc desc = body[i];
-        desc.struct_size = sizeof desc;
-        desc.friction = 0.3f;
-        desc.pose.q[3] = 1; /* not turned, not moved */
+        plait_collider_desc desc = plait_collider_desc_defaults();
+        desc.capsule = body[i];
         result = plait_collider_create(sim, &desc, &parts[i]);
     }
     return result;
@@ -58,7 +56,7 @@ static plait_result turn_head(plait_sim* sim, plait_collider_id skull, float hal
 }
 
 /* How far inside a capsule turned by 2 * half about y the point is, m; negative: outside. */
-static float depth(const plait_collider_desc* part, float half, const float* point) {
+static float depth(const plait_capsule* part, float half, const float* point) {
     const float s = sinf(2 * half), c = cosf(2 * half);
     const float p[3] = {c * point[0] - s * point[2], point[1], s * point[0] + c * point[2]};
     float pp = 0, pd = 0, dd = 0; /* of p and d = b - a, both from a */
@@ -96,10 +94,10 @@ int main(void) {
     for (int frame = 1; !bad && frame <= FRAMES; ++frame) {
         const float turning = fmaxf((float)(frame - SETTLE), 0) / 60; /* s; first the hair falls */
         const float half = 0.4f * sinf(3.1415927f * turning);         /* 46 degrees to each side */
-        plait_sim_stats stats = plait_sim_stats_defaults();
+        plait_sim_measures stats = plait_sim_measures_defaults();
         bad = turn_head(sim, parts[0], half) || plait_sim_step(sim, 1.0 / 60);
         if (frame > SETTLE)
-            bad = bad || read_depth(sim, half, &deepest) || plait_sim_get_stats(sim, &stats);
+            bad = bad || read_depth(sim, half, &deepest) || plait_sim_measure(sim, &stats);
         stretch = fmaxf(stretch, stats.max_stretch);
     }
     size_t size = sizeof box;

@@ -34,20 +34,16 @@ static plait_result make_context(const char* source, const char* name, plait_con
 }
 
 static plait_result make_sim(plait_context* context, const plait_groom* groom, plait_sim** sim) {
-    plait_sim_desc desc = plait_sim_desc_defaults();
-    desc.accelerations = 1; /* without it a sim has no such stage */
-    return plait_sim_create(context, groom, &desc, sim);
+    return plait_sim_create(context, groom, NULL, sim);
 }
 
 /* Two seconds of a well of this strength, m^3/s^2; then the mean distance of the tips to it, m. */
 static plait_result pull(plait_sim* sim, float strength, double* distance) {
-    plait_sim_params params;
-    plait_sim_params_init(&params, sizeof params);
-    plait_result result = plait_sim_get_params(sim, &params);
+    plait_acceleration_desc desc = plait_acceleration_desc_defaults();
     const float values[] = {well[0], well[1], well[2], strength, 0.1f};
     for (int i = 0; i < 5; ++i)
-        params.accelerate_values[i] = values[i];
-    result = result ? result : plait_sim_set_params(sim, &params);
+        desc.values[i] = values[i];
+    plait_result result = plait_sim_set_acceleration(sim, &desc); /* the kernel runs from now on */
     for (int frame = 0; !result && frame < 120; ++frame)
         result = plait_sim_step(sim, 1.0 / 60);
 

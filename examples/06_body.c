@@ -77,7 +77,7 @@ int main(int argc, char** argv) {
     float(*skin)[12] = calloc(info.bones + 1, sizeof *skin), *posed = calloc(info.vertices + 1, 12);
     const plait_view bones = {skin, info.bones, 0};
     size_t head = 0;
-    plait_sim_stats stats = plait_sim_stats_defaults();
+    plait_sim_measures stats = plait_sim_measures_defaults();
     bad = bad || !skin || !posed;
     for (int frame = 1; !bad && frame <= FRAMES; ++frame) {
         const float turning = fmaxf((float)(frame - SETTLE), 0) / 60; /* s; first the hair falls */
@@ -88,7 +88,7 @@ int main(int argc, char** argv) {
     }
     float box[2][4] = {{0}};
     size_t size = sizeof box;
-    bad = bad || plait_sim_get_stats(sim, &stats) ||
+    bad = bad || plait_sim_measure(sim, &stats) ||
           plait_sim_read(sim, PLAIT_FIELD_BOUNDS, box, &size);
     if (bad)
         fprintf(stderr, "%s\n", argc == 3 ? plait_last_error() : "06_body BODY.gltf HAIR.tfx");

@@ -15,6 +15,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
@@ -253,9 +254,8 @@ class Mesh : public detail::Owner<plait_mesh, plait_mesh_destroy> {
     }
 
     // Capsules whose union comes near it.
-    std::vector<plait_collider_desc> fit(std::size_t count,
-                                         plait_mesh_fit_info* info = nullptr) const {
-        std::vector<plait_collider_desc> capsules(count, plait_collider_desc_defaults());
+    std::vector<plait_capsule> fit(std::size_t count, plait_mesh_fit_info* info = nullptr) const {
+        std::vector<plait_capsule> capsules(count);
         check(plait_mesh_fit(get(), capsules.data(), count, info));
         return capsules;
     }
@@ -269,11 +269,112 @@ class Mesh : public detail::Owner<plait_mesh, plait_mesh_destroy> {
     }
 };
 
+// A feature of a sim, and whether it is on.
+template <typename Desc> struct Feature : Desc {
+    bool on = false;
+    Feature(const Desc& desc, bool is_on = true) : Desc(desc), on(is_on) {}
+    // Null where it is off, as plait_sim_set_<feature> takes it.
+    const Desc* desc() const noexcept { return on ? this : nullptr; }
+};
+
+// All that a sim is made with, in one value: `desc.grid.on = true; desc.grid.edge_count = 16;`.
+struct SimDesc : plait_sim_desc {
+    SimDesc() : plait_sim_desc(plait_sim_desc_defaults()) {}
+
+    // Of all strands, where the C struct's `materials` are none.
+    plait_material material = plait_material_defaults();
+    plait_tressfx_desc tressfx = plait_tressfx_desc_defaults(); // read by this model alone
+    Feature<plait_grid_desc> grid{plait_grid_desc_defaults(), false};
+    Feature<plait_volume_desc> volume{plait_volume_desc_defaults(), false};
+    Feature<plait_strand_contact_desc> strand_contact{plait_strand_contact_desc_defaults(), false};
+    Feature<plait_wetness_desc> wetness{plait_wetness_desc_defaults(), false};
+    Feature<plait_acceleration_desc> acceleration{plait_acceleration_desc_defaults(), false};
+};
+
+// Where `desc` has a parameter: `info.count` values of 4 bytes each. Null of what it does not know.
+inline void* field_of(SimDesc& desc, const plait_param_info& info) noexcept {
+    const auto in = [&](auto& in_struct) -> void* {
+        return reinterpret_cast<unsigned char*>(&in_struct) + info.offset;
+    };
+    const std::string_view feature = info.feature;
+    return feature == "params"           ? in(desc.params)
+           : feature == "material"       ? in(desc.material)
+           : feature == "tressfx"        ? in(desc.tressfx)
+           : feature == "grid"           ? in(desc.grid)
+           : feature == "volume"         ? in(desc.volume)
+           : feature == "strand_contact" ? in(desc.strand_contact)
+           : feature == "wetness"        ? in(desc.wetness)
+           : feature == "acceleration"   ? in(desc.acceleration)
+                                         : nullptr;
+}
+
+// Whether a sim of `desc` has the feature that a parameter belongs to.
+inline bool has_feature(const SimDesc& desc, const plait_param_info& info) noexcept {
+    const std::string_view feature = info.feature;
+    const bool tressfx = desc.model == PLAIT_MODEL_TRESSFX;
+    return feature == "params" || (feature == "material" && !tressfx) ||
+           (feature == "tressfx" && tressfx) || (feature == "grid" && desc.grid.on) ||
+           (feature == "volume" && desc.volume.on) ||
+           (feature == "strand_contact" && desc.strand_contact.on) ||
+           (feature == "wetness" && desc.wetness.on) ||
+           (feature == "acceleration" && desc.acceleration.on);
+}
+
+// The features of `desc`, on or off; what fails ends it. The volume goes off first and comes on last,
+// since it does not go with every grid.
+inline plait_result set_features(plait_sim* sim, const SimDesc& desc) noexcept {
+    plait_result result = PLAIT_OK;
+    if (!desc.volume.on)
+        result = plait_sim_set_volume(sim, nullptr);
+    if (result == PLAIT_OK && desc.model == PLAIT_MODEL_TRESSFX)
+        result = plait_sim_set_tressfx(sim, &desc.tressfx);
+    if (result == PLAIT_OK)
+        result = plait_sim_set_grid(sim, desc.grid.desc());
+    if (result == PLAIT_OK)
+        result = plait_sim_set_strand_contact(sim, desc.strand_contact.desc());
+    if (result == PLAIT_OK)
+        result = plait_sim_set_wetness(sim, desc.wetness.desc());
+    if (result == PLAIT_OK)
+        result = plait_sim_set_acceleration(sim, desc.acceleration.desc());
+    if (result == PLAIT_OK && desc.volume.on)
+        result = plait_sim_set_volume(sim, desc.volume.desc());
+    return result;
+}
+
+// Its params, its features and, where it has one for all, its material.
+inline plait_result set_all(plait_sim* sim, const SimDesc& desc) noexcept {
+    plait_result result = plait_sim_set_params(sim, &desc.params);
+    if (result == PLAIT_OK && desc.model == PLAIT_MODEL_ARTICULATED && desc.material_count == 0)
+        result = plait_sim_set_materials(sim, &desc.material, 1, plait_view{});
+    return result == PLAIT_OK ? set_features(sim, desc) : result;
+}
+
+// plait_sim_create with all of `desc`.
+inline plait_result create_sim(plait_context* context, const plait_groom* groom,
+                               const SimDesc& desc, plait_sim** out) noexcept {
+    plait_sim_desc own = desc;
+    if (own.material_count == 0 && own.model == PLAIT_MODEL_ARTICULATED) {
+        own.materials = &desc.material;
+        own.material_count = 1;
+    }
+    plait_sim* sim = nullptr;
+    plait_result result = plait_sim_create(context, groom, &own, &sim);
+    if (result == PLAIT_OK)
+        result = set_features(sim, desc);
+    if (result == PLAIT_OK)
+        *out = sim;
+    else
+        plait_sim_destroy(sim);
+    return result;
+}
+
 // Its context, its groom and its map may go before it.
 class Sim : public detail::Owner<plait_sim, plait_sim_destroy> {
   public:
     Sim(const Context& context, const Groom& groom,
         const plait_sim_desc& desc = plait_sim_desc_defaults())
+        : Owner(create(context, groom, desc)) {}
+    Sim(const Context& context, const Groom& groom, const SimDesc& desc)
         : Owner(create(context, groom, desc)) {}
 
     void step(double dt) { check(plait_sim_step(get(), dt)); }
@@ -296,6 +397,21 @@ class Sim : public detail::Owner<plait_sim, plait_sim_destroy> {
         check(plait_sim_get_params(get(), &params));
         return params;
     }
+    void set_material(const plait_material& material) {
+        check(plait_sim_set_materials(get(), &material, 1, {}));
+    }
+    // Null: off.
+    void set_tressfx(const plait_tressfx_desc* desc) { check(plait_sim_set_tressfx(get(), desc)); }
+    void set_grid(const plait_grid_desc* desc) { check(plait_sim_set_grid(get(), desc)); }
+    void set_volume(const plait_volume_desc* desc) { check(plait_sim_set_volume(get(), desc)); }
+    void set_strand_contact(const plait_strand_contact_desc* desc) {
+        check(plait_sim_set_strand_contact(get(), desc));
+    }
+    void set_wetness(const plait_wetness_desc* desc) { check(plait_sim_set_wetness(get(), desc)); }
+    void set_acceleration(const plait_acceleration_desc* desc) {
+        check(plait_sim_set_acceleration(get(), desc));
+    }
+    void set_all(const SimDesc& desc) { check(handles::set_all(get(), desc)); }
     // sim.set_param("gravity", {0, -1.62, 0}): every component of the field.
     void set_param(const std::string& name, const std::vector<double>& values) {
         check(plait_sim_set_param(get(), name.c_str(), values.data(), values.size()));
@@ -350,10 +466,10 @@ class Sim : public detail::Owner<plait_sim, plait_sim_destroy> {
         check(plait_sim_describe(get(), &info));
         return info;
     }
-    plait_sim_stats stats() const {
-        auto stats = plait_sim_stats_defaults();
-        check(plait_sim_get_stats(get(), &stats));
-        return stats;
+    plait_sim_measures measure() const {
+        auto measures = plait_sim_measures_defaults();
+        check(plait_sim_measure(get(), &measures));
+        return measures;
     }
     std::vector<plait_stage_time> stage_times(bool reset = false) {
         std::size_t count = 0;
@@ -434,6 +550,12 @@ class Sim : public detail::Owner<plait_sim, plait_sim_destroy> {
     void destroy_collider(plait_collider_id id) { check(plait_collider_destroy(get(), id)); }
 
   private:
+    static plait_sim* create(plait_context* context, const plait_groom* groom,
+                             const SimDesc& desc) {
+        plait_sim* handle = nullptr;
+        check(create_sim(context, groom, desc, &handle));
+        return handle;
+    }
     static plait_sim* create(plait_context* context, const plait_groom* groom,
                              const plait_sim_desc& desc) {
         plait_sim* handle = nullptr;

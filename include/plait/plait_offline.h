@@ -23,7 +23,7 @@ typedef struct plait_follow_map_desc {
     plait_view guides;  /* uint32_t[4] [follows], each below guide_count; of weight 0 not read */
     plait_view weights; /* float[4] [follows], each [0, 1], of a strand sum 1 within 1e-3 */
 } plait_follow_map_desc;
-PLAIT_API void plait_follow_map_desc_init(plait_follow_map_desc* desc, size_t size);
+PLAIT_STRUCT(plait_follow_map_desc)
 PLAIT_API plait_result plait_follow_map_create(const plait_follow_map_desc* desc,
                                                plait_follow_map** out);
 PLAIT_API void plait_follow_map_destroy(plait_follow_map* map);
@@ -84,7 +84,7 @@ typedef struct plait_follow_fit_info {
     double rms_before; /* with the map's own weights */
     double rms_after;  /* with those learnt, to first order in what they change */
 } plait_follow_fit_info;
-PLAIT_API void plait_follow_fit_info_init(plait_follow_fit_info* info, size_t size);
+PLAIT_STRUCT(plait_follow_fit_info)
 
 /* A map with the weights that all frames so far teach; guides whose weight is 0 are gone from it.
  * More frames may be added, and a map learnt again. `info` may be NULL.
@@ -104,14 +104,13 @@ typedef struct plait_mesh_fit_info {
     double percentile_99;
     double greatest;
 } plait_mesh_fit_info;
-PLAIT_API void plait_mesh_fit_info_init(plait_mesh_fit_info* info, size_t size);
+PLAIT_STRUCT(plait_mesh_fit_info)
 
 /* `count` [1, PLAIT_MESH_FIT_MAX] capsules whose union comes near `mesh`, for
  * plait_collider_create: cheaper to meet than a mesh, and for both models. They are in the mesh's
- * frame, of the default friction; the same mesh gives the same. 16 take a second, 64 six. `out` may
- * be NULL. */
-PLAIT_API plait_result plait_mesh_fit(const plait_mesh* mesh, plait_collider_desc* dst,
-                                      size_t count, plait_mesh_fit_info* out);
+ * frame; the same mesh gives the same. 16 take a second, 64 six. `out` may be NULL. */
+PLAIT_API plait_result plait_mesh_fit(const plait_mesh* mesh, plait_capsule* dst, size_t count,
+                                      plait_mesh_fit_info* out);
 
 /* ---- material of a fibre --------------------------------------------------------------------- */
 
@@ -124,13 +123,12 @@ typedef struct plait_fibre {
     float youngs_modulus; /* Pa, [0, 1e13], default 4e9 */
     float shear_modulus;  /* Pa, [0, 1e13], default 1.5e9 */
 } plait_fibre;
-PLAIT_API void plait_fibre_init(plait_fibre* fibre, size_t size);
+PLAIT_STRUCT(plait_fibre)
 
-/* Sets line_density, bend_stiffness, twist_stiffness and section_ratio of `params` to those of a
- * fibre of elliptic section; it bends about the longer axis most easily. stretch_stiffness stays.
+/* Sets line_density, bend_stiffness, twist_stiffness and section_ratio of `material` to those of a
+ * fibre of elliptic section; it bends about the longer axis most easily. The rest stays.
  * @source  beam theory: A = pi a b, EI = E pi a b^3/4, GJ = G pi a^3 b^3/(a^2 + b^2). */
-PLAIT_API plait_result plait_sim_params_set_fibre(plait_sim_params* params,
-                                                  const plait_fibre* fibre);
+PLAIT_API plait_result plait_material_set_fibre(plait_material* material, const plait_fibre* fibre);
 
 /* ---- table of parameters --------------------------------------------------------------------- */
 
@@ -141,43 +139,36 @@ typedef enum plait_param_kind {
     PLAIT_PARAM_KIND_FORCE_32 = 0x7fffffff
 } plait_param_kind;
 
-/* A field of plait_sim_params, for code that reads, shows or binds them all. Texts are static. Its
- * default is that of plait_sim_params_init. `bdf2` may also be PLAIT_BDF2_OF_MODEL. A slider's range
- * holds the default, except one that stands for off (max_displacement) or that leaves the choice to
- * the library (bdf2, stretch_stiffness, twist_stiffness). */
+/* A field of the struct that a plait_sim_set_<feature> takes, for code that reads, shows or binds
+ * them all. Texts are static. Its default is that of the struct's _init. `bdf2` may also be
+ * PLAIT_BDF2_OF_MODEL. A slider's range holds the default, except one that stands for off
+ * (max_displacement) or that leaves the choice to the library (bdf2, stretch_stiffness,
+ * twist_stiffness). */
 typedef struct plait_param_info {
     uint32_t struct_size;
     plait_param_kind kind;
-    const char* name;           /* "gravity" */
+    const char* name;           /* "gravity", "grid_edge": as plait_sim_set_param takes it */
     const char* unit;           /* "m/s^2"; "" without one */
     const char* const* choices; /* CHOICE: names of the values 0 to `most`; else NULL */
-    uint32_t offset;            /* in plait_sim_params, bytes */
+    uint32_t offset;            /* in the feature's struct, bytes */
     uint32_t count;             /* of components, 4 bytes each */
     double least, most;         /* of each */
     uint32_t least_excluded;    /* 1: greater than `least` */
     uint32_t models;            /* that read it: bit 1u << plait_model */
     const char* text;           /* one sentence: what it does to hair */
-    const char* feature;        /* that it belongs to: "gravity", "tressfx", "follows", "solver",
-                                   "material", "groom", "wind", "grid", "volume", "wetness",
-                                   "strand_contact" or "push" */
-    double default_value[3];    /* of each component; from the fourth on, that of the third; 0 for
+    /* "params", "material", "tressfx", "grid", "volume", "strand_contact", "wetness" or
+       "acceleration". The name of a field of the last five begins with it: <feature>_<field> */
+    const char* feature;
+    double default_value[3]; /* of each component; from the fourth on, that of the third; 0 for
                                    components that the field lacks */
-    double slider_least;        /* a slider's range for values that suit real hair, the same for */
-    double slider_most;         /* each component; it lies within [least, most] */
-    uint32_t slider_log;        /* 1: the slider is logarithmic, its least above 0; 0: linear */
+    double slider_least;     /* a slider's range for values that suit real hair, the same for */
+    double slider_most;      /* each component; it lies within [least, most] */
+    uint32_t slider_log;     /* 1: the slider is logarithmic, its least above 0; 0: linear */
 } plait_param_info;
-PLAIT_API void plait_param_info_init(plait_param_info* info, size_t size);
+PLAIT_STRUCT(plait_param_info)
 
-/* All of them, in the order of the struct: a list. */
+/* All of them, feature by feature, in the order of its struct: a list. */
 PLAIT_API plait_result plait_params_list(plait_param_info* dst, size_t* count);
-
-/* ---- defaults, by value ---------------------------------------------------------------------- */
-
-PLAIT_DEFAULTS(plait_follow_map_desc)
-PLAIT_DEFAULTS(plait_follow_fit_info)
-PLAIT_DEFAULTS(plait_mesh_fit_info)
-PLAIT_DEFAULTS(plait_fibre)
-PLAIT_DEFAULTS(plait_param_info)
 
 #ifdef __cplusplus
 }

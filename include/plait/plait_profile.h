@@ -34,15 +34,11 @@ typedef struct plait_launch {
     uint64_t begin_ns;
     uint64_t end_ns;
 } plait_launch;
-PLAIT_API void plait_launch_init(plait_launch* launch, size_t size);
+PLAIT_STRUCT(plait_launch)
 
 /* What has run for the sim since its creation or the last call, the oldest first: a list. What is
  * written to dst is removed. Waits. @errors INVALID_STATE (without profile) */
 PLAIT_API plait_result plait_sim_take_launches(plait_sim* sim, plait_launch* dst, size_t* count);
-
-/* ---- defaults, by value --------------------------------------------------------------------- */
-
-PLAIT_DEFAULTS(plait_launch)
 
 #ifdef __cplusplus
 }

@@ -34,7 +34,7 @@ typedef struct plait_recorder_desc {
     plait_view strand_uv; /* float[2], where roots lie on the scalp [strands] or empty */
     plait_allocator allocator;
 } plait_recorder_desc;
-PLAIT_API void plait_recorder_desc_init(plait_recorder_desc* desc, size_t size);
+PLAIT_STRUCT(plait_recorder_desc)
 
 /* By the extension of `path`. The file is written beside it and is there, whole, after
  * plait_recorder_close: until then, and whatever fails, `path` is what it was. `desc` NULL: defaults.
@@ -54,10 +54,6 @@ PLAIT_API plait_result plait_recorder_close(plait_recorder* recorder);
 
 /* One that was not closed is abandoned: no file. */
 PLAIT_API void plait_recorder_destroy(plait_recorder* recorder);
-
-/* ---- defaults, by value --------------------------------------------------------------------- */
-
-PLAIT_DEFAULTS(plait_recorder_desc)
 
 #ifdef __cplusplus
 }

@@ -13,11 +13,12 @@ namespace {
 plait_collider_desc default_collider() {
     plait_collider_desc desc{};
     desc.struct_size = sizeof desc;
-    desc.radius_a = desc.radius_b = 0.1f;
+    desc.capsule.radius_a = desc.capsule.radius_b = 0.1f;
+    desc.plane.normal[1] = 1;
+    std::fill_n(desc.box.half_extents, 3, 0.1f);
+    desc.box.orientation[3] = 1;
+    desc.friction = 0.3f;
     desc.pose = identity_pose;
-    desc.normal[1] = 1;
-    std::fill_n(desc.half_extents, 3, 0.1f);
-    desc.orientation[3] = 1;
     return desc;
 }
 

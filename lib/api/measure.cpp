@@ -89,17 +89,17 @@ plait_result plait_sim_hash(plait_sim* sim, uint64_t* out) {
     });
 }
 
-void plait_sim_stats_init(plait_sim_stats* stats, size_t size) {
-    api::init_struct(stats, size, plait_sim_stats{});
+void plait_sim_measures_init(plait_sim_measures* measures, size_t size) {
+    api::init_struct(measures, size, plait_sim_measures{});
 }
 
-plait_result plait_sim_get_stats(plait_sim* sim, plait_sim_stats* out) {
+plait_result plait_sim_measure(plait_sim* sim, plait_sim_measures* out) {
     return api::guard(__func__, [&]() -> Status {
         PLAIT_TRY(api::need(sim, "sim"));
         PLAIT_TRY(api::check_output(out, "out"));
-        plait_sim_stats stats;
-        PLAIT_TRY(sim->sim.stats(stats));
-        api::write_struct(out, stats);
+        plait_sim_measures measures;
+        PLAIT_TRY(sim->sim.measure(measures));
+        api::write_struct(out, measures);
         return {};
     });
 }

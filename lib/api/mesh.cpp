@@ -112,9 +112,8 @@ plait_mesh_bone_info bone_info(const MeshBone& bone) {
     return info;
 }
 
-plait_collider_desc capsule_of(const FittedCone& cone) {
-    plait_collider_desc capsule{};
-    plait_collider_desc_init(&capsule, sizeof capsule);
+plait_capsule capsule_of(const FittedCone& cone) {
+    plait_capsule capsule{};
     std::ranges::copy(cone.a, capsule.a);
     std::ranges::copy(cone.b, capsule.b);
     capsule.radius_a = cone.radius_a;
@@ -244,7 +243,7 @@ void plait_mesh_fit_info_init(plait_mesh_fit_info* info, size_t size) {
     api::init_struct(info, size, plait_mesh_fit_info{});
 }
 
-plait_result plait_mesh_fit(const plait_mesh* mesh, plait_collider_desc* dst, size_t count,
+plait_result plait_mesh_fit(const plait_mesh* mesh, plait_capsule* dst, size_t count,
                             plait_mesh_fit_info* out) {
     return api::guard(__func__, [&]() -> Status {
         PLAIT_TRY(api::need(mesh, "mesh"));
@@ -256,8 +255,8 @@ plait_result plait_mesh_fit(const plait_mesh* mesh, plait_collider_desc* dst, si
             PLAIT_TRY(api::check_output(out, "out"));
         std::array<FittedCone, PLAIT_MESH_FIT_MAX> cones;
         const FitError error = fit_cones(mesh->mesh, std::span(cones).first(count));
-        PLAIT_TRY(api::write_structs(dst, count, "dst",
-                                     [&](size_t i) { return api::capsule_of(cones[i]); }));
+        std::transform(cones.begin(), cones.begin() + static_cast<std::ptrdiff_t>(count), dst,
+                       api::capsule_of);
         if (out)
             api::write_struct(out, {0, error.rms, error.percentile_99, error.greatest});
         return {};

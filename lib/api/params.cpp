@@ -6,6 +6,30 @@
 #include "api/structs.hpp"
 
 #include <algorithm>
+#include <string_view>
+#include <utility>
+
+namespace plait::api {
+namespace {
+
+NamedParams named(const Sim& sim) {
+    return {sim.params(), sim.materials().table.front()};
+}
+
+bool is_of_material(const plait_param_info& param) {
+    return std::string_view(param.feature) == "material";
+}
+
+// In place of the only one.
+Status set_material(Sim& sim, const plait_material& material) {
+    const std::pmr::polymorphic_allocator<StrandMaterials> in_memory(&sim.context().memory);
+    auto materials = std::allocate_shared<StrandMaterials>(in_memory, sim.materials());
+    materials->table.front() = material;
+    return sim.set_materials(std::move(materials));
+}
+
+} // namespace
+} // namespace plait::api
 
 using namespace plait;
 
@@ -37,8 +61,18 @@ plait_result plait_sim_set_param(plait_sim* sim, const char* name, const double*
             return param.error();
         if (count > 0)
             PLAIT_TRY(api::need(values, "values"));
-        const auto changed = with_param(sim->sim.params(), **param, {values, count});
-        return changed ? sim->sim.set_params(*changed) : Status(changed.error());
+        const bool of_material = api::is_of_material(**param);
+        if (const size_t materials = sim->sim.materials().table.size();
+            of_material && materials > 1)
+            return Error{PLAIT_INVALID_STATE,
+                         format("strands are of %zu materials, and %s is one's: "
+                                "plait_sim_set_materials sets them",
+                                materials, name)};
+        const auto changed = with_param(api::named(sim->sim), **param, {values, count});
+        if (!changed)
+            return changed.error();
+        return of_material ? api::set_material(sim->sim, changed->material)
+                           : sim->sim.set_params(changed->params);
     });
 }
 
@@ -54,7 +88,7 @@ plait_result plait_sim_get_param(const plait_sim* sim, const char* name, double*
         const size_t components = (*param)->count;
         const size_t number = dst ? std::min(*count, components) : components;
         for (uint32_t i = 0; dst && i < number; ++i)
-            dst[i] = param_component(**param, sim->sim.params(), i);
+            dst[i] = param_component(**param, api::named(sim->sim), i);
         *count = number;
         return {};
     });

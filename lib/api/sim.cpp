@@ -14,15 +14,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace plait::api {
 namespace {
-
-Status read_params(const plait_sim_params* given, const char* name, plait_sim_params& params) {
-    params = default_params();
-    PLAIT_TRY(read_struct(given, params, name));
-    return check_params(params);
-}
 
 // The parameters inside a descriptor cannot be longer than the room they have there.
 Status read_desc(const plait_sim_desc* given, plait_sim_desc& desc) {
@@ -34,11 +29,12 @@ Status read_desc(const plait_sim_desc* given, plait_sim_desc& desc) {
     if (inner.struct_size > sizeof inner)
         return invalid(format("desc->params.struct_size is %u, range is [4, %zu]",
                               inner.struct_size, sizeof inner));
-    PLAIT_TRY(read_params(&inner, "desc->params", desc.params));
+    desc.params = default_sim_params();
+    PLAIT_TRY(read_struct(&inner, desc.params, "desc->params"));
     return check_sim_desc(desc);
 }
 
-// None where nothing is given: all strands are of the parameters.
+// The default one where nothing is given.
 Result<StrandMaterialsPtr> read_materials(const plait_material* list, size_t count,
                                           const plait_view& strand_material, size_t guides,
                                           std::pmr::memory_resource* memory) {
@@ -48,8 +44,13 @@ Result<StrandMaterialsPtr> read_materials(const plait_material* list, size_t cou
                                    std::pmr::vector<uint32_t>(memory)});
     PLAIT_TRY(read_structs(list, count, "materials", default_material(), materials->table));
     PLAIT_TRY(copy_view(strand_material, 1, "strand_material", materials->of));
+    if (count == 0 && !materials->of.empty())
+        return invalid(format("strand_material.count is %zu, and there are no materials",
+                              materials->of.size()));
+    if (count == 0)
+        materials->table.push_back(default_material());
     PLAIT_TRY(check_materials(*materials, guides));
-    return count > 0 ? StrandMaterialsPtr(materials) : nullptr;
+    return StrandMaterialsPtr(materials);
 }
 
 // Of every guide strand.
@@ -89,6 +90,22 @@ plait_result with_sim(const char* function, plait_sim* sim, const Body& body) no
     });
 }
 
+// A feature that `desc` describes, or NULL that it is off; `feature` is where params have it.
+template <typename Desc>
+plait_result set_feature(const char* function, plait_sim* sim, const Desc* desc,
+                         const Desc& defaults, Feature<Desc> Params::*feature) noexcept {
+    return with_sim(function, sim, [&](Sim& s) -> Status {
+        if (!desc && !(s.params().*feature).on)
+            return {};
+        Params next = s.params();
+        next.*feature = {defaults, desc != nullptr};
+        if (desc)
+            PLAIT_TRY(read_struct(desc, static_cast<Desc&>(next.*feature), "desc"));
+        PLAIT_TRY(check_params(next));
+        return s.set_params(next);
+    });
+}
+
 } // namespace
 } // namespace plait::api
 
@@ -97,7 +114,7 @@ using namespace plait;
 extern "C" {
 
 void plait_sim_params_init(plait_sim_params* params, size_t size) {
-    api::init_struct(params, size, default_params());
+    api::init_struct(params, size, default_sim_params());
 }
 
 void plait_material_init(plait_material* material, size_t size) {
@@ -108,14 +125,14 @@ void plait_fibre_init(plait_fibre* fibre, size_t size) {
     api::init_struct(fibre, size, default_fibre());
 }
 
-plait_result plait_sim_params_set_fibre(plait_sim_params* params, const plait_fibre* fibre) {
+plait_result plait_material_set_fibre(plait_material* material, const plait_fibre* fibre) {
     return api::guard(__func__, [&]() -> Status {
-        plait_sim_params changed;
-        PLAIT_TRY(api::read_params(params, "params", changed));
+        plait_material changed = default_material();
+        PLAIT_TRY(api::read_struct(material, changed, "material"));
         plait_fibre given = default_fibre();
         PLAIT_TRY(api::read_struct(fibre, given, "fibre"));
         PLAIT_TRY(set_fibre(changed, given));
-        api::write_struct(params, changed);
+        api::write_struct(material, changed);
         return {};
     });
 }
@@ -243,9 +260,12 @@ plait_result plait_sim_set_detail(plait_sim* sim, const plait_detail_desc* desc)
 
 plait_result plait_sim_set_params(plait_sim* sim, const plait_sim_params* params) {
     return api::with_sim(__func__, sim, [&](Sim& s) -> Status {
-        plait_sim_params given;
-        PLAIT_TRY(api::read_params(params, "params", given));
-        return s.set_params(given);
+        Params next = s.params();
+        plait_sim_params& given = next;
+        given = default_sim_params();
+        PLAIT_TRY(api::read_struct(params, given, "params"));
+        PLAIT_TRY(check_params(next));
+        return s.set_params(next);
     });
 }
 
@@ -253,9 +273,69 @@ plait_result plait_sim_get_params(const plait_sim* sim, plait_sim_params* params
     return api::guard(__func__, [&]() -> Status {
         PLAIT_TRY(api::need(sim, "sim"));
         PLAIT_TRY(api::check_output(params, "params"));
-        api::write_struct(params, sim->sim.params());
+        api::write_struct(params, static_cast<const plait_sim_params&>(sim->sim.params()));
         return {};
     });
+}
+
+void plait_tressfx_desc_init(plait_tressfx_desc* desc, size_t size) {
+    api::init_struct(desc, size, default_tressfx_desc());
+}
+
+plait_result plait_sim_set_tressfx(plait_sim* sim, const plait_tressfx_desc* desc) {
+    return api::with_sim(__func__, sim, [&](Sim& s) -> Status {
+        Params next = s.params();
+        next.tressfx = default_tressfx_desc();
+        if (desc)
+            PLAIT_TRY(api::read_struct(desc, next.tressfx, "desc"));
+        PLAIT_TRY(check_params(next));
+        PLAIT_TRY(check_reads_tressfx(s.model()));
+        if (std::memcmp(&next.tressfx, &s.params().tressfx, sizeof next.tressfx) == 0)
+            return {};
+        return s.set_params(next);
+    });
+}
+
+void plait_grid_desc_init(plait_grid_desc* desc, size_t size) {
+    api::init_struct(desc, size, default_grid_desc());
+}
+
+plait_result plait_sim_set_grid(plait_sim* sim, const plait_grid_desc* desc) {
+    return api::set_feature(__func__, sim, desc, default_grid_desc(), &Params::grid);
+}
+
+void plait_volume_desc_init(plait_volume_desc* desc, size_t size) {
+    api::init_struct(desc, size, default_volume_desc());
+}
+
+plait_result plait_sim_set_volume(plait_sim* sim, const plait_volume_desc* desc) {
+    return api::set_feature(__func__, sim, desc, default_volume_desc(), &Params::volume);
+}
+
+void plait_strand_contact_desc_init(plait_strand_contact_desc* desc, size_t size) {
+    api::init_struct(desc, size, default_strand_contact_desc());
+}
+
+plait_result plait_sim_set_strand_contact(plait_sim* sim, const plait_strand_contact_desc* desc) {
+    return api::set_feature(__func__, sim, desc, default_strand_contact_desc(),
+                            &Params::strand_contact);
+}
+
+void plait_wetness_desc_init(plait_wetness_desc* desc, size_t size) {
+    api::init_struct(desc, size, default_wetness_desc());
+}
+
+plait_result plait_sim_set_wetness(plait_sim* sim, const plait_wetness_desc* desc) {
+    return api::set_feature(__func__, sim, desc, default_wetness_desc(), &Params::wetness);
+}
+
+void plait_acceleration_desc_init(plait_acceleration_desc* desc, size_t size) {
+    api::init_struct(desc, size, default_acceleration_desc());
+}
+
+plait_result plait_sim_set_acceleration(plait_sim* sim, const plait_acceleration_desc* desc) {
+    return api::set_feature(__func__, sim, desc, default_acceleration_desc(),
+                            &Params::acceleration);
 }
 
 plait_result plait_sim_set_materials(plait_sim* sim, const plait_material* materials, size_t count,

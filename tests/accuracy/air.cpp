@@ -7,7 +7,7 @@ namespace plait::test {
 namespace {
 
 // Degrees from upright, backwards, of a strand that a head has carried along x at 2 m/s for 20 s.
-double tilt_on_a_moving_head(const plait_sim_desc& desc) {
+double tilt_on_a_moving_head(const plait::SimDesc& desc) {
     constexpr float speed = 2.0f; // m/s
     OneStrand strand(StrandShape{17, 0.3f, {0.0f, -1.0f, 0.0f}}, desc);
     for (int i = 1; i <= 1200; ++i) {
@@ -25,7 +25,7 @@ class Air : public testing::TestWithParam<plait_model> {};
 INSTANTIATE_TEST_SUITE_P(Models, Air, testing::Values(PLAIT_MODEL_ARTICULATED));
 
 TEST_P(Air, with_the_head_leaves_hair_hanging) {
-    plait_sim_desc desc = plait_sim_desc_defaults();
+    plait::SimDesc desc;
     desc.model = GetParam();
     desc.params.air_with_head = 1.0f;
     EXPECT_NEAR(tilt_on_a_moving_head(desc), 0.0, 0.5);
@@ -33,8 +33,8 @@ TEST_P(Air, with_the_head_leaves_hair_hanging) {
 
 // A limp strand hangs along the sum of weight and drag: c v/g.
 TEST(Air, drags_hair_by_the_head_s_own_speed) {
-    plait_sim_desc desc = plait_sim_desc_defaults();
-    desc.params.bend_stiffness = 0.0f;
+    plait::SimDesc desc;
+    desc.material.bend_stiffness = 0.0f;
     desc.params.drag = 2.0f; // 1/s
     for (const float share : {0.0f, 0.25f}) {
         desc.params.air_with_head = share;

@@ -20,25 +20,25 @@ plait_context* reference() {
     return context.get();
 }
 
-plait_sim_desc desc_of(uint32_t substeps) {
-    plait_sim_desc desc = plait_sim_desc_defaults();
+plait::SimDesc desc_of(uint32_t substeps) {
+    plait::SimDesc desc;
     desc.model = PLAIT_MODEL_ARTICULATED;
     desc.substeps = substeps;
-    desc.params.line_density = line_density;
+    desc.material.line_density = line_density;
     desc.params.gravity[1] = -g;
     return desc;
 }
 
 // Gamma = rho A g L^3/EI, drag in 1/sqrt(L/g), steps of 0.05 sqrt(L/g).
-plait_sim_desc rod_desc(uint32_t substeps, double gamma, float drag) {
-    plait_sim_desc desc = desc_of(substeps);
+plait::SimDesc rod_desc(uint32_t substeps, double gamma, float drag) {
+    plait::SimDesc desc = desc_of(substeps);
     desc.step = 0.05f * unit_time;
-    desc.params.bend_stiffness = static_cast<float>(double(line_density) * double(g) / gamma);
+    desc.material.bend_stiffness = static_cast<float>(double(line_density) * double(g) / gamma);
     desc.params.drag = drag / unit_time;
     return desc;
 }
 
-OneStrand level(uint32_t segments, const plait_sim_desc& desc) {
+OneStrand level(uint32_t segments, const plait::SimDesc& desc) {
     return {straight({segments + 1, 1.0f, {1.0f, 0.0f, 0.0f}}), segments + 1, desc, reference()};
 }
 
@@ -120,10 +120,10 @@ class DoublePendulum {
     State at_ = {3.14159265358979 / 2, 3.14159265358979 / 2, 0, 0};
 };
 
-plait_sim_desc limp_desc(uint32_t substeps) {
-    plait_sim_desc desc = desc_of(substeps);
-    desc.params.bend_stiffness = 0;
-    desc.params.stretch_stiffness = 1e-3f * line_density * g; // of which limp joints keep a share
+plait::SimDesc limp_desc(uint32_t substeps) {
+    plait::SimDesc desc = desc_of(substeps);
+    desc.material.bend_stiffness = 0;
+    desc.material.stretch_stiffness = 1e-3f * line_density * g; // of which limp joints keep a share
     desc.params.drag = 0;
     return desc;
 }
@@ -151,7 +151,7 @@ TEST(ArticulatedAtRest, joints_hold_the_weight) {
     constexpr uint32_t segments = 16;
     constexpr double l = 1.0 / segments;
     for (const double gamma : {1.0, 10.0, 100.0}) {
-        const plait_sim_desc desc = rod_desc(1, gamma, 2.4f);
+        const plait::SimDesc desc = rod_desc(1, gamma, 2.4f);
         OneStrand strand = level(segments, desc);
         strand.run(60 * double(unit_time));
         const auto x = strand.read(PLAIT_FIELD_POSITION);
@@ -159,7 +159,7 @@ TEST(ArticulatedAtRest, joints_hold_the_weight) {
         for (uint32_t i = 0; i < segments; ++i) {
             const double angle =
                 std::atan2(double(x[i + 1][1] - x[i][1]), double(x[i + 1][0] - x[i][0]));
-            const double kb = 4 * double(desc.params.bend_stiffness) / (i == 0 ? l / 2 : l);
+            const double kb = 4 * double(desc.material.bend_stiffness) / (i == 0 ? l / 2 : l);
             double weight = 0;
             for (uint32_t j = i + 1; j <= segments; ++j)
                 weight += double(line_density) * l * (j == segments ? 0.5 : 1) * double(g) *
@@ -174,15 +174,15 @@ TEST(ArticulatedAtRest, joints_hold_the_weight) {
 
 // Shaken by 0.2 m at 4 Hz, which stretches `rod` by 15 % (tools/lab/baselines/rod.md).
 TEST(Articulated, keeps_its_lengths) {
-    plait_sim_desc desc = desc_of(1);
-    desc.params.bend_stiffness = 1e-6f;
+    plait::SimDesc desc = desc_of(1);
+    desc.material.bend_stiffness = 1e-6f;
     OneStrand strand = level(16, desc);
     double worst = 0, fastest = 0;
     for (int i = 0; i < 120; ++i) {
         strand.move_head({0.2f * std::sin(0.4188790f * static_cast<float>(i)), 0, 0});
         strand.step();
-        worst = std::max(worst, double(strand.stats().max_stretch));
-        fastest = std::max(fastest, double(strand.stats().max_speed));
+        worst = std::max(worst, double(strand.measure().max_stretch));
+        fastest = std::max(fastest, double(strand.measure().max_speed));
     }
     EXPECT_LT(worst, 1e-6); // the statistics' float32: what the positions are read as
     EXPECT_GT(fastest, 3);  // m/s: it was shaken
@@ -214,9 +214,9 @@ TEST(Articulated, gains_no_energy) {
     const double weight = double(line_density * g); // times its length of 1 m
     for (const double gamma : {10.0, 100.0, 1000.0})
         for (const uint32_t substeps : {1u, 2u, 4u}) {
-            const plait_sim_desc desc = rod_desc(substeps, gamma, 0);
+            const plait::SimDesc desc = rod_desc(substeps, gamma, 0);
             OneStrand strand = level(16, desc);
-            const double EI = double(desc.params.bend_stiffness), begin = energy_of(strand, EI);
+            const double EI = double(desc.material.bend_stiffness), begin = energy_of(strand, EI);
             double most = -1;
             for (int i = 0; i < 200; ++i) {
                 strand.step();
@@ -229,17 +229,17 @@ TEST(Articulated, gains_no_energy) {
 
 // Groomed in balance it stays where it is, to the lengths of float32.
 TEST(Articulated, starts_sag_free) {
-    plait_sim_desc desc = rod_desc(1, 10, 2);
+    plait::SimDesc desc = rod_desc(1, 10, 2);
     desc.sag_free = PLAIT_SAG_FREE_STIFFEN;
     OneStrand strand = level(16, desc);
-    EXPECT_LT(strand.stats().sag_residual, 1e-11);
+    EXPECT_LT(strand.describe().sag_residual, 1e-11);
     strand.run(5);
     const auto x = strand.read(PLAIT_FIELD_POSITION);
     for (size_t i = 0; i < x.size(); ++i) {
         EXPECT_NEAR(x[i][0], static_cast<float>(i) / 16, 1e-5f);
         EXPECT_NEAR(x[i][1], 0, 1e-5f);
     }
-    EXPECT_EQ(strand.stats().sag_unstable, 0u);
+    EXPECT_EQ(strand.describe().sag_unstable, 0u);
 }
 
 } // namespace

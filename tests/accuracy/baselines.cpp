@@ -35,17 +35,17 @@ plait_context* context_of(const std::string& baseline) {
     return context.get();
 }
 
-plait_sim_desc desc_of(uint32_t substeps, uint32_t iterations = 1) {
-    plait_sim_desc desc = plait_sim_desc_defaults();
+plait::SimDesc desc_of(uint32_t substeps, uint32_t iterations = 1) {
+    plait::SimDesc desc;
     desc.substeps = substeps;
     desc.params.iterations = iterations;
     desc.params.bdf2 = 0; // only rod has it
-    desc.params.line_density = line_density;
+    desc.material.line_density = line_density;
     desc.params.gravity[1] = -g;
     return desc;
 }
 
-OneStrand strand_of(const std::string& baseline, const plait_sim_desc& desc, Vec3 direction,
+OneStrand strand_of(const std::string& baseline, const plait::SimDesc& desc, Vec3 direction,
                     uint32_t segments = 16) {
     const auto points = straight({segments + 1, 1.0f, direction});
     return OneStrand(points, segments + 1, desc, context_of(baseline));
@@ -54,12 +54,12 @@ OneStrand strand_of(const std::string& baseline, const plait_sim_desc& desc, Vec
 constexpr Vec3 level{1.0f, 0.0f, 0.0f}, hanging{0.0f, -1.0f, 0.0f};
 
 // Gamma = rho A g L^3 / EI.
-void make_rod_material(plait_sim_desc& desc, float gamma) {
-    desc.params.bend_stiffness = line_density * g / gamma;
+void make_rod_material(plait::SimDesc& desc, float gamma) {
+    desc.material.bend_stiffness = line_density * g / gamma;
 }
 
 // With drag in 1/sqrt(L/g), and steps of a fifth of the tables'.
-void make_rod(plait_sim_desc& desc, float gamma, float drag) {
+void make_rod(plait::SimDesc& desc, float gamma, float drag) {
     make_rod_material(desc, gamma);
     desc.step = 0.05f * unit_time;
     desc.params.drag = drag / unit_time;
@@ -101,7 +101,7 @@ class BaselineFall : public testing::TestWithParam<Fall> {};
 
 TEST_P(BaselineFall, converges_to_the_true_trajectory) {
     const Fall& fall = GetParam();
-    plait_sim_desc desc = desc_of(fall.substeps);
+    plait::SimDesc desc = desc_of(fall.substeps);
     make_rod(desc, fall.gamma, 2.0f);
     OneStrand strand = strand_of(fall.baseline, desc, level);
     const std::string name = "rod_fall_gamma" + std::to_string(std::lround(fall.gamma));
@@ -125,8 +125,8 @@ TEST(BaselinePbd, sweeps_shorten_a_hanging_strand) {
     for (const uint32_t sweeps : {1u, 4u, 16u, 64u}) {
         OneStrand strand = strand_of("pbd", desc_of(1, sweeps), hanging);
         strand.run(10.0);
-        EXPECT_LT(strand.stats().max_stretch, 0.5f * before) << sweeps;
-        before = strand.stats().max_stretch;
+        EXPECT_LT(strand.measure().max_stretch, 0.5f * before) << sweeps;
+        before = strand.measure().max_stretch;
     }
     EXPECT_LT(before, 0.05f);
 }
@@ -136,8 +136,8 @@ TEST(BaselineSprings, hang_as_long_as_their_springs_say) {
     constexpr uint32_t segments = 16;
     constexpr float weight = line_density * g; // N/m
     for (const char* baseline : {"explicit_euler", "rk2", "rk4", "verlet"}) {
-        plait_sim_desc desc = desc_of(128);
-        desc.params.stretch_stiffness = 20.0f * weight;
+        plait::SimDesc desc = desc_of(128);
+        desc.material.stretch_stiffness = 20.0f * weight;
         desc.params.drag = 10.0f;
         OneStrand strand = strand_of(baseline, desc, hanging);
         strand.run(8.0);
@@ -157,13 +157,13 @@ float speed_at_limit(const char* baseline, double share) {
     for (const auto& row : read_table("explicit_limit.csv"))
         if (row[0] == 10 && row[1] == 16)
             dt_max = row[3];
-    plait_sim_desc desc = desc_of(1);
+    plait::SimDesc desc = desc_of(1);
     make_rod(desc, 10, 0.3f);
-    desc.params.stretch_stiffness = 40.0f * line_density * g;
+    desc.material.stretch_stiffness = 40.0f * line_density * g;
     desc.step = static_cast<float>(share * dt_max) * unit_time;
     OneStrand strand = strand_of(baseline, desc, level);
     strand.run(5.0);
-    const plait_sim_stats stats = strand.stats();
+    const plait_sim_measures stats = strand.measure();
     return stats.nonfinite ? INFINITY : stats.max_speed;
 }
 
@@ -196,10 +196,10 @@ struct Order {
 double measured_order(const Order& c) {
     std::vector<std::vector<std::array<float, 4>>> x;
     for (const uint32_t substeps : {c.substeps, 2 * c.substeps, 4 * c.substeps}) {
-        plait_sim_desc desc = desc_of(substeps);
+        plait::SimDesc desc = desc_of(substeps);
         desc.step = 1.0f / 16.0f;
         make_rod_material(desc, 100.0f);
-        desc.params.stretch_stiffness = 10.0f * line_density * g;
+        desc.material.stretch_stiffness = 10.0f * line_density * g;
         OneStrand strand = strand_of(c.baseline, desc, level, 4);
         strand.run(0.5);
         x.push_back(strand.read(PLAIT_FIELD_POSITION));
@@ -240,7 +240,7 @@ TEST(BaselineMomentum, a_spinning_limp_strand_keeps_it) {
         {"verlet_limp", 256},
         {"pbd", 32}}; // whose velocities are differences of places: more lose to rounding
     for (const auto& [baseline, substeps] : baselines) {
-        plait_sim_desc desc = desc_of(substeps);
+        plait::SimDesc desc = desc_of(substeps);
         desc.params.gravity[1] = 0.0f;
         desc.params.drag = 0.0f;
         OneStrand strand = strand_of(baseline, desc, level);
@@ -270,9 +270,9 @@ TEST(BaselineCurls, stay_as_groomed_without_gravity) {
         {"explicit_euler", 512}, {"rk2", 256}, {"rk4", 128},
         {"verlet", 128},         {"xpbd", 16}, {"xpbd_heavy", 16}};
     for (const auto& [baseline, substeps] : baselines) {
-        plait_sim_desc desc = desc_of(substeps);
+        plait::SimDesc desc = desc_of(substeps);
         desc.params.gravity[1] = 0.0f;
-        desc.params.bend_stiffness = 1e-6f;
+        desc.material.bend_stiffness = 1e-6f;
         OneStrand strand(curl, vertices, desc, context_of(baseline));
         strand.run(0.5);
         const auto x = strand.read(PLAIT_FIELD_POSITION);
@@ -288,11 +288,11 @@ TEST(BaselineCurls, stay_as_groomed_without_gravity) {
 TEST(BaselineAccelerations, pull_as_gravity_does) {
     for (const char* baseline : {"explicit_euler", "rk2", "rk4", "verlet", "verlet_limp", "pbd",
                                  "xpbd", "chain", "cosserat", "rod"}) {
-        plait_sim_desc desc = desc_of(256);
+        plait::SimDesc desc = desc_of(256);
         make_rod_material(desc, 10.0f);
         OneStrand falls = strand_of(baseline, desc, level);
         desc.params.gravity[1] = 0.0f;
-        desc.accelerations = 1;
+        desc.acceleration.on = true;
         OneStrand pulled = strand_of(baseline, desc, level);
         auto a = pulled.read(PLAIT_FIELD_ACCELERATION);
         for (auto& at : a)

@@ -11,8 +11,8 @@ namespace {
 constexpr float g = 9.81f; // m/s^2
 constexpr float length = 0.3f;
 
-plait_sim_desc desc_of(plait_model model, uint32_t substeps = 1) {
-    plait_sim_desc desc = plait_sim_desc_defaults();
+plait::SimDesc desc_of(plait_model model, uint32_t substeps = 1) {
+    plait::SimDesc desc;
     desc.model = model;
     desc.substeps = substeps;
     desc.params.gravity[1] = -g;
@@ -21,10 +21,10 @@ plait_sim_desc desc_of(plait_model model, uint32_t substeps = 1) {
 
 plait_collider_id add_capsule(const OneStrand& strand, Vec3 a, Vec3 b, float radius,
                               float friction) {
-    plait_collider_desc desc = plait_collider_desc_defaults();
-    std::copy(a.begin(), a.end(), desc.a);
-    std::copy(b.begin(), b.end(), desc.b);
-    desc.radius_a = desc.radius_b = radius;
+    plait_collider_desc desc = smooth_collider();
+    std::copy(a.begin(), a.end(), desc.capsule.a);
+    std::copy(b.begin(), b.end(), desc.capsule.b);
+    desc.capsule.radius_a = desc.capsule.radius_b = radius;
     desc.friction = friction;
     desc.pose = {{0.0f, 0.0f, 0.0f, 1.0f}, {0.0f, 0.0f, 0.0f}};
     plait_collider_id id{};
@@ -63,8 +63,8 @@ void PrintTo(const Use& use, std::ostream* out) {
 
 class Contact : public testing::TestWithParam<Use> {
   protected:
-    plait_sim_desc desc() const {
-        plait_sim_desc desc = desc_of(GetParam().model, GetParam().substeps);
+    plait::SimDesc desc() const {
+        plait::SimDesc desc = desc_of(GetParam().model, GetParam().substeps);
         desc.params.drag = 1;
         return desc;
     }
@@ -79,9 +79,9 @@ class Incline {
     // `degrees` beyond the angle of friction.
     Incline(plait_model model, float friction, double degrees) {
         const double angle = std::atan(double(friction)) + degrees * 3.14159265 / 180;
-        plait_sim_desc desc = desc_of(model);
+        plait::SimDesc desc = desc_of(model);
         desc.params.drag = 0.0f;
-        desc.params.bend_stiffness = 1e-10f; // hardly holds: the strand slides as one
+        desc.material.bend_stiffness = 1e-10f; // hardly holds: the strand slides as one
         desc.params.gravity[1] = -g * static_cast<float>(std::cos(angle));
         desc.params.gravity[2] = -g * static_cast<float>(std::sin(angle));
         strand_ = std::make_unique<OneStrand>(StrandShape{17, length, {1.0f, 0.0f, 0.0f}}, desc);
@@ -132,7 +132,7 @@ TEST_P(Contact, rests_on_a_bar_whole_and_still) {
     add_capsule(strand, {0.1f, -0.1f, -1.0f}, {0.1f, -0.1f, 1.0f}, 0.05f, 0.3f);
     strand.run(15.0);
     EXPECT_GT(strand.tip()[0], 0.12f); // on the far side
-    EXPECT_LT(strand.stats().max_stretch, 2e-3f);
+    EXPECT_LT(strand.measure().max_stretch, 2e-3f);
     Points before = strand.read(PLAIT_FIELD_POSITION);
     for (int i = 0; i < 30; ++i) {
         strand.step();
@@ -208,7 +208,7 @@ TEST_P(Contact, spinning_surface_drags_hair_along) {
 TEST_P(Contact, turning_head_does_not_stretch_its_hair) {
     double stretch[2] = {};
     for (const bool skull : {false, true}) {
-        plait_sim_desc with = desc();
+        plait::SimDesc with = desc();
         with.params.gravity[1] = 0;
         std::vector<Vec3> points(17);
         for (size_t i = 0; i < points.size(); ++i)
@@ -226,7 +226,7 @@ TEST_P(Contact, turning_head_does_not_stretch_its_hair) {
                 PLAIT_EXPECT(plait_collider_set_pose(strand.sim(), ball, &roots.head));
             }
             strand.step();
-            stretch[skull] = std::max(stretch[skull], double(strand.stats().max_stretch));
+            stretch[skull] = std::max(stretch[skull], double(strand.measure().max_stretch));
         }
     }
     std::printf("stretch %.2g, with the skull %.2g\n", stretch[0], stretch[1]);
@@ -243,11 +243,11 @@ TEST_P(Contact, surface_over_the_root_does_not_stretch_hair) {
     for (int i = 1; i <= 90; ++i) {
         move(strand, ball, {0.0f, 0.002f * static_cast<float>(std::min(i, 40)), 0.0f});
         strand.step();
-        stretch = std::max(stretch, double(strand.stats().max_stretch));
+        stretch = std::max(stretch, double(strand.measure().max_stretch));
     }
     std::printf("stretch %.2g\n", stretch);
     EXPECT_LT(stretch, 0.01);
-    EXPECT_EQ(strand.stats().nonfinite, 0u);
+    EXPECT_EQ(strand.measure().nonfinite, 0u);
 }
 
 // ---- what must not pass, and not burst ----------------------------------------------------------
@@ -312,7 +312,7 @@ TEST_P(Contact, what_starts_inside_does_not_burst) {
             float stretch = 0.0f, speed = 0.0f;
             for (int i = 0; i < 300; ++i) {
                 strand.step();
-                const plait_sim_stats stats = strand.stats();
+                const plait_sim_measures stats = strand.measure();
                 ASSERT_EQ(stats.nonfinite, 0u);
                 stretch = std::max(stretch, stats.max_stretch);
                 speed = std::max(speed, stats.max_speed);

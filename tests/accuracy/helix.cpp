@@ -31,16 +31,16 @@ std::vector<Vec3> helix(uint32_t segments) {
     return points;
 }
 
-plait_sim_desc desc_of(float gamma, float drag) {
-    plait_sim_desc desc = plait_sim_desc_defaults();
+plait::SimDesc desc_of(float gamma, float drag) {
+    plait::SimDesc desc;
     desc.model = PLAIT_MODEL_ARTICULATED;
     desc.step = 0.05f * unit_time;
     plait_sim_params& p = desc.params;
     p.gravity[1] = 0.0f;
     p.gravity[2] = -g;
-    p.line_density = line_density;
-    p.bend_stiffness = line_density * g / gamma;
-    p.twist_stiffness = twist_ratio * p.bend_stiffness;
+    desc.material.line_density = line_density;
+    desc.material.bend_stiffness = line_density * g / gamma;
+    desc.material.twist_stiffness = twist_ratio * desc.material.bend_stiffness;
     p.drag = drag / unit_time;
     return desc;
 }
@@ -49,7 +49,7 @@ double distance(const std::array<float, 4>& a, const double* b) {
     return std::hypot(double(a[0]) - b[0], double(a[1]) - b[1], double(a[2]) - b[2]);
 }
 
-double hanging_error(const std::vector<double>& row, uint32_t segments, plait_sim_desc desc) {
+double hanging_error(const std::vector<double>& row, uint32_t segments, plait::SimDesc desc) {
     OneStrand strand(helix(segments), desc);
     strand.run(60 * double(unit_time));
     return distance(strand.tip(), &row[1]);
@@ -68,8 +68,8 @@ TEST(Helix, hangs_as_a_kirchhoff_rod) {
 // What leaving twist_stiffness out costs.
 TEST(Helix, twist_as_stiff_as_bend_hangs_elsewhere) {
     const auto rows = read_table("helix_tip.csv");
-    plait_sim_desc desc = desc_of(static_cast<float>(rows[2][0]), 2.4f);
-    desc.params.twist_stiffness = 0.0f;
+    plait::SimDesc desc = desc_of(static_cast<float>(rows[2][0]), 2.4f);
+    desc.material.twist_stiffness = 0.0f;
     EXPECT_GT(hanging_error(rows[2], 32, desc), 0.03);
 }
 
@@ -85,7 +85,7 @@ class HelixFall : public testing::TestWithParam<FallCase> {};
 TEST_P(HelixFall, stays_near_the_converged_trajectory) {
     const auto rows = read_table("helix_fall_gamma100_N16_drag2.csv");
     ASSERT_EQ(rows.size(), 80u * 16);
-    plait_sim_desc desc = desc_of(100.0f, 2.0f);
+    plait::SimDesc desc = desc_of(100.0f, 2.0f);
     desc.params.iterations = GetParam().iterations;
     desc.params.bdf2 = GetParam().bdf2;
     desc.substeps = GetParam().substeps;

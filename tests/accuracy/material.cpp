@@ -7,27 +7,27 @@ namespace plait::test {
 namespace {
 
 TEST(Fibre, gives_the_stiffness_of_its_section) {
-    plait_sim_params params = plait_sim_params_defaults();
-    params.drag = 7.0f;
+    plait_material material = plait_material_defaults();
+    material.curl = 0.5f;
     plait_fibre fibre = plait_fibre_defaults();
-    PLAIT_EXPECT(plait_sim_params_set_fibre(&params, &fibre));
-    EXPECT_FLOAT_EQ(params.line_density, 5.0029863e-6f);    // 1300 pi r^2
-    EXPECT_FLOAT_EQ(params.bend_stiffness, 4.7143524e-9f);  // E pi/4 r^4
-    EXPECT_FLOAT_EQ(params.twist_stiffness, 3.5357643e-9f); // G pi/2 r^4
-    EXPECT_FLOAT_EQ(params.section_ratio, 1.0f);
-    EXPECT_EQ(params.drag, 7.0f);
+    PLAIT_EXPECT(plait_material_set_fibre(&material, &fibre));
+    EXPECT_FLOAT_EQ(material.line_density, 5.0029863e-6f);    // 1300 pi r^2
+    EXPECT_FLOAT_EQ(material.bend_stiffness, 4.7143524e-9f);  // E pi/4 r^4
+    EXPECT_FLOAT_EQ(material.twist_stiffness, 3.5357643e-9f); // G pi/2 r^4
+    EXPECT_FLOAT_EQ(material.section_ratio, 1.0f);
+    EXPECT_EQ(material.curl, 0.5f);
     fibre.flatness = 0.5f;
-    PLAIT_EXPECT(plait_sim_params_set_fibre(&params, &fibre));
-    EXPECT_FLOAT_EQ(params.line_density, 2.5014932e-6f);
-    EXPECT_FLOAT_EQ(params.bend_stiffness, 4.7143524e-9f / 8); // a b^3
-    EXPECT_FLOAT_EQ(params.section_ratio, 4.0f);
-    EXPECT_FLOAT_EQ(params.twist_stiffness,
+    PLAIT_EXPECT(plait_material_set_fibre(&material, &fibre));
+    EXPECT_FLOAT_EQ(material.line_density, 2.5014932e-6f);
+    EXPECT_FLOAT_EQ(material.bend_stiffness, 4.7143524e-9f / 8); // a b^3
+    EXPECT_FLOAT_EQ(material.section_ratio, 4.0f);
+    EXPECT_FLOAT_EQ(material.twist_stiffness,
                     3.5357643e-9f * 2 * 0.125f / 1.25f); // 2 a^3 b^3/(a^2+b^2)
     fibre.radius = -1.0f;
-    const plait_sim_params before = params;
-    EXPECT_EQ(plait_sim_params_set_fibre(&params, &fibre), PLAIT_INVALID_ARGUMENT);
+    const plait_material before = material;
+    EXPECT_EQ(plait_material_set_fibre(&material, &fibre), PLAIT_INVALID_ARGUMENT);
     EXPECT_NE(std::string(plait_last_error()).find("radius is -1"), std::string::npos);
-    EXPECT_EQ(params.line_density, before.line_density);
+    EXPECT_EQ(material.line_density, before.line_density);
 }
 
 // 0.1 m, level, curled a little upwards in the plane of x and y.
@@ -40,19 +40,19 @@ std::vector<Vec3> curled() {
     return points;
 }
 
-plait_sim_desc desc_of(float scale, float ratio, size_t axis) {
-    plait_sim_desc desc = plait_sim_desc_defaults();
+plait::SimDesc desc_of(float scale, float ratio, size_t axis) {
+    plait::SimDesc desc;
     desc.model = PLAIT_MODEL_ARTICULATED;
     plait_sim_params& p = desc.params;
     p.drag = 20.0f;
-    p.bend_stiffness *= scale;
-    p.section_ratio = ratio;
+    desc.material.bend_stiffness *= scale;
+    desc.material.section_ratio = ratio;
     p.gravity[1] = 0.0f;
     p.gravity[axis] = -9.81f;
     return desc;
 }
 
-float sag(const plait_sim_desc& desc, size_t axis) {
+float sag(const plait::SimDesc& desc, size_t axis) {
     OneStrand strand(curled(), desc);
     const float start = strand.tip()[axis];
     strand.run(5.0);
@@ -77,13 +77,13 @@ TEST(StrandStiffness, scales_strand_by_strand) {
     const std::vector<Vec3> one = points;
     points.insert(points.end(), one.begin(), one.end());
     for (const plait_model model : {PLAIT_MODEL_ARTICULATED}) {
-        plait_sim_desc desc = desc_of(1, 1, 1);
+        plait::SimDesc desc = desc_of(1, 1, 1);
         desc.model = model;
         const float scales[] = {1.0f, 4.0f};
         desc.strand_stiffness = {scales, 2, 0};
         OneStrand both(points, static_cast<uint32_t>(row), desc, shared_context());
         both.run(1.0);
-        plait_sim_desc stiff = desc_of(4, 1, 1);
+        plait::SimDesc stiff = desc_of(4, 1, 1);
         stiff.model = model;
         OneStrand single(one, stiff);
         single.run(1.0);

@@ -56,17 +56,17 @@ ShapeMesh bar_mesh(double radius, double half) {
 // rest. On a ball there is none, and with friction one for each way there.
 TEST_P(Meshes, a_round_bar_is_a_capsule) {
     const Vec3 middle = {0.12f, -0.1f, 0.0f};
-    plait_sim_desc damped = desc_of(GetParam());
+    plait::SimDesc damped = desc_of(GetParam());
     damped.params.drag = 10;
     const auto fallen = [&](bool mesh, plait_mesh_form form = PLAIT_MESH_FORM_FIELD) {
         OneStrand strand({17, length, {1.0f, 0.0f, 0.0f}}, damped);
         if (mesh) {
             add(strand, bar_mesh(0.06, 0.1), mesh_at(middle, 0, 96, form));
         } else {
-            auto desc = plait_collider_desc_defaults();
-            desc.a[2] = -0.1f;
-            desc.b[2] = 0.1f;
-            desc.radius_a = desc.radius_b = 0.06f;
+            auto desc = smooth_collider();
+            desc.capsule.a[2] = -0.1f;
+            desc.capsule.b[2] = 0.1f;
+            desc.capsule.radius_a = desc.capsule.radius_b = 0.06f;
             std::copy(middle.begin(), middle.end(), desc.pose.t);
             plait_collider_id id{};
             PLAIT_EXPECT(plait_collider_create(strand.sim(), &desc, &id));
@@ -87,9 +87,9 @@ class Slope {
     // `degrees` beyond the angle of friction. Down the slope is -z.
     Slope(plait_model model, float friction, double degrees, plait_mesh_form form) {
         const double angle = std::atan(double(friction)) + degrees * pi / 180;
-        plait_sim_desc desc = desc_of({model, 1});
+        plait::SimDesc desc = desc_of({model, 1});
         desc.params.drag = 0.0f;
-        desc.params.bend_stiffness = 1e-10f; // hardly holds: the strand slides as one
+        desc.material.bend_stiffness = 1e-10f; // hardly holds: the strand slides as one
         down_ = {0.0f, static_cast<float>(-std::sin(angle)), static_cast<float>(-std::cos(angle))};
         strand_ = std::make_unique<OneStrand>(StrandShape{17, length, {1.0f, 0.0f, 0.0f}}, desc);
         const Vec3 normal = {0.0f, -down_[2], down_[1]};

@@ -24,8 +24,8 @@ inline void PrintTo(const Use& use, std::ostream* out) {
     *out << "model " << use.model << ", " << use.substeps << " substeps";
 }
 
-inline plait_sim_desc desc_of(const Use& use) {
-    plait_sim_desc desc = plait_sim_desc_defaults();
+inline plait::SimDesc desc_of(const Use& use) {
+    plait::SimDesc desc;
     desc.model = use.model;
     desc.substeps = use.substeps;
     desc.params.gravity[1] = -g;

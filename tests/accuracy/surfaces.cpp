@@ -44,29 +44,29 @@ void move(const OneStrand& strand, plait_collider_id id, Vec3 t) {
 }
 
 plait_collider_desc plane(Vec3 point, Vec3 normal, float friction) {
-    plait_collider_desc desc = plait_collider_desc_defaults();
+    plait_collider_desc desc = smooth_collider();
     desc.kind = PLAIT_COLLIDER_KIND_PLANE;
-    std::copy(point.begin(), point.end(), desc.a);
-    std::copy(normal.begin(), normal.end(), desc.normal);
+    std::copy(point.begin(), point.end(), desc.plane.point);
+    std::copy(normal.begin(), normal.end(), desc.plane.normal);
     desc.friction = friction;
     return desc;
 }
 
 plait_collider_desc box(Vec3 centre, Vec3 half_extents, float rounding, float friction) {
-    plait_collider_desc desc = plait_collider_desc_defaults();
+    plait_collider_desc desc = smooth_collider();
     desc.kind = PLAIT_COLLIDER_KIND_BOX;
-    std::copy(centre.begin(), centre.end(), desc.a);
-    std::copy(half_extents.begin(), half_extents.end(), desc.half_extents);
-    desc.rounding = rounding;
+    std::copy(centre.begin(), centre.end(), desc.box.centre);
+    std::copy(half_extents.begin(), half_extents.end(), desc.box.half_extents);
+    desc.box.rounding = rounding;
     desc.friction = friction;
     return desc;
 }
 
 plait_collider_desc capsule(Vec3 a, Vec3 b, float radius, float friction) {
-    plait_collider_desc desc = plait_collider_desc_defaults();
-    std::copy(a.begin(), a.end(), desc.a);
-    std::copy(b.begin(), b.end(), desc.b);
-    desc.radius_a = desc.radius_b = radius;
+    plait_collider_desc desc = smooth_collider();
+    std::copy(a.begin(), a.end(), desc.capsule.a);
+    std::copy(b.begin(), b.end(), desc.capsule.b);
+    desc.capsule.radius_a = desc.capsule.radius_b = radius;
     desc.friction = friction;
     return desc;
 }
@@ -112,9 +112,9 @@ class Slope {
     // `degrees` beyond the angle of friction. Down the slope is -z. It is a plane, or the face of a hull.
     Slope(plait_model model, float friction, double degrees, bool hull = false) {
         const double angle = std::atan(double(friction)) + degrees * pi / 180;
-        plait_sim_desc desc = desc_of({model, 1});
+        plait::SimDesc desc = desc_of({model, 1});
         desc.params.drag = 0.0f;
-        desc.params.bend_stiffness = 1e-10f; // hardly holds: the strand slides as one
+        desc.material.bend_stiffness = 1e-10f; // hardly holds: the strand slides as one
         down_ = {0.0f, static_cast<float>(-std::sin(angle)), static_cast<float>(-std::cos(angle))};
         strand_ = std::make_unique<OneStrand>(StrandShape{17, length, {1.0f, 0.0f, 0.0f}}, desc);
         const auto half = static_cast<float>(angle / 2);
@@ -266,7 +266,7 @@ TEST_P(Surfaces, a_box_without_width_is_a_capsule) {
     const Points on_capsule =
         rest_on(GetParam(), capsule({0.1f, -0.1f, -1.0f}, {0.1f, -0.1f, 1.0f}, 0.05f, 0), early);
     plait_collider_desc bar = box({0.1f, -0.1f, 0}, {1, 0, 0}, 0.05f, 0);
-    bar.orientation[1] = bar.orientation[3] = std::sqrt(0.5f); // x to -z
+    bar.box.orientation[1] = bar.box.orientation[3] = std::sqrt(0.5f); // x to -z
     EXPECT_LT(largest_move(rest_on(GetParam(), bar, early), on_capsule), 1e-4);
 }
 
@@ -329,7 +329,7 @@ TEST_P(Surfaces, hair_over_a_table_s_edge_stays_whole) {
     strand.run(4.0);
     const Points x = strand.read(PLAIT_FIELD_POSITION);
     EXPECT_LT(strand.tip()[1], -0.06f) << "does not hang";
-    EXPECT_LT(strand.stats().max_stretch, 2e-3f);
+    EXPECT_LT(strand.measure().max_stretch, 2e-3f);
     for (size_t i = 1; i < x.size(); ++i) {
         const double out[3] = {std::abs(double(x[i][0]) + 0.05) - 0.13,
                                std::abs(double(x[i][1]) + 0.07) - 0.03,

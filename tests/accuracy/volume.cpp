@@ -52,18 +52,18 @@ Room room_of(const std::vector<float>& x) {
     return room;
 }
 
-plait_sim_desc limp(const Use& use, bool volume) {
-    auto desc = plait_sim_desc_defaults();
+plait::SimDesc limp(const Use& use, bool volume) {
+    plait::SimDesc desc;
     desc.model = use.model;
     desc.step = 1.0f / static_cast<float>(use.rate);
     desc.params.drag = 1;
-    desc.params.grid_edge = 0.6f;
-    desc.params.grid_edge_count = 32;
-    desc.params.grid_origin[0] = desc.params.grid_origin[2] = -0.3f;
-    desc.params.grid_origin[1] = -0.39f;
+    desc.grid.edge = 0.6f;
+    desc.grid.edge_count = 32;
+    desc.grid.origin[0] = desc.grid.origin[2] = -0.3f;
+    desc.grid.origin[1] = -0.39f;
     if (volume) {
-        desc.params.interhair = PLAIT_INTERHAIR_EXACT;
-        desc.params.volume = PLAIT_VOLUME_PRESSURE;
+        desc.grid.on = true;
+        desc.volume.on = true;
     }
     return desc;
 }
@@ -88,10 +88,10 @@ enum class Body { sphere, field, nearest };
 void add_ball(plait::Sim& sim, Body body) {
     constexpr float friction = 0.2f;
     if (body == Body::sphere) {
-        auto ball = plait_collider_desc_defaults();
-        std::fill_n(ball.a, 3, 0.0f);
-        std::fill_n(ball.b, 3, 0.0f);
-        ball.radius_a = ball.radius_b = radius;
+        auto ball = smooth_collider();
+        std::fill_n(ball.capsule.a, 3, 0.0f);
+        std::fill_n(ball.capsule.b, 3, 0.0f);
+        ball.capsule.radius_a = ball.capsule.radius_b = radius;
         ball.friction = friction;
         (void)sim.create_collider(ball);
         return;
@@ -129,8 +129,8 @@ Outcome after(double seconds, const Use& use, bool volume, Body body = Body::sph
         positions = sim.read(PLAIT_FIELD_POSITION);
         ways += squared_ways(before, positions);
     }
-    EXPECT_EQ(sim.stats().nonfinite, 0u);
-    EXPECT_EQ(sim.stats().grid_outside, 0u);
+    EXPECT_EQ(sim.measure().nonfinite, 0u);
+    EXPECT_EQ(sim.measure().grid_outside, 0u);
     const Room end = room_of(positions);
     return {end.volume / begin.volume, end.height / begin.height,
             std::sqrt(ways / last / (double(positions.size()) / 4)) / style.length};
@@ -201,11 +201,11 @@ void PrintTo(const Sparse& hair, std::ostream* out) {
 
 // m/s, of all vertices in all frames.
 double greatest_speed(const Sparse& hair, const plait::Groom& groom, bool volume) {
-    auto desc = plait_sim_desc_defaults();
+    plait::SimDesc desc;
     desc.model = hair.model;
-    desc.params.interhair = PLAIT_INTERHAIR_EXACT;
-    desc.params.grid_edge_count = 16;
-    desc.params.volume = volume ? PLAIT_VOLUME_PRESSURE : PLAIT_VOLUME_OFF;
+    desc.grid.on = true;
+    desc.grid.edge_count = 16;
+    desc.volume.on = volume;
     const plait::Context context;
     plait::Sim sim(context, groom, desc);
     plait_collider_id head{};
@@ -226,7 +226,7 @@ double greatest_speed(const Sparse& hair, const plait::Groom& groom, bool volume
         if (hair.mesh)
             sim.set_collider_pose(head, roots.head);
         sim.step(1.0 / 60);
-        most = std::max(most, double(sim.stats().max_speed));
+        most = std::max(most, double(sim.measure().max_speed));
     }
     return most;
 }

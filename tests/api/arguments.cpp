@@ -83,6 +83,32 @@ template <typename Change> Bad params(const char* sentence, Change change) {
                 return plait_sim_set_params(o.sim, &p);
             }};
 }
+// The same of a feature.
+template <typename Desc, typename Change>
+Bad feature(const char* sentence, const Desc& defaults,
+            plait_result (*set)(plait_sim*, const Desc*), Change change) {
+    return {sentence, [=](Objects& o) {
+                Desc desc = defaults;
+                change(desc);
+                return set(o.sim, &desc);
+            }};
+}
+template <typename Change> Bad tressfx(const char* sentence, Change change) {
+    return feature(sentence, plait_tressfx_desc_defaults(), plait_sim_set_tressfx, change);
+}
+template <typename Change> Bad grid(const char* sentence, Change change) {
+    return feature(sentence, plait_grid_desc_defaults(), plait_sim_set_grid, change);
+}
+template <typename Change> Bad volume(const char* sentence, Change change) {
+    return feature(sentence, plait_volume_desc_defaults(), plait_sim_set_volume, change);
+}
+template <typename Change> Bad strand_contact(const char* sentence, Change change) {
+    return feature(sentence, plait_strand_contact_desc_defaults(), plait_sim_set_strand_contact,
+                   change);
+}
+template <typename Change> Bad wetness(const char* sentence, Change change) {
+    return feature(sentence, plait_wetness_desc_defaults(), plait_sim_set_wetness, change);
+}
 template <typename Change> Bad sim_desc(const char* sentence, Change change) {
     return {sentence, [change](Objects& o) {
                 auto desc = plait_sim_desc_defaults();
@@ -249,8 +275,8 @@ TEST(Arguments, NullPointers) {
          [](O& o) { return plait_sim_write(nullptr, PLAIT_FIELD_POSITION, o.floats.data(), 4); }},
         {"src is NULL",
          [](O& o) { return plait_sim_write(o.sim, PLAIT_FIELD_POSITION, nullptr, 128); }},
-        {"sim is NULL", [](O&) { return plait_sim_get_stats(nullptr, nullptr); }},
-        {"out is NULL", [](O& o) { return plait_sim_get_stats(o.sim, nullptr); }},
+        {"sim is NULL", [](O&) { return plait_sim_measure(nullptr, nullptr); }},
+        {"out is NULL", [](O& o) { return plait_sim_measure(o.sim, nullptr); }},
         {"sim is NULL",
          [](O& o) { return plait_sim_get_stage_times(nullptr, nullptr, &o.size, 0); }},
         {"count is NULL",
@@ -299,11 +325,11 @@ TEST(Arguments, NullPointers) {
          [](O& o) { return plait_sim_get_param(o.sim, nullptr, nullptr, &o.size); }},
         {"count is NULL",
          [](O& o) { return plait_sim_get_param(o.sim, "drag", nullptr, nullptr); }},
-        {"params is NULL", [&](O&) { return plait_sim_params_set_fibre(nullptr, &fibre); }},
+        {"material is NULL", [&](O&) { return plait_material_set_fibre(nullptr, &fibre); }},
         {"fibre is NULL",
          [](O&) {
-             auto into = plait_sim_params_defaults();
-             return plait_sim_params_set_fibre(&into, nullptr);
+             auto into = plait_material_defaults();
+             return plait_material_set_fibre(&into, nullptr);
          }},
         {"sim is NULL", [](O&) { return plait_sim_set_materials(nullptr, nullptr, 0, {}); }},
         {"materials is NULL", [](O& o) { return plait_sim_set_materials(o.sim, nullptr, 1, {}); }},
@@ -312,6 +338,12 @@ TEST(Arguments, NullPointers) {
         {"pins is NULL", [](O& o) { return plait_sim_set_pins(o.sim, nullptr, 1); }},
         {"sim is NULL", [](O&) { return plait_sim_set_wind(nullptr, nullptr); }},
         {"sim is NULL", [](O&) { return plait_sim_set_frame(nullptr, nullptr); }},
+        {"sim is NULL", [](O&) { return plait_sim_set_tressfx(nullptr, nullptr); }},
+        {"sim is NULL", [](O&) { return plait_sim_set_grid(nullptr, nullptr); }},
+        {"sim is NULL", [](O&) { return plait_sim_set_volume(nullptr, nullptr); }},
+        {"sim is NULL", [](O&) { return plait_sim_set_strand_contact(nullptr, nullptr); }},
+        {"sim is NULL", [](O&) { return plait_sim_set_wetness(nullptr, nullptr); }},
+        {"sim is NULL", [](O&) { return plait_sim_set_acceleration(nullptr, nullptr); }},
         {"sim is NULL", [](O&) { return plait_sim_find_balance(nullptr); }},
         {"sim is NULL", [](O&) { return plait_sim_set_detail(nullptr, nullptr); }},
         {"sim is NULL", [](O&) { return plait_sim_set_settings(nullptr, nullptr, 1, {}); }},
@@ -376,63 +408,61 @@ TEST(Arguments, DestroyingNothingDoesNothing) {
 }
 
 TEST(Arguments, ParametersOutsideTheirRanges) {
-    using P = plait_sim_params;
     expect_refused({
-        params("gravity[2] is nan", [](P& p) { p.gravity[2] = NAN; }),
+        params("gravity[2] is nan", [](auto& p) { p.gravity[2] = NAN; }),
         params("gravity[0] is -20000, range is [-10000, 10000]",
-               [](P& p) { p.gravity[0] = -2e4f; }),
-        params("damping", [](P& p) { p.damping = 101; }),
-        params("local_stiffness", [](P& p) { p.local_stiffness = 1.01f; }),
-        params("local_iterations is 65, range is [0, 64]", [](P& p) { p.local_iterations = 65; }),
-        params("global_stiffness", [](P& p) { p.global_stiffness = -0.01f; }),
-        params("global_range", [](P& p) { p.global_range = 2; }),
-        params("length_iterations", [](P& p) { p.length_iterations = 257; }),
-        params("vsp_coeff", [](P& p) { p.vsp_coeff = 1.01f; }),
-        params("vsp_accel_threshold", [](P& p) { p.vsp_accel_threshold = -1; }),
-        params("max_displacement is 0, range is (0,", [](P& p) { p.max_displacement = 0; }),
-        params("tip_separation", [](P& p) { p.tip_separation = 101; }),
-        params("wind_form", [](P& p) { set_raw(p.wind_form, 2); }),
-        params("follow_form", [](P& p) { set_raw(p.follow_form, 2); }),
-        params("shock_form", [](P& p) { set_raw(p.shock_form, 2); }),
-        params("order", [](P& p) { set_raw(p.order, 2); }),
-        params("wind[1]", [](P& p) { p.wind[1] = 1001; }),
-        params("air_drag", [](P& p) { p.air_drag = INFINITY; }),
-        params("volume", [](P& p) { set_raw(p.volume, 2); }),
-        params("volume_share", [](P& p) { p.volume_share = 4.1f; }),
-        params("volume_sweeps", [](P& p) { p.volume_sweeps = 0; }),
-        params("volume_sweeps", [](P& p) { p.volume_sweeps = 65; }),
-        params("volume_rate", [](P& p) { p.volume_rate = -1; }),
-        params("volume_viscosity", [](P& p) { p.volume_viscosity = 1001; }),
-        params("cohesion", [](P& p) { p.cohesion = NAN; }),
-        params("drying_time", [](P& p) { p.drying_time = -1; }),
-        params("drying_time", [](P& p) { p.drying_time = INFINITY; }),
-        params("wet_cohesion", [](P& p) { p.wet_cohesion = 10001; }),
-        params("interhair", [](P& p) { p.volume = PLAIT_VOLUME_PRESSURE; }),
-        params("strand_contact", [](P& p) { set_raw(p.strand_contact, 2); }),
-        params("strand_radius is 0, range is (0, 0.1]", [](P& p) { p.strand_radius = 0; }),
-        params("strand_radius", [](P& p) { p.strand_radius = 0.11f; }),
-        params("strand_friction", [](P& p) { p.strand_friction = -0.1f; }),
-        params("strand_friction", [](P& p) { p.strand_friction = 10.1f; }),
-        params("follow_contact", [](P& p) { p.follow_contact = 2; }),
-        params("wind_cone", [](P& p) { p.wind_cone = 1.6f; }),
-        params("interhair", [](P& p) { set_raw(p.interhair, 3); }),
-        params("grid_edge_count", [](P& p) { p.grid_edge_count = 0; }),
-        params("slot_capacity", [](P& p) { p.slot_capacity = 65537; }),
-        params("grid_edge_count^3 * slot_capacity",
-               [](P& p) {
-                   p.interhair = PLAIT_INTERHAIR_SLOTS;
-                   p.grid_edge_count = 64;
-                   p.slot_capacity = 65536;
-               }),
-        params("slot_hash", [](P& p) { set_raw(p.slot_hash, 2); }),
-        params("tent", [](P& p) { set_raw(p.tent, 2); }),
-        params("diffuse_rule", [](P& p) { set_raw(p.diffuse_rule, 2); }),
-        params("diffuse_ratio", [](P& p) { p.diffuse_ratio = -1; }),
-        params("diffuse_factor", [](P& p) { p.diffuse_factor = 1.5f; }),
-        params("diffuse_floor", [](P& p) { p.diffuse_floor = NAN; }),
-        params("grid_in_world", [](P& p) { p.grid_in_world = 2; }),
-        params("grid_origin[0]", [](P& p) { p.grid_origin[0] = NAN; }),
-        params("grid_edge", [](P& p) { p.grid_edge = -1; }),
+               [](auto& p) { p.gravity[0] = -2e4f; }),
+        tressfx("damping", [](auto& p) { p.damping = 101; }),
+        tressfx("local_stiffness", [](auto& p) { p.local_stiffness = 1.01f; }),
+        tressfx("local_iterations is 65, range is [0, 64]",
+                [](auto& p) { p.local_iterations = 65; }),
+        tressfx("global_stiffness", [](auto& p) { p.global_stiffness = -0.01f; }),
+        tressfx("global_range", [](auto& p) { p.global_range = 2; }),
+        tressfx("length_iterations", [](auto& p) { p.length_iterations = 257; }),
+        tressfx("vsp_coeff", [](auto& p) { p.vsp_coeff = 1.01f; }),
+        tressfx("vsp_accel_threshold", [](auto& p) { p.vsp_accel_threshold = -1; }),
+        tressfx("max_displacement is 0, range is (0,", [](auto& p) { p.max_displacement = 0; }),
+        params("tip_separation", [](auto& p) { p.tip_separation = 101; }),
+        tressfx("wind_form", [](auto& p) { set_raw(p.wind_form, 2); }),
+        params("follow_form", [](auto& p) { set_raw(p.follow_form, 2); }),
+        tressfx("shock_form", [](auto& p) { set_raw(p.shock_form, 2); }),
+        tressfx("order", [](auto& p) { set_raw(p.order, 2); }),
+        tressfx("wind[1]", [](auto& p) { p.wind[1] = 1001; }),
+        tressfx("air_drag", [](auto& p) { p.air_drag = INFINITY; }),
+        volume("volume_share", [](auto& p) { p.share = 4.1f; }),
+        volume("volume_sweeps", [](auto& p) { p.sweeps = 0; }),
+        volume("volume_sweeps", [](auto& p) { p.sweeps = 65; }),
+        volume("volume_rate", [](auto& p) { p.rate = -1; }),
+        volume("volume_viscosity", [](auto& p) { p.viscosity = 1001; }),
+        volume("volume_cohesion", [](auto& p) { p.cohesion = NAN; }),
+        wetness("wetness_drying_time", [](auto& p) { p.drying_time = -1; }),
+        wetness("wetness_drying_time", [](auto& p) { p.drying_time = INFINITY; }),
+        wetness("wetness_cohesion", [](auto& p) { p.cohesion = 10001; }),
+        strand_contact("strand_contact_radius is 0, range is (0, 0.1]",
+                       [](auto& p) { p.radius = 0; }),
+        strand_contact("strand_contact_radius", [](auto& p) { p.radius = 0.11f; }),
+        strand_contact("strand_contact_friction", [](auto& p) { p.friction = -0.1f; }),
+        strand_contact("strand_contact_friction", [](auto& p) { p.friction = 10.1f; }),
+        params("follow_contact", [](auto& p) { p.follow_contact = 2; }),
+        tressfx("wind_cone", [](auto& p) { p.wind_cone = 1.6f; }),
+        grid("grid_edge_count", [](auto& p) { p.edge_count = 0; }),
+        grid("grid_slot_capacity", [](auto& p) { p.slot_capacity = 65537; }),
+        grid("grid_slot_hash", [](auto& p) { set_raw(p.slot_hash, 2); }),
+        grid("grid_tent", [](auto& p) { set_raw(p.tent, 2); }),
+        grid("grid_diffuse_rule", [](auto& p) { set_raw(p.diffuse_rule, 2); }),
+        grid("grid_diffuse_ratio", [](auto& p) { p.diffuse_ratio = -1; }),
+        grid("grid_diffuse_factor", [](auto& p) { p.diffuse_factor = 1.5f; }),
+        grid("grid_diffuse_floor", [](auto& p) { p.diffuse_floor = NAN; }),
+        grid("grid_in_world", [](auto& p) { p.in_world = 2; }),
+        grid("grid_origin[0]", [](auto& p) { p.origin[0] = NAN; }),
+        grid("grid_edge", [](auto& p) { p.edge = -1; }),
+        grid("grid_form", [](auto& p) { set_raw(p.form, 2); }),
+        grid("edge_count^3 * slot_capacity",
+             [](auto& p) {
+                 p.form = PLAIT_GRID_FORM_SLOTS;
+                 p.edge_count = 64;
+                 p.slot_capacity = 65536;
+             }),
     });
 }
 
@@ -463,7 +493,7 @@ TEST(Arguments, SimDescriptorsOutsideTheirRanges) {
                      d.sag_free = PLAIT_SAG_FREE_REST;
                  }),
         sim_desc("follow_radius", [](D& d) { d.follow_radius = NAN; }),
-        sim_desc("damping", [](D& d) { d.params.damping = -1; }),
+        sim_desc("drag", [](D& d) { d.params.drag = -1; }),
         sim_desc("params.struct_size", [](D& d) { d.params.struct_size += 8; }),
     });
 }
@@ -548,7 +578,7 @@ TEST(Arguments, TheRest) {
         {"dt is 1.1e+09", [](O& o) { return plait_sim_step(o.sim, 1.1e9); }},
         {"field is 14",
          [](O& o) { return plait_sim_read(o.sim, PLAIT_FIELD_COUNT, nullptr, &o.size); }},
-        {"interhair is off",
+        {"the grid (plait_sim_set_grid) is off",
          [](O& o) { return plait_sim_read(o.sim, PLAIT_FIELD_GRID_DENSITY, nullptr, &o.size); },
          PLAIT_INVALID_STATE},
         {"*size is 4 bytes, 128 are needed",
@@ -577,26 +607,27 @@ TEST(Arguments, TheRest) {
         {"x.tfx", [](O& o) { return plait_groom_load("/nowhere/x.tfx", nullptr, &o.no_groom); },
          PLAIT_NOT_FOUND},
         {"x.xyz", [](O& o) { return plait_groom_save(o.groom, "x.xyz"); }, PLAIT_UNSUPPORTED},
-        collider("radius_a is 0, range is (0, 1000]", [](C& c) { c.radius_a = 0; }),
-        collider("radius_b", [](C& c) { c.radius_b = NAN; }),
+        collider("radius_a is 0, range is (0, 1000]", [](C& c) { c.capsule.radius_a = 0; }),
+        collider("radius_b", [](C& c) { c.capsule.radius_b = NAN; }),
         collider("friction", [](C& c) { c.friction = 11; }),
-        collider("a[1]", [](C& c) { c.a[1] = NAN; }),
+        collider("a[1]", [](C& c) { c.capsule.a[1] = NAN; }),
         collider("desc->pose: quaternion", [](C& c) { c.pose.q[0] = 1; }),
         collider("kind is 3, range is [0, 2]",
                  [](C& c) { c.kind = static_cast<plait_collider_kind>(3); }),
-        plane("length of normal is 0, range is [1e-06, 2e+06]", [](C& c) { c.normal[1] = 0; }),
-        plane("normal[2] is nan, range is [-1e+06, 1e+06]", [](C& c) { c.normal[2] = NAN; }),
-        plane("a[0] is nan", [](C& c) { c.a[0] = NAN; }),
+        plane("length of normal is 0, range is [1e-06, 2e+06]",
+              [](C& c) { c.plane.normal[1] = 0; }),
+        plane("normal[2] is nan, range is [-1e+06, 1e+06]", [](C& c) { c.plane.normal[2] = NAN; }),
+        plane("point[0] is nan", [](C& c) { c.plane.point[0] = NAN; }),
         plane("friction is -1", [](C& c) { c.friction = -1; }),
-        box("half_extents[1] is -1, range is [0, 1000]", [](C& c) { c.half_extents[1] = -1; }),
-        box("half_extents[2] is 2000", [](C& c) { c.half_extents[2] = 2000; }),
-        box("rounding is -0.5, range is [0, 1000]", [](C& c) { c.rounding = -0.5f; }),
+        box("half_extents[1] is -1, range is [0, 1000]", [](C& c) { c.box.half_extents[1] = -1; }),
+        box("half_extents[2] is 2000", [](C& c) { c.box.half_extents[2] = 2000; }),
+        box("rounding is -0.5, range is [0, 1000]", [](C& c) { c.box.rounding = -0.5f; }),
         box("orientation: quaternion norm is 1.41421, range is 1 +- 0.001",
-            [](C& c) { c.orientation[0] = 1; }),
+            [](C& c) { c.box.orientation[0] = 1; }),
         {"radius_a is 0, range is (0, 1000]",
          [](O& o) {
              auto desc = plait_collider_desc_defaults();
-             desc.radius_a = 0;
+             desc.capsule.radius_a = 0;
              return plait_collider_set_shape(o.sim, {1}, &desc);
          }},
         {"profile is 2",
@@ -627,8 +658,8 @@ TEST(Structs, ASizeThatWasNeverSetIsRefused) {
     plait_sim_params params = plait_sim_params_defaults();
     params.struct_size = 0;
     EXPECT_EQ(plait_sim_set_params(o.sim, &params), PLAIT_INVALID_ARGUMENT);
-    plait_sim_stats stats{};
-    EXPECT_EQ(plait_sim_get_stats(o.sim, &stats), PLAIT_INVALID_ARGUMENT);
+    plait_sim_measures stats{};
+    EXPECT_EQ(plait_sim_measure(o.sim, &stats), PLAIT_INVALID_ARGUMENT);
     EXPECT_NE(std::string(plait_last_error()).find("struct_size"), std::string::npos);
 }
 
@@ -636,13 +667,13 @@ TEST(Structs, AShorterStructKeepsTheDefaultsOfTheRest) {
     Objects o;
     plait_sim_params params;
     std::memset(&params, 0x55, sizeof params); // what lies beyond must not be read
-    plait_sim_params_init(&params, offsetof(plait_sim_params, damping));
+    plait_sim_params_init(&params, offsetof(plait_sim_params, drag));
     params.gravity[1] = -1;
     ASSERT_EQ(plait_sim_set_params(o.sim, &params), PLAIT_OK) << plait_last_error();
     const auto now = o.sim.params();
     EXPECT_EQ(now.gravity[1], -1);
-    EXPECT_EQ(now.damping, plait_sim_params_defaults().damping);
-    EXPECT_EQ(now.slot_capacity, 1024u);
+    EXPECT_EQ(now.drag, plait_sim_params_defaults().drag);
+    EXPECT_EQ(now.bdf2, PLAIT_BDF2_OF_MODEL);
 }
 
 TEST(Structs, ASizeBeyondThatOfAnyStructIsRefusedUnread) {
@@ -669,8 +700,8 @@ TEST(Structs, ElementsOfAListMayBeShorter) {
         plait_param_info_init(element(i), size);
     size_t count = 3;
     ASSERT_EQ(plait_params_list(element(0), &count), PLAIT_OK) << plait_last_error();
-    EXPECT_STREQ(element(1)->name, "damping");
-    EXPECT_STREQ(element(2)->name, "local_stiffness");
+    EXPECT_STREQ(element(1)->name, "follow_contact");
+    EXPECT_STREQ(element(2)->name, "tip_separation");
     EXPECT_EQ(element(2)->struct_size, size);
     EXPECT_EQ(memory.back(), 77u);
 }
@@ -689,7 +720,7 @@ TEST(Structs, ElementsOfAListLieAsFarApartAsTheirSizeSays) {
     size_t count = list.size();
     ASSERT_EQ(plait_params_list(&list[0].known, &count), PLAIT_OK) << plait_last_error();
     EXPECT_STREQ(list[0].known.name, "gravity");
-    EXPECT_STREQ(list[2].known.name, "local_stiffness");
+    EXPECT_STREQ(list[2].known.name, "tip_separation");
     EXPECT_EQ(list[1].unknown, 77u);
     EXPECT_EQ(list[1].known.struct_size, sizeof(LongerInfo));
 }
@@ -704,24 +735,27 @@ TEST(Structs, ALongerStructIsTakenOnlyIfTheUnknownPartIsZero) {
     Longer longer;
     plait_sim_params_init(&longer.known, sizeof longer);
     EXPECT_EQ(longer.unknown[0], 0);
-    longer.known.damping = 0.5f;
+    longer.known.groom = 0.5f;
     EXPECT_EQ(plait_sim_set_params(o.sim, &longer.known), PLAIT_OK) << plait_last_error();
-    EXPECT_EQ(o.sim.params().damping, 0.5f);
+    EXPECT_EQ(o.sim.params().groom, 0.5f);
     longer.unknown[1] = 1;
-    longer.known.damping = 0.25f;
+    longer.known.groom = 0.25f;
     EXPECT_EQ(plait_sim_set_params(o.sim, &longer.known), PLAIT_INVALID_ARGUMENT);
-    EXPECT_EQ(o.sim.params().damping, 0.5f);
+    EXPECT_EQ(o.sim.params().groom, 0.5f);
 }
 
 TEST(Structs, OutputsAreWrittenNoFurtherThanTheirSize) {
     Objects o;
-    plait_sim_stats stats;
+    plait_sim_measures stats;
     std::memset(&stats, 0x55, sizeof stats);
-    stats.struct_size = offsetof(plait_sim_stats, strands);
-    ASSERT_EQ(plait_sim_get_stats(o.sim, &stats), PLAIT_OK);
-    EXPECT_EQ(stats.guides, 2u);
-    EXPECT_EQ(stats.strands, 0x5555555555555555u);
-    EXPECT_EQ(stats.struct_size, offsetof(plait_sim_stats, strands));
+    stats.struct_size = offsetof(plait_sim_measures, mean_stretch);
+    ASSERT_EQ(plait_sim_measure(o.sim, &stats), PLAIT_OK);
+    EXPECT_GE(stats.max_stretch, 0);
+    EXPECT_LT(stats.max_stretch, 1);
+    uint32_t beyond;
+    std::memcpy(&beyond, &stats.mean_stretch, sizeof beyond);
+    EXPECT_EQ(beyond, 0x55555555u);
+    EXPECT_EQ(stats.struct_size, offsetof(plait_sim_measures, mean_stretch));
 }
 
 TEST(Structs, SizesAreQueriedWithoutADestination) {

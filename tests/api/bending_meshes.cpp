@@ -23,8 +23,8 @@ plait_collider_mesh_desc nearest_desc() {
     return desc;
 }
 
-plait_sim_desc desc_of() {
-    auto desc = plait_sim_desc_defaults();
+plait::SimDesc desc_of() {
+    plait::SimDesc desc;
     return desc;
 }
 
@@ -172,7 +172,7 @@ double strayed(plait::Context& context, float friction) {
     for (int i = 0; i < 17; ++i)
         strand.push_back({static_cast<float>(hair_length) * static_cast<float>(i) / 16, height, 0});
     auto desc = desc_of();
-    desc.params.bend_stiffness = 1e-11f;
+    desc.material.bend_stiffness = 1e-11f;
     desc.params.drag = 2;
     plait::Sim sim(context, make_groom({strand}), desc);
     const auto mesh = make_mesh(skin_mesh());
@@ -272,18 +272,18 @@ TEST_P(BendingMeshes, NothingIsScheduledWithoutThem) {
     };
     for (const auto id : {sim.create_collider(mesh), sim.create_collider(mesh)})
         sim.destroy_collider(id); // what lists colliders keeps the room of two
-    const auto bytes = sim.stats().device_bytes;
+    const auto bytes = sim.describe().device_bytes;
     EXPECT_EQ(launched(), std::pair(0l, 0l));
     const auto id = sim.create_collider(mesh, nearest_desc());
     EXPECT_EQ(launched(), std::pair(0l, 2l));
-    EXPECT_GT(sim.stats().device_bytes, bytes);
+    EXPECT_GT(sim.describe().device_bytes, bytes);
     const auto other = sim.create_collider(mesh);
     EXPECT_EQ(launched(), std::pair(2l, 2l));
     sim.destroy_collider(id);
     EXPECT_EQ(launched(), std::pair(2l, 0l));
     sim.destroy_collider(other);
     EXPECT_EQ(launched(), std::pair(0l, 0l));
-    EXPECT_EQ(sim.stats().device_bytes, bytes);
+    EXPECT_EQ(sim.describe().device_bytes, bytes);
 }
 
 TEST_P(BendingMeshes, SnapshotsHoldThemInTheMiddleOfTheirWay) {
@@ -360,7 +360,7 @@ TEST_P(BendingMeshes, WhatCannotBeIsRefused) {
     desc = nearest_desc();
     desc.two_sided = 1;
     const auto sheet = sim.create_collider(open, desc);
-    const auto ball = sim.create_collider(plait_collider_desc_defaults());
+    const auto ball = sim.create_collider(smooth_collider());
     const auto field = sim.create_collider(closed);
     std::vector<float> positions(12, 0.1f);
     auto view = plait::view(positions, 3);

@@ -8,13 +8,13 @@ const std::string reference = "reference";
 TEST(Clock, ManyCallsOfExactlyOneStepAreThatManySteps) {
     const auto context = make_context(reference);
     for (const float step : {1.0f / 60, 1.0f / 144, 1.0f / 90, 0.01f}) {
-        auto desc = plait_sim_desc_defaults();
+        plait::SimDesc desc;
         desc.step = step;
         for (const double dt : {double(step), 1 / std::round(1 / double(step))}) {
             plait::Sim sim(context, make_groom(tuft(1, 3)), desc);
             for (int i = 1; i <= 300; ++i) {
                 sim.step(dt);
-                ASSERT_EQ(sim.stats().steps, static_cast<uint64_t>(i)) << step << ' ' << dt;
+                ASSERT_EQ(sim.describe().steps, static_cast<uint64_t>(i)) << step << ' ' << dt;
             }
         }
     }
@@ -23,7 +23,7 @@ TEST(Clock, ManyCallsOfExactlyOneStepAreThatManySteps) {
 TEST(Clock, JitterInFrameTimesDoesNotChangeTheMotion) {
     const auto context = make_context(reference);
     const auto groom = make_groom(tuft(3, 8));
-    auto desc = plait_sim_desc_defaults();
+    plait::SimDesc desc;
     desc.interpolate_output = 0; // the motion, whatever is shown of it
     plait::Sim regular(context, groom, desc);
     plait::Sim jittered(context, groom, desc);
@@ -32,14 +32,14 @@ TEST(Clock, JitterInFrameTimesDoesNotChangeTheMotion) {
         jittered.step(frame * 1.6);
         jittered.step(frame * 0.4);
     }
-    EXPECT_EQ(jittered.stats().steps, 60u);
+    EXPECT_EQ(jittered.describe().steps, 60u);
     EXPECT_EQ(regular.read(PLAIT_FIELD_POSITION), jittered.read(PLAIT_FIELD_POSITION));
 }
 
 TEST(Clock, RootsMovingSteadilyAreSampledAtTheStepsOwnTimes) {
     const auto context = make_context(reference);
     const auto groom = make_groom(tuft(2, 8));
-    auto desc = plait_sim_desc_defaults();
+    plait::SimDesc desc;
     desc.interpolate_output = 0;
     plait::Sim regular(context, groom, desc);
     plait::Sim jittered(context, groom, desc);
@@ -57,7 +57,7 @@ TEST(Clock, RootsMovingSteadilyAreSampledAtTheStepsOwnTimes) {
         jittered.set_roots(head(t));
         jittered.step(dt);
     }
-    EXPECT_EQ(jittered.stats().steps, 60u);
+    EXPECT_EQ(jittered.describe().steps, 60u);
     EXPECT_LT(
         largest_difference(regular.read(PLAIT_FIELD_POSITION), jittered.read(PLAIT_FIELD_POSITION)),
         2e-6f); // m; one step's motion is 8e-3
@@ -67,13 +67,13 @@ TEST(Clock, TimeBeyondTheLimitIsDroppedAndCounted) {
     const auto context = make_context(reference);
     plait::Sim sim(context, make_groom(tuft(1, 4)));
     sim.step(1.0);
-    EXPECT_EQ(sim.stats().steps, 8u);
-    EXPECT_EQ(sim.stats().steps_dropped, 52u);
+    EXPECT_EQ(sim.describe().steps, 8u);
+    EXPECT_EQ(sim.describe().steps_dropped, 52u);
 }
 
 TEST(Clock, OutputFollowsTimeBetweenSteps) {
     const auto context = make_context(reference);
-    auto desc = plait_sim_desc_defaults();
+    plait::SimDesc desc;
     desc.interpolate_output = 1;
     const auto groom = make_groom(tuft(1, 8));
     plait::Sim shown(context, groom, desc);

@@ -13,7 +13,7 @@ ON_EVERY_BACKEND(Colliders);
 TEST_P(Colliders, HairStaysOutsideAMovingSphere) {
     plait::Sim sim(context, make_groom(tuft(3, 8)), tressfx_desc()); // which pushes out exactly
     auto desc = plait_collider_desc_defaults();
-    desc.radius_a = desc.radius_b = 0.05f;
+    desc.capsule.radius_a = desc.capsule.radius_b = 0.05f;
     desc.pose.t[0] = 0.1f;
     desc.pose.t[1] = -0.2f;
     const auto id = sim.create_collider(desc);
@@ -54,8 +54,8 @@ TEST_P(Colliders, AreListedAndReadBack) {
     auto desc = plait_collider_desc_defaults();
     std::vector<plait_collider_id> made;
     for (int i = 0; i < 3; ++i) {
-        desc.radius_a = 0.1f + 0.01f * static_cast<float>(i);
-        desc.b[1] = 0.2f;
+        desc.capsule.radius_a = 0.1f + 0.01f * static_cast<float>(i);
+        desc.capsule.b[1] = 0.2f;
         desc.friction = 0.25f;
         desc.pose.t[2] = static_cast<float>(i);
         made.push_back(sim.create_collider(desc));
@@ -67,8 +67,8 @@ TEST_P(Colliders, AreListedAndReadBack) {
     EXPECT_EQ(ids[1].value, made[2].value);
     const auto back = sim.describe_collider(ids[1]);
     EXPECT_EQ(back.struct_size, sizeof back);
-    EXPECT_EQ(back.radius_a, desc.radius_a);
-    EXPECT_EQ(back.b[1], 0.2f);
+    EXPECT_EQ(back.capsule.radius_a, desc.capsule.radius_a);
+    EXPECT_EQ(back.capsule.b[1], 0.2f);
     EXPECT_EQ(back.friction, 0.25f);
     EXPECT_EQ(back.pose.t[2], 2);
     desc.pose.t[2] = 5;
@@ -88,13 +88,13 @@ TEST_P(Colliders, ANewShapeIsThatOfAColliderMadeSo) {
     const auto groom = make_groom(tuft(3, 8));
     plait::Sim changed(context, groom), made(context, groom);
     auto desc = plait_collider_desc_defaults();
-    desc.radius_a = desc.radius_b = 0.01f;
+    desc.capsule.radius_a = desc.capsule.radius_b = 0.01f;
     desc.pose.t[0] = 0.08f;
     desc.pose.t[1] = -0.08f;
     const auto id = changed.create_collider(desc);
-    desc.b[0] = 0.1f;
-    desc.radius_a = 0.07f;
-    desc.radius_b = 0.05f;
+    desc.capsule.b[0] = 0.1f;
+    desc.capsule.radius_a = 0.07f;
+    desc.capsule.radius_b = 0.05f;
     desc.friction = 0.5f;
     auto elsewhere = desc; // its pose is not used
     elsewhere.pose.t[0] = 9;
@@ -107,41 +107,33 @@ TEST_P(Colliders, ANewShapeIsThatOfAColliderMadeSo) {
     run(without, 12);
     EXPECT_NE(changed.read(PLAIT_FIELD_POSITION), without.read(PLAIT_FIELD_POSITION));
     // and while it runs: out of the way
-    desc.radius_a = desc.radius_b = 1e-3f;
+    desc.capsule.radius_a = desc.capsule.radius_b = 1e-3f;
     changed.set_collider_shape(id, desc);
     changed.step(frame);
     made.step(frame);
     EXPECT_NE(changed.read(PLAIT_FIELD_POSITION), made.read(PLAIT_FIELD_POSITION));
 }
 
-// All fields, those that its kind does not read, too.
 TEST_P(Colliders, EveryKindIsReadBack) {
     plait::Sim sim(context, make_groom(tuft(1, 4)));
     auto desc = plait_collider_desc_defaults();
     EXPECT_EQ(desc.kind, PLAIT_COLLIDER_KIND_CAPSULE);
+    EXPECT_EQ(desc.friction, 0.3f) << "as of meshes and hulls";
     desc.kind = PLAIT_COLLIDER_KIND_BOX;
-    desc.half_extents[2] = 0.3f;
-    desc.rounding = 0.02f;
-    desc.orientation[2] = 0.6f;
-    desc.orientation[3] = 0.8f;
-    desc.normal[0] = 7;
+    desc.box.half_extents[2] = 0.3f;
+    desc.box.rounding = 0.02f;
+    desc.box.orientation[2] = 0.6f;
+    desc.box.orientation[3] = 0.8f;
     const auto id = sim.create_collider(desc);
     auto back = sim.describe_collider(id);
-    EXPECT_EQ(std::memcmp(&back, &desc, sizeof desc), 0);
+    EXPECT_EQ(std::memcmp(&back.box, &desc.box, sizeof desc.box), 0);
+    EXPECT_EQ(back.capsule.radius_a, 0) << "of another kind";
     desc.kind = PLAIT_COLLIDER_KIND_PLANE;
-    desc.normal[2] = 2;
+    desc.plane.normal[2] = 2;
     sim.set_collider_shape(id, desc);
     back = sim.describe_collider(id);
-    EXPECT_EQ(std::memcmp(&back, &desc, sizeof desc), 0);
-}
-
-// A desc of a plait.h that knew capsules alone ends with its pose.
-TEST_P(Colliders, AnOlderDescIsOfACapsule) {
-    plait::Sim sim(context, make_groom(tuft(1, 4)));
-    auto desc = plait_collider_desc_defaults();
-    desc.kind = PLAIT_COLLIDER_KIND_BOX;
-    desc.struct_size = offsetof(plait_collider_desc, kind);
-    EXPECT_EQ(sim.describe_collider(sim.create_collider(desc)).kind, PLAIT_COLLIDER_KIND_CAPSULE);
+    EXPECT_EQ(std::memcmp(&back.plane, &desc.plane, sizeof desc.plane), 0);
+    EXPECT_EQ(back.box.rounding, 0);
 }
 
 // A table that comes up under hanging hair, turned and moved by its pose, in both kinds.
@@ -151,12 +143,12 @@ TEST_P(Colliders, HairStaysAboveATable) {
         plait::Sim sim(context, groom, tressfx_desc()); // which pushes out exactly
         auto desc = plait_collider_desc_defaults();
         desc.kind = kind;
-        desc.a[0] = kind == PLAIT_COLLIDER_KIND_BOX ? -0.5f : 0; // its top at the own x = 0
-        desc.normal[0] = 2;
-        desc.normal[1] = 0;
-        desc.half_extents[0] = 0.49f;
-        desc.half_extents[1] = desc.half_extents[2] = 2;
-        desc.rounding = 0.01f;
+        desc.box.centre[0] = -0.5f; // its top at the own x = 0
+        desc.plane.normal[0] = 2;
+        desc.plane.normal[1] = 0;
+        desc.box.half_extents[0] = 0.49f;
+        desc.box.half_extents[1] = desc.box.half_extents[2] = 2;
+        desc.box.rounding = 0.01f;
         desc.pose.q[2] = desc.pose.q[3] = std::sqrt(0.5f); // x to y
         desc.pose.t[1] = -0.22f;
         const auto id = sim.create_collider(desc);
@@ -192,9 +184,9 @@ TEST_P(Colliders, ADestroyedColliderIsGone) {
 
 plait_collider_desc under_the_tuft() {
     auto sphere = plait_collider_desc_defaults();
-    sphere.a[0] = sphere.b[0] = 0.07f;
-    sphere.a[1] = sphere.b[1] = -0.1f;
-    sphere.radius_a = sphere.radius_b = 0.09f;
+    sphere.capsule.a[0] = sphere.capsule.b[0] = 0.07f;
+    sphere.capsule.a[1] = sphere.capsule.b[1] = -0.1f;
+    sphere.capsule.radius_a = sphere.capsule.radius_b = 0.09f;
     sphere.friction = 0.5f;
     return sphere;
 }
@@ -206,7 +198,7 @@ TEST_P(Colliders, GoAlongWithATeleport) {
     const Point moved{20, -8, 5};
     const plait_roots there = head_at(moved);
     for (const plait_model model : {PLAIT_MODEL_TRESSFX, PLAIT_MODEL_ARTICULATED}) {
-        auto desc = model == PLAIT_MODEL_TRESSFX ? tressfx_desc() : plait_sim_desc_defaults();
+        auto desc = model == PLAIT_MODEL_TRESSFX ? tressfx_desc() : plait::SimDesc();
         desc.model = model;
         plait::Sim stays(context, make_groom(tuft(3, 8)), desc);
         plait::Sim goes(context, make_groom(tuft(3, 8)), desc);

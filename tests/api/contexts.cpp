@@ -153,9 +153,9 @@ struct Worker {
 
     template <typename Meet> void work(const Meet& meet) {
         const auto context = make_context(backend);
-        auto desc = plait_sim_desc_defaults();
+        plait::SimDesc desc;
         desc.model = number == 0 ? PLAIT_MODEL_TRESSFX : PLAIT_MODEL_ARTICULATED;
-        desc.params.interhair = PLAIT_INTERHAIR_EXACT;
+        desc.grid.on = true;
         plait::Sim sim(context, groom, desc);
         for (int i = 0; i < rounds; ++i) {
             const float y = 0.005f * static_cast<float>(i + number);
@@ -254,7 +254,7 @@ TEST(Contexts, TheStageTableDescribesEveryStage) {
 }
 
 TEST(Contexts, VersionAndResultsHaveText) {
-    static_assert(PLAIT_VERSION_NUMBER == 100, "0.1.0");
+    static_assert(PLAIT_VERSION_NUMBER == 200, "0.2.0");
     EXPECT_EQ(plait_version(), uint32_t(PLAIT_VERSION_NUMBER));
     EXPECT_STREQ(plait_result_string(PLAIT_OK), "ok");
     EXPECT_STREQ(plait_result_string(static_cast<plait_result>(99)), "not a result of plait");

@@ -82,12 +82,12 @@ TEST(GroomUnits, ASimOfSuchAGroomWarnsWithTheScale) {
 // ---- sims ---------------------------------------------------------------------------------------
 
 TEST(DescribeSim, SaysWhatItIsAndHasDone) {
-    auto desc = plait_sim_desc_defaults();
+    plait::SimDesc desc;
     desc.model = PLAIT_MODEL_ARTICULATED;
     desc.follows_per_guide = 3;
     desc.substeps = 2;
     plait::Sim sim(make_context("reference"), make_groom(tuft(4, 6)), desc);
-    sim.create_collider(plait_collider_desc_defaults());
+    sim.create_collider(smooth_collider());
     run(sim, 5);
     const auto info = sim.describe();
     EXPECT_EQ(info.model, PLAIT_MODEL_ARTICULATED);
@@ -104,8 +104,8 @@ TEST(DescribeSim, SaysWhatItIsAndHasDone) {
     EXPECT_EQ(info.sag_free, PLAIT_SAG_FREE_OFF);
     EXPECT_EQ(info.sag_joints, 0u);
     EXPECT_EQ(info.worst_stiffening, 1);
-    const auto stats = sim.stats(); // makes a buffer of its own: 4 floats a guide
-    EXPECT_EQ(info.device_bytes + 4 * 16, stats.device_bytes);
+    (void)sim.measure(); // makes a buffer of its own: 4 floats a guide
+    EXPECT_EQ(info.device_bytes + 4 * 16, sim.describe().device_bytes);
 }
 
 TEST(DescribeSim, LeavesTheDeviceAlone) {
@@ -116,14 +116,14 @@ TEST(DescribeSim, LeavesTheDeviceAlone) {
     faults.lose_after = 0;
     EXPECT_EQ(plait_sim_step(sim, frame), PLAIT_DEVICE_LOST);
     EXPECT_EQ(sim.describe().steps, 2u);
-    auto stats = plait_sim_stats_defaults();
-    EXPECT_EQ(plait_sim_get_stats(sim, &stats), PLAIT_DEVICE_LOST);
+    auto stats = plait_sim_measures_defaults();
+    EXPECT_EQ(plait_sim_measure(sim, &stats), PLAIT_DEVICE_LOST);
 }
 
 // ---- sag-free start -----------------------------------------------------------------------------
 
-plait_sim_desc sag_free(plait_sag_free mode) {
-    auto desc = plait_sim_desc_defaults();
+plait::SimDesc sag_free(plait_sag_free mode) {
+    plait::SimDesc desc;
     desc.sag_free = mode;
     return desc;
 }
@@ -140,7 +140,7 @@ TEST(SagReport, StiffenReachesBalanceAndSaysHowMuchItTook) {
     EXPECT_LT(info.sag_residual, 1e-10f);
     EXPECT_EQ(info.sag_unreached, 0u);
     EXPECT_EQ(logged.warnings(), "");
-    EXPECT_EQ(info.worst_stiffening, sim.stats().worst_stiffening);
+    EXPECT_EQ(info.worst_stiffening, sim.describe().worst_stiffening);
 }
 
 TEST(SagReport, RestSaysWhichStrandIsNotInBalance) {
@@ -151,7 +151,7 @@ TEST(SagReport, RestSaysWhichStrandIsNotInBalance) {
         strands[2][i] = {0.1f, -0.02f * static_cast<float>(i), 0};
     }
     auto desc = sag_free(PLAIT_SAG_FREE_REST);
-    desc.params.bend_stiffness = 1e-12f;
+    desc.material.bend_stiffness = 1e-12f;
     plait::Sim sim(logged.context, make_groom(strands), desc);
     const auto info = sim.describe();
     EXPECT_EQ(info.sag_unreached, 1u);
@@ -177,8 +177,7 @@ TEST(SagReport, MuchStiffeningIsWarnedOfWithTheScale) {
     params.drag = 2;
     sim.set_params(params);
     EXPECT_EQ(logged.warnings(), "");
-    params.bend_stiffness *= 0.1f;
-    sim.set_params(params);
+    sim.set_param("bend_stiffness", {0.1 * sim.param("bend_stiffness")[0]});
     EXPECT_TRUE(has(logged.warnings(), "joints were stiffened"));
 }
 
@@ -187,32 +186,33 @@ TEST(SagReport, MuchStiffeningIsWarnedOfWithTheScale) {
 constexpr plait_model every_model[] = {PLAIT_MODEL_TRESSFX, PLAIT_MODEL_ARTICULATED};
 
 // Everything that parameters steer is on: constraints, shock, wind, grid, follows, a moving head.
-plait_sim_desc busy(plait_model model) {
-    auto desc = plait_sim_desc_defaults();
+plait::SimDesc busy(plait_model model) {
+    plait::SimDesc desc;
     desc.model = model;
     desc.follows_per_guide = 1;
-    plait_sim_params& p = desc.params;
-    p.global_stiffness = 0.2f;
-    p.global_range = 0.7f;
-    p.attachment = 0.9f;
-    p.vsp_accel_threshold = 0.003f;
-    p.tip_separation = 0.3f;
-    p.wind[0] = 2;
-    p.wind[2] = 1;
-    p.air_drag = 0.1f;
-    p.air_with_head = 0.5f;
-    p.drag = 1;
-    p.grid_edge_count = 4;
-    p.slot_capacity = 2;
-    p.grid_edge = 0.5f;
-    for (float& corner : p.grid_origin)
+    plait_tressfx_desc& t = desc.tressfx;
+    t.global_stiffness = 0.2f;
+    t.global_range = 0.7f;
+    t.attachment = 0.9f;
+    t.vsp_accel_threshold = 0.003f;
+    t.wind[0] = 2;
+    t.wind[2] = 1;
+    t.air_drag = 0.1f;
+    desc.params.tip_separation = 0.3f;
+    desc.params.air_with_head = 0.5f;
+    desc.params.drag = 1;
+    desc.material.groom_stiffness = model == PLAIT_MODEL_ARTICULATED ? 1e-4f : 0;
+    desc.grid.edge_count = 4;
+    desc.grid.slot_capacity = 2;
+    desc.grid.edge = 0.5f;
+    for (float& corner : desc.grid.origin)
         corner = -0.2f;
     return desc;
 }
 
 // Another value of a parameter, inside its range.
-void change(plait_sim_desc& desc, const plait_param_info& info) {
-    auto* const at = reinterpret_cast<unsigned char*>(&desc.params) + info.offset;
+void change(plait::SimDesc& desc, const plait_param_info& info) {
+    void* const at = plait::field_of(desc, info);
     if (info.kind == PLAIT_PARAM_KIND_FLOAT) {
         float value;
         std::memcpy(&value, at, sizeof value);
@@ -237,14 +237,14 @@ void change(plait_sim_desc& desc, const plait_param_info& info) {
     std::memcpy(at, &value, sizeof value);
 }
 
-// Positions of guides and follows after a while, of hair that begins wet or dry.
+// Positions of guides and follows after a while, of hair that begins wet where it may be.
 std::vector<float> motion(const plait::Context& context, const plait::Groom& groom,
-                          const plait_sim_desc& desc, bool wet = false) {
+                          const plait::SimDesc& desc) {
     plait::Sim sim(context, groom, desc);
-    if (wet)
+    if (desc.wetness.on)
         sim.write(PLAIT_FIELD_WETNESS, std::vector<float>(sim.describe().guides, 1.0f));
-    auto collider = plait_collider_desc_defaults();
-    collider.radius_a = collider.radius_b = 0.03f;
+    auto collider = smooth_collider();
+    collider.capsule.radius_a = collider.capsule.radius_b = 0.03f;
     collider.friction = 0.3f;
     collider.pose.t[0] = 0.05f;
     collider.pose.t[1] = -0.06f;
@@ -259,49 +259,42 @@ std::vector<float> motion(const plait::Context& context, const plait::Groom& gro
 }
 
 // The scenes in which a parameter may show.
-std::vector<plait_sim_desc> scenes(plait_model model) {
-    std::vector<plait_sim_desc> list(4, busy(model));
-    list[0].params.interhair = PLAIT_INTERHAIR_EXACT;
-    list[1].params.interhair = PLAIT_INTERHAIR_SLOTS;
-    list[1].params.grid_edge_count = 2; // strands meet in a voxel
-    list[1].params.diffuse_ratio = 0.1f;
-    list[1].params.diffuse_floor = 0;
-    list[1].params.vsp_accel_threshold = 0.002f; // between once and twice: 2.7 mm a frame squared
-    list[2].params.wind_form = PLAIT_WIND_FORM_PUBLISHED;
-    list[2].params.interhair = PLAIT_INTERHAIR_EXACT;
-    list[2].params.diffuse_rule = PLAIT_DIFFUSE_RULE_THESIS;
+std::vector<plait::SimDesc> scenes(plait_model model) {
+    std::vector<plait::SimDesc> list(4, busy(model));
+    list[0].grid.on = true;
+    list[1].grid.on = true;
+    list[1].grid.form = PLAIT_GRID_FORM_SLOTS;
+    list[1].grid.edge_count = 2; // strands meet in a voxel
+    list[1].grid.diffuse_ratio = 0.1f;
+    list[1].grid.diffuse_floor = 0;
+    list[1].tressfx.vsp_accel_threshold = 0.002f; // between once and twice: 2.7 mm a frame squared
+    list[2].tressfx.wind_form = PLAIT_WIND_FORM_PUBLISHED;
+    list[2].grid.on = true;
+    list[2].grid.diffuse_rule = PLAIT_DIFFUSE_RULE_THESIS;
     list[3].params.follow_form = PLAIT_FOLLOW_FORM_PUBLISHED;
-    list[3].params.interhair = PLAIT_INTERHAIR_EXACT;
-    list[3].params.tent = PLAIT_TENT_FORM_TRILINEAR;
-    list[3].params.diffuse_ratio = 0.1f;
+    list[3].grid.on = true;
+    list[3].grid.tent = PLAIT_TENT_FORM_TRILINEAR;
+    list[3].grid.diffuse_ratio = 0.1f;
     if (model == PLAIT_MODEL_TRESSFX)
         return list;
     list.resize(6, busy(model));
     for (size_t i = 4; i < 6; ++i) {
-        list[i].params.interhair = PLAIT_INTERHAIR_EXACT;
-        list[i].params.volume = PLAIT_VOLUME_PRESSURE;
-        list[i].params.grid_edge_count = 16;
-        list[i].params.cohesion = 0.5f;
+        list[i].grid.on = true;
+        list[i].volume.on = true;
+        list[i].grid.edge_count = 16;
+        list[i].volume.cohesion = 0.5f;
     }
-    list[5].params.volume_share = 0.2f; // so dense that the rate bounds how fast it parts
+    list[5].volume.share = 0.2f; // so dense that the rate bounds how fast it parts
+    list.push_back(list[4]);
+    list.back().wetness.on = true;
     list.push_back(busy(model));
-    list.back().params.strand_contact = PLAIT_STRAND_CONTACT_ON;
-    list.back().params.strand_radius = 0.004f; // 1 cm apart in the groom, and they come nearer
+    list.back().strand_contact.on = true;
+    list.back().strand_contact.radius = 0.004f; // 1 cm apart in the groom, and they come nearer
     return list;
 }
 
 class WhoReads : public testing::TestWithParam<plait_model> {};
 INSTANTIATE_TEST_SUITE_P(Models, WhoReads, testing::ValuesIn(every_model));
-
-// Of wet hair: where hair is dry nobody reads it.
-bool of_wetness(const plait_param_info& info) {
-    const std::string name = info.name;
-    return name == "drying_time" || name == "wet_cohesion";
-}
-
-bool of_contact(const plait_param_info& info) {
-    return std::string(info.name).starts_with("strand_");
-}
 
 // m: of 1/line_density times line_density, say.
 constexpr float rounding = 1e-7f;
@@ -313,92 +306,71 @@ TEST_P(WhoReads, IsWhatTheTableSays) {
     const auto groom = make_groom(tuft(24, 7));
     const auto list = scenes(GetParam());
     std::vector<std::vector<float>> plain;
-    for (const plait_sim_desc& desc : list)
+    for (const plait::SimDesc& desc : list)
         plain.push_back(motion(context, groom, desc));
     for (const plait_param_info& info : plait::params_list()) {
-        if (std::string(info.name) == "accelerate_values")
+        const std::string feature = info.feature;
+        if (feature == "acceleration")
             continue; // told to a kernel of the caller's: see AccelerationsOnOpenCL
         if (std::string(info.name) == "follow_contact")
             continue; // of hair that follows by a map: see FollowContact
-        if (std::string(info.name) == "volume" && GetParam() == PLAIT_MODEL_TRESSFX)
-            continue; // refused: see VolumeOf
-        if (std::string(info.name) == "strand_contact" && GetParam() == PLAIT_MODEL_TRESSFX)
-            continue; // refused: see StrandContact
         bool moved = false;
-        const bool wet = of_wetness(info) && GetParam() != PLAIT_MODEL_TRESSFX;
         for (size_t i = 0; i < list.size() && !moved; ++i) {
-            if (list[i].params.strand_contact && !of_contact(info))
+            if (!plait::has_feature(list[i], info))
+                continue;
+            if (list[i].strand_contact.on && feature != "strand_contact")
                 continue; // which makes much of the last bits of others
-            plait_sim_desc desc = list[i];
+            plait::SimDesc desc = list[i];
             change(desc, info);
-            const auto before = wet ? motion(context, groom, list[i], true) : plain[i];
-            moved = largest_difference(motion(context, groom, desc, wet), before) > rounding;
+            moved = largest_difference(motion(context, groom, desc), plain[i]) > rounding;
         }
         EXPECT_EQ(moved, (info.models & (1u << GetParam())) != 0) << info.name;
     }
 }
 
-TEST(IgnoredParams, AreLoggedByNameOnceSet) {
-    Logged logged;
-    auto desc = plait_sim_desc_defaults();
-    desc.params.length_iterations = 5;
-    desc.params.drag = 2; // which the model reads
-    plait::Sim sim(logged.context, make_groom(tuft(2, 6)), desc);
-    std::string text = logged.warnings();
-    EXPECT_TRUE(has(text, "length_iterations is set, and no strand's model (articulated) reads it; "
-                          "those that do: tressfx"))
-        << text;
-    EXPECT_FALSE(has(text, "drag")) << text;
-    auto params = sim.params();
-    params.drag = 3;
-    sim.set_params(params);
-    EXPECT_EQ(logged.warnings(), "") << "said before";
-    params.global_stiffness = 0.5f;
-    sim.set_params(params);
-    text = logged.warnings();
-    EXPECT_TRUE(has(text, "global_stiffness is set, and no strand's model (articulated) reads it; "
-                          "those that do: tressfx"))
-        << text;
-}
-
 // Once, in the next step: by then features are on that calls turn on.
-TEST(IgnoredParams, OfAFeatureThatIsOffAreLoggedInTheNextStep) {
+TEST(IgnoredParams, AreLoggedInTheNextStep) {
     Logged logged;
-    auto desc = plait_sim_desc_defaults();
-    desc.params.cohesion = 0.5f;
-    desc.params.drying_time = 3;
-    desc.params.diffuse_ratio = 1;
-    desc.params.strand_friction = 0.1f;
+    plait::SimDesc desc;
+    desc.grid.on = desc.volume.on = true;
+    desc.grid.diffuse_ratio = 1;
+    desc.grid.slot_capacity = 7;
+    desc.params.tip_separation = 0.1f;
+    desc.material.stretch_stiffness = 1;
+    desc.params.drag = 1; // which the model reads
     plait::Sim sim(logged.context, make_groom(tuft(3, 11)), desc);
     EXPECT_EQ(logged.warnings(), "");
     run(sim, 1);
     const std::string text = logged.warnings();
     for (const char* sentence :
-         {"params: cohesion is set, and does nothing without volume (volume, interhair 2)",
-          "drying_time is set, and does nothing while all hair is dry",
-          "diffuse_ratio is set, and does nothing without the grid's brake",
-          "strand_friction is set, and does nothing while strands do not meet (strand_contact)"})
+         {"params: grid_slot_capacity is set, and is not read by a grid of form 1 (exact)",
+          "grid_diffuse_ratio is set, and is not read while volume takes the place",
+          "tip_separation is set, and is not read without follows_per_guide",
+          "stretch_stiffness is set, and no model of the library reads it"})
         EXPECT_TRUE(has(text, sentence)) << text;
+    EXPECT_FALSE(has(text, "drag")) << text;
     run(sim, 2);
-    auto params = sim.params();
-    params.drag = 1;
-    sim.set_params(params);
+    desc.params.drag = 2;
+    sim.set_params(desc.params);
     run(sim, 1);
     EXPECT_EQ(logged.warnings(), "") << "said before";
-    plait::Sim wet(logged.context, make_groom(tuft(3, 11)), [&] {
-        auto other = plait_sim_desc_defaults();
-        other.params.drying_time = 3;
-        return other;
-    }());
-    wet.write(PLAIT_FIELD_WETNESS, std::vector<float>(3, 1.0f));
-    run(wet, 1);
-    EXPECT_EQ(logged.warnings(), "");
+}
+
+TEST(IgnoredParams, OfTheOtherModelAreNamed) {
+    Logged logged;
+    plait::SimDesc desc;
+    desc.model = PLAIT_MODEL_TRESSFX;
+    desc.params.drag = 3;
+    plait::Sim sim(logged.context, make_groom(tuft(2, 6)), desc);
+    run(sim, 1);
+    const std::string text = logged.warnings();
+    EXPECT_TRUE(has(text, "drag is set, and strands of the model tressfx do not read it")) << text;
 }
 
 // ---- follows ------------------------------------------------------------------------------------
 
 TEST(FollowGuides, AreReadBackAsPositionsPlaceThem) {
-    auto desc = plait_sim_desc_defaults();
+    plait::SimDesc desc;
     desc.follows_per_guide = 2;
     desc.follow_radius = 0.001f;
     plait::Sim sim(make_context("reference"), make_groom(tuft(3, 5)), desc);

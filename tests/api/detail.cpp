@@ -81,7 +81,7 @@ plait_detail_desc all_of_it() {
 plait::Sim sim_of(plait::Context& context, bool map, plait_model model = PLAIT_MODEL_ARTICULATED) {
     const plait::Groom all = make_groom(field(6));
     const auto [groom, follows] = all.guides(guide_count);
-    auto desc = plait_sim_desc_defaults();
+    plait::SimDesc desc;
     desc.model = model;
     desc.params.gravity[1] = 0;
     if (map)
@@ -302,7 +302,7 @@ TEST_P(Detail, StaysWithTheHair) {
 
 TEST_P(Detail, IsShownBetweenStepsAndAfterRestoring) {
     const auto [groom, map] = make_groom(field(5)).guides(guide_count);
-    auto desc = plait_sim_desc_defaults();
+    plait::SimDesc desc;
     desc.follow_map = map;
     desc.interpolate_output = 1;
     plait::Sim sim(context, groom, desc), other(context, groom, desc);

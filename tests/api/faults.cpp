@@ -138,11 +138,11 @@ TEST(Faults, EveryHostAllocationOfASimMayFail) {
     {
         const plait::Context context(desc);
         const auto groom = make_groom(tuft(3, 5));
-        auto sim_desc = plait_sim_desc_defaults();
+        plait::SimDesc sim_desc;
         sim_desc.follows_per_guide = 2;
         const int allocations = fail_each_allocation(pool, [&] {
             plait_sim* sim = nullptr;
-            const plait_result result = plait_sim_create(context, groom, &sim_desc, &sim);
+            const plait_result result = plait::create_sim(context, groom, sim_desc, &sim);
             plait_sim_destroy(sim);
             return result;
         });
@@ -169,17 +169,18 @@ TEST(Faults, ContainersOfASimAreInTheCallersMemory) {
         std::pmr::set_default_resource(std::pmr::null_memory_resource());
     for (const plait_model model : {PLAIT_MODEL_TRESSFX, PLAIT_MODEL_ARTICULATED}) {
         SCOPED_TRACE(model);
-        auto desc = plait_sim_desc_defaults();
+        plait::SimDesc desc;
         desc.model = model;
         desc.follows_per_guide = 2;
         desc.interpolate_output = 1;
-        auto turned = plait_sim_desc_defaults();
+        desc.wetness.on = model != PLAIT_MODEL_TRESSFX;
+        plait::SimDesc turned;
         turned.model = model;
         turned.follow_map = map;
         EXPECT_NO_THROW(plait::Sim(context, guides, turned));
         EXPECT_NO_THROW({
             plait::Sim sim(context, groom, desc);
-            sim.create_collider(plait_collider_desc_defaults());
+            sim.create_collider(smooth_collider());
             run(sim, 2);
             if (model != PLAIT_MODEL_TRESSFX) {
                 sim.create_collider(cube());
@@ -198,8 +199,8 @@ TEST(Faults, EveryDeviceBufferOfASimMayFail) {
     {
         const auto context = make_context("faulty");
         const auto groom = make_groom(tuft(3, 5));
-        auto desc = plait_sim_desc_defaults();
-        desc.params.interhair = PLAIT_INTERHAIR_EXACT;
+        plait::SimDesc desc;
+        desc.grid.on = true;
         desc.interpolate_output = 1;
         desc.follows_per_guide = 1;
         int refused = 0;
@@ -207,7 +208,7 @@ TEST(Faults, EveryDeviceBufferOfASimMayFail) {
             ASSERT_LT(refused, 100);
             faults.fail_create_after = refused;
             plait_sim* sim = nullptr;
-            result = plait_sim_create(context, groom, &desc, &sim);
+            result = plait::create_sim(context, groom, desc, &sim);
             if (result != PLAIT_OK) {
                 EXPECT_EQ(result, PLAIT_OUT_OF_MEMORY);
                 EXPECT_NE(std::string(plait_last_error()).find("injected"), std::string::npos);
@@ -220,42 +221,40 @@ TEST(Faults, EveryDeviceBufferOfASimMayFail) {
     EXPECT_EQ(faults.live_devices, 0);
 }
 
-TEST(Faults, ParametersStayWhenTheirBuffersDoNotFit) {
+TEST(Faults, AFeatureStaysOffWhenItsBuffersDoNotFit) {
     Faults& faults = faulty();
     const auto context = make_context("faulty");
     plait::Sim sim(context, make_groom(tuft(3, 5)));
     run(sim, 3);
     const uint64_t hash = sim.hash();
     const int buffers = faults.live_buffers;
-    auto params = sim.params();
-    params.interhair = PLAIT_INTERHAIR_SLOTS;
-    params.gravity[1] = 5;
+    auto grid = plait_grid_desc_defaults();
+    grid.form = PLAIT_GRID_FORM_SLOTS;
     for (int refused = 0; refused < 4; ++refused) {
         faults.fail_create_after = refused;
-        EXPECT_EQ(plait_sim_set_params(sim, &params), PLAIT_OUT_OF_MEMORY) << refused;
+        EXPECT_EQ(plait_sim_set_grid(sim, &grid), PLAIT_OUT_OF_MEMORY) << refused;
         EXPECT_EQ(faults.live_buffers, buffers);
-        EXPECT_EQ(sim.params().interhair, PLAIT_INTERHAIR_OFF);
-        EXPECT_EQ(sim.params().gravity[1], -9.81f);
+        size_t size = 0;
+        EXPECT_EQ(plait_sim_read(sim, PLAIT_FIELD_GRID_DENSITY, nullptr, &size),
+                  PLAIT_INVALID_STATE);
     }
     faults.fail_create_after = -1;
     EXPECT_EQ(sim.hash(), hash);
-    sim.set_params(params);
-    EXPECT_EQ(sim.params().gravity[1], 5);
+    sim.set_grid(&grid);
+    EXPECT_EQ(sim.param("grid_form"), std::vector<double>{PLAIT_GRID_FORM_SLOTS});
 }
 
 // What is on the device, too: the sim goes on as one that was never asked.
-TEST(Faults, MaterialStaysWhenTheRestOfTheParametersFails) {
+TEST(Faults, AllStaysWhereAFeatureFails) {
     Faults& faults = faulty();
     const auto context = make_context("faulty");
     const auto groom = make_groom(tuft(3, 5));
-    auto desc = plait_sim_desc_defaults();
-    desc.model = PLAIT_MODEL_ARTICULATED;
+    plait::SimDesc desc;
+    desc.params.bdf2 = 0;
     plait::Sim sim(context, groom, desc), untouched(context, groom, desc);
     auto params = sim.params();
-    params.line_density *= 10;
-    params.bend_stiffness *= 100;
     params.bdf2 = 1;
-    params.interhair = PLAIT_INTERHAIR_EXACT;
+    params.groom = 0.5f;
     const int buffers = faults.live_buffers;
     int refused = 0;
     for (plait_result result = PLAIT_OUT_OF_MEMORY; result != PLAIT_OK; ++refused) {
@@ -279,10 +278,9 @@ TEST(Faults, MaterialStaysWhenTheRestOfTheParametersFails) {
 TEST(Faults, HairStaysDryWhenWetnessFails) {
     Faults& faults = faulty();
     const auto groom = make_groom(tuft(3, 5));
-    auto desc = plait_sim_desc_defaults();
+    plait::SimDesc desc;
     desc.follows_per_guide = 1;
-    desc.params.interhair = PLAIT_INTERHAIR_EXACT;
-    desc.params.volume = PLAIT_VOLUME_PRESSURE;
+    desc.grid.on = desc.volume.on = desc.wetness.on = true;
     const std::vector<float> wetness{1, 0.5f, 0};
     const auto write = [&](plait::Sim& sim) {
         return plait_sim_write(sim, PLAIT_FIELD_WETNESS, wetness.data(), 12);
@@ -384,7 +382,7 @@ TEST(Faults, StepsThatFailHalfWayLeaveNothingBehind) {
     Faults& faults = faulty();
     const auto context = make_context("faulty");
     plait::Sim sim(context, make_groom(tuft(3, 5)));
-    auto collider = plait_collider_desc_defaults();
+    auto collider = smooth_collider();
     const auto id = sim.create_collider(collider);
     faults.lose_after = 0;
     for (int i = 0; i < 200; ++i) { // each fails while it uploads the collider

@@ -84,13 +84,13 @@ plait_collider_id add_body(plait::Sim& sim, Body body) {
         mesh.pose = pose_at(middle);
         return sim.create_collider(ball_mesh(64), mesh);
     }
-    auto collider = plait_collider_desc_defaults();
+    auto collider = smooth_collider();
     collider.pose = pose_at(middle);
-    collider.radius_a = collider.radius_b = radius;
+    collider.capsule.radius_a = collider.capsule.radius_b = radius;
     if (body == Body::box) {
         collider.kind = PLAIT_COLLIDER_KIND_BOX;
-        std::fill_n(collider.half_extents, 3, 0.0f);
-        collider.rounding = radius;
+        std::fill_n(collider.box.half_extents, 3, 0.0f);
+        collider.box.rounding = radius;
     }
     return sim.create_collider(collider);
 }
@@ -129,11 +129,11 @@ Seen watch(plait::Sim& sim) {
     return worst;
 }
 
-plait_sim_desc sim_of(const Hair& hair, plait_model model = PLAIT_MODEL_ARTICULATED) {
-    auto desc = plait_sim_desc_defaults();
+plait::SimDesc sim_of(const Hair& hair, plait_model model = PLAIT_MODEL_ARTICULATED) {
+    plait::SimDesc desc;
     desc.model = model;
     desc.follow_map = *hair.map;
-    desc.params.bend_stiffness = 1e-9f;
+    desc.material.bend_stiffness = 1e-9f;
     return desc;
 }
 
@@ -160,7 +160,7 @@ TEST_P(FollowContact, IsOfEveryModel) {
     const Hair hair;
     for (const plait_model model : {PLAIT_MODEL_TRESSFX, PLAIT_MODEL_ARTICULATED}) {
         auto desc = sim_of(hair, model);
-        desc.params.global_stiffness = desc.params.local_stiffness = 0;
+        desc.tressfx.global_stiffness = desc.tressfx.local_stiffness = 0;
         plait::Sim sim(context, hair.guides, desc);
         add_body(sim, Body::ball);
         EXPECT_LT(watch(sim).deepest, 3e-4f) << model;
@@ -241,10 +241,10 @@ TEST_P(FollowContact, CostsNothingWithoutColliders) {
 TEST_P(FollowContact, IsThereAfterResetAndTeleport) {
     const Hair hair;
     plait::Sim sim(context, hair.guides, sim_of(hair));
-    auto collider = plait_collider_desc_defaults();
-    collider.a[0] = collider.b[0] = middle[0]; // in the hair as it is groomed
-    collider.a[1] = collider.b[1] = -0.03f;
-    collider.radius_a = collider.radius_b = radius;
+    auto collider = smooth_collider();
+    collider.capsule.a[0] = collider.capsule.b[0] = middle[0]; // in the hair as it is groomed
+    collider.capsule.a[1] = collider.capsule.b[1] = -0.03f;
+    collider.capsule.radius_a = collider.capsule.radius_b = radius;
     sim.create_collider(collider);
     const auto deepest = [&](const Point& at) {
         const auto x = sim.read(PLAIT_FIELD_POSITION);

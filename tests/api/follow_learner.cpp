@@ -103,8 +103,8 @@ plait_view points(const std::vector<float>& rows) {
     return {rows.data(), rows.size() / 4, 16};
 }
 
-plait_sim_desc with(const plait::FollowMap& map) {
-    auto desc = plait_sim_desc_defaults();
+plait::SimDesc with(const plait::FollowMap& map) {
+    plait::SimDesc desc;
     desc.follow_map = map;
     return desc;
 }

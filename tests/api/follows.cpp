@@ -34,8 +34,8 @@ float distance(const Point& a, const Point& b) {
     return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
-plait_sim_desc with(const plait::FollowMap& map, plait_model model = PLAIT_MODEL_ARTICULATED) {
-    auto desc = plait_sim_desc_defaults();
+plait::SimDesc with(const plait::FollowMap& map, plait_model model = PLAIT_MODEL_ARTICULATED) {
+    plait::SimDesc desc;
     desc.model = model;
     desc.follow_map = map;
     return desc;
@@ -372,12 +372,12 @@ TEST(FollowMaps, AreOfTheirGuidesAlone) {
     const auto [groom, map] = all.guides(5);
     plait_sim* sim = nullptr;
     auto desc = with(map);
-    EXPECT_EQ(plait_sim_create(context, all, &desc, &sim), PLAIT_INVALID_ARGUMENT);
+    EXPECT_EQ(plait::create_sim(context, all, desc, &sim), PLAIT_INVALID_ARGUMENT);
     EXPECT_NE(std::string(plait_last_error()).find("of 5 guides, the groom has 16 strands"),
               std::string::npos)
         << plait_last_error();
     desc.follows_per_guide = 2;
-    EXPECT_EQ(plait_sim_create(context, groom, &desc, &sim), PLAIT_INVALID_ARGUMENT);
+    EXPECT_EQ(plait::create_sim(context, groom, desc, &sim), PLAIT_INVALID_ARGUMENT);
     EXPECT_NE(std::string(plait_last_error()).find("follows_per_guide is 2 and follow_map"),
               std::string::npos)
         << plait_last_error();

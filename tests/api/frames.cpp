@@ -30,15 +30,15 @@ struct Journey {
 };
 
 std::vector<float> ridden(const plait::Context& context, const Journey& journey, int frames = 90) {
-    auto desc = plait_sim_desc_defaults();
+    plait::SimDesc desc;
     desc.substeps = journey.substeps;
     plait::Sim sim(context, make_groom(tuft(6, 12)), desc);
-    auto body = plait_collider_desc_defaults();
-    body.a[1] = body.b[1] = -0.08f;
-    body.a[0] = body.b[0] = 0.08f;
-    body.a[2] = -0.2f;
-    body.b[2] = 0.2f;
-    body.radius_a = body.radius_b = 0.03f;
+    auto body = smooth_collider();
+    body.capsule.a[1] = body.capsule.b[1] = -0.08f;
+    body.capsule.a[0] = body.capsule.b[0] = 0.08f;
+    body.capsule.a[2] = -0.2f;
+    body.capsule.b[2] = 0.2f;
+    body.capsule.radius_a = body.capsule.radius_b = 0.03f;
     const auto id = sim.create_collider(body);
     plait_pose vehicle = pose_at({0, 0, 0});
     for (int f = 0; f < frames; ++f) {
@@ -215,7 +215,7 @@ TEST_P(Rates, RootsAreDrawnOnTheHeadAtAnyRateOfFrames) {
 // A frame carries no collider that is gone: a snapshot would be refused.
 TEST_P(Frames, WhatIsGoneIsNotCarried) {
     plait::Sim sim(context, make_groom(tuft(2, 8)));
-    sim.destroy_collider(sim.create_collider(plait_collider_desc_defaults()));
+    sim.destroy_collider(sim.create_collider(smooth_collider()));
     auto frame_of = plait_frame_desc_defaults();
     for (const Point at : {Point{0, 0, 0}, Point{0, 0.1f, 0}, Point{0, 0.3f, 0}}) {
         frame_of.pose = pose_at(at, 0.5 * double(at[1]));

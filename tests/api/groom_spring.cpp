@@ -8,11 +8,11 @@ namespace {
 
 class GroomSpring : public OnBackend {
   protected:
-    plait::Sim make(const Strand& strand, const plait_sim_desc& desc) {
+    plait::Sim make(const Strand& strand, const plait::SimDesc& desc) {
         return plait::Sim(context, make_groom({strand}), desc);
     }
     // m, of the tip of a level strand.
-    float droop(const Strand& strand, plait_sim_desc desc) {
+    float droop(const Strand& strand, plait::SimDesc desc) {
         constexpr double seconds = 3;
         desc.params.drag = 10; // at rest by then
         plait::Sim sim = make(strand, desc);
@@ -37,8 +37,8 @@ Strand level(size_t vertices) {
     return strand;
 }
 
-plait_sim_desc with_groom(float groom) {
-    auto desc = plait_sim_desc_defaults();
+plait::SimDesc with_groom(float groom) {
+    plait::SimDesc desc;
     desc.params.groom = groom;
     return desc;
 }
@@ -65,7 +65,7 @@ TEST_P(GroomSpring, TheSliderIsTheShareOfTheDroopThatIsTakenAway) {
     for (const float stiffness : {4.7e-10f, 4.7e-9f, 2e-7f, 2e-6f})
         for (const size_t vertices : {size_t{6}, size_t{16}}) {
             auto desc = with_groom(0);
-            desc.params.bend_stiffness = stiffness;
+            desc.material.bend_stiffness = stiffness;
             const float free = droop(level(vertices), desc);
             float before = 1;
             for (const float groom : {0.25f, 0.5f, 0.75f, 1.0f}) {
@@ -90,7 +90,7 @@ plait_material held_by(float stiffness) {
 TEST_P(GroomSpring, OfAMaterialIsANewtonPerMetreAndMetreOfHair) {
     const float weight = 5e-6f * 9.81f;
     auto material = held_by(100 * weight / length);
-    auto desc = plait_sim_desc_defaults();
+    plait::SimDesc desc;
     desc.materials = &material;
     desc.material_count = 1;
     for (const size_t vertices : {size_t{11}, size_t{21}, size_t{41}}) {
@@ -148,7 +148,6 @@ TEST_P(GroomSpring, OffCostsNothing) {
 // Beside a pin and the drag of the air, and over a switch of settings.
 TEST_P(GroomSpring, ActsBesidePinsAndWind) {
     auto desc = with_groom(0.9f);
-    desc.pins = 1;
     plait::Sim sim(context, make_groom({level(16), level(16)}), desc);
     sim.set_pins({{0, 15, PLAIT_PIN_FRAME_WORLD, {0.25f, 0.1f, 0}, PLAIT_PIN_HELD}});
     auto wind = plait_wind_desc_defaults();
@@ -170,9 +169,9 @@ TEST_P(GroomSpring, GravityThatChangesIsFeltByASagFreeGroom) {
     Strand strand;
     for (size_t k = 0; k < 16; ++k)
         strand.push_back({0.015f * static_cast<float>(k), -0.012f * static_cast<float>(k), 0});
-    auto desc = plait_sim_desc_defaults();
+    plait::SimDesc desc;
     desc.sag_free = PLAIT_SAG_FREE_STIFFEN;
-    desc.params.bend_stiffness = 4.7e-8f;
+    desc.material.bend_stiffness = 4.7e-8f;
     plait::Sim sim = make(strand, desc);
     run(sim, 120);
     EXPECT_NEAR(tip_of(sim)[1], -0.18f, 1e-4f);

@@ -72,9 +72,9 @@ class Ride {
   public:
     Ride(const plait::Context& context, const Motion& motion, const Model& model)
         : context_(context), motion_(motion), model_(model), sim_(make()) {
-        auto body = plait_collider_desc_defaults();
-        body.a[0] = body.b[0] = -0.3f;
-        body.radius_a = body.radius_b = 0.05f;
+        auto body = smooth_collider();
+        body.capsule.a[0] = body.capsule.b[0] = -0.3f;
+        body.capsule.radius_a = body.capsule.radius_b = 0.05f;
         body_ = sim_.create_collider(body);
     }
 
@@ -82,17 +82,17 @@ class Ride {
         Strand strand;
         for (size_t i = 0; i < vertices; ++i)
             strand.push_back({0, -length * static_cast<float>(i) / (vertices - 1), 0});
-        auto desc = plait_sim_desc_defaults();
+        plait::SimDesc desc;
         desc.model = model_.model;
-        desc.pins = model_.model != PLAIT_MODEL_TRESSFX;
-        desc.accelerations = 1;
+        desc.wetness.on = model_.model != PLAIT_MODEL_TRESSFX;
+        desc.acceleration.on = true;
         desc.params.bdf2 = model_.bdf2;
         if (model_.model != PLAIT_MODEL_TRESSFX) {
             desc.params.air_with_head = 1;
             desc.params.drag = 4;
         } else { // whose hair stretches, and is braked against the world
             desc.params.gravity[1] = 0;
-            desc.params.damping = desc.params.vsp_coeff = 0;
+            desc.tressfx.damping = desc.tressfx.vsp_coeff = 0;
         }
         return plait::Sim(context_, make_groom({strand}), desc);
     }
@@ -309,9 +309,9 @@ std::vector<Call> calls() {
          {"plait_sim_set_param", "plait_sim_get_param"},
          [](Ride& r) { r.sim().set_param("drag", {2 * r.sim().param("drag")[0] + 1}); },
          true},
-        {"material",
-         {"plait_sim_set_params"},
-         [](Ride& r) { with_params(r, [](auto& p) { p.bend_stiffness = 1e-7f; }); },
+        {"material_by_name",
+         {"plait_sim_set_param"},
+         [](Ride& r) { r.sim().set_param("bend_stiffness", {1e-7}); },
          true},
         {"materials",
          {"plait_sim_set_materials"},
@@ -322,8 +322,53 @@ std::vector<Call> calls() {
          },
          true},
         {"grid",
-         {"plait_sim_set_params"},
-         [](Ride& r) { with_params(r, [](auto& p) { p.interhair = PLAIT_INTERHAIR_EXACT; }); }},
+         {"plait_sim_set_grid"},
+         [](Ride& r) {
+             const auto grid = plait_grid_desc_defaults();
+             r.sim().set_grid(&grid);
+         }},
+        {"volume_on_and_off",
+         {"plait_sim_set_volume"},
+         [](Ride& r) {
+             const auto volume = plait_volume_desc_defaults();
+             r.sim().set_volume(&volume);
+             r.sim().set_volume(nullptr);
+         },
+         true},
+        {"strand_contact",
+         {"plait_sim_set_strand_contact"},
+         [](Ride& r) {
+             const auto contact = plait_strand_contact_desc_defaults();
+             r.sim().set_strand_contact(&contact);
+             r.step();
+             r.sim().set_strand_contact(nullptr);
+         },
+         true},
+        {"wetness_off_and_on",
+         {"plait_sim_set_wetness"},
+         [](Ride& r) {
+             r.sim().set_wetness(nullptr);
+             r.step();
+             const auto wetness = plait_wetness_desc_defaults();
+             r.sim().set_wetness(&wetness);
+         },
+         true},
+        {"acceleration_off_and_on",
+         {"plait_sim_set_acceleration"},
+         [](Ride& r) {
+             r.sim().set_acceleration(nullptr);
+             r.step();
+             const auto acceleration = plait_acceleration_desc_defaults();
+             r.sim().set_acceleration(&acceleration);
+         }},
+        {"tressfx",
+         {"plait_sim_set_tressfx"},
+         [](Ride& r) { // refused by the other model
+             auto desc = plait_tressfx_desc_defaults();
+             desc.damping = desc.vsp_coeff = 0;
+             desc.local_iterations = 3;
+             (void)plait_sim_set_tressfx(r.sim().get(), &desc);
+         }},
         {"substeps",
          {"plait_sim_set_settings", "plait_sim_get_settings"},
          [](Ride& r) {
@@ -377,12 +422,12 @@ std::vector<Call> calls() {
          {"plait_collider_create", "plait_collider_destroy", "plait_collider_set_shape",
           "plait_collider_describe", "plait_colliders_list"},
          [](Ride& r) {
-             auto body = plait_collider_desc_defaults();
-             body.a[1] = body.b[1] = 1;
-             body.radius_a = body.radius_b = 0.1f;
+             auto body = smooth_collider();
+             body.capsule.a[1] = body.capsule.b[1] = 1;
+             body.capsule.radius_a = body.capsule.radius_b = 0.1f;
              body.pose = as_floats(r.pose());
              const auto id = r.sim().create_collider(body);
-             body.radius_a = 0.2f;
+             body.capsule.radius_a = 0.2f;
              r.sim().set_collider_shape(id, body);
              r.step();
              plait_collider_describe(r.sim().get(), id, &body);
@@ -410,12 +455,12 @@ std::vector<Call> calls() {
          {"plait_sim_bind_roots"},
          [](Ride& r) { (void)plait_sim_bind_roots(r.sim().get(), nullptr, nullptr, 0); }},
         {"look",
-         {"plait_sim_wait", "plait_sim_describe", "plait_sim_get_stats",
-          "plait_sim_get_stage_times", "plait_sim_take_launches"},
+         {"plait_sim_wait", "plait_sim_describe", "plait_sim_measure", "plait_sim_get_stage_times",
+          "plait_sim_take_launches"},
          [](Ride& r) {
              r.sim().wait();
              r.sim().describe();
-             r.sim().stats();
+             r.sim().measure();
              r.sim().stage_times();
              size_t count = 0;
              (void)plait_sim_take_launches(r.sim().get(), nullptr, &count);
@@ -529,15 +574,15 @@ TEST_P(History, NoCallThrowsHairInUniformMotion) {
 
 // Hair that swings and slides on a body: m, in the head's frame, on a head that nods as it goes along.
 std::vector<float> on_a_body(const plait::Context& context, float speed) {
-    auto desc = plait_sim_desc_defaults();
+    plait::SimDesc desc;
     desc.params.drag = 0; // to the world's air
     plait::Sim sim(context, make_groom(tuft(6, 12)), desc);
-    auto body = plait_collider_desc_defaults();
-    body.a[0] = body.b[0] = 0.08f;
-    body.a[1] = body.b[1] = -0.08f;
-    body.a[2] = -0.2f;
-    body.b[2] = 0.2f;
-    body.radius_a = body.radius_b = 0.03f;
+    auto body = smooth_collider();
+    body.capsule.a[0] = body.capsule.b[0] = 0.08f;
+    body.capsule.a[1] = body.capsule.b[1] = -0.08f;
+    body.capsule.a[2] = -0.2f;
+    body.capsule.b[2] = 0.2f;
+    body.capsule.radius_a = body.capsule.radius_b = 0.03f;
     const auto id = sim.create_collider(body);
     float x = 0;
     for (int f = 0; f < 60; ++f) {
@@ -567,7 +612,7 @@ TEST_P(History, HairOnABodyMovesAlikeAtAnySpeed) {
 // A game gives bones or poses in every frame, in that of a teleport, too: the same ones at the same place
 // say nothing of the way.
 TEST_P(History, RootsWithPosesOfTheirOwnSayNoWayTwice) {
-    auto desc = plait_sim_desc_defaults();
+    plait::SimDesc desc;
     desc.params.drag = 0; // to the world's air
     desc.sag_free = PLAIT_SAG_FREE_STIFFEN;
     plait::Sim sim(context, make_groom(tuft(3, 12)), desc);

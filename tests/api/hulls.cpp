@@ -25,8 +25,8 @@ ON_EVERY_BACKEND(Hulls);
 constexpr plait_model models[] = {PLAIT_MODEL_TRESSFX, PLAIT_MODEL_ARTICULATED};
 constexpr double half[3] = {0.05, 0.02, 0.06}; // m
 
-plait_sim_desc desc_of(plait_model model) {
-    auto desc = plait_sim_desc_defaults();
+plait::SimDesc desc_of(plait_model model) {
+    plait::SimDesc desc;
     desc.model = model;
     desc.substeps = 2;
     return desc;
@@ -61,11 +61,11 @@ TEST_P(Hulls, OfABoxIsTheBox) {
         plait::Sim with_none(context, make_groom(strands), desc_of(model));
         const int frames = is_reference() ? 12 : 20;
         const auto on_box = after(with_box, frames, [](plait::Sim& sim, const plait_pose& pose) {
-            auto box = plait_collider_desc_defaults();
+            auto box = smooth_collider();
             box.kind = PLAIT_COLLIDER_KIND_BOX;
             box.friction = 0.3f;
             for (size_t k = 0; k < 3; ++k)
-                box.half_extents[k] = static_cast<float>(half[k]);
+                box.box.half_extents[k] = static_cast<float>(half[k]);
             box.pose = pose;
             return sim.create_collider(box);
         });
@@ -75,8 +75,8 @@ TEST_P(Hulls, OfABoxIsTheBox) {
             return sim.create_hull(mesh, hull);
         });
         const auto free = after(with_none, frames, [&](plait::Sim& sim, const plait_pose&) {
-            auto far = plait_collider_desc_defaults();
-            far.a[1] = far.b[1] = 100;
+            auto far = smooth_collider();
+            far.capsule.a[1] = far.capsule.b[1] = 100;
             return sim.create_collider(far);
         });
         float most = 0, met = 0;
@@ -101,11 +101,11 @@ TEST_P(Hulls, AreDescribedAndKeepTheirShape) {
     const auto desc = sim.describe_collider(id);
     EXPECT_EQ(desc.kind, PLAIT_COLLIDER_KIND_HULL);
     EXPECT_EQ(desc.friction, 0.7f);
-    EXPECT_EQ(desc.rounding, 0.01f);
-    EXPECT_NEAR(desc.a[0], 0.25f, 1e-6f);
+    EXPECT_EQ(desc.box.rounding, 0.01f);
+    EXPECT_NEAR(desc.box.centre[0], 0.25f, 1e-6f);
     for (size_t k = 0; k < 3; ++k)
-        EXPECT_NEAR(desc.half_extents[k], half[k], 1e-6);
-    const auto box = plait_collider_desc_defaults();
+        EXPECT_NEAR(desc.box.half_extents[k], half[k], 1e-6);
+    const auto box = smooth_collider();
     EXPECT_EQ(plait_collider_set_shape(sim, id, &box), PLAIT_INVALID_STATE);
     EXPECT_NE(std::string(plait_last_error()).find("is a hull"), std::string::npos);
     EXPECT_EQ(plait_collider_create(sim, &desc, nullptr), PLAIT_INVALID_ARGUMENT);

@@ -4,18 +4,19 @@
 
 namespace {
 
-plait_sim_desc thesis_desc() {
+plait::SimDesc thesis_desc() {
     auto desc = tressfx_desc();
     desc.params.gravity[1] = 0; // the hair stays where the grid is
-    desc.params.interhair = PLAIT_INTERHAIR_SLOTS;
-    desc.params.slot_hash = PLAIT_SLOT_HASH_RULE_THESIS;
-    desc.params.diffuse_rule = PLAIT_DIFFUSE_RULE_THESIS;
-    desc.params.slot_capacity = 16; // so few that vertices compete for them
+    desc.grid.on = true;
+    desc.grid.form = PLAIT_GRID_FORM_SLOTS;
+    desc.grid.slot_hash = PLAIT_SLOT_HASH_RULE_THESIS;
+    desc.grid.diffuse_rule = PLAIT_DIFFUSE_RULE_THESIS;
+    desc.grid.slot_capacity = 16; // so few that vertices compete for them
     return desc;
 }
 
 // Hair that a head has swung to and fro for half a second.
-plait::Sim swung(const plait::Context& context, const plait_sim_desc& desc) {
+plait::Sim swung(const plait::Context& context, const plait::SimDesc& desc) {
     plait::Sim sim(context, make_groom(tuft(24, 16)), desc);
     for (int i = 1; i <= 30; ++i) {
         sim.set_roots(head_at({0.05f * std::sin(0.6f * static_cast<float>(i)), 0, 0}));
@@ -38,15 +39,16 @@ ON_EVERY_BACKEND(ThesisStep);
 
 // After one step more, once without brakes and once with them.
 TEST_P(ThesisStep, takes_a_tenth_of_what_is_fast_and_nothing_else) {
-    plait_sim_desc desc = thesis_desc();
-    desc.params.interhair = PLAIT_INTERHAIR_OFF; // who won the slots of before would show
+    plait::SimDesc desc = thesis_desc();
+    desc.grid.on = false; // who won the slots of before would show
     plait::Sim free = swung(context, desc), braked = swung(context, desc);
     ASSERT_EQ(free.hash(), braked.hash());
-    desc.params.interhair = PLAIT_INTERHAIR_SLOTS;
-    braked.set_params(desc.params);
+    desc.grid.on = true;
+    desc.grid.form = PLAIT_GRID_FORM_SLOTS;
+    braked.set_all(desc);
     free.step(frame);
     braked.step(frame);
-    EXPECT_EQ(braked.stats().grid_outside, 0u);
+    EXPECT_EQ(braked.measure().grid_outside, 0u);
     const std::vector<float> own = paths_of(free), left = paths_of(braked);
     size_t fast = 0, slow = 0;
     for (size_t i = 0; i < own.size(); ++i)
@@ -60,33 +62,33 @@ TEST_P(ThesisStep, takes_a_tenth_of_what_is_fast_and_nothing_else) {
 }
 
 TEST_P(ThesisStep, stays_finite_when_hair_hangs_out_of_the_grid) {
-    plait_sim_desc desc = thesis_desc();
+    plait::SimDesc desc = thesis_desc();
     desc.params.gravity[1] = -9.81f;
     plait::Sim sim = swung(context, desc);
     run(sim, 120);
-    EXPECT_EQ(sim.stats().nonfinite, 0u);
-    EXPECT_GT(sim.stats().grid_outside, 0u);
+    EXPECT_EQ(sim.measure().nonfinite, 0u);
+    EXPECT_GT(sim.measure().grid_outside, 0u);
 }
 
 // Which writer wins a slot is the device's business; the reference goes through them in order.
 TEST(ThesisStepOnReference, repeats_and_is_neither_the_other_hash_nor_the_other_rule) {
     const plait::Context context = make_context("reference");
-    plait_sim_desc desc = thesis_desc();
+    plait::SimDesc desc = thesis_desc();
     const uint64_t hash = swung(context, desc).hash();
     EXPECT_EQ(swung(context, desc).hash(), hash);
-    desc.params.slot_hash = PLAIT_SLOT_HASH_RULE_PCG;
+    desc.grid.slot_hash = PLAIT_SLOT_HASH_RULE_PCG;
     EXPECT_NE(swung(context, desc).hash(), hash);
     desc = thesis_desc();
-    desc.params.diffuse_rule = PLAIT_DIFFUSE_RULE_FLOORED;
+    desc.grid.diffuse_rule = PLAIT_DIFFUSE_RULE_FLOORED;
     EXPECT_NE(swung(context, desc).hash(), hash);
 }
 
 // Strands over lanes: exact sums, over positions or, on a CPU, on the lanes' own velocities.
-plait_sim_desc exact_desc(plait_model model) {
-    auto desc = plait_sim_desc_defaults();
+plait::SimDesc exact_desc(plait_model model) {
+    plait::SimDesc desc;
     desc.model = model;
-    desc.params.interhair = PLAIT_INTERHAIR_EXACT;
-    desc.params.diffuse_factor = 0.5f; // so that brakes show
+    desc.grid.on = true;
+    desc.grid.diffuse_factor = 0.5f; // so that brakes show
     return desc;
 }
 
@@ -97,12 +99,12 @@ ON_EVERY_BACKEND(ExactStep);
 TEST_P(ExactStep, takes_half_of_what_is_fast_and_nothing_else) {
     for (const plait_tent_form tent : {PLAIT_TENT_FORM_VOXEL, PLAIT_TENT_FORM_TRILINEAR}) {
         SCOPED_TRACE(testing::Message() << ", tent " << tent);
-        plait_sim_desc desc = exact_desc(PLAIT_MODEL_ARTICULATED);
-        desc.params.tent = tent;
-        desc.params.interhair = PLAIT_INTERHAIR_OFF;
+        plait::SimDesc desc = exact_desc(PLAIT_MODEL_ARTICULATED);
+        desc.grid.tent = tent;
+        desc.grid.on = false;
         plait::Sim free = swung(context, desc), braked = swung(context, desc);
-        desc.params.interhair = PLAIT_INTERHAIR_EXACT;
-        braked.set_params(desc.params);
+        desc.grid.on = true;
+        braked.set_all(desc);
         free.step(frame);
         braked.step(frame);
         EXPECT_LT(
@@ -123,19 +125,19 @@ TEST_P(ExactStep, takes_half_of_what_is_fast_and_nothing_else) {
 
 // Strands of several parts brake each other: every vertex is in the one grid, once.
 TEST_P(ExactStep, counts_strands_of_all_parts_once) {
-    plait_sim_desc desc = exact_desc(PLAIT_MODEL_ARTICULATED);
-    desc.params.tent = PLAIT_TENT_FORM_TRILINEAR; // the weights of a vertex sum to 1
+    plait::SimDesc desc = exact_desc(PLAIT_MODEL_ARTICULATED);
+    desc.grid.tent = PLAIT_TENT_FORM_TRILINEAR; // the weights of a vertex sum to 1
     plait::Sim sim = swung(context, desc);
     std::vector<uint32_t> substeps;
     for (uint32_t i = 0; i < 24; ++i)
         substeps.push_back(1 + i % 3);
     take_substeps(sim, substeps);
     run(sim, 3);
-    double vertices = static_cast<double>(sim.stats().grid_outside);
+    double vertices = static_cast<double>(sim.measure().grid_outside);
     for (const float density : sim.read(PLAIT_FIELD_GRID_DENSITY))
         vertices += static_cast<double>(density);
     EXPECT_NEAR(vertices, 24 * 16, 1e-3);
-    EXPECT_EQ(sim.stats().nonfinite, 0u);
+    EXPECT_EQ(sim.measure().nonfinite, 0u);
 }
 
 // The caller's own kernel for a stage of the step is the one that runs, whatever the model.
@@ -153,10 +155,10 @@ TEST(ExactStepOnOpenCL, CallsTheCallersOwnBrake) {
     context_desc.stage_sources = &nothing;
     context_desc.stage_source_count = 1;
     const plait::Context own(context_desc), usual = make_context("opencl");
-    plait_sim_desc desc = exact_desc(PLAIT_MODEL_ARTICULATED);
+    plait::SimDesc desc = exact_desc(PLAIT_MODEL_ARTICULATED);
     const auto not_braked = swung(own, desc).read(PLAIT_FIELD_POSITION);
     const auto braked = swung(usual, desc).read(PLAIT_FIELD_POSITION);
-    desc.params.interhair = PLAIT_INTERHAIR_OFF;
+    desc.grid.on = false;
     const auto free = swung(usual, desc).read(PLAIT_FIELD_POSITION);
     EXPECT_LT(largest_difference(not_braked, free), 1e-4f);
     EXPECT_GT(largest_difference(braked, free), 1e-3f);

@@ -19,10 +19,10 @@ plait::Context timed_context(const std::string& backend) {
 
 class Launches : public testing::TestWithParam<std::string> {
   protected:
-    static plait_sim_desc desc_of() {
-        auto desc = plait_sim_desc_defaults();
+    static plait::SimDesc desc_of() {
+        plait::SimDesc desc;
         desc.substeps = 2;
-        desc.params.interhair = PLAIT_INTERHAIR_EXACT;
+        desc.grid.on = true;
         return desc;
     }
 
@@ -129,7 +129,7 @@ TEST_P(Launches, AreTheSimsOwn) {
 }
 
 TEST_P(Launches, TheNewestAreKept) {
-    auto desc = plait_sim_desc_defaults();
+    plait::SimDesc desc;
     desc.max_steps_per_call = 1000;
     desc.step = 1e-4f;
     desc.substeps = 20;
@@ -177,7 +177,7 @@ TEST_P(Launches, TakeStructsOfOneSize) {
 TEST_P(Launches, MoveTheBytesOfTheirBuffers) {
     auto desc = tressfx_desc();
     desc.follows_per_guide = 3;
-    desc.params.local_iterations = desc.params.length_iterations = 0;
+    desc.tressfx.local_iterations = desc.tressfx.length_iterations = 0;
     plait::Sim parity(context, make_groom(tuft(strands, row)), desc);
     parity.take_launches();
     run(parity, 1);

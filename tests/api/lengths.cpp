@@ -92,13 +92,14 @@ class Some {
 
   private:
     plait::Sim make(const plait::Context& context, uint32_t bdf2) {
-        auto desc = plait_sim_desc_defaults();
+        plait::SimDesc desc;
         desc.params.bdf2 = bdf2;
-        desc.accelerations = desc.pins = 1;
-        const std::vector<plait_material> materials{material(0), material(1)};
+        desc.acceleration.on = true;
+        const std::vector<plait_material> materials{material(0), material(1),
+                                                    plait_material_defaults()};
         std::vector<uint32_t> of;
         for (const size_t i : list_)
-            of.push_back(i % 2 ? PLAIT_MATERIAL_OF_PARAMS : static_cast<uint32_t>(i / 2 % 2));
+            of.push_back(i % 2 ? 2 : static_cast<uint32_t>(i / 2 % 2));
         desc.materials = materials.data();
         desc.material_count = materials.size();
         desc.strand_material = plait::view(of);
@@ -115,8 +116,8 @@ class Some {
 
 // Everything that reaches a strand.
 template <typename Between> void live(plait::Sim& sim, int steps, const Between& between) {
-    auto collider = plait_collider_desc_defaults();
-    collider.radius_a = collider.radius_b = 0.04f;
+    auto collider = smooth_collider();
+    collider.capsule.radius_a = collider.capsule.radius_b = 0.04f;
     collider.friction = 0.3f;
     collider.pose.t[0] = 0.1f;
     collider.pose.t[1] = -0.02f;
@@ -130,7 +131,7 @@ template <typename Between> void live(plait::Sim& sim, int steps, const Between&
             sim.teleport(head_at({1, 2, 3}, {0, 0.6f, 0, 0.8f}));
         if (i == steps / 2) {
             auto params = sim.params();
-            params.bend_stiffness *= 2;
+            params.drag *= 2;
             sim.set_params(params);
         }
         sim.step(frame);
@@ -164,7 +165,7 @@ TEST_P(Lengths, SoIsAStrandShorterThanItsClass) {
         const auto first = field.begin() + static_cast<long>(4 * row * i);
         return std::vector<float>(first, first + 4 * own);
     };
-    auto desc = plait_sim_desc_defaults();
+    plait::SimDesc desc;
     plait::Sim alone(context, make_groom(like), desc), sim(context, make_groom(among), desc);
     live(alone, 20, nothing);
     live(sim, 20, nothing);
@@ -235,7 +236,7 @@ TEST_P(Lengths, OfOneKindTakeTheStagesOfOne) {
 TEST_P(Lengths, TakeTheMemoryThatEachTakes) {
     const auto bytes = [&](const std::vector<size_t>& list) {
         plait::Sim sim(context, make_groom(groom_of(list)));
-        return sim.stats().device_bytes;
+        return sim.describe().device_bytes;
     };
     const uint64_t both = bytes(list_strands(of_both)), long_ones = bytes(list_strands(is_long)),
                    short_ones = bytes(list_strands(of_short));
@@ -246,23 +247,23 @@ TEST_P(Lengths, TakeTheMemoryThatEachTakes) {
     for (size_t i = 0; i < strands; ++i)
         all_long.push_back(straight(i, longer));
     plait::Sim padded(context, make_groom(all_long));
-    EXPECT_LT(both, padded.stats().device_bytes * 2 / 3);
+    EXPECT_LT(both, padded.describe().device_bytes * 2 / 3);
 }
 
 // Every strand has the grid's brake, wherever it lies, and the sums are those of every run.
 TEST_P(Lengths, MeetInTheGrid) {
-    auto desc = plait_sim_desc_defaults();
-    desc.params.interhair = PLAIT_INTERHAIR_EXACT;
-    desc.params.diffuse_factor = 0.2f;
-    const auto positions = [&](uint32_t mode) {
-        desc.params.interhair = static_cast<plait_interhair>(mode);
+    plait::SimDesc desc;
+    desc.grid.on = true;
+    desc.grid.diffuse_factor = 0.2f;
+    const auto positions = [&](bool grid) {
+        desc.grid.on = grid;
         plait::Sim sim(context, make_groom(groom_of(list_strands(of_both))), desc);
         live(sim, 6, nothing);
-        EXPECT_EQ(sim.stats().nonfinite, 0u);
+        EXPECT_EQ(sim.measure().nonfinite, 0u);
         return sim.read(PLAIT_FIELD_POSITION);
     };
-    const auto braked = positions(PLAIT_INTERHAIR_EXACT), free = positions(PLAIT_INTERHAIR_OFF);
-    EXPECT_EQ(braked, positions(PLAIT_INTERHAIR_EXACT));
+    const auto braked = positions(true), free = positions(false);
+    EXPECT_EQ(braked, positions(true));
     for (size_t strand : {size_t{3}, size_t{4}}) { // of either length
         float most = 0;
         for (size_t k = 0; k < 4 * longer; ++k)

@@ -12,16 +12,16 @@ namespace {
 
 class MadeUp : public testing::TestWithParam<plait_model> {
   protected:
-    static plait_sim_desc desc() {
-        auto desc = plait_sim_desc_defaults();
+    static plait::SimDesc desc() {
+        plait::SimDesc desc;
         desc.model = GetParam();
         desc.interpolate_output = 1;
         desc.params.bdf2 = 1;
         return desc;
     }
     void SetUp() override {
-        auto collider = plait_collider_desc_defaults();
-        collider.radius_a = collider.radius_b = 0.02f;
+        auto collider = smooth_collider();
+        collider.capsule.radius_a = collider.capsule.radius_b = 0.02f;
         collider.pose.t[1] = -0.04f;
         sim.create_collider(collider);
         auto roots = plait_roots_defaults();
@@ -64,7 +64,7 @@ TEST_P(MadeUp, IsRefusedOrStaysFinite) {
             ++restored;
             for (int i = 0; i < 3; ++i)
                 sim.step(1.0 / 60);
-            ASSERT_EQ(sim.stats().nonfinite, 0u) << "byte " << at << " as " << value;
+            ASSERT_EQ(sim.measure().nonfinite, 0u) << "byte " << at << " as " << value;
         }
     EXPECT_GT(restored, 100); // small positions are positions
     EXPECT_GT(refused, 100);

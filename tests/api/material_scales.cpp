@@ -11,8 +11,8 @@ constexpr size_t vertices = 13;
 constexpr float length = 0.3f; // m
 constexpr float g = 9.81f;     // m/s^2
 
-plait_sim_desc desc_of() {
-    auto desc = plait_sim_desc_defaults();
+plait::SimDesc desc_of() {
+    plait::SimDesc desc;
     return desc;
 }
 
@@ -76,8 +76,6 @@ TEST_P(MaterialScales, DragIsThatOfASimWithSoManyTimesTheParams) {
         auto desc = desc_of();
         desc.params.bdf2 = bdf2;
         desc.params.drag = 2;
-        desc.params.wind[0] = 1.5f;
-        desc.params.wind[2] = 0.5f;
         plait::Sim mixed(context, make_groom(tuft(5, vertices)), desc);
         auto list = of_drag(scales);
         list.push_back(plait_material_defaults());
@@ -168,16 +166,16 @@ enum class Slope { plane, box, field, nearest };
 // A face at y = 0 of friction 0.5.
 void add_slope(plait::Sim& sim, Slope slope) {
     if (slope == Slope::plane || slope == Slope::box) {
-        auto desc = plait_collider_desc_defaults();
+        auto desc = smooth_collider();
         desc.kind = slope == Slope::plane ? PLAIT_COLLIDER_KIND_PLANE : PLAIT_COLLIDER_KIND_BOX;
         desc.friction = 0.5f;
         if (slope == Slope::plane) {
             const Point up{0, 1, 0};
-            std::copy(up.begin(), up.end(), desc.normal);
+            std::copy(up.begin(), up.end(), desc.plane.normal);
         } else {
             const Point centre{0, -0.05f, 0}, half{0.6f, 0.05f, 0.6f};
-            std::copy(centre.begin(), centre.end(), desc.a);
-            std::copy(half.begin(), half.end(), desc.half_extents);
+            std::copy(centre.begin(), centre.end(), desc.box.centre);
+            std::copy(half.begin(), half.end(), desc.box.half_extents);
         }
         (void)sim.create_collider(desc);
         return;
@@ -223,11 +221,11 @@ TEST_P(MaterialScales, HairSlidesDownASlopeWhereItsFrictionIsLessThanItsTangent)
 TEST_P(MaterialScales, FrictionIsThatOfAColliderWithSoManyTimesTheCoefficient) {
     const auto lies = [&](float scale, float friction) {
         plait::Sim sim(context, make_groom(tuft(3, vertices)), desc_of());
-        auto ball = plait_collider_desc_defaults();
+        auto ball = smooth_collider();
         const Point centre{0.1f, -0.08f, 0};
-        std::copy(centre.begin(), centre.end(), ball.a);
-        std::copy(centre.begin(), centre.end(), ball.b);
-        ball.radius_a = ball.radius_b = 0.06f;
+        std::copy(centre.begin(), centre.end(), ball.capsule.a);
+        std::copy(centre.begin(), centre.end(), ball.capsule.b);
+        ball.capsule.radius_a = ball.capsule.radius_b = 0.06f;
         ball.friction = friction;
         (void)sim.create_collider(ball);
         give(sim, of_friction({scale}), 3);
@@ -276,11 +274,11 @@ TEST_P(MaterialScales, AreOneInAnOlderHeaderAndOfTheParams) {
         return sim.read(PLAIT_FIELD_POSITION);
     };
     plait_material old = plait_material_defaults();
-    old.line_density = desc.params.line_density;
-    old.bend_stiffness = desc.params.bend_stiffness;
-    old.stretch_stiffness = desc.params.stretch_stiffness;
-    old.twist_stiffness = desc.params.twist_stiffness;
-    old.section_ratio = desc.params.section_ratio;
+    old.line_density = desc.material.line_density;
+    old.bend_stiffness = desc.material.bend_stiffness;
+    old.stretch_stiffness = desc.material.stretch_stiffness;
+    old.twist_stiffness = desc.material.twist_stiffness;
+    old.section_ratio = desc.material.section_ratio;
     const auto of_params = dragged(nullptr);
     EXPECT_EQ(dragged(&old), of_params);
     old.struct_size = offsetof(plait_material, drag_scale);
@@ -291,8 +289,7 @@ TEST_P(MaterialScales, AreOneInAnOlderHeaderAndOfTheParams) {
 // From the next step on, and through a switch of substeps.
 TEST_P(MaterialScales, ChangeWhileTheSimRunsAndGoAlongThroughASwitch) {
     auto desc = desc_of();
-    desc.params.drag = 1;
-    desc.params.wind[2] = 3;
+    desc.params.drag = 4;
     const std::vector<plait_material> list = of_drag({4, 0});
     plait::Sim changed(context, make_groom(tuft(4, vertices)), desc);
     run(changed, 5);

@@ -6,8 +6,8 @@
 
 namespace {
 
-plait_sim_desc desc_of() {
-    auto desc = plait_sim_desc_defaults();
+plait::SimDesc desc_of() {
+    plait::SimDesc desc;
     return desc;
 }
 
@@ -17,14 +17,6 @@ plait_material stiff() {
     material.bend_stiffness = 3e-7f;
     material.twist_stiffness = 2e-7f;
     return material;
-}
-
-void set_params(plait_sim_params& params, const plait_material& material) {
-    params.line_density = material.line_density;
-    params.bend_stiffness = material.bend_stiffness;
-    params.stretch_stiffness = material.stretch_stiffness;
-    params.twist_stiffness = material.twist_stiffness;
-    params.section_ratio = material.section_ratio;
 }
 
 std::vector<float> after(plait::Sim& sim, int steps) {
@@ -45,18 +37,18 @@ std::string refusal(plait_sim* sim, const plait_material* list, size_t count, pl
 class Materials : public OnBackend {};
 ON_EVERY_BACKEND(Materials);
 
-// To the bit, those of the params among them.
+// To the bit.
 TEST_P(Materials, EachStrandIsAsInASimOfItsMaterial) {
-    const std::vector<plait_material> list{stiff(), plait_material_defaults()};
-    const std::vector<uint32_t> of{1, 0, PLAIT_MATERIAL_OF_PARAMS, 0, 1};
+    std::vector<plait_material> list(3, plait_material_defaults());
+    list[0] = stiff();
+    list[2].line_density = 1e-5f;
+    list[2].bend_stiffness = 5e-8f;
+    const std::vector<uint32_t> of{1, 0, 2, 0, 1};
     auto desc = desc_of();
-    desc.params.line_density = 1e-5f;
-    desc.params.bend_stiffness = 5e-8f;
     std::vector<std::vector<float>> alone;
-    for (const uint32_t index : {0u, 1u, PLAIT_MATERIAL_OF_PARAMS}) {
+    for (const plait_material& material : list) {
         auto one = desc;
-        if (index < list.size())
-            set_params(one.params, list[index]);
+        one.material = material;
         plait::Sim sim(context, make_groom(tuft(5, 12)), one);
         alone.push_back(after(sim, 20));
     }
@@ -66,14 +58,13 @@ TEST_P(Materials, EachStrandIsAsInASimOfItsMaterial) {
     plait::Sim sim(context, make_groom(tuft(5, 12)), desc);
     const auto mixed = after(sim, 20);
     for (size_t strand = 0; strand < of.size(); ++strand)
-        EXPECT_EQ(strand_of(mixed, strand, 12),
-                  strand_of(alone[std::min<size_t>(of[strand], 2)], strand, 12))
+        EXPECT_EQ(strand_of(mixed, strand, 12), strand_of(alone[of[strand]], strand, 12))
             << "strand " << strand;
     const float apart = 0.01f;
     EXPECT_GE(largest_difference(alone[0], alone[1]), apart);
 }
 
-// From the next step on, without a jump; none again are the params.
+// From the next step on, without a jump; none again is the default one.
 TEST_P(Materials, ChangeWhileTheSimRuns) {
     plait::Sim sim(context, make_groom(tuft(3, 12)), desc_of());
     plait::Sim same(context, make_groom(tuft(3, 12)), desc_of());
@@ -138,31 +129,13 @@ TEST_P(Materials, RampsBendAsABeamWithThem) {
     auto desc = desc_of();
     desc.params.drag = 30;
     desc.params.gravity[1] = -9.81f;
-    desc.params.stretch_stiffness = 100;
+    desc.material.stretch_stiffness = 100;
     material.stretch_stiffness = 100;
     desc.materials = &material;
     desc.material_count = 1;
     plait::Sim sim(context, make_groom({level}), desc);
     const double found = -double(after(sim, 120)[4 * 32 + 1]);
     EXPECT_NEAR(found / sag, 1, 0.01);
-}
-
-// As tip_stiffness and tip_density, which are ramps, too.
-TEST_P(Materials, AStraightRampIsTheTipsOfTheParams) {
-    auto desc = desc_of();
-    desc.params.tip_stiffness = 0.25f;
-    desc.params.tip_density = 0.5f;
-    plait::Sim tips(context, make_groom(tuft(3, 12)), desc);
-    desc.params.tip_stiffness = desc.params.tip_density = 1;
-    auto material = plait_material_defaults();
-    const float stiffness[] = {1, 0.75f, 0.5f, 0.25f};
-    const float density[] = {1, 1 - 0.5f / 3, 1 - 1 / 3.0f, 0.5f};
-    std::copy_n(stiffness, 4, material.stiffness_ramp);
-    std::copy_n(density, 4, material.density_ramp);
-    desc.materials = &material;
-    desc.material_count = 1;
-    plait::Sim ramps(context, make_groom(tuft(3, 12)), desc);
-    EXPECT_LT(largest_difference(after(ramps, 20), after(tips, 20)), 1e-4f);
 }
 
 // Of all joints but the clamp, rad.
@@ -259,7 +232,7 @@ TEST_P(Materials, OutsideTheirRangesAreRefusedWhole) {
     is_refused("materials[0].curl is 5, range is [0, 4]");
     list[0] = plait_material_defaults();
     of[1] = 2;
-    is_refused("strand_material[1] is 2, range is [0, 1], or PLAIT_MATERIAL_OF_PARAMS");
+    is_refused("strand_material[1] is 2, range is [0, 1]");
     of = {0};
     is_refused("strand_material.count is 1, the groom has 2 strands");
     of = {0, 0};

@@ -15,8 +15,8 @@ plait::Mesh make_mesh(const ShapeMesh& shape) {
     return plait::Mesh(desc);
 }
 
-plait_sim_desc desc_of() {
-    auto desc = plait_sim_desc_defaults();
+plait::SimDesc desc_of() {
+    plait::SimDesc desc;
     return desc;
 }
 
@@ -112,7 +112,7 @@ TEST_P(MeshColliders, HairAtRestIsNotPushed) {
 // And without a clearance it is: the margin is farther out than the hair.
 TEST_P(MeshColliders, WithoutClearanceItIs) {
     const auto mesh = make_mesh(head_mesh());
-    auto desc = plait_sim_desc_defaults();
+    plait::SimDesc desc;
     std::fill_n(desc.params.gravity, 3, 0.0f);
     plait::Sim sim(context, make_groom(groom_on_head(9, 12)), desc);
     auto collider = plait_collider_mesh_desc_defaults();
@@ -128,10 +128,10 @@ TEST_P(MeshColliders, WhatIsFarOrGoneChangesNoBit) {
     const auto mesh = make_mesh(head_mesh());
     const auto positions = [&](int what) {
         plait::Sim sim(context, make_groom(tuft(3, 9)), desc_of());
-        auto near = plait_collider_desc_defaults();
+        auto near = smooth_collider();
         near.pose.t[0] = 0.05f;
         near.pose.t[1] = -0.16f;
-        near.radius_a = near.radius_b = 0.05f;
+        near.capsule.radius_a = near.capsule.radius_b = 0.05f;
         sim.create_collider(near);
         if (what > 0) {
             auto far = plait_collider_mesh_desc_defaults();
@@ -156,13 +156,13 @@ TEST_P(MeshColliders, NothingIsScheduledWithoutThem) {
     const plait::Context profiled(desc);
     plait::Sim sim(profiled, make_groom(tuft(3, 9)));
     const auto none = stages_of(sim);
-    const auto bytes = sim.stats().device_bytes;
+    const auto bytes = sim.describe().device_bytes;
     const auto id = sim.create_collider(make_mesh(head_mesh()));
     sim.take_launches();
     run(sim, 2);
     const auto with = launched_stages(sim);
     EXPECT_EQ(std::ranges::count(with, "mesh_field"), 2);
-    EXPECT_GT(sim.stats().device_bytes, bytes);
+    EXPECT_GT(sim.describe().device_bytes, bytes);
     sim.destroy_collider(id);
     for (const auto& [stage, calls] : none)
         EXPECT_NE(stage, "mesh_field");
@@ -230,14 +230,14 @@ TEST_P(MeshColliders, AreDescribedListedAndKeepTheirShape) {
     auto desc = plait_collider_mesh_desc_defaults();
     desc.friction = 0.7f;
     desc.pose.t[2] = 0.4f;
-    const auto ball = sim.create_collider(plait_collider_desc_defaults());
+    const auto ball = sim.create_collider(smooth_collider());
     const auto id = sim.create_collider(mesh, desc);
     EXPECT_EQ(sim.colliders().size(), 2u);
     const auto info = sim.describe_collider(id);
     EXPECT_EQ(info.kind, PLAIT_COLLIDER_KIND_MESH);
     EXPECT_EQ(info.friction, 0.7f);
     EXPECT_EQ(info.pose.t[2], 0.4f);
-    const auto shape = plait_collider_desc_defaults();
+    const auto shape = smooth_collider();
     EXPECT_EQ(plait_collider_set_shape(sim, id, &shape), PLAIT_INVALID_STATE);
     sim.destroy_collider(ball);
     run(sim, 2);
@@ -281,7 +281,7 @@ TEST_P(MeshColliders, WhatCannotBeIsRefused) {
     plait::Sim parity(context, make_groom(tuft(2, 6)), tressfx_desc());
     EXPECT_EQ(refused(parity, closed, desc, "tressfx"), PLAIT_INVALID_STATE);
     EXPECT_TRUE(sim.colliders().empty() && parity.colliders().empty());
-    auto kind = plait_collider_desc_defaults();
+    auto kind = smooth_collider();
     kind.kind = PLAIT_COLLIDER_KIND_MESH;
     plait_collider_id id{};
     EXPECT_EQ(plait_collider_create(sim, &kind, &id), PLAIT_INVALID_ARGUMENT);

@@ -42,7 +42,7 @@ double rms_of(const plait::Mesh& mesh, size_t count) {
 TEST(MeshFit, FindsTheCapsuleThatAMeshIs) {
     const auto mesh = make_mesh(cone_mesh(0.05, 0.02, 0.2));
     auto info = plait_mesh_fit_info_defaults();
-    plait_collider_desc found = mesh.fit(1, &info).front();
+    plait_capsule found = mesh.fit(1, &info).front();
     EXPECT_LT(info.greatest, 2e-4);
     if (found.radius_a < found.radius_b) {
         std::swap(found.radius_a, found.radius_b);
@@ -77,19 +77,18 @@ TEST(MeshFit, CapsulesAreColliders) {
     plait::Sim sim(context, make_groom(tuft(3, 8)));
     for (const auto& capsule : capsules) {
         plait_collider_id id;
-        EXPECT_EQ(plait_collider_create(sim.get(), &capsule, &id), PLAIT_OK) << plait_last_error();
+        auto desc = plait_collider_desc_defaults();
+        desc.capsule = capsule;
+        EXPECT_EQ(plait_collider_create(sim.get(), &desc, &id), PLAIT_OK) << plait_last_error();
     }
 }
 
 TEST(MeshFit, RefusesWhatItCannotFill) {
     const auto mesh = make_mesh(box_mesh(0.1, 0.2, 0.3));
-    std::vector<plait_collider_desc> room(2, plait_collider_desc_defaults());
+    std::vector<plait_capsule> room(2);
     EXPECT_EQ(plait_mesh_fit(mesh.get(), room.data(), 0, nullptr), PLAIT_INVALID_ARGUMENT);
     EXPECT_STREQ(plait_last_error(), "plait_mesh_fit: count is 0, range is [1, 64]");
     EXPECT_EQ(plait_mesh_fit(mesh.get(), room.data(), 65, nullptr), PLAIT_INVALID_ARGUMENT);
-    room[1].struct_size = 8;
-    EXPECT_EQ(plait_mesh_fit(mesh.get(), room.data(), 2, nullptr), PLAIT_INVALID_ARGUMENT);
-    room[1] = plait_collider_desc_defaults();
     plait_mesh_fit_info none{};
     EXPECT_EQ(plait_mesh_fit(mesh.get(), room.data(), 2, &none), PLAIT_INVALID_ARGUMENT);
 }
@@ -102,7 +101,7 @@ TEST(MeshFit, ASheetIsFittedToo) {
     sheet.add(0, 0.1, 0);
     sheet.triangles.push_back({0, 1, 2});
     auto info = plait_mesh_fit_info_defaults();
-    for (const plait_collider_desc& capsule : make_mesh(sheet).fit(8, &info)) {
+    for (const plait_capsule& capsule : make_mesh(sheet).fit(8, &info)) {
         EXPECT_GT(capsule.radius_a, 0);
         EXPECT_GT(capsule.radius_b, 0);
         EXPECT_TRUE(std::isfinite(capsule.a[0] + capsule.b[1]));

@@ -8,7 +8,7 @@ namespace {
 
 class Motion : public OnBackend {
   protected:
-    std::vector<float> after(const Strands& strands, const plait_sim_desc& desc, int steps = 20) {
+    std::vector<float> after(const Strands& strands, const plait::SimDesc& desc, int steps = 20) {
         plait::Sim sim(context, make_groom(strands), desc);
         run(sim, steps);
         return sim.read(PLAIT_FIELD_POSITION);
@@ -30,33 +30,33 @@ TEST_P(Motion, GravityMovesFreeVerticesAndNotTheRoots) {
 }
 
 TEST_P(Motion, SameInputsSameHash) {
-    for (const auto interhair :
-         {PLAIT_INTERHAIR_OFF, PLAIT_INTERHAIR_EXACT, PLAIT_INTERHAIR_SLOTS}) {
-        if (interhair == PLAIT_INTERHAIR_SLOTS && GetParam() != "reference")
+    for (const Grid grid : {Grid::off, Grid::exact, Grid::slots}) {
+        if (grid == Grid::slots && GetParam() != "reference")
             continue; // the last writer of a slot wins: only one thread makes that repeatable
-        auto desc = plait_sim_desc_defaults();
-        desc.params.interhair = interhair;
+        plait::SimDesc desc;
+        set_grid(desc, grid);
         plait::Sim a(context, make_groom(tuft(12, 8)), desc);
         plait::Sim b(context, make_groom(tuft(12, 8)), desc);
         EXPECT_EQ(a.hash(), b.hash());
         const uint64_t start = a.hash();
         run(a, 15);
         run(b, 15);
-        EXPECT_EQ(a.hash(), b.hash()) << "interhair " << interhair;
+        EXPECT_EQ(a.hash(), b.hash()) << "grid " << static_cast<int>(grid);
         EXPECT_NE(a.hash(), start);
     }
 }
 
 // Who wins a slot may differ from run to run, so neither may the bits be the same. Here slots are
 // so few that each has several who want it, and part of the hair is outside of the grid.
-plait_sim_desc crowded(uint64_t seed) {
-    auto desc = plait_sim_desc_defaults();
-    desc.params.interhair = PLAIT_INTERHAIR_SLOTS;
-    desc.params.grid_edge_count = 4;
-    desc.params.slot_capacity = 4;
-    desc.params.grid_in_world = 1;
-    desc.params.grid_origin[0] = desc.params.grid_origin[1] = desc.params.grid_origin[2] = -0.2f;
-    desc.params.grid_edge = 0.275f;
+plait::SimDesc crowded(uint64_t seed) {
+    plait::SimDesc desc;
+    desc.grid.on = true;
+    desc.grid.form = PLAIT_GRID_FORM_SLOTS;
+    desc.grid.edge_count = 4;
+    desc.grid.slot_capacity = 4;
+    desc.grid.in_world = 1;
+    desc.grid.origin[0] = desc.grid.origin[1] = desc.grid.origin[2] = -0.2f;
+    desc.grid.edge = 0.275f;
     desc.seed = seed;
     return desc;
 }
@@ -66,10 +66,10 @@ struct Moved {
     uint64_t outside = 0;
 };
 
-Moved moved(const plait::Context& context, const plait_sim_desc& desc) {
+Moved moved(const plait::Context& context, const plait::SimDesc& desc) {
     plait::Sim sim(context, make_groom(tuft(12, 8)), desc);
     run(sim, 15);
-    return {sim.read(PLAIT_FIELD_POSITION), sim.stats().grid_outside};
+    return {sim.read(PLAIT_FIELD_POSITION), sim.measure().grid_outside};
 }
 
 // Runs of one seed differ in who wins, those of two also in who meets whom: the latter bounds the
@@ -101,9 +101,9 @@ TEST_P(Motion, PermutedStrandsMovePermuted) {
     Strands permuted(strands);
     for (size_t i = 0; i < strands; ++i)
         permuted[(3 * i + 1) % strands] = given[i];
-    for (const auto interhair : {PLAIT_INTERHAIR_OFF, PLAIT_INTERHAIR_EXACT}) {
-        auto desc = plait_sim_desc_defaults();
-        desc.params.interhair = interhair;
+    for (const Grid grid : {Grid::off, Grid::exact}) {
+        plait::SimDesc desc;
+        set_grid(desc, grid);
         const auto a = after(given, desc);
         const auto b = after(permuted, desc);
         for (size_t i = 0; i < strands; ++i)
@@ -111,7 +111,7 @@ TEST_P(Motion, PermutedStrandsMovePermuted) {
                 std::equal(a.begin() + static_cast<std::ptrdiff_t>(i * row),
                            a.begin() + static_cast<std::ptrdiff_t>((i + 1) * row),
                            b.begin() + static_cast<std::ptrdiff_t>((3 * i + 1) % strands * row)))
-                << "strand " << i << ", interhair " << interhair;
+                << "strand " << i << ", grid " << static_cast<int>(grid);
     }
 }
 
@@ -123,8 +123,8 @@ Point turned(const Point& p) {
 TEST_P(Motion, ATurnedWorldMovesTurned) {
     Strands strands = tuft(4, 9);
     auto desc = tressfx_desc();
-    desc.params.air_drag = 0.5f;
-    desc.params.wind[2] = 3;
+    desc.tressfx.air_drag = 0.5f;
+    desc.tressfx.wind[2] = 3;
     const auto plain = after(strands, desc);
     for (Strand& strand : strands)
         for (Point& p : strand)
@@ -142,9 +142,9 @@ TEST_P(Motion, ATurnedWorldMovesTurned) {
 
 TEST_P(Motion, ShortStrandsMoveAsTheyDoAlone) {
     Strands mixed = {curl({0, 0, 0}, 12), curl({0, 0.1f, 0}, 5), curl({0, 0.2f, 0}, 2)};
-    const auto together = after(mixed, plait_sim_desc_defaults());
+    const auto together = after(mixed, plait::SimDesc());
     for (size_t strand = 0; strand < mixed.size(); ++strand) {
-        const auto alone = after({mixed[strand]}, plait_sim_desc_defaults());
+        const auto alone = after({mixed[strand]}, plait::SimDesc());
         const std::vector<float> part(
             together.begin() + static_cast<std::ptrdiff_t>(strand * 12 * 4),
             together.begin() + static_cast<std::ptrdiff_t>(strand * 12 * 4 + alone.size()));
@@ -155,7 +155,7 @@ TEST_P(Motion, ShortStrandsMoveAsTheyDoAlone) {
 }
 
 TEST_P(Motion, FollowsStayWithinTheirRadiusOfTheGuide) {
-    auto desc = plait_sim_desc_defaults();
+    plait::SimDesc desc;
     desc.follows_per_guide = 3;
     desc.follow_radius = 0.004f;
     plait::Sim sim(context, make_groom(tuft(2, 6)), desc);
@@ -173,29 +173,29 @@ TEST_P(Motion, FollowsStayWithinTheirRadiusOfTheGuide) {
 }
 
 TEST_P(Motion, TheGridSeesTheHair) {
-    auto desc = plait_sim_desc_defaults();
-    desc.params.interhair = PLAIT_INTERHAIR_EXACT;
-    desc.params.tent = PLAIT_TENT_FORM_TRILINEAR;
+    plait::SimDesc desc;
+    desc.grid.on = true;
+    desc.grid.tent = PLAIT_TENT_FORM_TRILINEAR;
     plait::Sim sim(context, make_groom(tuft(5, 6)), desc);
     run(sim, 1);
     const auto density = sim.read(PLAIT_FIELD_GRID_DENSITY);
     EXPECT_EQ(density.size(), 512u);
     EXPECT_NEAR(std::accumulate(density.begin(), density.end(), 0.0), 30, 1e-3);
-    EXPECT_EQ(sim.stats().grid_outside, 0u);
+    EXPECT_EQ(sim.measure().grid_outside, 0u);
 }
 
 TEST_P(Motion, WhatIsOffHasNoBuffers) {
-    plait::Sim sim(context, make_groom(tuft(2, 6)), tressfx_desc());
-    const uint64_t off = sim.stats().device_bytes;
-    auto params = sim.params();
-    params.interhair = PLAIT_INTERHAIR_SLOTS;
-    sim.set_params(params);
-    EXPECT_EQ(sim.stats().device_bytes, off + 512 * 1024 * 4 + 512 * (4 + 16) + 4);
-    params.interhair = PLAIT_INTERHAIR_OFF;
-    params.vsp_coeff = 0;
-    params.vsp_accel_threshold = 1e6f;
-    sim.set_params(params);
-    EXPECT_EQ(sim.stats().device_bytes, off - 2 * 2 * 16);
+    plait::SimDesc desc = tressfx_desc();
+    plait::Sim sim(context, make_groom(tuft(2, 6)), desc);
+    const uint64_t off = sim.describe().device_bytes;
+    set_grid(desc, Grid::slots);
+    sim.set_all(desc);
+    EXPECT_EQ(sim.describe().device_bytes, off + 512 * 1024 * 4 + 512 * (4 + 16) + 4);
+    set_grid(desc, Grid::off);
+    desc.tressfx.vsp_coeff = 0;
+    desc.tressfx.vsp_accel_threshold = 1e6f;
+    sim.set_all(desc);
+    EXPECT_EQ(sim.describe().device_bytes, off - 2 * 2 * 16);
 }
 
 std::vector<std::string> stages_of_a_step(plait::Sim& sim) {
@@ -212,20 +212,20 @@ TEST_P(Motion, OnlyWhatIsOnRuns) {
     EXPECT_EQ(stages_of_a_step(sim),
               (std::vector<std::string>{"roots", "integrate", "strand_data", "velocity_shock",
                                         "local_shape", "length", "tangents"}));
-    auto params = sim.params();
-    params.local_iterations = params.length_iterations = 0;
-    params.vsp_coeff = 0;
-    params.vsp_accel_threshold = 1e6f;
-    sim.set_params(params);
+    auto tressfx = plait_tressfx_desc_defaults();
+    tressfx.local_iterations = tressfx.length_iterations = 0;
+    tressfx.vsp_coeff = 0;
+    tressfx.vsp_accel_threshold = 1e6f;
+    sim.set_tressfx(&tressfx);
     EXPECT_EQ(stages_of_a_step(sim), (std::vector<std::string>{"roots", "integrate", "tangents"}));
 }
 
 TEST_P(Motion, ShockBeforeGlobalTakesTheGlobalConstraintOutOfIntegration) {
     auto desc = tressfx_desc();
-    desc.params.global_stiffness = 0.2f;
-    desc.params.global_range = 1;
+    desc.tressfx.global_stiffness = 0.2f;
+    desc.tressfx.global_range = 1;
     plait::Sim published(context, make_groom(tuft(2, 6)), desc);
-    desc.params.order = PLAIT_STAGE_ORDER_SHOCK_BEFORE_GLOBAL;
+    desc.tressfx.order = PLAIT_STAGE_ORDER_SHOCK_BEFORE_GLOBAL;
     plait::Sim ours(context, make_groom(tuft(2, 6)), desc);
     const auto has_global = [](const std::vector<std::string>& stages) {
         return std::find(stages.begin(), stages.end(), "global_shape") != stages.end();

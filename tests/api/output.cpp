@@ -8,8 +8,8 @@ namespace {
 class Output : public OnBackend {};
 ON_EVERY_BACKEND(Output);
 
-plait_sim_desc with_last_frame() {
-    auto desc = plait_sim_desc_defaults();
+plait::SimDesc with_last_frame() {
+    plait::SimDesc desc;
     desc.keep_last_frame = 1;
     desc.follows_per_guide = 2;
     return desc;
@@ -86,7 +86,7 @@ TEST_P(Output, TangentsOfTheModelAreThoseOfTheStage) {
     for (size_t strand = 0; strand < groom.size(); strand += 3)
         groom[strand].resize(3 + strand % 9);
     for (const uint32_t follows : {0u, 2u}) {
-        auto desc = plait_sim_desc_defaults();
+        plait::SimDesc desc;
         desc.follows_per_guide = follows;
         desc.interpolate_output = 0; // what is shown is what is written
         plait::Sim sim(context, make_groom(groom), desc);

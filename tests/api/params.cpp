@@ -5,15 +5,14 @@
 
 #include <algorithm>
 #include <cstring>
+#include <map>
 #include <regex>
 #include <set>
 #include <sstream>
 
 namespace {
 
-using Params = plait_sim_params;
-
-void put(Params& params, const plait_param_info& info, uint32_t component, double value) {
+void put(plait::SimDesc& desc, const plait_param_info& info, uint32_t component, double value) {
     unsigned char bytes[4];
     const auto number = static_cast<float>(value);
     const auto whole = static_cast<int32_t>(value);
@@ -21,32 +20,56 @@ void put(Params& params, const plait_param_info& info, uint32_t component, doubl
         std::memcpy(bytes, &number, sizeof bytes);
     else
         std::memcpy(bytes, &whole, sizeof bytes);
-    std::memcpy(reinterpret_cast<unsigned char*>(&params) + info.offset + 4 * component, bytes,
+    std::memcpy(static_cast<unsigned char*>(plait::field_of(desc, info)) + 4 * component, bytes,
                 sizeof bytes);
+}
+
+// With all that its model may have.
+plait::SimDesc with_all(bool tressfx) {
+    plait::SimDesc desc;
+    desc.model = tressfx ? PLAIT_MODEL_TRESSFX : PLAIT_MODEL_ARTICULATED;
+    desc.grid.on = desc.acceleration.on = true;
+    desc.volume.on = desc.strand_contact.on = desc.wetness.on = !tressfx;
+    return desc;
+}
+
+bool of_tressfx(const plait_param_info& info) {
+    return std::string(info.feature) == "tressfx";
 }
 
 class ParamTable : public testing::Test {
   protected:
     // Refused by name, or taken.
-    void expect(const Params& params, const plait_param_info& info, bool fine) {
-        const plait_result result = plait_sim_set_params(sim, &params);
-        EXPECT_EQ(result, fine ? PLAIT_OK : PLAIT_INVALID_ARGUMENT) << info.name;
+    void expect(const plait::SimDesc& desc, const plait_param_info& info, bool fine) {
+        const plait_result result = plait::set_all(of_tressfx(info) ? tressfx : sim, desc);
+        EXPECT_EQ(result, fine ? PLAIT_OK : PLAIT_INVALID_ARGUMENT)
+            << info.name << ": " << plait_last_error();
         if (!fine) {
-            EXPECT_EQ(std::string(plait_last_error())
-                          .find(std::string("plait_sim_set_params: ") + info.name),
-                      0u)
-                << plait_last_error();
+            const std::string field = info.name, said = plait_last_error();
+            EXPECT_NE(said.find(field), std::string::npos) << said;
+            EXPECT_NE(said.find(" is "), std::string::npos) << said;
         }
     }
 
     plait::Context context = make_context("reference");
-    plait::Sim sim{context, make_groom(tuft(1, 3))};
+    plait::Sim sim{context, make_groom(tuft(1, 3)), with_all(false)};
+    plait::Sim tressfx{context, make_groom(tuft(1, 3)), with_all(true)};
     std::vector<plait_param_info> list = plait::params_list();
 };
 
-TEST_F(ParamTable, CoversTheStructWithoutAGap) {
-    size_t end = sizeof Params::struct_size;
+TEST_F(ParamTable, CoversTheStructsWithoutAGap) {
+    const std::map<std::string, size_t> sizes = {
+        {"params", sizeof(plait_sim_params)},
+        {"material", sizeof(plait_material)},
+        {"tressfx", sizeof(plait_tressfx_desc)},
+        {"grid", sizeof(plait_grid_desc)},
+        {"volume", sizeof(plait_volume_desc)},
+        {"strand_contact", sizeof(plait_strand_contact_desc)},
+        {"wetness", sizeof(plait_wetness_desc)},
+        {"acceleration", sizeof(plait_acceleration_desc)}};
+    std::map<std::string, size_t> ends;
     for (const plait_param_info& info : list) {
+        size_t& end = ends.emplace(info.feature, sizeof(uint32_t)).first->second;
         EXPECT_EQ(info.offset, end) << info.name;
         end = info.offset + 4 * size_t{info.count};
         EXPECT_LT(info.least, info.most) << info.name;
@@ -54,7 +77,7 @@ TEST_F(ParamTable, CoversTheStructWithoutAGap) {
         for (int i = 0; info.choices && i <= static_cast<int>(info.most); ++i)
             EXPECT_STRNE(info.choices[i], "");
     }
-    EXPECT_EQ(end, sizeof(Params));
+    EXPECT_EQ(ends, sizes);
 }
 
 TEST_F(ParamTable, ItsRangesAreTheOnesThatAreChecked) {
@@ -62,28 +85,27 @@ TEST_F(ParamTable, ItsRangesAreTheOnesThatAreChecked) {
         for (uint32_t i = 0; i < info.count; ++i)
             for (const bool low : {true, false}) {
                 const double edge = low ? info.least : info.most;
-                Params params = plait_sim_params_defaults();
-                if (std::strcmp(info.name, "volume") == 0) // needs it
-                    params.interhair = PLAIT_INTERHAIR_EXACT;
-                // alone, all the slots there may be
-                const bool slots = std::strcmp(info.name, "slot_capacity") == 0 && !low;
-                put(params, info, i, edge);
-                if (!slots && std::strcmp(info.name, "grid_edge_count") != 0)
-                    expect(params, info, !(low && info.least_excluded));
+                plait::SimDesc desc = with_all(of_tressfx(info));
+                const bool slots = std::string(info.name) == "grid_form" && low;
+                desc.volume.on = desc.volume.on && !slots; // which needs the other form
+                put(desc, info, i, edge);
+                if (std::strcmp(info.name, "grid_edge_count") != 0) // with volume, memory
+                    expect(desc, info, !(low && info.least_excluded));
                 const double step = std::max(std::abs(edge) * 1e-3, 1e-3);
                 const double beyond = info.kind == PLAIT_PARAM_KIND_FLOAT ? step : 1;
-                put(params, info, i, low ? edge - beyond : edge + beyond);
-                expect(params, info,
-                       params.bdf2 == PLAIT_BDF2_OF_MODEL && std::strcmp(info.name, "bdf2") == 0);
+                put(desc, info, i, low ? edge - beyond : edge + beyond);
+                expect(desc, info,
+                       desc.params.bdf2 == PLAIT_BDF2_OF_MODEL &&
+                           std::strcmp(info.name, "bdf2") == 0);
                 if (info.kind != PLAIT_PARAM_KIND_FLOAT)
                     continue;
-                put(params, info, i, NAN);
-                expect(params, info, false);
+                put(desc, info, i, NAN);
+                expect(desc, info, false);
             }
 }
 
-double component(const Params& params, const plait_param_info& info, uint32_t i) {
-    const auto* const at = reinterpret_cast<const unsigned char*>(&params) + info.offset + 4 * i;
+double component(plait::SimDesc& desc, const plait_param_info& info, uint32_t i) {
+    const auto* const at = static_cast<const unsigned char*>(plait::field_of(desc, info)) + 4 * i;
     float number;
     uint32_t whole;
     std::memcpy(&number, at, sizeof number);
@@ -92,10 +114,10 @@ double component(const Params& params, const plait_param_info& info, uint32_t i)
 }
 
 TEST_F(ParamTable, ItsDefaultsAreThoseOfTheStruct) {
-    const Params params = plait_sim_params_defaults();
+    plait::SimDesc desc;
     for (const plait_param_info& info : list) {
         for (uint32_t i = 0; i < info.count; ++i)
-            EXPECT_EQ(info.default_value[std::min(i, 2u)], component(params, info, i))
+            EXPECT_EQ(info.default_value[std::min(i, 2u)], component(desc, info, i))
                 << info.name << "[" << i << "]";
         for (uint32_t i = info.count; i < 3; ++i)
             EXPECT_EQ(info.default_value[i], 0) << info.name << "[" << i << "]";
@@ -143,19 +165,18 @@ TEST_F(ParamTable, EveryTextIsASentence) {
 }
 
 // Those without a page are the core of any simulation.
-TEST_F(ParamTable, EveryFeatureHasAPage) {
+TEST_F(ParamTable, EveryFeatureHasAPageAndNamesItsFields) {
     const std::string docs = PLAIT_SOURCE_DIR "/docs/";
     for (const plait_param_info& info : list) {
         ASSERT_NE(info.feature, nullptr) << info.name;
         const std::string feature = info.feature;
-        if (std::set<std::string>{"gravity", "material", "solver"}.count(feature))
+        if (feature == "params" || feature == "material")
             continue;
-        EXPECT_TRUE(std::ifstream(docs + feature + ".md") ||
-                    std::ifstream(docs + "stages/" + feature + ".md"))
-            << info.name << " is of " << feature;
-        if (info.models == 1u << PLAIT_MODEL_TRESSFX) {
-            EXPECT_EQ(feature, "tressfx") << info.name;
-        }
+        const char* const page = feature == "acceleration" ? "backends" : info.feature;
+        EXPECT_TRUE(std::ifstream(docs + page + ".md")) << info.name << " is of " << feature;
+        EXPECT_EQ(feature == "tressfx", info.models == 1u << PLAIT_MODEL_TRESSFX) << info.name;
+        EXPECT_TRUE(feature == "tressfx" || std::string(info.name).starts_with(feature + "_"))
+            << info.name;
     }
 }
 
@@ -164,7 +185,7 @@ TEST_F(ParamTable, IsCutOrRefusedLikeEveryList) {
     std::vector<plait_param_info> two(2, plait_param_info_defaults());
     ASSERT_EQ(plait_params_list(two.data(), &count), PLAIT_OK);
     EXPECT_EQ(count, 2u);
-    EXPECT_STREQ(two[1].name, "damping");
+    EXPECT_STREQ(two[1].name, "follow_contact");
     two[1].struct_size = 0;
     EXPECT_EQ(plait_params_list(two.data(), &count), PLAIT_INVALID_ARGUMENT);
     EXPECT_EQ(plait_params_list(nullptr, nullptr), PLAIT_INVALID_ARGUMENT);
@@ -172,10 +193,20 @@ TEST_F(ParamTable, IsCutOrRefusedLikeEveryList) {
 
 // ---- what plait.h says of a field ---------------------------------------------------------------
 
-std::string params_struct() {
-    const std::string all = text_of_header("plait.h");
-    const size_t begin = all.find("typedef struct plait_sim_params {");
-    return all.substr(begin, all.find("} plait_sim_params;") - begin);
+// The struct that has a field.
+std::string struct_of(const plait_param_info& info) {
+    const std::string feature = info.feature;
+    const std::string name = feature == "params"     ? "plait_sim_params"
+                             : feature == "material" ? "plait_material"
+                                                     : "plait_" + feature + "_desc";
+    const std::string all = text_of_header("plait.h") + text_of_header("plait_features.h");
+    const size_t begin = all.find("typedef struct " + name + " {");
+    return all.substr(begin, all.find("} " + name + ";") - begin);
+}
+
+std::string field_name(const plait_param_info& info) {
+    const std::string name = info.name, prefix = std::string(info.feature) + "_";
+    return name.starts_with(prefix) ? name.substr(prefix.size()) : name;
 }
 
 double number(const std::string& word) {
@@ -185,18 +216,17 @@ double number(const std::string& word) {
 // "" where it says nothing.
 std::string comment_of(const plait_param_info& info, const std::string& text) {
     std::smatch found;
-    const std::regex declared("\\b" + std::string(info.name) + "(\\[\\d+\\])?;\\s*/\\*([^*]*)\\*/");
+    const std::regex declared("\\b" + field_name(info) + "(\\[\\d+\\])?;\\s*/\\*([^*]*)\\*/");
     return std::regex_search(text, found, declared) ? found[2].str() : "";
 }
 
 TEST_F(ParamTable, ItsRangesAreTheOnesThatTheHeaderNames) {
-    const std::string text = params_struct();
     const std::regex range("([\\[(])([-0-9.e]+),\\s*([-0-9.e]+|pi/2)\\]");
     for (const plait_param_info& info : list) {
         if (info.kind == PLAIT_PARAM_KIND_CHOICE ||
             (info.kind == PLAIT_PARAM_KIND_UINT && info.most == 1))
             continue; // these are named
-        const std::string comment = comment_of(info, text);
+        const std::string comment = comment_of(info, struct_of(info));
         std::smatch found;
         ASSERT_TRUE(std::regex_search(comment, found, range)) << info.name << ": " << comment;
         EXPECT_EQ(info.least_excluded, found[1] == "(" ? 1u : 0u) << info.name;

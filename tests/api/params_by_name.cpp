@@ -12,18 +12,25 @@ using Values = std::vector<double>;
 
 class ParamByName : public testing::Test {
   protected:
-    bool are(const plait_sim_params& expected) const {
-        const plait_sim_params now = sim.params();
-        const auto* const bytes = reinterpret_cast<const unsigned char*>(&now);
-        return std::equal(bytes, bytes + sizeof now,
-                          reinterpret_cast<const unsigned char*>(&expected));
+    // Every parameter, in the order of the list.
+    static std::vector<Values> all(const plait::Sim& of) {
+        std::vector<Values> values;
+        for (const plait_param_info& info : plait::params_list())
+            values.push_back(of.param(info.name));
+        return values;
+    }
+    static plait::SimDesc with_all() {
+        plait::SimDesc desc;
+        desc.grid.on = desc.volume.on = desc.strand_contact.on = desc.wetness.on = true;
+        desc.acceleration.on = true;
+        return desc;
     }
     plait_result set(const char* name, const Values& values) {
         return plait_sim_set_param(sim, name, values.data(), values.size());
     }
 
     plait::Context context = make_context("reference");
-    plait::Sim sim{context, make_groom(tuft(2, 4))};
+    plait::Sim sim{context, make_groom(tuft(2, 4)), with_all()};
 };
 
 // Other values than the default: of floats ones that differ, between the ends of the slider.
@@ -39,46 +46,69 @@ Values some_values(const plait_param_info& info) {
     return values;
 }
 
-void put(plait_sim_params& params, const plait_param_info& info, const Values& values) {
-    auto* const at = reinterpret_cast<unsigned char*>(&params) + info.offset;
-    for (uint32_t i = 0; i < info.count; ++i) {
-        const auto number = static_cast<float>(values[i]);
-        const auto whole = static_cast<uint32_t>(values[i]);
-        std::memcpy(
-            at + 4 * i,
-            info.kind == PLAIT_PARAM_KIND_FLOAT ? static_cast<const void*>(&number) : &whole, 4);
-    }
-}
-
 TEST_F(ParamByName, EveryFieldIsWrittenAndReadBack) {
-    for (const plait_param_info& info : plait::params_list()) {
-        if (std::string(info.name) == "volume") // needs it
-            sim.set_param("interhair", {PLAIT_INTERHAIR_EXACT});
-        const plait_sim_params before = sim.params();
-        const Values old = sim.param(info.name);
+    const auto list = plait::params_list();
+    plait::SimDesc parity;
+    parity.model = PLAIT_MODEL_TRESSFX;
+    plait::Sim tressfx(context, make_groom(tuft(2, 4)), parity);
+    const auto before = all(sim), before_of_tressfx = all(tressfx);
+    for (size_t i = 0; i < list.size(); ++i) {
+        const plait_param_info& info = list[i];
+        if (std::string(info.name) == "grid_form") // which volume needs
+            continue;
+        const bool of_tressfx = std::string(info.feature) == "tressfx";
+        plait::Sim& own = of_tressfx ? tressfx : sim;
+        const Values old = own.param(info.name);
         ASSERT_EQ(old.size(), info.count) << info.name;
         EXPECT_EQ(old[0], info.default_value[0]) << info.name;
-        plait_sim_params expected = before;
-        put(expected, info, some_values(info));
-        ASSERT_FALSE(are(expected)) << info.name;
-        sim.set_param(info.name, some_values(info));
-        EXPECT_TRUE(are(expected)) << info.name;
-        EXPECT_EQ(sim.param(info.name), some_values(info)) << info.name;
-        sim.set_param(info.name, old);
-        EXPECT_TRUE(are(before)) << info.name;
+        auto expected = of_tressfx ? before_of_tressfx : before;
+        expected[i] = some_values(info);
+        ASSERT_NE(expected[i], old) << info.name;
+        own.set_param(info.name, some_values(info));
+        EXPECT_EQ(all(own), expected) << info.name;
+        own.set_param(info.name, old);
     }
+    EXPECT_EQ(all(sim), before);
+    EXPECT_EQ(all(tressfx), before_of_tressfx);
 }
 
 TEST_F(ParamByName, EndsOfRangesAndSlidersAreTaken) {
     for (const plait_param_info& info : plait::params_list())
         for (const double value : {info.least, info.slider_least, info.slider_most, info.most}) {
-            if (std::string(info.name) == "volume" || (info.least_excluded && value == info.least))
+            if (std::string(info.feature) == "tressfx" || std::string(info.name) == "grid_form" ||
+                (info.least_excluded && value == info.least))
                 continue;
+            const Values old = sim.param(info.name);
             EXPECT_EQ(set(info.name, Values(info.count, value)), PLAIT_OK) << plait_last_error();
             EXPECT_EQ(static_cast<float>(sim.param(info.name).back()), static_cast<float>(value))
                 << info.name;
-            sim.set_params(plait_sim_params_defaults());
+            sim.set_param(info.name, old);
         }
+}
+
+TEST_F(ParamByName, OfAFeatureThatIsOffIsRefused) {
+    plait::Sim plain(context, make_groom(tuft(2, 4)));
+    const double value = 1;
+    EXPECT_EQ(plait_sim_set_param(plain, "grid_edge", &value, 1), PLAIT_INVALID_STATE);
+    EXPECT_NE(std::string(plait_last_error())
+                  .find("grid_edge belongs to grid, which is off: plait_sim_set_grid"),
+              std::string::npos)
+        << plait_last_error();
+    plain.set_grid(nullptr);
+    const auto grid = plait_grid_desc_defaults();
+    plain.set_grid(&grid);
+    plain.set_param("grid_edge", {1});
+    EXPECT_EQ(plain.param("grid_edge"), Values{1});
+    plain.set_grid(nullptr);
+    EXPECT_EQ(plain.param("grid_edge"), Values{0}) << "the default";
+}
+
+TEST_F(ParamByName, OfSeveralMaterialsNoneIsMeant) {
+    const std::vector<plait_material> two(2, plait_material_defaults());
+    const std::vector<uint32_t> of{0, 1};
+    plait::check(plait_sim_set_materials(sim, two.data(), 2, plait::view(of)));
+    EXPECT_EQ(set("bend_stiffness", {1e-8}), PLAIT_INVALID_STATE);
+    EXPECT_NE(std::string(plait_last_error()).find("2 materials"), std::string::npos);
 }
 
 TEST_F(ParamByName, TheChoiceOfTheModelIsAValueToo) {
@@ -94,7 +124,7 @@ TEST_F(ParamByName, AFloatIsRounded) {
     sim.set_param("drag", {0.1});
     EXPECT_EQ(sim.param("drag"), Values{double(0.1f)});
     sim.set_param("line_density", {1e-9}); // of which float32 makes less
-    EXPECT_EQ(sim.params().line_density, 1e-9f);
+    EXPECT_EQ(sim.param("line_density"), Values{double(1e-9f)});
 }
 
 struct Refused {
@@ -111,7 +141,10 @@ TEST_F(ParamByName, WhatIsRefusedIsNamedAndChangesNothing) {
         {"drag", {NAN}, PLAIT_INVALID_ARGUMENT, "drag is nan, range is [0, 10000]"},
         {"drag", {inf}, PLAIT_INVALID_ARGUMENT, "drag is inf, range is [0, 10000]"},
         {"drag", {1e300}, PLAIT_INVALID_ARGUMENT, "drag is 1e+300, range is [0, 10000]"},
-        {"strand_radius", {0}, PLAIT_INVALID_ARGUMENT, "strand_radius is 0, range is (0, 0.1]"},
+        {"strand_contact_radius",
+         {0},
+         PLAIT_INVALID_ARGUMENT,
+         "strand_contact_radius is 0, range is (0, 0.1]"},
         {"gravity",
          {0, 0, 2e4},
          PLAIT_INVALID_ARGUMENT,
@@ -120,7 +153,7 @@ TEST_F(ParamByName, WhatIsRefusedIsNamedAndChangesNothing) {
         {"gravity", {-9.81}, PLAIT_INVALID_ARGUMENT, "count is 1, gravity needs 3"},
         {"gravity", {}, PLAIT_INVALID_ARGUMENT, "count is 0, gravity needs 3"},
         {"drag", {1, 2}, PLAIT_INVALID_ARGUMENT, "count is 2, drag needs 1"},
-        {"accelerate_values", {1}, PLAIT_INVALID_ARGUMENT, "accelerate_values needs 16"},
+        {"acceleration_values", {1}, PLAIT_INVALID_ARGUMENT, "acceleration_values needs 16"},
         {"iterations",
          {1.5},
          PLAIT_INVALID_ARGUMENT,
@@ -130,13 +163,13 @@ TEST_F(ParamByName, WhatIsRefusedIsNamedAndChangesNothing) {
         {"iterations", {4294967297.0}, PLAIT_INVALID_ARGUMENT, "range is [0, 64]"},
         {"iterations", {NAN}, PLAIT_INVALID_ARGUMENT, "iterations is nan, range is [0, 64]"},
         {"bdf2", {4294967294.0}, PLAIT_INVALID_ARGUMENT, "range is [0, 1]"},
-        {"interhair", {3}, PLAIT_INVALID_ARGUMENT, "interhair is 3, range is [0, 2]"},
-        {"interhair", {-1}, PLAIT_INVALID_ARGUMENT, "interhair is -1, range is [0, 2]"},
-        {"interhair",
+        {"grid_tent", {3}, PLAIT_INVALID_ARGUMENT, "grid_tent is 3, range is [0, 1]"},
+        {"grid_tent", {-1}, PLAIT_INVALID_ARGUMENT, "grid_tent is -1, range is [0, 1]"},
+        {"grid_tent",
          {0.5},
          PLAIT_INVALID_ARGUMENT,
-         "interhair is 0.5, range is the whole numbers in [0, 2]"},
-        {"volume", {1}, PLAIT_INVALID_ARGUMENT, "volume needs interhair 2"},
+         "grid_tent is 0.5, range is the whole numbers in [0, 1]"},
+        {"grid_form", {0}, PLAIT_INVALID_STATE, "volume needs sums of all hair"},
         {"bend_stifness",
          {1},
          PLAIT_NOT_FOUND,
@@ -146,13 +179,13 @@ TEST_F(ParamByName, WhatIsRefusedIsNamedAndChangesNothing) {
         {"struct_size", {1}, PLAIT_NOT_FOUND, "no parameter is called \"struct_size\""},
         {"", {1}, PLAIT_NOT_FOUND, "no parameter is called \"\""},
     };
-    const plait_sim_params before = sim.params();
+    const auto before = all(sim);
     for (const Refused& refused : list) {
         EXPECT_EQ(set(refused.name, refused.values), refused.code) << refused.message;
         const std::string text = plait_last_error();
         EXPECT_EQ(text.find("plait_sim_set_param: "), 0u) << text;
         EXPECT_NE(text.find(refused.message), std::string::npos) << text;
-        EXPECT_TRUE(are(before)) << text;
+        EXPECT_EQ(all(sim), before) << text;
     }
 }
 
@@ -180,11 +213,12 @@ TEST_F(ParamByName, ReadingIsAList) {
 
 TEST_F(ParamByName, TheModelsRefuseWhatTheyRefuseOfAll) {
     plait::Sim tressfx(context, make_groom(tuft(2, 4)), tressfx_desc());
-    const double on = 1;
-    EXPECT_EQ(plait_sim_set_param(tressfx, "strand_contact", &on, 1), PLAIT_INVALID_ARGUMENT);
-    EXPECT_NE(std::string(plait_last_error()).find("strand_contact is 1 (on)"), std::string::npos)
+    const double value = 1e-8;
+    EXPECT_EQ(plait_sim_set_param(tressfx, "bend_stiffness", &value, 1), PLAIT_INVALID_STATE);
+    EXPECT_EQ(set("damping", {0.5}), PLAIT_INVALID_STATE);
+    EXPECT_NE(std::string(plait_last_error()).find("reads no parameter of TressFX"),
+              std::string::npos)
         << plait_last_error();
-    EXPECT_EQ(tressfx.param("strand_contact"), Values{0});
 }
 
 class ParamByNameOn : public OnBackend {
@@ -203,7 +237,6 @@ TEST_P(ParamByNameOn, HairMovesAsByAllParameters) {
     const uint64_t by_name = hash_after([](plait::Sim& sim) {
         sim.set_param("gravity", {1, -3, 0.5});
         sim.set_param("bend_stiffness", {2e-8});
-        sim.set_param("interhair", {PLAIT_INTERHAIR_EXACT});
         sim.set_param("bdf2", {0});
     });
     const uint64_t all = hash_after([](plait::Sim& sim) {
@@ -211,10 +244,11 @@ TEST_P(ParamByNameOn, HairMovesAsByAllParameters) {
         params.gravity[0] = 1;
         params.gravity[1] = -3;
         params.gravity[2] = 0.5f;
-        params.bend_stiffness = 2e-8f;
-        params.interhair = PLAIT_INTERHAIR_EXACT;
         params.bdf2 = 0;
         sim.set_params(params);
+        auto material = plait_material_defaults();
+        material.bend_stiffness = 2e-8f;
+        sim.set_material(material);
     });
     EXPECT_EQ(by_name, all);
     EXPECT_NE(by_name, hash_after([](plait::Sim&) {}));

@@ -8,10 +8,9 @@
 
 namespace {
 
-plait_sim_desc pinnable(uint32_t substeps = 1) {
-    auto desc = plait_sim_desc_defaults();
+plait::SimDesc pinnable(uint32_t substeps = 1) {
+    plait::SimDesc desc;
     desc.substeps = substeps;
-    desc.pins = 1;
     return desc;
 }
 
@@ -98,9 +97,9 @@ TEST_P(Pins, HangALimpStrandAsACatenary) {
     constexpr size_t segments = 20;
     constexpr float length = 0.3f, stiffness = 0.1f;
     auto desc = pinnable();
-    desc.params.bend_stiffness = 0;
+    desc.material.bend_stiffness = 0;
     desc.params.drag = 10;
-    desc.params.stretch_stiffness = 0.1f;
+    desc.material.stretch_stiffness = 0.1f;
     plait::Sim sim(context, make_groom({bow(segments, length)}), desc);
     const Point target{0.7f * length, 0, 0};
     sim.set_pins({hold_at(0, segments, target, stiffness)});
@@ -113,7 +112,7 @@ TEST_P(Pins, HangALimpStrandAsACatenary) {
     const double span = std::hypot(double(tip[0]), double(tip[1])) / double(length);
     const double a = catenary(span), sag = a * (std::cosh(span / 2 / a) - 1);
     EXPECT_NEAR((double(tip[1]) / 2 - lowest) / double(length), sag, 1e-3);
-    const double weight = double(desc.params.line_density) * 9.81;
+    const double weight = double(desc.material.line_density) * 9.81;
     const double pull = double(stiffness) * double(target[0] - tip[0]);
     EXPECT_NEAR(pull / (weight * a * double(length)), 1, 0.02);
     EXPECT_NEAR(double(tip[2]), 0, 1e-6);
@@ -125,7 +124,7 @@ TEST_P(Pins, BendARodAsAPointLoadDoes) {
     auto desc = pinnable();
     std::fill_n(desc.params.gravity, 3, 0.0f);
     desc.params.drag = 5;
-    const double rate = 3 * double(desc.params.bend_stiffness) / std::pow(double(length), 3);
+    const double rate = 3 * double(desc.material.bend_stiffness) / std::pow(double(length), 3);
     const auto stiffness = static_cast<float>(rate);
     plait::Sim sim(context, make_groom({straight(16, length)}), desc);
     sim.set_pins({hold_at(0, 16, {length, aside, 0}, stiffness)});
@@ -153,7 +152,7 @@ TEST_P(Pins, DriveAVertexAndGiveNoEnergy) {
         float most = 0;
         for (int i = 0; i < steps; ++i) {
             run(sim, 1);
-            most = std::max(most, sim.stats().max_speed);
+            most = std::max(most, sim.measure().max_speed);
         }
         return most;
     };
@@ -168,7 +167,7 @@ TEST_P(Pins, HoldAStrandThatSwingsWithoutGain) {
     auto desc = pinnable(2);
     std::fill_n(desc.params.gravity, 3, 0.0f);
     desc.params.drag = 0;
-    desc.params.bend_stiffness = 0;
+    desc.material.bend_stiffness = 0;
     plait::Sim sim(context, make_groom({curl({0, 0, 0}, 13)}), desc);
     sim.set_pins({hold_at(0, 12, {0.18f, 0, 0})});
     run(sim, 120);
@@ -244,10 +243,12 @@ TEST_P(Pins, OfNoneChangeNoBitAndOffCostNothing) {
     profiled.backend = GetParam().c_str();
     profiled.profile = 1;
     const plait::Context timed(profiled);
-    auto desc = pinnable(2);
+    const auto desc = pinnable(2);
     plait::Sim on(timed, make_groom(tuft(5, 12)), desc);
-    desc.pins = 0;
     plait::Sim off(timed, make_groom(tuft(5, 12)), desc);
+    on.write(PLAIT_FIELD_PIN, std::vector<float>(size_t{4} * 5 * 12, 0.0f));
+    for (plait::Sim* each : {&on, &off})
+        (void)launched_stages(*each); // of what was before
     run(on, 3);
     run(off, 3);
     EXPECT_EQ(on.read(PLAIT_FIELD_POSITION), off.read(PLAIT_FIELD_POSITION));
@@ -255,7 +256,7 @@ TEST_P(Pins, OfNoneChangeNoBitAndOffCostNothing) {
     EXPECT_EQ(std::ranges::count(with, "lane_pin"), 6); // a substep each
     EXPECT_EQ(std::ranges::count(with, "pins"), 6);     // a step and a call each
     EXPECT_EQ(with.size(), without.size() + 12);
-    EXPECT_GE(on.stats().device_bytes, off.stats().device_bytes + 5 * 12 * 5 * 16);
+    EXPECT_GE(on.describe().device_bytes, off.describe().device_bytes + 5 * 12 * 5 * 16);
 }
 
 // No strand but the pinned one moves otherwise; a lock that is let go is as free as ever.
@@ -319,12 +320,11 @@ TEST_P(Pins, AreInSnapshots) {
     EXPECT_LT(largest_difference(go_on(other), goes_on), GetParam() == "opencl" ? 1e-30f : 1e-6f);
     EXPECT_EQ(other.read(PLAIT_FIELD_PIN), sim.read(PLAIT_FIELD_PIN));
     // without any, and into a sim that has none
-    auto without = desc;
-    without.pins = 0;
-    plait::Sim none(context, make_groom(tuft(3, 8)), without);
+    plait::Sim none(context, make_groom(tuft(3, 8)), desc);
     other.restore(none.save());
     EXPECT_EQ(other.read(PLAIT_FIELD_PIN), std::vector<float>(size_t{4} * 3 * 8, 0));
     none.restore(saved);
+    EXPECT_EQ(none.read(PLAIT_FIELD_PIN), sim.read(PLAIT_FIELD_PIN));
     run(none, 1);
 }
 
@@ -343,22 +343,27 @@ TEST_P(Pins, AreWrittenAsOneFieldToo) {
     EXPECT_EQ(listed.read(PLAIT_FIELD_POSITION), written.read(PLAIT_FIELD_POSITION));
 }
 
-TEST_P(Pins, AreOffUnlessTheyAreAskedFor) {
+TEST_P(Pins, OfNoneTakeNoMemory) {
     plait::Sim sim(context, make_groom(tuft(3, 8)));
+    const std::vector<float> none(size_t{4} * 3 * 8, 0);
+    const uint64_t bytes = sim.describe().device_bytes;
+    EXPECT_EQ(sim.read(PLAIT_FIELD_PIN), none);
+    sim.set_pins({hold(0, 7)});
+    EXPECT_GE(sim.describe().device_bytes, bytes + 3 * 8 * 4 * 16);
+    sim.set_pins({});
+    EXPECT_EQ(sim.describe().device_bytes, bytes);
+    EXPECT_EQ(sim.read(PLAIT_FIELD_PIN), none);
+}
+
+TEST_P(Pins, AreRefusedByTressfx) {
+    plait::Sim sim(context, make_groom(tuft(3, 8)), tressfx_desc());
     const plait_pin pin = hold(0, 7);
     const std::vector<float> none(size_t{4} * 3 * 8, 0);
     size_t size = 0;
     for (const plait_result result :
          {plait_sim_set_pins(sim, &pin, 1), plait_sim_read(sim, PLAIT_FIELD_PIN, nullptr, &size),
-          plait_sim_write(sim, PLAIT_FIELD_PIN, none.data(), 4 * none.size())}) {
+          plait_sim_write(sim, PLAIT_FIELD_PIN, none.data(), 4 * none.size())})
         EXPECT_EQ(result, PLAIT_INVALID_STATE);
-        EXPECT_NE(std::string(plait_last_error()).find("pins is off"), std::string::npos);
-    }
-    const auto groom = make_groom(tuft(3, 8));
-    auto desc = pinnable();
-    desc.model = PLAIT_MODEL_TRESSFX;
-    plait_sim* refused = nullptr;
-    EXPECT_EQ(plait_sim_create(context, groom, &desc, &refused), PLAIT_INVALID_ARGUMENT);
     EXPECT_NE(std::string(plait_last_error()).find("those of articulated do"), std::string::npos)
         << plait_last_error();
 }

@@ -59,9 +59,9 @@ Strands short_and_long() {
 void use_all_calls(plait::Sim& sim) {
     for (const plait_collider_kind kind :
          {PLAIT_COLLIDER_KIND_CAPSULE, PLAIT_COLLIDER_KIND_PLANE, PLAIT_COLLIDER_KIND_BOX}) {
-        auto desc = plait_collider_desc_defaults();
+        auto desc = smooth_collider();
         desc.kind = kind;
-        desc.a[1] = -0.5f;
+        desc.capsule.a[1] = -0.5f;
         sim.create_collider(desc);
     }
     sim.create_hull(box());
@@ -73,7 +73,7 @@ void use_all_calls(plait::Sim& sim) {
     sim.teleport(head_at({1, 0, 0}));
     run(sim, 1);
     sim.step(0.5);
-    sim.stats();
+    sim.measure();
     sim.read(PLAIT_FIELD_BOUNDS);
     const auto now = sim.read(PLAIT_FIELD_POSITION_PREV);
     sim.write(PLAIT_FIELD_POSITION, now);
@@ -88,15 +88,15 @@ void use_all_calls(plait::Sim& sim) {
 struct Case {
     const char* name;
     uint32_t features;
-    std::function<void(plait_sim_desc&)> change;
+    std::function<void(plait::SimDesc&)> change;
     std::function<void(plait::Sim&)> use;
     std::function<plait::Groom()> groom = [] { return make_groom(tuft(3, 7)); };
     uint32_t models = 1u << PLAIT_MODEL_ARTICULATED;
     bool has_map = false;
 };
 
-std::function<void(plait_sim_desc&)> same() {
-    return [](plait_sim_desc&) {};
+std::function<void(plait::SimDesc&)> same() {
+    return [](plait::SimDesc&) {};
 }
 
 void blow(plait::Sim& sim) {
@@ -127,11 +127,6 @@ void curl_follows(plait::Sim& sim) {
     sim.set_detail(detail);
 }
 
-void set_interhair(plait_sim_desc& desc, plait_interhair interhair, plait_volume_form volume) {
-    desc.params.interhair = interhair;
-    desc.params.volume = volume;
-}
-
 const std::vector<Case>& cases() {
     static const std::vector<Case> list = {
         {"nothing", 0, [](auto& d) { d.keep_last_frame = 1; }, use_all_calls},
@@ -139,15 +134,15 @@ const std::vector<Case>& cases() {
         {"tressfx", 0, [](auto& d) { d.model = PLAIT_MODEL_TRESSFX; }, use_all_calls,
          [] { return make_groom(tuft(3, 7)); }, 1u << PLAIT_MODEL_TRESSFX},
         {"tressfx with all that it may have",
-         PLAIT_FEATURE_WIND | PLAIT_FEATURE_FRAME | PLAIT_FEATURE_INTERHAIR | PLAIT_FEATURE_FOLLOWS,
+         PLAIT_FEATURE_WIND | PLAIT_FEATURE_FRAME | PLAIT_FEATURE_GRID | PLAIT_FEATURE_FOLLOWS,
          [](auto& d) {
              d.model = PLAIT_MODEL_TRESSFX;
              d.follows_per_guide = 1;
-             d.params.wind[0] = d.params.air_drag = d.params.attachment = 1;
-             d.params.global_stiffness = d.params.global_range = 0.1f;
-             d.params.order = PLAIT_STAGE_ORDER_SHOCK_BEFORE_GLOBAL;
-             d.params.max_displacement = 0.1f;
-             d.params.interhair = PLAIT_INTERHAIR_EXACT;
+             d.tressfx.wind[0] = d.tressfx.air_drag = d.tressfx.attachment = 1;
+             d.tressfx.global_stiffness = d.tressfx.global_range = 0.1f;
+             d.tressfx.order = PLAIT_STAGE_ORDER_SHOCK_BEFORE_GLOBAL;
+             d.tressfx.max_displacement = 0.1f;
+             d.grid.on = true;
          },
          [](plait::Sim& sim) {
              sim.set_frame(plait_frame_desc_defaults());
@@ -190,7 +185,7 @@ const std::vector<Case>& cases() {
         {"meshes", PLAIT_FEATURE_MESHES, same(),
          [](plait::Sim& sim) { sim.create_collider(box()); }},
         {"meshes that bend", PLAIT_FEATURE_BENDING_MESHES, same(), add_bending},
-        {"pins", PLAIT_FEATURE_PINS, [](auto& d) { d.pins = 1; },
+        {"pins", PLAIT_FEATURE_PINS, same(),
          [](plait::Sim& sim) {
              plait_pin pin{};
              pin.vertex = 3;
@@ -198,7 +193,7 @@ const std::vector<Case>& cases() {
              sim.set_pins({pin});
          }},
         {"groom", PLAIT_FEATURE_GROOM, [](auto& d) { d.params.groom = 0.5f; }, [](plait::Sim&) {}},
-        {"accelerations", PLAIT_FEATURE_ACCELERATIONS, [](auto& d) { d.accelerations = 1; },
+        {"acceleration", PLAIT_FEATURE_ACCELERATION, [](auto& d) { d.acceleration.on = true; },
          [](plait::Sim&) {}},
         {"wind", PLAIT_FEATURE_WIND, same(), blow},
         {"wind and meshes",
@@ -208,22 +203,19 @@ const std::vector<Case>& cases() {
              sim.create_collider(box());
              add_bending(sim);
          }},
-        {"exact grid", PLAIT_FEATURE_INTERHAIR,
-         [](auto& d) { set_interhair(d, PLAIT_INTERHAIR_EXACT, PLAIT_VOLUME_OFF); }, use_all_calls},
-        {"slots", PLAIT_FEATURE_SLOTS,
-         [](auto& d) { set_interhair(d, PLAIT_INTERHAIR_SLOTS, PLAIT_VOLUME_OFF); }, use_all_calls},
-        {"volume", PLAIT_FEATURE_VOLUME,
-         [](auto& d) { set_interhair(d, PLAIT_INTERHAIR_EXACT, PLAIT_VOLUME_PRESSURE); },
+        {"exact grid", PLAIT_FEATURE_GRID, [](auto& d) { set_grid(d, Grid::exact); },
          use_all_calls},
+        {"slots", PLAIT_FEATURE_SLOTS, [](auto& d) { set_grid(d, Grid::slots); }, use_all_calls},
+        {"volume", PLAIT_FEATURE_VOLUME, [](auto& d) { d.volume.on = true; }, use_all_calls},
         {"strand contact", PLAIT_FEATURE_STRAND_CONTACT,
-         [](auto& d) { d.params.strand_contact = PLAIT_STRAND_CONTACT_ON; }, use_all_calls},
-        {"wetness", PLAIT_FEATURE_WETNESS, same(), wet},
+         [](auto& d) { d.strand_contact.on = true; }, use_all_calls},
+        {"wetness", PLAIT_FEATURE_WETNESS, [](auto& d) { d.wetness.on = true; }, wet},
         {"follows of guides", PLAIT_FEATURE_FOLLOWS, [](auto& d) { d.follows_per_guide = 2; },
          use_all_calls},
         {"follows by a map, wet, curled, among meshes",
          PLAIT_FEATURE_FOLLOWS | PLAIT_FEATURE_DETAIL | PLAIT_FEATURE_WETNESS |
              PLAIT_FEATURE_MESHES | PLAIT_FEATURE_BENDING_MESHES,
-         same(),
+         [](auto& d) { d.wetness.on = true; },
          [](plait::Sim& sim) {
              curl_follows(sim);
              wet(sim);
@@ -250,7 +242,7 @@ void go_through(const Case& of, const plait::Context& context, bool with_groom,
     announced.vertices_per_strand = with_groom ? 0 : hair.describe().max_vertices;
     ASSERT_EQ(plait_context_prepare(context, &announced), PLAIT_OK) << plait_last_error();
     prepared();
-    auto desc = plait_sim_desc_defaults();
+    plait::SimDesc desc;
     of.change(desc);
     desc.follow_map = of.has_map ? guides->map.get() : nullptr;
     plait::Sim sim(context, hair, desc);

@@ -42,17 +42,17 @@ TEST_P(Programs, AllThatASimRunsIsThereOnceItIs) {
     Log log;
     plait::Context own(logging(GetParam().c_str(), log));
     for (const plait_model model : {PLAIT_MODEL_TRESSFX, PLAIT_MODEL_ARTICULATED}) {
-        auto desc = plait_sim_desc_defaults();
+        plait::SimDesc desc;
         desc.model = model;
         desc.follows_per_guide = 1;
         desc.interpolate_output = 1;
         desc.keep_last_frame = 1;
-        desc.params.interhair = PLAIT_INTERHAIR_EXACT;
+        desc.grid.on = true;
         plait::Sim sim(own, make_groom(tuft(3, 7)), desc);
         const size_t before = log.programs();
         sim.set_roots(head_at({0.01f, 0, 0}));
         run(sim, 3);
-        sim.stats();
+        sim.measure();
         sim.teleport(head_at({1, 0, 0}));
         sim.reset();
         sim.read(PLAIT_FIELD_BOUNDS);
@@ -65,7 +65,7 @@ TEST_P(Programs, AllThatASimRunsIsThereOnceItIs) {
 TEST(Programs, NothingIsEnqueuedThatWasNotPrepared) {
     Faults& faults = faulty();
     const auto context = make_context("faulty");
-    auto desc = plait_sim_desc_defaults();
+    plait::SimDesc desc;
     desc.model = PLAIT_MODEL_ARTICULATED;
     desc.follows_per_guide = 1;
     desc.keep_last_frame = 1;
@@ -78,7 +78,7 @@ TEST(Programs, NothingIsEnqueuedThatWasNotPrepared) {
     run(sim, 2);
     sim.teleport(head_at({1, 0, 0}));
     sim.reset();
-    sim.stats();
+    sim.measure();
     sim.read(PLAIT_FIELD_BOUNDS);
     done("calls of a sim");
     for (const uint32_t substeps : {2u, 1u}) {
@@ -88,10 +88,11 @@ TEST(Programs, NothingIsEnqueuedThatWasNotPrepared) {
         done("the step after it");
     }
     auto params = plait_sim_params_defaults();
-    params.interhair = PLAIT_INTERHAIR_SLOTS;
     params.groom = 0.5f;
-    params.wind[0] = 1;
     ASSERT_EQ(plait_sim_set_params(sim, &params), PLAIT_OK) << plait_last_error();
+    auto grid = plait_grid_desc_defaults();
+    grid.form = PLAIT_GRID_FORM_SLOTS;
+    sim.set_grid(&grid);
     run(sim, 1);
     done("other parameters");
     const auto x = sim.read(PLAIT_FIELD_POSITION);

@@ -23,15 +23,15 @@ void PrintTo(const Case& c, std::ostream* out) {
     *out << c.name << " on " << c.backend;
 }
 
-plait_sim_desc random_desc(const Case& c, Dice& dice) {
-    auto desc = plait_sim_desc_defaults();
+plait::SimDesc random_desc(const Case& c, Dice& dice) {
+    plait::SimDesc desc;
     desc.model = c.model;
     desc.substeps = 1 + dice.below(3);
     desc.follows_per_guide = follows_per_guide;
-    desc.pins = c.model != PLAIT_MODEL_TRESSFX;
+    desc.wetness.on = c.model != PLAIT_MODEL_TRESSFX;
     desc.params.bdf2 = c.bdf2;
-    desc.params.bend_stiffness = dice.one_in(5) ? 0 : dice.decade(-11, -6);
-    desc.params.line_density = dice.decade(-6, -4);
+    desc.material.bend_stiffness = dice.one_in(5) ? 0 : dice.decade(-11, -6);
+    desc.material.line_density = dice.decade(-6, -4);
     desc.params.iterations = 1 + dice.below(4);
     return desc;
 }
@@ -96,9 +96,9 @@ class Scene {
             sim_.set_pins({});
         auto params = sim_.params();
         params.drag = 15;
-        params.volume = PLAIT_VOLUME_OFF;
-        params.strand_contact = PLAIT_STRAND_CONTACT_OFF;
         sim_.set_params(params);
+        sim_.set_volume(nullptr);
+        sim_.set_strand_contact(nullptr);
         scale_ = 1;
         sim_.set_roots(roots());
         run(sim_, steps);
@@ -209,22 +209,22 @@ class Scene {
     void call();
     void pins_wind_or_settings();
     void change_volume() {
-        auto params = sim_.params();
         const bool on = !volume_dice_.one_in(3);
-        params.interhair = on ? PLAIT_INTERHAIR_EXACT : PLAIT_INTERHAIR_OFF;
-        params.volume = on ? PLAIT_VOLUME_PRESSURE : PLAIT_VOLUME_OFF;
-        params.grid_edge_count = 1 + volume_dice_.below(16);
-        params.volume_share = volume_dice_.between(0, 4);
-        params.volume_sweeps = 1 + volume_dice_.below(12);
-        params.volume_viscosity = volume_dice_.one_in(2) ? 0 : volume_dice_.decade(-1, 2);
-        params.cohesion = volume_dice_.one_in(2) ? 0 : volume_dice_.decade(-2, 2);
-        sim_.set_params(params);
+        auto grid = plait_grid_desc_defaults();
+        auto volume = plait_volume_desc_defaults();
+        grid.edge_count = 1 + volume_dice_.below(16);
+        volume.share = volume_dice_.between(0, 4);
+        volume.sweeps = 1 + volume_dice_.below(12);
+        volume.viscosity = volume_dice_.one_in(2) ? 0 : volume_dice_.decade(-1, 2);
+        volume.cohesion = volume_dice_.one_in(2) ? 0 : volume_dice_.decade(-2, 2);
+        sim_.set_volume(on ? &volume : nullptr);
+        sim_.set_grid(on ? &grid : nullptr);
     }
     void change_wetness() {
-        auto params = sim_.params();
-        params.drying_time = wet_dice_.one_in(3) ? 0 : wet_dice_.decade(-2, 3);
-        params.wet_cohesion = wet_dice_.one_in(3) ? 0 : wet_dice_.decade(-2, 2);
-        sim_.set_params(params);
+        auto desc = plait_wetness_desc_defaults();
+        desc.drying_time = wet_dice_.one_in(3) ? 0 : wet_dice_.decade(-2, 3);
+        desc.cohesion = wet_dice_.one_in(3) ? 0 : wet_dice_.decade(-2, 2);
+        sim_.set_wetness(&desc);
         std::vector<float> wetness(sim_.read(PLAIT_FIELD_WETNESS).size());
         const bool dry = wet_dice_.one_in(5);
         for (float& w : wetness)
@@ -233,11 +233,12 @@ class Scene {
     }
     void change_strand_contact() {
         auto params = sim_.params();
-        params.strand_contact =
-            contact_dice_.one_in(3) ? PLAIT_STRAND_CONTACT_OFF : PLAIT_STRAND_CONTACT_ON;
-        params.strand_radius = contact_dice_.decade(-4, -1);
-        params.strand_friction = contact_dice_.one_in(3) ? 0 : contact_dice_.between(0, 2);
+        auto desc = plait_strand_contact_desc_defaults();
+        const bool on = !contact_dice_.one_in(3);
+        desc.radius = contact_dice_.decade(-4, -1);
+        desc.friction = contact_dice_.one_in(3) ? 0 : contact_dice_.between(0, 2);
         params.follow_contact = contact_dice_.one_in(3) ? 0 : 1;
+        sim_.set_strand_contact(on ? &desc : nullptr);
         sim_.set_params(params);
     }
     std::optional<size_t> some_collider() {
@@ -355,7 +356,7 @@ TEST_P(RandomCalls, OfCollidersAndPinsLeaveHairWhole) {
             ASSERT_LT(scene.worst_follow_stretch(), 1e-4f) << "frame " << i;
         }
         scene.leave_alone(480);
-        const plait_sim_stats stats = scene.sim().stats();
+        const plait_sim_measures stats = scene.sim().measure();
         EXPECT_EQ(stats.nonfinite, 0u);
         if (GetParam().model == PLAIT_MODEL_TRESSFX) // it is as stretched as before
             continue;

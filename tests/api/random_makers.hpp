@@ -63,20 +63,22 @@ inline plait_pose random_pose(Dice& dice) {
 }
 
 inline plait_collider_desc random_collider(Dice& dice) {
-    auto desc = plait_collider_desc_defaults();
+    auto desc = smooth_collider();
     desc.kind = static_cast<plait_collider_kind>(dice.below(3));
     const Point a = dice.in_cube(0.1f), b = dice.one_in(4) ? a : dice.in_cube(0.2f);
     const Point n = dice.in_cube(1);
     const auto q = dice.turn();
-    std::copy(a.begin(), a.end(), desc.a);
-    std::copy(b.begin(), b.end(), desc.b);
-    std::copy(n.begin(), n.end(), desc.normal);
-    std::copy(q.begin(), q.end(), desc.orientation);
-    desc.radius_a = dice.decade(-4, -0.5f);
-    desc.radius_b = dice.one_in(2) ? desc.radius_a : dice.decade(-4, -0.5f);
-    for (float& half : desc.half_extents) // slabs, needles, points among them
+    std::copy(a.begin(), a.end(), desc.capsule.a);
+    std::copy(a.begin(), a.end(), desc.plane.point);
+    std::copy(a.begin(), a.end(), desc.box.centre);
+    std::copy(b.begin(), b.end(), desc.capsule.b);
+    std::copy(n.begin(), n.end(), desc.plane.normal);
+    std::copy(q.begin(), q.end(), desc.box.orientation);
+    desc.capsule.radius_a = dice.decade(-4, -0.5f);
+    desc.capsule.radius_b = dice.one_in(2) ? desc.capsule.radius_a : dice.decade(-4, -0.5f);
+    for (float& half : desc.box.half_extents) // slabs, needles, points among them
         half = dice.one_in(4) ? 0 : dice.decade(-4, -0.5f);
-    desc.rounding = dice.one_in(3) ? 0 : dice.decade(-5, -1);
+    desc.box.rounding = dice.one_in(3) ? 0 : dice.decade(-5, -1);
     desc.friction = dice.one_in(3) ? 0 : dice.decade(-2, 1);
     desc.pose = random_pose(dice);
     return desc;

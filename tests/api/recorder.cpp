@@ -30,7 +30,7 @@ class Recorders : public testing::Test {
         return static_cast<size_t>(std::distance(begin(all), end(all)));
     }
     plait::Sim make_sim(uint32_t follows = 0) const {
-        auto desc = plait_sim_desc_defaults();
+        plait::SimDesc desc;
         desc.follows_per_guide = follows;
         return plait::Sim(context_, make_groom({curl({0, 0, 0}, 5), curl({0, 0.1f, 0}, 8)}), desc);
     }

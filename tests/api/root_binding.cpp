@@ -62,7 +62,7 @@ TEST_P(RootBinding, ARigidMeshCarriesHairAsTheHeadDoes) {
         return Point{0.3 - p[1], -0.1 + p[0], 0.2 + p[2]};
     });
     for (const plait_model model : {PLAIT_MODEL_TRESSFX, PLAIT_MODEL_ARTICULATED}) {
-        auto desc = plait_sim_desc_defaults();
+        plait::SimDesc desc;
         desc.model = model;
         plait::Sim bound(context, groom, desc), held(context, groom, desc);
         bound.bind_roots(mesh);
@@ -88,7 +88,7 @@ TEST_P(RootBinding, ARootKeepsItsPlaceAndItsHeightOnWhatStretchesAndTurns) {
                     z = 0.02f * static_cast<float>(k) - 0.05f;
         strands.push_back({{x, 0.003f, z}, {x, 0.023f, z}, {x, 0.043f, z}});
     }
-    auto desc = plait_sim_desc_defaults();
+    plait::SimDesc desc;
     std::fill_n(desc.params.gravity, 3, 0.0f);
     plait::Sim sim(context, make_groom(strands), desc);
     sim.bind_roots(mesh);
@@ -178,7 +178,7 @@ TEST_P(RootBinding, HairGrowsOnWhatBendsAndStaysOutside) {
         strands.push_back(strand);
     }
     for (const plait_model model : {PLAIT_MODEL_ARTICULATED}) {
-        auto desc = plait_sim_desc_defaults();
+        plait::SimDesc desc;
         desc.model = model;
         desc.substeps = 2;
         plait::Sim sim(context, make_groom(strands), desc);
@@ -217,7 +217,7 @@ TEST_P(RootBinding, HairGrowsOnWhatBendsAndStaysOutside) {
         }
         EXPECT_LT(off, 6e-4) << "model " << model << ": roots stay on it";
         EXPECT_LE(double(deep), 1e-3 * double(all)) << "model " << model;
-        EXPECT_LT(double(sim.stats().max_stretch), 0.02) << "model " << model;
+        EXPECT_LT(double(sim.measure().max_stretch), 0.02) << "model " << model;
     }
 }
 
@@ -250,13 +250,13 @@ TEST_P(RootBinding, GoesOnFromASnapshot) {
 TEST_P(RootBinding, IsReleasedAndBoundAgain) {
     const auto mesh = make_mesh(ellipsoid_mesh(0.08, 0.1, 0.09, 24, 16));
     plait::Sim sim(context, make_groom(hair_on_ellipsoid()));
-    const auto bytes = sim.stats().device_bytes;
+    const auto bytes = sim.describe().device_bytes;
     auto positions = bent(mesh, [](const Point& p) { return Point{p[0] + 0.1, p[1], p[2]}; });
     const auto roots = roots_on(positions);
     EXPECT_EQ(plait_sim_set_roots(sim, &roots), PLAIT_INVALID_ARGUMENT);
     EXPECT_NE(std::string(plait_last_error()).find("bound to no mesh"), std::string::npos);
     sim.bind_roots(mesh);
-    EXPECT_GT(sim.stats().device_bytes, bytes);
+    EXPECT_GT(sim.describe().device_bytes, bytes);
     const auto before = sim.read(PLAIT_FIELD_POSITION);
     positions.resize(positions.size() - 3);
     const auto few = roots_on(positions);

@@ -24,9 +24,9 @@ TEST_P(Roots, TeleportCarriesTheHairRigidly) {
         EXPECT_NEAR(turned[i], -velocity[i + 1], 1e-4);
         EXPECT_NEAR(turned[i + 1], velocity[i], 1e-4);
     }
-    const float stretch = sim.stats().max_stretch;
+    const float stretch = sim.measure().max_stretch;
     sim.step(frame);
-    EXPECT_LT(sim.stats().max_stretch, stretch + 0.05f);
+    EXPECT_LT(sim.measure().max_stretch, stretch + 0.05f);
 }
 
 TEST_P(Roots, ResetPutsTheHairAtRestOnThePresentRoots) {
@@ -42,7 +42,7 @@ TEST_P(Roots, ResetPutsTheHairAtRestOnThePresentRoots) {
     EXPECT_LT(
         largest_difference(sim.read(PLAIT_FIELD_VELOCITY), std::vector<float>(rest.size(), 0.0f)),
         1e-4f);
-    EXPECT_EQ(sim.stats().steps, 0u);
+    EXPECT_EQ(sim.describe().steps, 0u);
 }
 
 TEST_P(Roots, RootsOfTheirOwnAreAppliedBeforeTheHead) {
@@ -115,7 +115,7 @@ TEST_P(Roots, ABoneThatMapsAllToALineIsRefused) {
 
 TEST_P(Roots, SeveralStepsInOneCallSpreadTheMotion) {
     for (const plait_model model : {PLAIT_MODEL_TRESSFX, PLAIT_MODEL_ARTICULATED}) {
-        auto desc = plait_sim_desc_defaults();
+        plait::SimDesc desc;
         desc.model = model;
         desc.substeps = 2;
         desc.params.gravity[1] = 0;
@@ -123,7 +123,7 @@ TEST_P(Roots, SeveralStepsInOneCallSpreadTheMotion) {
         sim.set_roots(head_at({0, 0, 0})); // where it is
         sim.set_roots(head_at({0.4f, 0, 0}));
         sim.step(4 * frame);
-        EXPECT_EQ(sim.stats().steps, 4u);
+        EXPECT_EQ(sim.describe().steps, 4u);
         const auto velocity = sim.read(PLAIT_FIELD_VELOCITY);
         EXPECT_NEAR(velocity[0], 0.1 / frame, 1e-3) << model; // of the root in the last part
         EXPECT_NEAR(velocity[3 * 4], 0.1 / frame, 1e-3) << model;

@@ -25,18 +25,18 @@ plait_pose pose_at(Point t = place) {
 
 // Under the hair, of which some comes to lie on it.
 plait_collider_desc ball(Point at = place) {
-    auto desc = plait_collider_desc_defaults();
-    desc.a[0] = desc.b[0] = 0.09f;
-    desc.a[1] = desc.b[1] = -0.06f;
-    desc.b[2] = 0.03f;
-    desc.radius_a = desc.radius_b = 0.05f;
+    auto desc = smooth_collider();
+    desc.capsule.a[0] = desc.capsule.b[0] = 0.09f;
+    desc.capsule.a[1] = desc.capsule.b[1] = -0.06f;
+    desc.capsule.b[2] = 0.03f;
+    desc.capsule.radius_a = desc.capsule.radius_b = 0.05f;
     desc.pose = pose_at(at);
     return desc;
 }
 
 // Hair on a head at `place`, before its first step; roots are set.
 struct Scene {
-    using Change = std::function<void(plait_sim_desc&)>;
+    using Change = std::function<void(plait::SimDesc&)>;
     Scene(const plait::Context& context, plait_model model, float of, const Change& change = {})
         : scale(of), sim(make(context, model, change)) {
         sim.set_roots(roots_at(scale, at));
@@ -49,13 +49,13 @@ struct Scene {
         sim.teleport(roots_at(scale, at));
     }
     static plait::Sim make(const plait::Context& context, plait_model model, const Change& change) {
-        auto desc = plait_sim_desc_defaults();
+        plait::SimDesc desc;
         desc.model = model;
         desc.keep_last_frame = 1;
         desc.follows_per_guide = 2;
         if (model == PLAIT_MODEL_TRESSFX) { // whose hair stretches, and is braked against the world
             desc.params.gravity[1] = -1;
-            desc.params.vsp_coeff = 0;
+            desc.tressfx.vsp_coeff = 0;
         } else {
             desc.params.drag = 4;
         }
@@ -86,10 +86,10 @@ ON_EVERY_BACKEND(Scale);
 
 void add_wind(plait::Sim& sim, plait_model model) {
     if (model == PLAIT_MODEL_TRESSFX) {
-        auto params = sim.params();
-        params.wind[0] = -0.5f;
-        params.wind[2] = 0.8f;
-        sim.set_params(params);
+        auto desc = plait_tressfx_desc_defaults();
+        desc.wind[0] = -0.5f;
+        desc.wind[2] = 0.8f;
+        sim.set_tressfx(&desc);
         return;
     }
     auto wind = plait_wind_desc_defaults();
@@ -122,7 +122,7 @@ TEST_P(Scale, GridAndAirGoAlong) {
     std::vector<float> expected;
     for (const float scale : {1.0f, 4.0f}) {
         Scene scene(context, PLAIT_MODEL_ARTICULATED, scale,
-                    [](plait_sim_desc& desc) { desc.params.interhair = PLAIT_INTERHAIR_EXACT; });
+                    [](plait::SimDesc& desc) { desc.grid.on = true; });
         auto wind = plait_wind_desc_defaults();
         wind.velocity[2] = 1;
         scene.sim.set_wind(wind);
@@ -161,7 +161,7 @@ TEST_P(Scale, AHeadThatMovesSoManyTimesAsFarMovesHairAlike) {
         for (float& v : fast)
             v /= 8;
         EXPECT_LT(largest_difference(slow, fast), 2e-3f);
-        EXPECT_NEAR(other.sim.stats().max_speed / 8, one.sim.stats().max_speed, 2e-3f);
+        EXPECT_NEAR(other.sim.measure().max_speed / 8, one.sim.measure().max_speed, 2e-3f);
     }
 }
 
@@ -240,13 +240,13 @@ TEST_P(Scale, BodiesAreAsLargeAsTheRootsUnlessTheyKeepTheirSize) {
     for (const plait_model model : models)
         for (const float own : {0.0f, 1.0f, 2.5f})
             for (const float scale : {1.0f, 3.0f, 0.5f}) {
-                Scene scene(context, model, scale, [](plait_sim_desc& desc) {
+                Scene scene(context, model, scale, [](plait::SimDesc& desc) {
                     desc.follows_per_guide = 0;
                     desc.params.gravity[1] = -9.81f;
-                    desc.params.global_stiffness = desc.params.local_stiffness = 0;
+                    desc.tressfx.global_stiffness = desc.tressfx.local_stiffness = 0;
                 });
-                auto desc = plait_collider_desc_defaults();
-                desc.radius_a = desc.radius_b = 0.3f;
+                auto desc = smooth_collider();
+                desc.capsule.radius_a = desc.capsule.radius_b = 0.3f;
                 desc.scale = own;
                 const float radius = 0.3f * (own == 0 ? scale : own);
                 const Point centre = {place[0] + 0.1f * scale, place[1] - 0.02f * scale - radius,
@@ -266,8 +266,8 @@ TEST_P(Scale, ABodyThatGoesWithTheHeadStaysAtItWhileItGrows) {
     Scene scene(context, PLAIT_MODEL_ARTICULATED, 1), stays(context, PLAIT_MODEL_ARTICULATED, 1);
     auto desc = ball(); // whose place is said by its pose
     const Point beside = {0.09f, -0.06f, 0.0f};
-    std::fill_n(desc.a, 3, 0.0f);
-    std::fill_n(desc.b, 3, 0.0f);
+    std::fill_n(desc.capsule.a, 3, 0.0f);
+    std::fill_n(desc.capsule.b, 3, 0.0f);
     const auto at = [&](float scale) {
         return pose_at({place[0] + scale * beside[0], place[1] + scale * beside[1], place[2]});
     };
@@ -411,8 +411,7 @@ TEST_P(Scale, AMirroredMeshIsRefused) {
 
 TEST_P(Scale, PinsInTheWorldAreWhereTheyAre) {
     for (const float scale : {1.0f, 4.0f}) {
-        Scene scene(context, PLAIT_MODEL_ARTICULATED, scale,
-                    [](plait_sim_desc& desc) { desc.pins = 1; });
+        Scene scene(context, PLAIT_MODEL_ARTICULATED, scale, [](plait::SimDesc&) {});
         plait_pin pin{};
         pin.vertex = vertices - 1;
         pin.frame = PLAIT_PIN_FRAME_WORLD;
@@ -510,7 +509,7 @@ TEST_P(Scale, GoesOnFromASnapshot) {
 
 TEST_P(Scale, OfOneTakesNoStageAndAnotherOne) {
     Scene scene(context, PLAIT_MODEL_ARTICULATED, 1,
-                [](plait_sim_desc& desc) { desc.keep_last_frame = 0; });
+                [](plait::SimDesc& desc) { desc.keep_last_frame = 0; });
     const auto has = [&] {
         for (const auto& [stage, calls] : stages_of(scene.sim))
             if (stage == "last_frame" && calls > 0)

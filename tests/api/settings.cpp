@@ -48,24 +48,23 @@ std::vector<float> row(const std::vector<float>& field, size_t strand) {
     return {from, from + 4 * vertices};
 }
 
-plait_sim_desc desc_of(uint32_t substeps) {
-    auto desc = plait_sim_desc_defaults();
+plait::SimDesc desc_of(uint32_t substeps) {
+    plait::SimDesc desc;
     desc.substeps = substeps;
-    desc.pins = 1;
     return desc;
 }
 
 // A head and a collider that move, one that turns, pins, a teleport, another material.
 template <typename Between> void live(plait::Sim& sim, const Between& between) {
-    auto ball = plait_collider_desc_defaults();
-    ball.radius_a = ball.radius_b = 0.05f;
+    auto ball = smooth_collider();
+    ball.capsule.radius_a = ball.capsule.radius_b = 0.05f;
     ball.friction = 0.3f;
     ball.pose.t[0] = 0.08f;
     ball.pose.t[1] = -0.12f;
     const auto moving = sim.create_collider(ball);
-    auto box = plait_collider_desc_defaults();
+    auto box = smooth_collider();
     box.kind = PLAIT_COLLIDER_KIND_BOX;
-    std::fill_n(box.half_extents, 3, 0.04f);
+    std::fill_n(box.box.half_extents, 3, 0.04f);
     box.pose.t[1] = -0.3f;
     const auto turning = sim.create_collider(box);
     sim.set_pins({{7, 4, PLAIT_PIN_FRAME_REST, {0, 0, 0}, 10},
@@ -82,9 +81,7 @@ template <typename Between> void live(plait::Sim& sim, const Between& between) {
         if (i == 8)
             sim.teleport(head_at({0.02f, 0, 0}, {0, 0.1f, 0, 0.99498743f}));
         if (i == 14) {
-            auto params = sim.params();
-            params.bend_stiffness *= 2;
-            sim.set_params(params);
+            sim.set_param("bend_stiffness", {2 * sim.param("bend_stiffness")[0]});
         }
         sim.step(frame);
     }
@@ -190,7 +187,7 @@ TEST_P(Settings, AStrandDoesNotNoticeThatOthersChange) {
     for (size_t i = 3; i < strands; i += 7)
         EXPECT_EQ(row(got, i), row(expected, i)) << i;
     EXPECT_NE(row(got, 4), row(expected, 4));
-    EXPECT_EQ(busy.stats().nonfinite, 0u);
+    EXPECT_EQ(busy.measure().nonfinite, 0u);
 }
 
 Point tip_of(const plait::Sim& sim) {
@@ -214,7 +211,7 @@ TEST_P(Settings, ASwingGoesOnWhenTheSubstepsChange) {
     const auto groom = make_groom(tuft(4, vertices));
     auto desc = desc_of(1);
     desc.params.bdf2 = 1;
-    desc.params.bend_stiffness = desc.params.twist_stiffness = 0;
+    desc.material.bend_stiffness = desc.material.twist_stiffness = 0;
     for (const uint32_t to : {1u, 4u}) {
         desc.substeps = 5 - to;
         plait::Sim kept(context, groom, desc), changed(context, groom, desc);
@@ -249,13 +246,13 @@ TEST_P(Settings, EachNumberOfSubstepsIsOneRoundOfItsStages) {
     plait::Sim sim(context, make_groom(tuft(6, 5)));
     const Stages alone = {{"roots", 3}, {"articulated", 3}, {"lane_unpack", 3}};
     EXPECT_EQ(stages_of(sim), alone);
-    const uint64_t bytes = sim.stats().device_bytes;
+    const uint64_t bytes = sim.describe().device_bytes;
     sim.set_settings({make(), make(4), make(4, 2)}, {0, 1, 2, 2, 1, 0});
     const Stages of_two = {{"roots", 15}, {"articulated", 27}, {"lane_unpack", 9}};
     EXPECT_EQ(stages_of(sim), of_two);
     sim.set_settings({make()});
     EXPECT_EQ(stages_of(sim), alone);
-    EXPECT_EQ(sim.stats().device_bytes, bytes);
+    EXPECT_EQ(sim.describe().device_bytes, bytes);
 }
 
 TEST_P(Settings, AreSavedAndRestoredWithTheState) {
@@ -305,7 +302,7 @@ TEST(SettingsFaults, AChangeThatFailsChangesNothing) {
     const auto groom = make_groom(tuft(6, 5));
     plait::Sim sim(context, groom, desc_of(1)), untouched(context, groom, desc_of(1));
     for (plait::Sim* each : {&sim, &untouched}) {
-        each->create_collider(plait_collider_desc_defaults()); // its rows grow, too
+        each->create_collider(smooth_collider()); // its rows grow, too
         run(*each, 3);
     }
     const auto table = levels();

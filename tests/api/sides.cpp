@@ -85,7 +85,7 @@ TEST_P(Sides, SheetsThatMoveTurnAndBendKeepTheirHair) {
         double deepest = 0;
         for (int i = 1; i <= (is_reference() ? 60 : 240); ++i) {
             const double s = std::sin(full_turn * 2 * i / 60);
-            auto pose = plait_collider_desc_defaults().pose;
+            auto pose = smooth_collider().pose;
             pose.t[1] = moves == 0 ? static_cast<float>(0.02 * s) : 0;
             pose.q[2] = moves == 1 ? static_cast<float>(std::sin(0.05 * s)) : 0;
             pose.q[3] = moves == 1 ? static_cast<float>(std::cos(0.05 * s)) : 1;
@@ -147,7 +147,7 @@ TEST_P(Sides, SnapshotsTeleportsAndWritesKeepThem) {
     const auto x = sim.read(PLAIT_FIELD_POSITION);
     sim.write(PLAIT_FIELD_POSITION, x); // what was read
     sim.destroy_collider(sim.create_collider(mesh, sheet_desc()));
-    auto pose = plait_collider_desc_defaults().pose;
+    auto pose = smooth_collider().pose;
     pose.t[1] = 1;
     sim.set_collider_pose(id, pose);
     sim.teleport(head_at({0, 1, 0})); // it goes along
@@ -214,7 +214,7 @@ double outside_of_faces(const ShapeMesh& ball, const std::array<double, 3>& p) {
 // A head that turns at 2 Hz by 40 degrees to and fro and sets off at 3 m/s after a second: from one step to
 // the next, or within a tenth of a second.
 plait_pose driven(int step, bool at_once) {
-    plait_pose pose = plait_collider_desc_defaults().pose;
+    plait_pose pose = smooth_collider().pose;
     const double a = 0.35 * std::sin(full_turn * 2 * step / 60), t = std::max(0, step - 60) * frame;
     pose.q[1] = static_cast<float>(std::sin(a));
     pose.q[3] = static_cast<float>(std::cos(a));
@@ -262,15 +262,15 @@ TEST_P(Sides, HairStaysInsideOfAHoodThatTurnsAndSetsOff) {
             desc.margin = 1e-3f;
             id = sim.create_hull(make_mesh(ball), desc);
         } else {
-            auto desc = plait_collider_desc_defaults();
+            auto desc = smooth_collider();
             desc.kind = kind;
             desc.inward = 1;
             desc.friction = 0.2f;
-            desc.a[1] = -0.02f;
-            desc.b[1] = 0.02f;
-            desc.radius_a = desc.radius_b = 0.085f;
-            desc.half_extents[0] = desc.half_extents[1] = desc.half_extents[2] = 0.075f;
-            desc.rounding = 0.01f;
+            desc.capsule.a[1] = desc.box.centre[1] = -0.02f;
+            desc.capsule.b[1] = 0.02f;
+            desc.capsule.radius_a = desc.capsule.radius_b = 0.085f;
+            desc.box.half_extents[0] = desc.box.half_extents[1] = desc.box.half_extents[2] = 0.075f;
+            desc.box.rounding = 0.01f;
             id = sim.create_collider(desc);
         }
         EXPECT_EQ(sim.describe_collider(id).inward, 1u);
@@ -278,7 +278,7 @@ TEST_P(Sides, HairStaysInsideOfAHoodThatTurnsAndSetsOff) {
             if (kind == PLAIT_COLLIDER_KIND_CAPSULE)
                 return std::hypot(p[0], p[1] - std::clamp(p[1], -0.02, 0.02), p[2]) - 0.085;
             if (kind == PLAIT_COLLIDER_KIND_BOX) {
-                const double y = p[1] + 0.02; // its centre is a
+                const double y = p[1] + 0.02;
                 return std::hypot(std::max(std::abs(p[0]) - 0.075, 0.0),
                                   std::max(std::abs(y) - 0.075, 0.0),
                                   std::max(std::abs(p[2]) - 0.075, 0.0)) -
@@ -321,7 +321,7 @@ TEST_P(Sides, HairStaysInsideOfASleeveThatTurnsAndSetsOff) {
                               static_cast<float>(r * std::sin(a))});
         strands.push_back(strand);
     }
-    auto desc = plait_sim_desc_defaults();
+    plait::SimDesc desc;
     desc.substeps = 2;
     plait::Sim sim(context, make_groom(strands), desc);
     const auto id = sim.create_collider(mesh, sheet_desc());
@@ -346,7 +346,7 @@ TEST_P(Sides, HairStaysInsideOfASleeveThatTurnsAndSetsOff) {
 
 TEST_P(Sides, InwardIsZeroOrOne) {
     plait::Sim sim(context, make_groom(tuft(2, 6)));
-    auto desc = plait_collider_desc_defaults();
+    auto desc = smooth_collider();
     desc.inward = 2;
     plait_collider_id id{};
     EXPECT_EQ(plait_collider_create(sim, &desc, &id), PLAIT_INVALID_ARGUMENT);
@@ -403,8 +403,8 @@ TEST_P(Sides, AHardShakePushesNoHairIntoTheHead) {
         plait::Sim sim(context, groom);
         plait_collider_id id{};
         if (body == "sphere") {
-            auto desc = plait_collider_desc_defaults();
-            desc.radius_a = desc.radius_b = 0.091f;
+            auto desc = smooth_collider();
+            desc.capsule.radius_a = desc.capsule.radius_b = 0.091f;
             desc.friction = 0.2f;
             id = sim.create_collider(desc);
         } else if (body == "hull") {
@@ -449,10 +449,10 @@ TEST_P(Sides, AHardShakePushesNoHairIntoTheHead) {
 // A ball set from one side of hair to the other sweeps it; one that is placed does not touch it.
 TEST_P(Sides, WhatIsPlacedTakesNoWay) {
     const auto largest_way = [&](bool place, plait_collider_kind kind) {
-        auto desc = plait_sim_desc_defaults();
+        plait::SimDesc desc;
         std::fill_n(desc.params.gravity, 3, 0.0f);
         plait::Sim sim(context, make_groom(tuft(3, 9)), desc);
-        plait_pose pose = plait_collider_desc_defaults().pose, to = pose;
+        plait_pose pose = smooth_collider().pose, to = pose;
         pose.t[0] = to.t[0] = 0.1f;
         pose.t[1] = -0.1f;
         to.t[1] = 0.15f;
@@ -462,11 +462,11 @@ TEST_P(Sides, WhatIsPlacedTakesNoWay) {
             collider.pose = pose;
             id = sim.create_collider(make_mesh(sheet_mesh(0.2)), collider);
         } else {
-            auto collider = plait_collider_desc_defaults();
+            auto collider = smooth_collider();
             collider.kind = kind;
             collider.pose = pose;
-            collider.radius_a = collider.radius_b = 0.06f;
-            std::fill_n(collider.half_extents, 3, 0.06f);
+            collider.capsule.radius_a = collider.capsule.radius_b = 0.06f;
+            std::fill_n(collider.box.half_extents, 3, 0.06f);
             id = sim.create_collider(collider);
         }
         run(sim, 3);
@@ -488,7 +488,7 @@ TEST_P(Sides, WhatIsPlacedTakesNoWay) {
 
 // Positions that were set are there at once, too.
 TEST_P(Sides, PlacedMeshesAreWhereTheirVerticesWereSet) {
-    auto desc = plait_sim_desc_defaults();
+    plait::SimDesc desc;
     std::fill_n(desc.params.gravity, 3, 0.0f);
     plait::Sim sim(context, make_groom(tuft(3, 9)), desc);
     const auto mesh = make_mesh(sheet_mesh(0.2));

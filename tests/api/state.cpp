@@ -10,18 +10,18 @@ namespace {
 class State : public OnBackend {};
 ON_EVERY_BACKEND(State);
 
-plait_sim_desc busy() {
-    auto desc = plait_sim_desc_defaults();
+plait::SimDesc busy() {
+    plait::SimDesc desc;
     desc.follows_per_guide = 1;
     desc.interpolate_output = 1;
     desc.substeps = 2;
-    desc.params.interhair = PLAIT_INTERHAIR_EXACT;
+    desc.grid.on = true;
     return desc;
 }
 
 // A sim under way: a head half-way to its target, roots of their own, a moving collider.
 void stir(plait::Sim& sim) {
-    auto collider = plait_collider_desc_defaults();
+    auto collider = smooth_collider();
     collider.pose.t[1] = -0.15f;
     const auto id = sim.create_collider(collider);
     auto floor = collider;
@@ -42,10 +42,10 @@ void stir(plait::Sim& sim) {
 // the energy budget leaves 12 %.
 TEST_P(State, WrittenVelocitiesAreWhatStrandsGoOnWith) {
     constexpr float speed = 2.0f; // rad/s
-    auto desc = plait_sim_desc_defaults();
+    plait::SimDesc desc;
     desc.model = PLAIT_MODEL_ARTICULATED;
     desc.params.bdf2 = 1;
-    desc.params.drag = desc.params.bend_stiffness = 0;
+    desc.params.drag = desc.material.bend_stiffness = 0;
     std::fill_n(desc.params.gravity, 3, 0.0f);
     Strands hanging(1);
     for (int i = 0; i < 9; ++i)
@@ -77,7 +77,7 @@ TEST_P(State, RestoredStateHasTheSameHashAndTheSameFuture) {
     EXPECT_EQ(b.save(), saved);
     run(a, 10);
     run(b, 10);
-    EXPECT_EQ(a.stats().steps, b.stats().steps);
+    EXPECT_EQ(a.describe().steps, b.describe().steps);
     // `reference` keeps doubles and a snapshot floats: there the futures differ by rounding.
     EXPECT_LT(largest_difference(a.read(PLAIT_FIELD_POSITION), b.read(PLAIT_FIELD_POSITION)),
               GetParam() == "opencl" ? 1e-30f : 1e-4f);
@@ -104,7 +104,7 @@ TEST_P(State, ASnapshotWithAnyByteDamagedIsRefused) {
             expect_refused(sim, damaged, "byte " + std::to_string(at));
         }
     EXPECT_EQ(sim.hash(), hash);
-    EXPECT_EQ(sim.stats().nonfinite, 0u);
+    EXPECT_EQ(sim.measure().nonfinite, 0u);
     sim.restore(saved);
     EXPECT_EQ(sim.hash(), hash);
 }

@@ -11,11 +11,10 @@ namespace {
 constexpr float radius = 0.002f;
 constexpr size_t vertices = 16;
 
-plait_sim_desc meeting() {
-    auto desc = plait_sim_desc_defaults();
-    desc.pins = 1;
-    desc.params.strand_contact = PLAIT_STRAND_CONTACT_ON;
-    desc.params.strand_radius = radius;
+plait::SimDesc meeting() {
+    plait::SimDesc desc;
+    desc.strand_contact.on = true;
+    desc.strand_contact.radius = radius;
     return desc;
 }
 
@@ -114,12 +113,12 @@ ON_EVERY_BACKEND(StrandContact);
 // weight and stiffness.
 plait::Sim pressed(const plait::Context& context, double degrees, float friction_scale = 1) {
     auto desc = meeting();
-    const std::vector<uint32_t> of{PLAIT_MATERIAL_OF_PARAMS, 0};
-    auto material = plait_material_defaults();
-    material.friction_scale = friction_scale;
+    const std::vector<uint32_t> of{0, 1};
+    std::vector<plait_material> materials(2, desc.material);
+    materials[1].friction_scale = friction_scale;
     if (friction_scale != 1) {
-        desc.materials = &material;
-        desc.material_count = 1;
+        desc.materials = materials.data();
+        desc.material_count = 2;
         desc.strand_material = plait::view(of);
     }
     const double angle = degrees * std::numbers::pi / 180;
@@ -188,9 +187,9 @@ plait::Sim piled(const plait::Context& context, size_t layers) {
                                      : line({0, aside, height}, {1, 0, 0}, 0.01f));
         }
     plait::Sim sim(context, make_groom(hair), desc);
-    auto table = plait_collider_desc_defaults();
+    auto table = smooth_collider();
     table.kind = PLAIT_COLLIDER_KIND_PLANE;
-    std::copy_n(Point{0, 0, 1}.begin(), 3, table.normal);
+    std::copy_n(Point{0, 0, 1}.begin(), 3, table.plane.normal);
     table.friction = 0.3f;
     (void)sim.create_collider(table);
     return sim;
@@ -217,7 +216,7 @@ TEST_P(StrandContact, APileOfThreeLayersHolds) {
     const int seconds = GetParam() == "reference" ? 1 : 5; // that takes half a minute for five
     for (int i = 0; i < 60 * seconds; ++i) {
         run(sim, 1);
-        EXPECT_LT(sim.stats().max_stretch, 0.02f);
+        EXPECT_LT(sim.measure().max_stretch, 0.02f);
         EXPECT_GT(least_distance(sim.read(PLAIT_FIELD_POSITION), 3), 0.25);
     }
     const auto after = sim.read(PLAIT_FIELD_POSITION);
@@ -283,8 +282,8 @@ TEST_P(StrandContact, CollidingHairsShareTheirMomentum) {
     desc.step = 1.0f / 240;
     desc.params.gravity[1] = 0;
     desc.params.drag = 0;
-    desc.params.bend_stiffness = 0;
-    desc.params.strand_friction = 0;
+    desc.material.bend_stiffness = 0;
+    desc.strand_contact.friction = 0;
     const Strands hair{line({0, -0.02f, -0.015f}, {0.99f, 0.141f, 0}, 0.01f),
                        line({0, 0.02f, 0.015f}, {0.99f, -0.141f, 0}, 0.01f)};
     // momentum along z of each, in masses of a vertex
@@ -296,7 +295,7 @@ TEST_P(StrandContact, CollidingHairsShareTheirMomentum) {
         return sum;
     };
     auto alone = desc;
-    alone.params.strand_contact = PLAIT_STRAND_CONTACT_OFF;
+    alone.strand_contact.on = false;
     plait::Sim sim(context, make_groom(hair), desc), free(context, make_groom(hair), alone);
     for (plait::Sim* each : {&sim, &free}) {
         auto v = each->read(PLAIT_FIELD_VELOCITY);
@@ -322,7 +321,7 @@ TEST(StrandContactOnOpenCL, DenseHairOnAShakingHeadStaysSlow) {
             line({0.004f * static_cast<float>(i % 10), 0, 0.004f * static_cast<float>(i / 10)},
                  {0.1f, -0.99f, 0.1f}, 0.02f));
     // m/s, and over the length
-    const auto shaken = [&](const plait_sim_desc& desc) {
+    const auto shaken = [&](const plait::SimDesc& desc) {
         plait::Sim sim(context, make_groom(hair), desc);
         std::pair<float, float> most;
         for (int i = 0; i < 180; ++i) {
@@ -330,7 +329,7 @@ TEST(StrandContactOnOpenCL, DenseHairOnAShakingHeadStaysSlow) {
             sim.set_roots(
                 head_at({0.05f * std::sin(9 * t), 0, 0}, {0, std::sin(half), 0, std::cos(half)}));
             sim.step(frame);
-            const auto stats = sim.stats();
+            const auto stats = sim.measure();
             most = {std::max(most.first, stats.max_speed),
                     std::max(most.second, stats.max_stretch)};
         }
@@ -340,7 +339,7 @@ TEST(StrandContactOnOpenCL, DenseHairOnAShakingHeadStaysSlow) {
         auto desc = meeting();
         desc.substeps = substeps;
         const auto [speed, stretch] = shaken(desc);
-        desc.params.strand_contact = PLAIT_STRAND_CONTACT_OFF;
+        desc.strand_contact.on = false;
         EXPECT_LT(speed, 2.2f * shaken(desc).first) << "" << substeps << " substeps";
         EXPECT_LT(stretch, 0.05f) << "" << substeps << " substeps";
     }
@@ -377,16 +376,13 @@ TEST_P(StrandContact, OffItCostsNothingAndChangesNoBit) {
     profiled.profile = 1;
     const plait::Context timed(profiled);
     auto off = meeting();
-    off.params.strand_contact = PLAIT_STRAND_CONTACT_OFF;
+    off.strand_contact.on = false;
     off.params.bdf2 = 0; // as where strands meet: its history would be made anew
     plait::Sim never(timed, make_groom(crowd()), off), stopped(timed, make_groom(crowd()), off);
     const auto bytes = never.describe().device_bytes;
-    stopped.set_params(meeting().params);
+    stopped.set_all(meeting());
     EXPECT_GT(stopped.describe().device_bytes, bytes);
-    auto params = off.params;
-    params.strand_radius = 0.01f; // nobody reads it
-    params.strand_friction = 2;
-    stopped.set_params(params);
+    stopped.set_all(off);
     EXPECT_EQ(stopped.describe().device_bytes, bytes);
     for (plait::Sim* each : {&never, &stopped})
         (void)launched_stages(*each); // of its making
@@ -394,7 +390,7 @@ TEST_P(StrandContact, OffItCostsNothingAndChangesNoBit) {
     run(stopped, 3);
     EXPECT_EQ(never.hash(), stopped.hash());
     EXPECT_EQ(launched_stages(never), launched_stages(stopped));
-    stopped.set_params(meeting().params);
+    stopped.set_all(meeting());
     run(stopped, 2);
     const auto stages = launched_stages(stopped);
     EXPECT_EQ(std::ranges::count(stages, "contact_pair_find"), 2);
@@ -423,7 +419,7 @@ TEST_P(StrandContact, StrandsOfSeveralPartsMeet) {
     desc.params.gravity[2] = -9.81f;
     const Strands hair{line({0.1f, -0.1f, 0}, {0, 1, 0}, 0.2f / 15),
                        line({0.06f, 0.005f, 2 * radius}, {1, 0, 0}, 0.0125f, 8)};
-    desc.params.bend_stiffness = 1e-10f; // alone it would hang from its root, its tip at -0.0875
+    desc.material.bend_stiffness = 1e-10f; // alone it would hang from its root, its tip at -0.0875
     for (const uint32_t other : {1u, 3u}) {
         plait::Sim sim(context, make_groom(hair), desc);
         std::vector<plait_pin> pins;
@@ -434,7 +430,7 @@ TEST_P(StrandContact, StrandsOfSeveralPartsMeet) {
         run(sim, 60);
         const float tip = sim.read(PLAIT_FIELD_POSITION)[4 * (vertices + 7) + 2];
         EXPECT_GT(tip, -0.065f) << other << ": it lies across the other, its tip hangs";
-        EXPECT_EQ(sim.stats().nonfinite, 0u);
+        EXPECT_EQ(sim.measure().nonfinite, 0u);
     }
 }
 
@@ -444,30 +440,20 @@ TEST_P(StrandContact, CountsPairsThatAreDropped) {
         hair.push_back(line({0, 1e-4f * static_cast<float>(i), 0}, {1, 0, 0}, 0.01f));
     plait::Sim sim(context, make_groom(hair), meeting());
     run(sim, 1);
-    EXPECT_GE(sim.stats().pairs_dropped, 9u * 15 * 4); // beside each segment lie eight
+    EXPECT_GE(sim.measure().pairs_dropped, 9u * 15 * 4); // beside each segment lie eight
     plait::Sim few(context, make_groom({hair[0], hair[8]}), meeting());
     run(few, 1);
-    EXPECT_EQ(few.stats().pairs_dropped, 0u);
+    EXPECT_EQ(few.measure().pairs_dropped, 0u);
 }
 
 TEST_P(StrandContact, TressfxRefuses) {
-    {
-        auto desc = plait_sim_desc_defaults();
-        desc.model = PLAIT_MODEL_TRESSFX;
-        plait::Sim sim(context, make_groom(tuft(2, 4)), desc);
-        desc.params.strand_contact = PLAIT_STRAND_CONTACT_ON;
-        for (const bool made : {true, false})
-            try {
-                if (made)
-                    plait::Sim(context, make_groom(tuft(2, 4)), desc);
-                else
-                    sim.set_params(desc.params);
-                ADD_FAILURE() << made;
-            } catch (const plait::Error& error) {
-                EXPECT_NE(std::string(error.what()).find("strand_contact is 1"), std::string::npos)
-                    << error.what();
-            }
-    }
+    plait::SimDesc desc;
+    desc.model = PLAIT_MODEL_TRESSFX;
+    plait::Sim sim(context, make_groom(tuft(2, 4)), desc);
+    desc.strand_contact.on = true;
+    EXPECT_EQ(plait_sim_set_strand_contact(sim, desc.strand_contact.desc()), PLAIT_INVALID_STATE);
+    EXPECT_NE(std::string(plait_last_error()).find("do not meet each other"), std::string::npos);
+    EXPECT_THROW(plait::Sim(context, make_groom(tuft(2, 4)), desc), plait::Error);
 }
 
 } // namespace

@@ -72,9 +72,24 @@ inline plait_roots head_at(Point t, std::array<float, 4> q = {0, 0, 0, 1}) {
     return roots;
 }
 
+// A collider without friction.
+inline plait_collider_desc smooth_collider() {
+    auto desc = plait_collider_desc_defaults();
+    desc.friction = 0;
+    return desc;
+}
+
+// The ways of the grid between strands.
+enum class Grid { off, slots, exact };
+
+inline void set_grid(plait::SimDesc& desc, Grid grid) {
+    desc.grid.on = grid != Grid::off;
+    desc.grid.form = grid == Grid::slots ? PLAIT_GRID_FORM_SLOTS : PLAIT_GRID_FORM_EXACT;
+}
+
 // The parity model, for what only it has: two vertices that the root holds, and stages by option.
-inline plait_sim_desc tressfx_desc() {
-    auto desc = plait_sim_desc_defaults();
+inline plait::SimDesc tressfx_desc() {
+    plait::SimDesc desc;
     desc.model = PLAIT_MODEL_TRESSFX;
     return desc;
 }

@@ -42,17 +42,17 @@ class Crowd {
     static size_t strands_of(size_t i) { return 3 + 17 * (i % 5); }
 
     void add(const plait::Context& context, plait_model model, bool everything) {
-        auto desc = plait_sim_desc_defaults();
+        plait::SimDesc desc;
         desc.model = model;
         if (everything) {
             desc.substeps = 2;
             desc.follows_per_guide = 2;
             desc.interpolate_output = desc.keep_last_frame = 1;
-            desc.params.interhair = PLAIT_INTERHAIR_EXACT;
+            desc.grid.on = true;
         }
         sims.emplace_back(context, make_groom(tuft(strands_of(sims.size()), 8)), desc);
-        auto collider = plait_collider_desc_defaults();
-        collider.radius_a = collider.radius_b = 0.03f;
+        auto collider = smooth_collider();
+        collider.capsule.radius_a = collider.capsule.radius_b = 0.03f;
         collider.pose.t[1] = -0.05f;
         if (everything)
             sims.back().create_collider(collider);
@@ -76,7 +76,7 @@ TEST_P(Together, IsOneAfterAnother) {
     }
     for (size_t i = 0; i < apart.sims.size(); ++i) {
         plait::Sim &one = together.sims[i], &other = apart.sims[i];
-        EXPECT_GT(other.stats().max_speed, 1e-3f) << i;
+        EXPECT_GT(other.measure().max_speed, 1e-3f) << i;
         EXPECT_EQ(one.describe().steps, other.describe().steps) << i;
         EXPECT_EQ(one.hash(), other.hash()) << i;
         EXPECT_EQ(one.read(PLAIT_FIELD_POSITION), other.read(PLAIT_FIELD_POSITION)) << i;
@@ -173,7 +173,7 @@ TEST(TogetherOnFaulty, TheSimThatFailedIsNamed) {
     const auto groom = make_groom(tuft(3, 5));
     plait::Sim a(context, groom), b(context, groom), c(context, groom);
     for (plait::Sim* sim : {&a, &b, &c})
-        sim->create_collider(plait_collider_desc_defaults()); // is uploaded
+        sim->create_collider(smooth_collider()); // is uploaded
     faults.fail_upload_after = 1;
     plait_sim* const list[] = {a, b, c};
     EXPECT_EQ(plait_context_step(context, list, 3, frame), PLAIT_OUT_OF_MEMORY);
@@ -250,7 +250,7 @@ TEST(WhatABackendIsAsked, IsASequenceForEachSim) {
     const auto context = make_context("watched");
     const auto groom = make_groom(tuft(3, 5));
     plait::Sim a(context, groom), b(context, groom), c(context, groom);
-    b.create_collider(plait_collider_desc_defaults());
+    b.create_collider(smooth_collider());
     asked.clear();
     context.step({a, b, c}, frame);
     EXPECT_EQ(once_each(asked), "bsnusnse");
@@ -264,9 +264,9 @@ TEST(WhatABackendIsAsked, IsDoneWhenASimHasBeenMade) {
     register_watched("watched at creation", sizeof(plait_device_api));
     const auto context = make_context("watched at creation");
     for (const plait_model model : every_model) {
-        auto desc = plait_sim_desc_defaults();
+        plait::SimDesc desc;
         desc.model = model;
-        desc.keep_last_frame = desc.accelerations = 1;
+        desc.keep_last_frame = 1;
         asked.clear();
         plait::Sim sim(context, make_groom(tuft(3, 5)), desc);
         ASSERT_NE(asked.find('s'), std::string::npos);

@@ -23,27 +23,27 @@ Strands layers() {
     return strands;
 }
 
-plait_sim_desc limp() {
-    auto desc = plait_sim_desc_defaults();
-    desc.params.bend_stiffness = 1e-11f;
-    desc.params.grid_edge_count = 16;
-    desc.params.grid_edge = 0.4f;
-    desc.params.grid_origin[0] = -0.1f;
-    desc.params.grid_origin[1] = -0.1f;
-    desc.params.grid_origin[2] = -0.16f;
+plait::SimDesc limp() {
+    plait::SimDesc desc;
+    desc.material.bend_stiffness = 1e-11f;
+    desc.grid.edge_count = 16;
+    desc.grid.edge = 0.4f;
+    desc.grid.origin[0] = -0.1f;
+    desc.grid.origin[1] = -0.1f;
+    desc.grid.origin[2] = -0.16f;
     return desc;
 }
 
-plait_sim_desc with_volume() {
-    plait_sim_desc desc = limp();
-    desc.params.interhair = PLAIT_INTERHAIR_EXACT;
-    desc.params.volume = PLAIT_VOLUME_PRESSURE;
+plait::SimDesc with_volume() {
+    plait::SimDesc desc = limp();
+    desc.grid.on = true;
+    desc.volume.on = true;
     return desc;
 }
 
 // On a floor below the lowest layer, between walls: a heap in the open would run apart, as a liquid
 // does.
-plait::Sim on_floor(const plait::Context& context, const plait_sim_desc& desc) {
+plait::Sim on_floor(const plait::Context& context, const plait::SimDesc& desc) {
     plait::Sim sim(context, make_groom(layers()), desc);
     struct Side {
         size_t axis;
@@ -52,11 +52,11 @@ plait::Sim on_floor(const plait::Context& context, const plait_sim_desc& desc) {
     for (const Side& one :
          {Side{1, -spacing / 2, 1}, Side{2, -spacing / 2, 1}, Side{2, spacing * (side - 0.5f), -1},
           Side{0, -0.005f, 1}, Side{0, 0.19f, -1}}) {
-        auto plane = plait_collider_desc_defaults();
+        auto plane = smooth_collider();
         plane.kind = PLAIT_COLLIDER_KIND_PLANE;
-        std::fill_n(plane.normal, 3, 0.0f);
-        plane.a[one.axis] = one.at;
-        plane.normal[one.axis] = one.normal;
+        std::fill_n(plane.plane.normal, 3, 0.0f);
+        plane.plane.point[one.axis] = one.at;
+        plane.plane.normal[one.axis] = one.normal;
         (void)sim.create_collider(plane);
     }
     return sim;
@@ -82,8 +82,8 @@ TEST_P(VolumeOf, HoldsLayersApartThatWouldLieOnTheFloor) {
     EXPECT_GT(height_of(sim), 2.5f * height_of(bare)) << ": " << height_of(bare);
     EXPECT_GT(height_of(sim), 0.4f); // of limp hair that slides down between walls
     EXPECT_LT(height_of(sim), 1.1f);
-    EXPECT_EQ(sim.stats().nonfinite, 0u);
-    EXPECT_EQ(sim.stats().grid_outside, 0u);
+    EXPECT_EQ(sim.measure().nonfinite, 0u);
+    EXPECT_EQ(sim.measure().grid_outside, 0u);
 }
 
 TEST_P(VolumeOf, OffItCostsNothingAndChangesNoBit) {
@@ -93,12 +93,9 @@ TEST_P(VolumeOf, OffItCostsNothingAndChangesNoBit) {
     const plait::Context timed(profiled);
     plait::Sim never = on_floor(timed, limp()), stopped = on_floor(timed, limp());
     const auto bytes = never.describe().device_bytes;
-    stopped.set_params(with_volume().params);
+    stopped.set_all(with_volume());
     EXPECT_GT(stopped.describe().device_bytes, bytes);
-    plait_sim_params off = limp().params;
-    off.volume_share = 2; // nobody reads it
-    off.cohesion = 3;
-    stopped.set_params(off);
+    stopped.set_all(limp());
     EXPECT_EQ(stopped.describe().device_bytes, bytes);
     for (plait::Sim* each : {&never, &stopped})
         (void)launched_stages(*each); // of its making
@@ -107,7 +104,7 @@ TEST_P(VolumeOf, OffItCostsNothingAndChangesNoBit) {
     EXPECT_EQ(never.read(PLAIT_FIELD_POSITION), stopped.read(PLAIT_FIELD_POSITION));
     EXPECT_EQ(never.hash(), stopped.hash());
     EXPECT_EQ(launched_stages(never), launched_stages(stopped));
-    stopped.set_params(with_volume().params);
+    stopped.set_all(with_volume());
     run(stopped, 2);
     const auto stages = launched_stages(stopped);
     EXPECT_EQ(std::ranges::count(stages, "volume_gather"), 3) << "with a start";
@@ -139,17 +136,17 @@ TEST_P(VolumeOf, SnapshotsHoldThePressure) {
     // a sim without volume, or of another grid, takes the rest
     plait::Sim bare(context, make_groom(layers()), limp());
     bare.restore(saved);
-    plait_sim_desc finer = with_volume();
-    finer.params.grid_edge_count = 20;
+    plait::SimDesc finer = with_volume();
+    finer.grid.edge_count = 20;
     plait::Sim other(context, make_groom(layers()), finer);
     other.restore(saved);
     EXPECT_EQ(other.read(PLAIT_FIELD_POSITION), bare.read(PLAIT_FIELD_POSITION));
     run(other, 10);
-    EXPECT_EQ(other.stats().nonfinite, 0u);
+    EXPECT_EQ(other.measure().nonfinite, 0u);
     // and one with volume that of a sim without
     again.restore(bare.save());
     run(again, 10);
-    EXPECT_EQ(again.stats().nonfinite, 0u);
+    EXPECT_EQ(again.measure().nonfinite, 0u);
 }
 
 TEST_P(VolumeOf, BeginsAnewWithAReset) {
@@ -171,15 +168,16 @@ TEST_P(VolumeOf, TeleportsCarryHairAsItLies) {
     sim.teleport(head_at({0, 0, 0})); // where it is
     run(sim, 30);
     EXPECT_NEAR(height_of(sim), before, 0.15f);
-    EXPECT_EQ(sim.stats().grid_outside, 0u);
+    EXPECT_EQ(sim.measure().grid_outside, 0u);
 }
 
 // Accelerations of 0 and air without a mass take what pressure does to the solve, too. Of
 // `articulated` roundings let contacts choose otherwise after ten steps, in which hair without it falls by 14 cm.
 TEST_P(VolumeOf, AddsUpWithAccelerationsAndWind) {
-    plait_sim_desc desc = with_volume();
+    plait::SimDesc desc = with_volume();
+    desc.params.drag = 0; // which rests in a wind
     plait::Sim plain = on_floor(context, desc), windy = on_floor(context, desc);
-    desc.accelerations = 1;
+    desc.acceleration.on = true;
     plait::Sim pulled = on_floor(context, desc);
     auto wind = plait_wind_desc_defaults();
     wind.air_density = 1e-12f;
@@ -218,29 +216,37 @@ TEST_P(VolumeOf, StaysOverSwitches) {
     EXPECT_EQ(again.hash(), sim.hash());
 }
 
-TEST_P(VolumeOf, NeedsTheExactGridAndStrandsOverLanes) {
+TEST_P(VolumeOf, NeedsSumsOfAllHairAndStrandsOverLanes) {
     plait::Sim sim(context, make_groom(layers()), limp());
-    plait_sim_params params = with_volume().params;
-    for (const plait_interhair interhair : {PLAIT_INTERHAIR_OFF, PLAIT_INTERHAIR_SLOTS}) {
-        params.interhair = interhair;
-        EXPECT_EQ(plait_sim_set_params(sim, &params), PLAIT_INVALID_ARGUMENT);
-        EXPECT_NE(std::strstr(plait_last_error(), "interhair"), nullptr) << plait_last_error();
-    }
-    params.interhair = PLAIT_INTERHAIR_EXACT;
+    const auto volume = plait_volume_desc_defaults();
+    auto grid = plait_grid_desc_defaults();
+    grid.form = PLAIT_GRID_FORM_SLOTS;
+    sim.set_grid(&grid);
+    EXPECT_EQ(plait_sim_set_volume(sim, &volume), PLAIT_INVALID_STATE);
+    EXPECT_NE(std::strstr(plait_last_error(), "slots"), nullptr) << plait_last_error();
+    sim.set_grid(nullptr);
+    sim.set_volume(&volume);
+    EXPECT_EQ(plait_sim_set_grid(sim, &grid), PLAIT_INVALID_STATE);
     plait::Sim flat(context, make_groom(layers()), tressfx_desc());
-    EXPECT_EQ(plait_sim_set_params(flat, &params), PLAIT_INVALID_ARGUMENT);
-    EXPECT_NE(std::strstr(plait_last_error(), "volume"), nullptr) << plait_last_error();
-    plait_sim_desc desc = tressfx_desc();
-    desc.params = params;
-    plait_sim* made = nullptr;
-    const plait::Groom groom = make_groom(layers());
-    EXPECT_EQ(plait_sim_create(context, groom, &desc, &made), PLAIT_INVALID_ARGUMENT);
+    EXPECT_EQ(plait_sim_set_volume(flat, &volume), PLAIT_INVALID_STATE);
     EXPECT_NE(std::strstr(plait_last_error(), "model"), nullptr) << plait_last_error();
+}
+
+// A grid that is on gives way, so that none of one's own is as one of the defaults.
+TEST_P(VolumeOf, WithoutAGridIsAsWithTheDefaultOne) {
+    plait::SimDesc desc = with_volume();
+    desc.grid = {plait_grid_desc_defaults(), true};
+    plait::Sim own = on_floor(context, desc);
+    desc.grid.on = false;
+    plait::Sim none = on_floor(context, desc);
+    run(own, 5);
+    run(none, 5);
+    EXPECT_EQ(own.hash(), none.hash());
 }
 
 // A step in which hair falls by a quarter of a voxel, or more.
 TEST_P(VolumeOf, WarnsOfStepsThatAreTooLongForItsVoxels) {
-    plait_sim_desc desc = with_volume();
+    plait::SimDesc desc = with_volume();
     plait::Sim fine(context, make_groom(layers()), desc);
     EXPECT_EQ(std::strstr(fine.describe().warning, "volume"), nullptr);
     desc.step = 1.0f / 30;

@@ -13,19 +13,19 @@ constexpr size_t vertices = 13;
 constexpr float segment = 1.0f / 64; // m: sums and products of it are exact
 constexpr float dry_below = 1e-3f;
 
-plait_sim_desc desc_of() {
-    auto desc = plait_sim_desc_defaults();
+plait::SimDesc desc_of() {
+    plait::SimDesc desc;
+    desc.wetness.on = true;
     return desc;
 }
 
 // Powers of two: what wetness makes of them is what it makes of the params, to the bit. EA is given, as
 // one chosen by weight is rounded twice.
-plait_sim_desc exact() {
+plait::SimDesc exact() {
     auto desc = desc_of();
-    desc.params.line_density = 0x1p-18f;
-    desc.params.bend_stiffness = 0x1p-27f;
-    desc.params.stretch_stiffness = 0x1p-6f;
-    desc.params.wind[2] = 1;
+    desc.material.line_density = 0x1p-18f;
+    desc.material.bend_stiffness = 0x1p-27f;
+    desc.material.stretch_stiffness = 0x1p-6f;
     return desc;
 }
 
@@ -77,8 +77,8 @@ TEST_P(WetnessOf, StrandsAreThoseOfASimOfThatMaterial) {
         const auto positions = sim.read(PLAIT_FIELD_POSITION);
         for (size_t i = 0; i < 4; ++i) {
             auto own = desc;
-            own.params.line_density *= 1 + 0.6f * wetness[i];
-            own.params.bend_stiffness *= 1 - 0.5f * wetness[i];
+            own.material.line_density *= 1 + 0.6f * wetness[i];
+            own.material.bend_stiffness *= 1 - 0.5f * wetness[i];
             plait::Sim alone(context, make_groom(level_ones(4)), own);
             alone.set_wind(wind);
             run(alone, 20);
@@ -126,8 +126,8 @@ TEST_P(WetnessOf, WetCantileversSagThreeTimesAsFar) {
     constexpr double l = double(segment) * (vertices - 1), bend = 1e-5;
     const double sag = 5e-6 * 9.81 * std::pow(l, 4) / (8 * bend);
     auto desc = desc_of();
-    desc.params.bend_stiffness = static_cast<float>(bend);
-    desc.params.stretch_stiffness = 1; // what follows from the weight shears by an eighth of it
+    desc.material.bend_stiffness = static_cast<float>(bend);
+    desc.material.stretch_stiffness = 1; // what follows from the weight shears by an eighth of it
     desc.params.drag = 20;
     plait::Sim sim(context, make_groom(level_ones(3)), desc);
     wet(sim, {0, 1, 0.5f});
@@ -143,7 +143,7 @@ TEST_P(WetnessOf, WetCantileversSagThreeTimesAsFar) {
 // rate. The wind's force is the same on more mass.
 TEST_P(WetnessOf, LimpHairSwingsAsBefore) {
     auto desc = desc_of();
-    desc.params.bend_stiffness = 0;
+    desc.material.bend_stiffness = 0;
     plait::Sim sim(context, make_groom(level_ones(2)), desc);
     wet(sim, {0, 1});
     float lowest[2] = {0, 0}, first[2] = {0, 0};
@@ -166,7 +166,7 @@ TEST_P(WetnessOf, LimpHairSwingsAsBefore) {
 TEST_P(WetnessOf, DriesByItsTime) {
     for (const double tau : {0.5, 7.0, 1e6}) {
         auto desc = desc_of();
-        desc.params.drying_time = static_cast<float>(tau);
+        desc.wetness.drying_time = static_cast<float>(tau);
         plait::Sim sim(context, make_groom(level_ones(3)), desc);
         const std::vector<float> given{1, 0.5f, 0};
         wet(sim, given);
@@ -190,7 +190,7 @@ TEST_P(WetnessOf, DriesByItsTime) {
 // bit, from where it is.
 TEST_P(WetnessOf, DryAgainIsDry) {
     auto desc = desc_of();
-    desc.params.drying_time = 1.0f / 60;
+    desc.wetness.drying_time = 1.0f / 60;
     plait::Sim sim(context, make_groom(tuft(3, vertices)), desc);
     const auto bytes = sim.describe().device_bytes;
     wet(sim, {1, 0.5f, 0.01f});
@@ -213,13 +213,13 @@ TEST_P(WetnessOf, DryAgainIsDry) {
 // From a sag of 3.2 times a cantilever rises to its own.
 TEST_P(WetnessOf, DryingHairRises) {
     auto desc = desc_of();
-    desc.params.bend_stiffness = 1e-5f;
+    desc.material.bend_stiffness = 1e-5f;
     desc.params.drag = 20;
     plait::Sim sim(context, make_groom(level_ones(2)), desc);
     wet(sim, {0, 1});
     run(sim, 120);
-    desc.params.drying_time = 0.3f;
-    sim.set_params(desc.params);
+    desc.wetness.drying_time = 0.3f;
+    sim.set_wetness(desc.wetness.desc());
     float highest = -1;
     for (int i = 0; i < 180; ++i) {
         run(sim, 1);
@@ -236,8 +236,8 @@ TEST_P(WetnessOf, DryingHairRises) {
 TEST_P(WetnessOf, DryingAddsNoEnergy) {
     auto desc = desc_of();
     desc.params.drag = 0;
-    desc.params.bend_stiffness = 1e-8f;
-    desc.params.drying_time = 0.4f;
+    desc.material.bend_stiffness = 1e-8f;
+    desc.wetness.drying_time = 0.4f;
     plait::Sim sim(context, make_groom(level_ones(1)), desc);
     wet(sim, {1});
     double most = -1, least = 0;
@@ -280,8 +280,8 @@ TEST_P(WetnessOf, MaterialFollowsInSteps) {
 
 TEST_P(WetnessOf, OfDryHairCostsNothingAndChangesNoBit) {
     auto desc = desc_of();
-    desc.params.drying_time = 3; // nobody reads it
-    desc.params.wet_cohesion = 9;
+    desc.wetness.drying_time = 3; // of no hair yet
+    desc.wetness.cohesion = 9;
     plait::Sim never(context, make_groom(tuft(3, vertices)), desc_of());
     plait::Sim dry(context, make_groom(tuft(3, vertices)), desc);
     plait::Sim stopped(context, make_groom(tuft(3, vertices)), desc_of());
@@ -319,9 +319,9 @@ TEST_P(WetnessOf, OutsideItsRangeIsRefused) {
     refused({0, 0, 1.5f}, "wetness[2] is 1.5, range is [0, 1]");
     refused({NAN, 0, 0}, "wetness[0] is nan, range is [0, 1]");
     refused({0, 0}, "size is 8 bytes, the guides take 12");
-    auto params = sim.params();
-    params.drying_time = -1;
-    EXPECT_EQ(plait_sim_set_params(sim, &params), PLAIT_INVALID_ARGUMENT);
+    auto desc = plait_wetness_desc_defaults();
+    desc.drying_time = -1;
+    EXPECT_EQ(plait_sim_set_wetness(sim, &desc), PLAIT_INVALID_ARGUMENT);
     EXPECT_NE(std::string(plait_last_error()).find("drying_time is -1"), std::string::npos);
 }
 
@@ -330,10 +330,12 @@ TEST_P(WetnessOf, TressfxHasNone) {
     const std::vector<float> wetness(3, 0.0f);
     size_t size = 0;
     EXPECT_EQ(plait_sim_write(sim, PLAIT_FIELD_WETNESS, wetness.data(), 12), PLAIT_INVALID_STATE);
+    const auto on = plait_wetness_desc_defaults();
+    EXPECT_EQ(plait_sim_set_wetness(sim, &on), PLAIT_INVALID_STATE);
     EXPECT_NE(std::string(plait_last_error()).find("tressfx"), std::string::npos);
     EXPECT_EQ(plait_sim_read(sim, PLAIT_FIELD_WETNESS, nullptr, &size), PLAIT_INVALID_STATE);
     for (const plait_param_info& param : plait::params_list())
-        if (const std::string name = param.name; name == "drying_time" || name == "wet_cohesion") {
+        if (const std::string name = param.name; name.starts_with("wetness_")) {
             EXPECT_EQ(param.models & 1u << PLAIT_MODEL_TRESSFX, 0u) << name;
         }
 }
@@ -348,11 +350,11 @@ TEST_P(WetnessOf, StaysOverResetTeleportMaterialAndSettings) {
     const auto expected = plain.read(PLAIT_FIELD_POSITION);
 
     auto other = desc_of();
-    other.params.line_density *= 2;
+    other.material.line_density *= 2;
     plait::Sim sim(context, make_groom(tuft(3, vertices)), other);
     wet(sim, wetness);
     run(sim, 4);
-    sim.set_params(desc_of().params);
+    sim.set_material(desc_of().material);
     run(sim, 4);
     take_substeps(sim, {1, 2, 1});
     run(sim, 4);
@@ -368,7 +370,7 @@ TEST_P(WetnessOf, StaysOverResetTeleportMaterialAndSettings) {
 
 TEST_P(WetnessOf, SnapshotsHoldItAndWhatMaterialIsScaledBy) {
     auto desc = desc_of();
-    desc.params.drying_time = 1;
+    desc.wetness.drying_time = 1;
     plait::Sim sim(context, make_groom(tuft(4, vertices)), desc);
     wet(sim, {1, 0.4f, 0.05f, 0});
     run(sim, 7); // between two steps of the material
@@ -410,9 +412,11 @@ TEST_P(WetnessOf, IsCheckedInSnapshots) {
             << plait_last_error();
         EXPECT_EQ(sim.hash(), hash);
     };
-    refused(saved.size() - 16, 1.5f, "wetness[0] is 1.5, range is [0, 1]");
-    refused(saved.size() - 4, NAN, "wetness[1] is nan");
-    refused(forged::find_block(saved, "wetn") + forged::block_head, -1.0, "dried is -1");
+    const size_t block = forged::find_block(saved, "wetn") + forged::block_head;
+    refused(block, -1.0, "dried is -1");
+    const size_t given = block + sizeof(double), held = given + 2 * sizeof(float);
+    refused(given, 1.5f, "wetness[0] is 1.5, range is [0, 1]");
+    refused(held + sizeof(float), NAN, "wetness[1] is nan");
 }
 
 // ---- what else takes it ------------------------------------------------------------------------
@@ -427,7 +431,7 @@ float distance(const std::vector<float>& positions, size_t a, size_t b) {
 TEST_P(WetnessOf, FollowsAreDrawnToTheirGuides) {
     constexpr size_t each = 5;
     auto desc = desc_of();
-    desc.params.bend_stiffness = 0; // guides that fall alike
+    desc.material.bend_stiffness = 0; // guides that fall alike
     desc.follows_per_guide = each;
     desc.follow_radius = 0.004f;
     plait::Sim dry(context, make_groom(level_ones(2)), desc);
@@ -498,22 +502,22 @@ TEST_P(WetnessOf, WetHairLiesCloserAndHoldsTogether) {
             strands.push_back(strand);
         }
     auto desc = desc_of();
-    desc.params.bend_stiffness = 1e-11f;
-    desc.params.interhair = PLAIT_INTERHAIR_EXACT;
-    desc.params.volume = PLAIT_VOLUME_PRESSURE;
-    desc.params.grid_edge_count = 16;
-    desc.params.grid_edge = 0.4f;
+    desc.material.bend_stiffness = 1e-11f;
+    desc.grid.on = true;
+    desc.volume.on = true;
+    desc.grid.edge_count = 16;
+    desc.grid.edge = 0.4f;
     const std::array<float, 3> corner{-0.1f, -0.1f, -0.16f};
-    std::ranges::copy(corner, desc.params.grid_origin);
+    std::ranges::copy(corner, desc.grid.origin);
     const auto height = [&](float wetness, bool walls, float cohesion) {
-        desc.params.wet_cohesion = cohesion;
+        desc.wetness.cohesion = cohesion;
         plait::Sim sim(context, make_groom(strands), desc);
         const auto add = [&](size_t axis, float at, float normal) {
-            auto plane = plait_collider_desc_defaults();
+            auto plane = smooth_collider();
             plane.kind = PLAIT_COLLIDER_KIND_PLANE;
-            std::fill_n(plane.normal, 3, 0.0f);
-            plane.a[axis] = at;
-            plane.normal[axis] = normal;
+            std::fill_n(plane.plane.normal, 3, 0.0f);
+            plane.plane.point[axis] = at;
+            plane.plane.normal[axis] = normal;
             (void)sim.create_collider(plane);
         };
         add(1, -spacing / 2, 1);
@@ -525,7 +529,7 @@ TEST_P(WetnessOf, WetHairLiesCloserAndHoldsTogether) {
         }
         wet(sim, std::vector<float>(side * side, wetness));
         run(sim, 60);
-        EXPECT_EQ(sim.stats().nonfinite, 0u);
+        EXPECT_EQ(sim.measure().nonfinite, 0u);
         const auto x = sim.read(PLAIT_FIELD_POSITION);
         float sum = 0;
         for (size_t i = 0; i < x.size(); i += 4)

@@ -12,8 +12,8 @@ namespace {
 // Across the stream at C = 1, per metre of way: rho d/2 over mass per length.
 constexpr double drag_per_metre = 0.5 * 1.204 * 70e-6 / 5e-6;
 
-plait_sim_desc weightless(float step = 1.0f / 60) {
-    auto desc = plait_sim_desc_defaults();
+plait::SimDesc weightless(float step = 1.0f / 60) {
+    plait::SimDesc desc;
     desc.step = step;
     desc.max_steps_per_call = 1000;
     std::fill_n(desc.params.gravity, 3, 0.0f);
@@ -78,7 +78,7 @@ TEST_P(WindOf, StillAirHoldsHairAtItsTerminalSpeed) {
     for (const double tilt : {0.0, 0.5235987755982988, 1.0471975511965976}) {
         auto desc = weightless();
         desc.params.gravity[1] = -9.81f;
-        desc.params.bend_stiffness = 1e-6f;
+        desc.material.bend_stiffness = 1e-6f;
         const double across = terminal_speed(9.81 * std::cos(tilt), 1);
         const double along = terminal_speed(9.81 * std::sin(tilt), 0.5);
         const double c = std::cos(tilt), s = std::sin(tilt); // the strand points down the slope
@@ -116,7 +116,7 @@ struct Onset {
 };
 Onset onset_of(plait::Context& context, int rate, double wind_speed) {
     auto desc = weightless(1.0f / static_cast<float>(rate));
-    desc.params.bend_stiffness = 0;
+    desc.material.bend_stiffness = 0;
     plait::Sim sim(context, make_groom({straight({0, -1, 0}, 8, 0.2f)}), desc);
     sim.step(1.0 / rate); // a head that is known to rest
     sim.step(1.0 / rate);
@@ -161,8 +161,8 @@ TEST_P(WindOf, ASteadyStreamBendsAHairAlikeAtAnyStep) {
     const double deflection = load * 1e-4 / (8 * double(stiffness));
     for (const int rate : {30, 60, 480}) {
         auto desc = weightless(1.0f / static_cast<float>(rate));
-        desc.params.bend_stiffness = stiffness;
-        desc.params.stretch_stiffness = 1; // no shear
+        desc.material.bend_stiffness = stiffness;
+        desc.material.stretch_stiffness = 1; // no shear
         plait::Sim sim(context, make_groom({straight({0, -1, 0}, 24, length)}), desc);
         sim.set_wind(blowing({speed, 0, 0}));
         for (int i = 0; i < 3 * rate; ++i)
@@ -179,7 +179,7 @@ TEST_P(WindOf, AccelerationsAddUpWithWind) {
     desc.params.gravity[1] = -6;
     plait::Sim heavy(context, make_groom(tuft(4, 10)), desc);
     desc.params.gravity[1] = 0;
-    desc.accelerations = 1;
+    desc.acceleration.on = true;
     plait::Sim sim(context, make_groom(tuft(4, 10)), desc);
     std::vector<float> pull(size_t{4} * 40, 0.0f);
     for (size_t i = 1; i < pull.size(); i += 4)
@@ -199,7 +199,6 @@ TEST_P(WindOf, AccelerationsAddUpWithWind) {
 // Pins of the caller's hold in the wind as they do without.
 TEST_P(WindOf, PinsHoldInIt) {
     auto desc = weightless();
-    desc.pins = 1;
     plait::Sim sim(context, make_groom({curl({0, 0, 0}, 13)}), desc);
     const Point at = curl({0, 0, 0}, 13)[12];
     sim.set_pins({{0, 12, PLAIT_PIN_FRAME_REST, {0, 0, 0}, PLAIT_PIN_HELD}});
@@ -215,7 +214,7 @@ TEST_P(WindOf, OffItCostsNothingAndChangesNoBit) {
     profiled.backend = GetParam().c_str();
     profiled.profile = 1;
     const plait::Context timed(profiled);
-    auto desc = plait_sim_desc_defaults();
+    plait::SimDesc desc;
     plait::Sim never(timed, make_groom(tuft(5, 12)), desc);
     plait::Sim stopped(timed, make_groom(tuft(5, 12)), desc);
     stopped.stop_wind(); // of none
@@ -245,7 +244,7 @@ TEST_P(WindOf, OffItCostsNothingAndChangesNoBit) {
 
 // A wind that was changed just before, gusts, eddies on their way: all of it goes on.
 TEST_P(WindOf, SnapshotsHoldHowFarItIs) {
-    auto desc = plait_sim_desc_defaults();
+    plait::SimDesc desc;
     const plait::Groom groom = make_groom(tuft(5, 12));
     plait::Sim sim(context, groom, desc), again(context, groom, desc);
     sim.set_wind(blowing({-1, 0, 0}));
@@ -329,7 +328,7 @@ Lean mean_lean(plait::Sim& sim) {
 // at the rim the wind is felt. In the open all of it lies flat.
 TEST_P(WindOf, HairIsShelteredByHair) {
     for (const uint32_t shelter : {1u, 0u}) {
-        auto desc = plait_sim_desc_defaults();
+        plait::SimDesc desc;
         desc.params.drag = 0; // which is relative to air at rest
         plait::Sim sim(context, make_groom(bundle()), desc);
         auto wind = blowing({0, 0, 0});
@@ -362,10 +361,10 @@ constexpr float body_radius = 0.09f;
 // Behind a sphere the wind does not blow.
 TEST_P(WindOf, HairIsShelteredByColliders) {
     const auto add_sphere = [](plait::Sim& sim, const Point& at) {
-        auto collider = plait_collider_desc_defaults();
-        std::copy(at.begin(), at.end(), collider.a);
-        std::copy(at.begin(), at.end(), collider.b);
-        collider.radius_a = collider.radius_b = body_radius;
+        auto collider = smooth_collider();
+        std::copy(at.begin(), at.end(), collider.capsule.a);
+        std::copy(at.begin(), at.end(), collider.capsule.b);
+        collider.capsule.radius_a = collider.capsule.radius_b = body_radius;
         sim.create_collider(collider);
     };
     EXPECT_LT(std::abs(lean_beside(context, -0.12f, add_sphere)), 1);
@@ -416,7 +415,7 @@ TEST_P(WindOf, StaysOverSwitches) {
     const auto positions = sim.read(PLAIT_FIELD_POSITION);
     for (size_t strand = 0; strand < 6; ++strand)
         EXPECT_GT(positions[4 * (12 * strand + 11)], 0.17f) << "laid along x, " << strand;
-    EXPECT_EQ(sim.stats().nonfinite, 0u);
+    EXPECT_EQ(sim.measure().nonfinite, 0u);
 }
 
 TEST_P(WindOf, ValuesOutOfRangeAreRefusedByName) {

@@ -40,7 +40,7 @@ grid               base groom contact mesh strands
 roots              base groom mesh strands
 follows            base groom contact mesh strands
 tressfx            base contact push strands
-params             base strands
+params             base groom strands
 wind               base contact grid push
 volume             base contact grid strands
 output             base follows groom roots strands

@@ -26,20 +26,20 @@ constexpr Crowd crowds[] = {{100, 500, true}, {100, 500, false}, {1, 50000, true
 
 plait_collider_desc desc_of(const plait_generator::Capsule& capsule) {
     plait_collider_desc desc = plait_collider_desc_defaults();
+    desc.friction = 0;
     for (int i = 0; i < 3; ++i) {
-        desc.a[i] = capsule.a[i];
-        desc.b[i] = capsule.b[i];
+        desc.capsule.a[i] = capsule.a[i];
+        desc.capsule.b[i] = capsule.b[i];
     }
-    desc.radius_a = capsule.radius_a;
-    desc.radius_b = capsule.radius_b;
+    desc.capsule.radius_a = capsule.radius_a;
+    desc.capsule.radius_b = capsule.radius_b;
     return desc;
 }
 
-plait_sim_desc desc_of(plait_model model, Scene scene) {
-    plait_sim_desc desc = plait_sim_desc_defaults();
+plait::SimDesc desc_of(plait_model model, Scene scene) {
+    plait::SimDesc desc;
     desc.model = model;
-    desc.params.interhair =
-        scene == Scene::everything ? PLAIT_INTERHAIR_EXACT : PLAIT_INTERHAIR_OFF;
+    desc.grid.on = scene == Scene::everything;
     return desc;
 }
 
@@ -180,7 +180,7 @@ void register_characters(uint32_t index, Results& results) {
     for (const NamedModel& named : models)
         register_crowd(index, {1, few_strands, true}, named, Scene::everything, grooms, results);
     for (const NamedModel& named : models)
-        if (named.model == plait_sim_desc_defaults().model)
+        if (named.model == plait::SimDesc().model)
             for (const Scene scene : {Scene::alone, Scene::bodies, Scene::everything})
                 for (const Crowd& crowd : crowds)
                     register_crowd(index, crowd, named, scene, grooms, results);

@@ -8,17 +8,13 @@ namespace {
 
 constexpr uint32_t settling = 30; // frames before those that count
 
-plait_sim_desc desc_of(plait_model model, Extra extra) {
-    plait_sim_desc desc = plait_sim_desc_defaults();
+plait::SimDesc desc_of(plait_model model, Extra extra) {
+    plait::SimDesc desc;
     desc.model = model;
-    plait_sim_params& params = desc.params;
-    const bool volume = extra == Extra::volume_16 || extra == Extra::volume_32;
-    if (volume || extra == Extra::grid)
-        params.interhair = PLAIT_INTERHAIR_EXACT;
-    if (!volume)
-        return desc;
-    params.volume = PLAIT_VOLUME_PRESSURE;
-    params.grid_edge_count = extra == Extra::volume_16 ? 16 : 32;
+    desc.volume.on = extra == Extra::volume_16 || extra == Extra::volume_32;
+    desc.grid.on = desc.volume.on || extra == Extra::grid;
+    if (desc.volume.on)
+        desc.grid.edge_count = extra == Extra::volume_16 ? 16 : 32;
     return desc;
 }
 

@@ -23,9 +23,9 @@ Context make_context(const plait_device_info& device) {
     return Context(context);
 }
 
-Sim make_sim(plait_context* context, plait_groom* groom, const plait_sim_desc& desc) {
+Sim make_sim(plait_context* context, plait_groom* groom, const plait::SimDesc& desc) {
     plait_sim* sim = nullptr;
-    check(plait_sim_create(context, groom, &desc, &sim));
+    check(plait::create_sim(context, groom, desc, &sim));
     return Sim(sim);
 }
 

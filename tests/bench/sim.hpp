@@ -1,7 +1,7 @@
 // Sims as an application makes them, for the rows of whole steps.
 #pragma once
 
-#include <plait/plait.h>
+#include <plait/plait.hpp>
 
 #include <memory>
 
@@ -17,7 +17,7 @@ using Groom = std::unique_ptr<plait_groom, Destroy<plait_groom_destroy>>;
 using Sim = std::unique_ptr<plait_sim, Destroy<plait_sim_destroy>>;
 
 Context make_context(const plait_device_info& device);
-Sim make_sim(plait_context* context, plait_groom* groom, const plait_sim_desc& desc);
+Sim make_sim(plait_context* context, plait_groom* groom, const plait::SimDesc& desc);
 
 Groom long_hair(uint32_t strands); // of model_vertices, on the mannequin
 

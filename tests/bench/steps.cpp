@@ -12,19 +12,20 @@ constexpr uint32_t strand_counts[] = {1000, 3000, 10000, 30000, 100000};
 
 struct Column {
     Interhair interhair;
-    plait_interhair value;
+    bool grid;
+    plait_grid_form form;
     plait_slot_hash_rule hash;
     plait_diffuse_rule rule;
     const char* name;
 };
-constexpr Column columns[] = {{Interhair::off, PLAIT_INTERHAIR_OFF, PLAIT_SLOT_HASH_RULE_PCG,
-                               PLAIT_DIFFUSE_RULE_FLOORED, "original"},
-                              {Interhair::thesis, PLAIT_INTERHAIR_SLOTS,
+constexpr Column columns[] = {{Interhair::off, false, PLAIT_GRID_FORM_EXACT,
+                               PLAIT_SLOT_HASH_RULE_PCG, PLAIT_DIFFUSE_RULE_FLOORED, "original"},
+                              {Interhair::thesis, true, PLAIT_GRID_FORM_SLOTS,
                                PLAIT_SLOT_HASH_RULE_THESIS, PLAIT_DIFFUSE_RULE_THESIS, "thesis"},
-                              {Interhair::slots, PLAIT_INTERHAIR_SLOTS, PLAIT_SLOT_HASH_RULE_PCG,
-                               PLAIT_DIFFUSE_RULE_FLOORED, "slots"},
-                              {Interhair::exact, PLAIT_INTERHAIR_EXACT, PLAIT_SLOT_HASH_RULE_PCG,
-                               PLAIT_DIFFUSE_RULE_FLOORED, "exact"}};
+                              {Interhair::slots, true, PLAIT_GRID_FORM_SLOTS,
+                               PLAIT_SLOT_HASH_RULE_PCG, PLAIT_DIFFUSE_RULE_FLOORED, "slots"},
+                              {Interhair::exact, true, PLAIT_GRID_FORM_EXACT,
+                               PLAIT_SLOT_HASH_RULE_PCG, PLAIT_DIFFUSE_RULE_FLOORED, "exact"}};
 
 Groom make_groom(const Shape& shape) {
     const auto roots = root_positions(shape.strands);
@@ -45,23 +46,24 @@ Groom make_groom(const Shape& shape) {
 }
 
 // The settings of TressFX's own demonstration hair (pipeline's "mohawk").
-plait_sim_desc desc_of(const Column& column) {
-    plait_sim_desc desc = plait_sim_desc_defaults();
+plait::SimDesc desc_of(const Column& column) {
+    plait::SimDesc desc;
     desc.model = PLAIT_MODEL_TRESSFX;
-    desc.params.damping = 0.068f;
-    desc.params.local_stiffness = 0.908f;
-    desc.params.local_iterations = 3;
-    desc.params.global_stiffness = 0.408f;
-    desc.params.global_range = 0.308f;
-    desc.params.length_iterations = 3;
-    desc.params.interhair = column.value;
-    desc.params.slot_hash = column.hash;
-    desc.params.diffuse_rule = column.rule;
+    desc.tressfx.damping = 0.068f;
+    desc.tressfx.local_stiffness = 0.908f;
+    desc.tressfx.local_iterations = 3;
+    desc.tressfx.global_stiffness = 0.408f;
+    desc.tressfx.global_range = 0.308f;
+    desc.tressfx.length_iterations = 3;
+    desc.grid.on = column.grid;
+    desc.grid.form = column.form;
+    desc.grid.slot_hash = column.hash;
+    desc.grid.diffuse_rule = column.rule;
     return desc;
 }
 
-plait_sim_desc desc_of(plait_model model) {
-    plait_sim_desc desc = plait_sim_desc_defaults();
+plait::SimDesc desc_of(plait_model model) {
+    plait::SimDesc desc;
     desc.model = model;
     return desc;
 }
@@ -79,7 +81,7 @@ double frame(plait_sim* sim, uint32_t number) {
 
 // Seconds of a step.
 double measure(benchmark::State& state, const plait_device_info& device, const Shape& shape,
-               const plait_sim_desc& desc) {
+               const plait::SimDesc& desc) {
     const Context context = make_context(device);
     const Groom groom = make_groom(shape);
     const Sim sim = make_sim(context.get(), groom.get(), desc);

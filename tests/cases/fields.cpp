@@ -45,7 +45,7 @@ std::map<std::string, std::vector<Field>> all_fields() {
 #define PLAIT_FIELD(type, field)                                                                   \
     fields.push_back({#field, offsetof(type, field), sizeof(type::field) / 4,                      \
                       kind_of<decltype(type::field)>(#type, #field)});
-#define PLAIT_STRUCT(type) all[#type] = std::exchange(fields, {});
+#define PLAIT_FIELDS_OF(type) all[#type] = std::exchange(fields, {});
 #include "fields.inc"
     return all;
 }

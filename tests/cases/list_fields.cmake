@@ -1,5 +1,5 @@
 # cmake -DHEADER=params.h -DOUTPUT=fields.inc -P list_fields.cmake
-# One PLAIT_FIELD(struct, field) for each field of each parameter struct, and PLAIT_STRUCT(struct)
+# One PLAIT_FIELD(struct, field) for each field of each parameter struct, and PLAIT_FIELDS_OF(struct)
 # after each struct's fields, so that the layout test cannot forget one.
 file(READ ${HEADER} text)
 string(REGEX REPLACE "/\\*[^*]*\\*+([^/*][^*]*\\*+)*/" "" text "${text}")
@@ -13,6 +13,6 @@ foreach(struct IN LISTS structs)
     string(REGEX REPLACE "[\\[@].*" "" field "${field}")
     string(APPEND list "PLAIT_FIELD(${name}, ${field})\n")
   endforeach()
-  string(APPEND list "PLAIT_STRUCT(${name})\n")
+  string(APPEND list "PLAIT_FIELDS_OF(${name})\n")
 endforeach()
 file(WRITE ${OUTPUT} "${list}")

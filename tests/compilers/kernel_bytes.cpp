@@ -238,12 +238,13 @@ std::vector<plait_collider_id> add_capsules(plait::Sim& sim) {
     std::vector<plait_collider_id> on_head;
     for (const plait_generator::Capsule& capsule : plait_generator::head_colliders()) {
         plait_collider_desc desc = plait_collider_desc_defaults();
+        desc.friction = 0;
         for (int i = 0; i < 3; ++i) {
-            desc.a[i] = capsule.a[i];
-            desc.b[i] = capsule.b[i];
+            desc.capsule.a[i] = capsule.a[i];
+            desc.capsule.b[i] = capsule.b[i];
         }
-        desc.radius_a = capsule.radius_a;
-        desc.radius_b = capsule.radius_b;
+        desc.capsule.radius_a = capsule.radius_a;
+        desc.capsule.radius_b = capsule.radius_b;
         plait_collider_id id{};
         plait::check(plait_collider_create(sim.get(), &desc, &id));
         if (capsule.moves_with_head)
@@ -252,7 +253,7 @@ std::vector<plait_collider_id> add_capsules(plait::Sim& sim) {
     return on_head;
 }
 
-void play(const plait::Context& context, const plait::Groom& groom, const plait_sim_desc& desc,
+void play(const plait::Context& context, const plait::Groom& groom, const plait::SimDesc& desc,
           bool capsules) {
     plait::Sim sim(context, groom, desc);
     const auto on_head = capsules ? add_capsules(sim) : std::vector<plait_collider_id>{};
@@ -276,8 +277,8 @@ void play_all() {
     context_desc.backend = "counting";
     const plait::Context context(context_desc);
     const plait::Groom groom = long_hair();
-    plait_sim_desc desc = plait_sim_desc_defaults();
-    desc.params.interhair = PLAIT_INTERHAIR_OFF;
+    plait::SimDesc desc;
+    desc.grid.on = false;
     for (const bool capsules : {false, true}) {
         scene = capsules ? "capsules" : "alone";
         play(context, groom, desc, capsules);
@@ -286,14 +287,14 @@ void play_all() {
     std::erase_if(programs, [](const Program& program) {
         return plait_stage_describe(program.stage)->name == std::string("articulated");
     });
-    desc = plait_sim_desc_defaults();
-    desc.params.interhair = PLAIT_INTERHAIR_EXACT;
+    desc = plait::SimDesc();
+    desc.grid.on = true;
     for (const plait_tent_form tent : {PLAIT_TENT_FORM_VOXEL, PLAIT_TENT_FORM_TRILINEAR}) {
-        desc.params.tent = tent;
+        desc.grid.tent = tent;
         scene = tent == PLAIT_TENT_FORM_VOXEL ? "voxel" : "trilinear";
         play(context, groom, desc, false);
     }
-    desc.params.volume = PLAIT_VOLUME_PRESSURE;
+    desc.volume.on = true;
     scene = "volume";
     play(context, groom, desc, false);
 }

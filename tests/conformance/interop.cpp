@@ -191,8 +191,9 @@ TEST_P(Interop, steps_while_the_device_is_held_up) {
     const OwnContext context = adopt();
     const OwnSim sim = make_sim(context.get());
     plait_collider_desc desc = plait_collider_desc_defaults();
-    desc.a[0] = desc.b[0] = 0.5f;
-    desc.radius_a = desc.radius_b = 0.1f;
+    desc.friction = 0;
+    desc.capsule.a[0] = desc.capsule.b[0] = 0.5f;
+    desc.capsule.radius_a = desc.capsule.radius_b = 0.1f;
     plait_collider_id collider{};
     ASSERT_EQ(plait_collider_create(sim.get(), &desc, &collider), PLAIT_OK) << plait_last_error();
     ASSERT_EQ(plait_sim_wait(sim.get()), PLAIT_OK) << plait_last_error();

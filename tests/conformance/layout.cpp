@@ -31,10 +31,10 @@ std::vector<Struct> structs_of_host() {
     std::vector<Field> fields;
 #define PLAIT_FIELD(type, field)                                                                   \
     fields.push_back({#field, offsetof(type, field), sizeof(type::field)});
-#define PLAIT_STRUCT(type) list.push_back({#type, sizeof(type), std::exchange(fields, {})});
+#define PLAIT_FIELDS_OF(type) list.push_back({#type, sizeof(type), std::exchange(fields, {})});
 #include "fields.inc"
 #undef PLAIT_FIELD
-#undef PLAIT_STRUCT
+#undef PLAIT_FIELDS_OF
     return list;
 }
 

@@ -50,12 +50,12 @@ double drift(const plait::Context& context, float gravity) {
     plait_groom_desc hair = plait_groom_desc_defaults();
     hair.positions = plait::view(rest);
     hair.vertices_per_strand = vertices;
-    plait_sim_desc desc = plait_sim_desc_defaults();
+    plait::SimDesc desc;
     desc.model = PLAIT_MODEL_TRESSFX; // of which wind is a stage
-    desc.params.local_stiffness = 0;  // limp
+    desc.tressfx.local_stiffness = 0; // limp
     desc.params.gravity[1] = gravity;
-    desc.params.wind[2] = 5;
-    desc.params.air_drag = 2;
+    desc.tressfx.wind[2] = 5;
+    desc.tressfx.air_drag = 2;
     plait::Sim sim(context, plait::Groom(hair), desc);
     for (int frame = 0; frame < 30; ++frame)
         sim.step(1.0 / 60);

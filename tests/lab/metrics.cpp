@@ -1,5 +1,6 @@
 // The laboratory's own arithmetic, against closed forms and reference tables.
 #include "metrics/metrics.hpp"
+#include "common/collider_reader.hpp"
 #include "references/elastic.hpp"
 #include "references/modes.hpp"
 #include "references/statics.hpp"
@@ -195,9 +196,9 @@ TEST_F(LabRecording, energy_is_kept_in_free_fall) {
 TEST_F(LabRecording, what_a_collider_came_through_is_not_ahead_of_it) {
     fill(1, [](double, size_t i) { return Vec3(0, -static_cast<double>(i), 0); });
     EXPECT_TRUE(std::isnan(metric("passed_through"))); // there is none
-    lab::SceneCollider ball{plait_collider_desc_defaults(), {}};
-    ball.shape.a[1] = ball.shape.b[1] = -1;
-    ball.shape.radius_a = ball.shape.radius_b = 0.5f;
+    lab::SceneCollider ball{common::smooth_collider(), {}};
+    ball.shape.capsule.a[1] = ball.shape.capsule.b[1] = -1;
+    ball.shape.capsule.radius_a = ball.shape.capsule.radius_b = 0.5f;
     scene_.colliders = {ball};
     EXPECT_TRUE(std::isnan(metric("passed_through"))); // it goes nowhere
     scene_.colliders =

@@ -19,22 +19,22 @@ class Comparison : public TemporaryFolder {
     }
 };
 
-void expect_thesis(const plait_sim_desc& sim) {
+void expect_thesis(const plait::SimDesc& sim) {
     EXPECT_EQ(sim.model, PLAIT_MODEL_TRESSFX);
     EXPECT_EQ(sim.sag_free, PLAIT_SAG_FREE_OFF);
-    EXPECT_EQ(sim.params.interhair, PLAIT_INTERHAIR_SLOTS);
-    EXPECT_EQ(sim.params.slot_hash, PLAIT_SLOT_HASH_RULE_THESIS);
-    EXPECT_EQ(sim.params.diffuse_rule, PLAIT_DIFFUSE_RULE_THESIS);
+    EXPECT_STREQ(common::grid_name(sim), "slots");
+    EXPECT_EQ(sim.grid.slot_hash, PLAIT_SLOT_HASH_RULE_THESIS);
+    EXPECT_EQ(sim.grid.diffuse_rule, PLAIT_DIFFUSE_RULE_THESIS);
 }
 
 TEST_F(Comparison, is_with_tressfx_and_with_the_thesis) {
     for (const char* step : {"off", "slots", "exact"}) {
-        const Scene scene = read(std::string(R"({"interhair": ")") + step + "\"}");
+        const Scene scene = read(std::string(R"({"grid": ")") + step + "\"}");
         const std::vector<Variant> variants = simulate::variants_beside(scene);
         ASSERT_EQ(variants.size(), 2u) << step;
         EXPECT_EQ(variants[0].label, "TressFX");
         EXPECT_EQ(variants[0].of(scene).sim.model, PLAIT_MODEL_TRESSFX);
-        EXPECT_EQ(variants[0].of(scene).sim.params.interhair, PLAIT_INTERHAIR_OFF);
+        EXPECT_FALSE(variants[0].of(scene).sim.grid.on);
         EXPECT_EQ(variants[1].label, "TressFX + inter-hair step of the thesis");
         expect_thesis(variants[1].of(scene).sim);
     }
@@ -42,45 +42,45 @@ TEST_F(Comparison, is_with_tressfx_and_with_the_thesis) {
 
 // By itself `slots` is plait's: its hash and its rule.
 TEST_F(Comparison, leaves_the_run_as_it_is) {
-    const plait_sim_desc sim = read(R"({"model": "tressfx", "interhair": "slots"})").sim;
-    EXPECT_EQ(sim.params.slot_hash, PLAIT_SLOT_HASH_RULE_PCG);
-    EXPECT_EQ(sim.params.diffuse_rule, PLAIT_DIFFUSE_RULE_FLOORED);
+    const plait::SimDesc sim = read(R"({"model": "tressfx", "grid": "slots"})").sim;
+    EXPECT_EQ(sim.grid.slot_hash, PLAIT_SLOT_HASH_RULE_PCG);
+    EXPECT_EQ(sim.grid.diffuse_rule, PLAIT_DIFFUSE_RULE_FLOORED);
     EXPECT_EQ(simulate::label_of(sim), "TressFX + inter-hair step (slots)");
 }
 
 TEST_F(Comparison, leaves_out_what_the_run_is) {
-    const auto alone = beside(R"({"model": "tressfx", "interhair": "off"})");
+    const auto alone = beside(R"({"model": "tressfx", "grid": "off"})");
     ASSERT_EQ(alone.size(), 1u);
     expect_thesis(alone[0].sim);
-    EXPECT_EQ(beside(R"({"model": "tressfx", "interhair": "slots"})").size(), 2u);
-    const auto thesis = beside(R"({"model": "tressfx", "interhair": "slots",
-        "params": {"slot_hash": "thesis", "diffuse_rule": "thesis"}})");
+    EXPECT_EQ(beside(R"({"model": "tressfx", "grid": "slots"})").size(), 2u);
+    const auto thesis = beside(R"({"model": "tressfx", "grid": "slots",
+        "params": {"grid_slot_hash": "thesis", "grid_diffuse_rule": "thesis"}})");
     ASSERT_EQ(thesis.size(), 1u);
     EXPECT_EQ(thesis[0].label, "TressFX");
 }
 
 // TressFX has no volume; the run without it stands beside it.
 TEST_F(Comparison, is_with_the_run_without_volume) {
-    const Scene scene = read(R"({"groom": "ball", "params": {"volume": "pressure"}})");
+    const Scene scene = read(R"({"groom": "ball", "volume": true})");
     EXPECT_EQ(simulate::label_of(scene.sim), "articulated + volume");
     EXPECT_EQ(simulate::short_label_of(scene.sim), "articulated + volume");
     const std::vector<Variant> variants = simulate::variants_beside(scene);
     ASSERT_EQ(variants.size(), 3u);
     for (const Variant& variant : variants)
-        EXPECT_EQ(variant.sim.params.volume, PLAIT_VOLUME_OFF) << variant.label;
+        EXPECT_FALSE(variant.sim.volume.on) << variant.label;
     EXPECT_EQ(variants[2].label, "articulated + inter-hair step (exact)");
     EXPECT_EQ(variants[2].sim.model, PLAIT_MODEL_ARTICULATED);
-    EXPECT_EQ(variants[2].sim.params.interhair, PLAIT_INTERHAIR_EXACT);
+    EXPECT_STREQ(common::grid_name(variants[2].sim), "exact");
 }
 
 TEST_F(Comparison, of_wet_hair_is_with_dry_hair) {
-    const Scene scene = read(R"({"wetness": 1, "params": {"volume": "pressure"}})");
+    const Scene scene = read(R"({"wetness": 1, "volume": true})");
     EXPECT_EQ(simulate::label_of(scene), "articulated + volume, wet");
     const std::vector<Variant> variants = simulate::variants_beside(scene);
     ASSERT_EQ(variants.size(), 1u);
     EXPECT_EQ(variants[0].label, "articulated + volume, dry");
     EXPECT_TRUE(variants[0].of(scene).wetness.empty());
-    EXPECT_EQ(variants[0].sim.params.volume, PLAIT_VOLUME_PRESSURE);
+    EXPECT_TRUE(variants[0].sim.volume.on);
 }
 
 // Detail after the simulation: its rows take the place of TressFX's, and the run's own says what it has.
@@ -104,13 +104,13 @@ TEST_F(Comparison, is_with_other_details_where_the_scene_has_them) {
 // What holds a braid together is the run's, not the thesis's; what the scene gives is both's.
 TEST_F(Comparison, brakes_as_the_thesis_unless_the_scene_says_otherwise) {
     const Scene braid = read(R"({"groom": "braid"})");
-    const plait_sim_params thesis = simulate::variants_beside(braid)[1].sim.params;
-    EXPECT_LT(braid.sim.params.diffuse_factor, thesis.diffuse_factor);
+    const plait_grid_desc thesis = simulate::variants_beside(braid)[1].sim.grid;
+    EXPECT_LT(braid.sim.grid.diffuse_factor, thesis.diffuse_factor);
     EXPECT_EQ(thesis.diffuse_ratio, 2.0f);
     EXPECT_EQ(thesis.diffuse_factor, 0.9f);
-    const Scene asked = read(R"({"groom": "braid", "params": {"diffuse_ratio": 3}})");
-    EXPECT_EQ(asked.sim.params.diffuse_ratio, 3.0f);
-    EXPECT_EQ(simulate::variants_beside(asked)[1].sim.params.diffuse_ratio, 3.0f);
+    const Scene asked = read(R"({"groom": "braid", "params": {"grid_diffuse_ratio": 3}})");
+    EXPECT_EQ(asked.sim.grid.diffuse_ratio, 3.0f);
+    EXPECT_EQ(simulate::variants_beside(asked)[1].sim.grid.diffuse_ratio, 3.0f);
 }
 
 TEST_F(Comparison, says_what_tressfx_is_set_to) {

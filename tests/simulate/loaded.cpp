@@ -116,7 +116,7 @@ TEST_F(Loaded, hair_on_a_ball_has_the_ball_for_its_head) {
     const Figure figure = make_figure(scene);
     EXPECT_THAT(loaded_line(scene, figure), HasSubstr("; a ball of 0.1 m"));
     ASSERT_EQ(figure.colliders.size(), 1u);
-    EXPECT_EQ(figure.colliders[0].shape.radius_a, 0.1f);
+    EXPECT_EQ(figure.colliders[0].shape.capsule.radius_a, 0.1f);
     EXPECT_TRUE(figure.colliders[0].moves_with_head);
     EXPECT_FALSE(figure.neck);
     ASSERT_EQ(figure.head.vertices.size(), figure.head.scalp.size());
@@ -201,9 +201,9 @@ TEST_F(Loaded, drawn_hair_and_camera_follow_the_groom) {
 // A capsule that is moved 1 m along x and a quarter about its own middle.
 TEST(Hand, is_where_its_keyframes_put_it) {
     simulate::Collider collider{plait_collider_desc_defaults(), false, {}};
-    collider.shape.a[1] = 1.0f, collider.shape.b[1] = 1.0f;
-    collider.shape.a[0] = -0.1f, collider.shape.b[0] = 0.1f;
-    collider.shape.radius_a = collider.shape.radius_b = 0.03f;
+    collider.shape.capsule.a[1] = 1.0f, collider.shape.capsule.b[1] = 1.0f;
+    collider.shape.capsule.a[0] = -0.1f, collider.shape.capsule.b[0] = 0.1f;
+    collider.shape.capsule.radius_a = collider.shape.capsule.radius_b = 0.03f;
     collider.keyframes = {{0.0f, {}}, {1.0f, {}}};
     collider.keyframes[1].head.x = 1.0f;
     collider.keyframes[1].head.yaw = 90.0f;
@@ -226,14 +226,14 @@ TEST(Hand, is_drawn_as_a_box) {
     for (const float rounding : {0.0f, 0.02f}) {
         simulate::Collider collider{plait_collider_desc_defaults(), false, {}};
         collider.shape.kind = PLAIT_COLLIDER_KIND_BOX;
-        collider.shape.a[0] = 0.5f;
-        collider.shape.half_extents[1] = 0.05f;
-        collider.shape.rounding = rounding;
-        collider.shape.orientation[2] = 0.6f, collider.shape.orientation[3] = 0.8f;
+        collider.shape.box.centre[0] = 0.5f;
+        collider.shape.box.half_extents[1] = 0.05f;
+        collider.shape.box.rounding = rounding;
+        collider.shape.box.orientation[2] = 0.6f, collider.shape.box.orientation[3] = 0.8f;
         collider.keyframes = {{0.0f, {}}};
         const simulate::Hand hand(collider);
         const Eigen::Quaternionf turn(0.8f, 0.0f, 0.0f, 0.6f);
-        const Eigen::Vector3f centre(0.5f, 0.0f, 0.0f), half(collider.shape.half_extents);
+        const Eigen::Vector3f centre(0.5f, 0.0f, 0.0f), half(collider.shape.box.half_extents);
         for (const Eigen::Vector3f& p : hand.mesh().vertices) {
             const Eigen::Vector3f d = (turn.conjugate() * (p - centre)).cwiseAbs() - half;
             EXPECT_NEAR(d.cwiseMax(0.0f).norm(), rounding, 1e-6f);
@@ -255,8 +255,8 @@ TEST(Hand, is_drawn_as_a_box) {
 TEST(Hand, is_drawn_as_a_square_of_a_plane) {
     simulate::Collider collider{plait_collider_desc_defaults(), false, {}};
     collider.shape.kind = PLAIT_COLLIDER_KIND_PLANE;
-    collider.shape.a[1] = -0.2f;
-    collider.shape.normal[0] = 3.0f, collider.shape.normal[1] = 4.0f;
+    collider.shape.plane.point[1] = -0.2f;
+    collider.shape.plane.normal[0] = 3.0f, collider.shape.plane.normal[1] = 4.0f;
     collider.keyframes = {{0.0f, {}}};
     const simulate::Hand hand(collider);
     const Eigen::Vector3f point(0.0f, -0.2f, 0.0f), normal(0.6f, 0.8f, 0.0f);

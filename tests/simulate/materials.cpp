@@ -18,8 +18,6 @@ using testing::HasSubstr;
 
 namespace {
 
-constexpr uint32_t none = PLAIT_MATERIAL_OF_PARAMS;
-
 class SceneMaterials : public TemporaryFolder {
   protected:
     Scene read(const std::string& text) const {
@@ -75,10 +73,10 @@ TEST_F(SceneMaterials, say_every_field) {
 
 TEST_F(SceneMaterials, are_as_the_params_where_they_say_nothing) {
     const Scene scene = read(R"({"materials": [{"name": "as all"}], "params": {"line_density": 7e-6,
-        "tip_stiffness": 0.4, "twist_stiffness": 3e-9}})");
+        "stiffness_ramp": [1, 0.8, 0.6, 0.4], "twist_stiffness": 3e-9}})");
     const plait_material& m = scene.materials[0].material;
     EXPECT_FLOAT_EQ(m.line_density, 7e-6f);
-    EXPECT_FLOAT_EQ(m.bend_stiffness, scene.sim.params.bend_stiffness) << "the hairstyle's";
+    EXPECT_FLOAT_EQ(m.bend_stiffness, scene.sim.material.bend_stiffness) << "the hairstyle's";
     EXPECT_FLOAT_EQ(m.twist_stiffness, 3e-9f);
     EXPECT_FLOAT_EQ(m.stiffness_ramp[1], 0.8f);
     EXPECT_FLOAT_EQ(m.stiffness_ramp[3], 0.4f);
@@ -115,7 +113,7 @@ TEST_F(SceneMaterials, are_refused_with_place_value_and_range) {
 
 TEST_F(SceneMaterials, go_to_ranges_of_strands) {
     EXPECT_THAT(taken(R"([{"name": "a", "strands": [[1, 2], 5]}])"),
-                ElementsAre(none, 0u, 0u, none, none, 0u));
+                ElementsAre(1u, 0u, 0u, 1u, 1u, 0u));
     EXPECT_THAT(taken(R"([{"name": "a"}])"), Each(0u)) << "all, where nothing is said";
     EXPECT_THAT(refused(R"([{"name": "a", "strands": [[1, 6]]}])"),
                 AllOf(HasSubstr("scene.json:1: materials[0].strands has 6"), HasSubstr("[0,5]")));
@@ -123,7 +121,7 @@ TEST_F(SceneMaterials, go_to_ranges_of_strands) {
 
 TEST_F(SceneMaterials, go_to_regions_of_roots) {
     EXPECT_THAT(taken(R"([{"name": "a", "roots": {"at": [0.02, 0, 0], "radius": 0.011}}])"),
-                ElementsAre(none, 0u, 0u, 0u, none, none));
+                ElementsAre(1u, 0u, 0u, 0u, 1u, 1u));
     EXPECT_THAT(refused(R"([{"name": "a", "roots": {"at": [1, 0, 0], "radius": 0.01}}])"),
                 HasSubstr("materials[0] (\"a\") is of no strand"));
 }
@@ -152,7 +150,7 @@ TEST_F(SceneMaterials, go_to_a_share_of_what_they_name) {
 TEST_F(SceneMaterials, act_on_their_strands_alone) {
     const auto fallen = [&](const std::string& materials) {
         Scene scene = read(R"({"groom": "short", "strands": 30, "seconds": 0.3, "motion": "still",
-            "interhair": "off", "sag_free": "off", "colliders": [], "materials": )" +
+            "grid": "off", "sag_free": "off", "colliders": [], "materials": )" +
                            materials + "}");
         const simulate::Figure figure = make_figure(scene);
         simulate::Simulation simulation(scene, figure);

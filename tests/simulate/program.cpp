@@ -181,7 +181,7 @@ TEST_F(Program, profiles_and_traces) {
                                                  {"set_colliders", 12},
                                                  {"step", 12},
                                                  {"wait", 12},
-                                                 {"get_stats", 12},
+                                                 {"measure", 12},
                                                  {"read", 12}}));
     for (const auto& [thread, events] : threads) { // one after another, on host and device
         double before = 0;
@@ -298,7 +298,7 @@ TEST_F(Program, draws_sheets) {
         const Json compared = json("out/stats.json").at("compared");
         ASSERT_EQ(compared.size(), 2u);
         EXPECT_EQ(compared.at(0).at("label"), "TressFX");
-        EXPECT_EQ(compared.at(1).at("interhair"), "slots");
+        EXPECT_EQ(compared.at(1).at("grid"), "slots");
     } else {
         EXPECT_FALSE(std::filesystem::exists(path("out/sheet.png")));
     }
@@ -317,12 +317,12 @@ TEST_F(Program, draws_only_what_is_asked) {
 
 TEST_F(Program, passes_the_librarys_warnings_on) {
     const std::string scene = write("scene.json", R"({"strands": 20, "seconds": 0.05,
-        "sag_free": "rest", "groom": "short", "interhair": "off", "colliders": [],
-        "params": {"damping": 3, "cohesion": 1, "bend_stiffness": 1e-12}})");
+        "sag_free": "rest", "groom": "short", "colliders": [],
+        "params": {"stretch_stiffness": 3, "grid_slot_capacity": 7, "bend_stiffness": 1e-12}})");
     ASSERT_EQ(run({"--scene", scene, "--no-pictures", "--out", path("out")}), 0) << text();
     for (const char* sentence :
-         {"damping is set, and no strand's model (articulated) reads it",
-          "cohesion is set, and does nothing without volume", "strands are not in balance"})
+         {"stretch_stiffness is set, and no model of the library reads it",
+          "grid_slot_capacity is set, and is not read by", "strands are not in balance"})
         EXPECT_THAT(text(), HasSubstr(sentence));
     EXPECT_EQ(json("out/stats.json").at("warnings").size(), 3u) << text();
 }
@@ -484,7 +484,7 @@ TEST_F(Program, lists_parameters) {
     EXPECT_EQ(run({"--list-params"}), 0);
     for (const char* part :
          {"gravity[3]", "0, -9.81, 0", "[-10000, 10000]", "m/s^2", "(0, 0.1]", "of the model",
-          "off, slots, exact", "strand_contact", "\n    Gravity pulls all hair"})
+          "slots, exact", "strand_contact", "\n    Gravity pulls all hair"})
         EXPECT_THAT(text(), HasSubstr(part));
 }
 

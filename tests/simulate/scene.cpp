@@ -31,7 +31,7 @@ TEST_F(SceneFile, empty_one_is_the_default_scene) {
     EXPECT_EQ(scene.groom.style.strands, 10000u);
     EXPECT_EQ(scene.groom.style.vertices, 16u);
     EXPECT_EQ(scene.frames(), 240u);
-    EXPECT_EQ(scene.sim.params.interhair, PLAIT_INTERHAIR_EXACT);
+    EXPECT_STREQ(common::grid_name(scene.sim), "exact");
     EXPECT_FALSE(scene.colliders.has_value());
 }
 
@@ -40,7 +40,7 @@ TEST_F(SceneFile, a_key_that_is_none_gets_a_sensible_one_or_none) {
         return refusal(R"({"params": {")" + std::string(key) + "\": 1}}");
     };
     EXPECT_THAT(of_params("gravty"), HasSubstr("no known key; the nearest is \"gravity\""));
-    EXPECT_THAT(of_params("friction"), HasSubstr("no known key; there is \"strand_friction\""));
+    EXPECT_THAT(of_params("friction"), HasSubstr("no known key; there is \"friction_scale\""));
     EXPECT_THAT(of_params("stiffness"), HasSubstr("\"bend_stiffness\""));
     EXPECT_TRUE(of_params("preset").ends_with("params.preset is no known key"))
         << of_params("preset");
@@ -52,8 +52,8 @@ TEST_F(SceneFile, has_parameters_of_the_tressfx_beside) {
     const Scene scene = read(R"({"tressfx": {"global_stiffness": 0.1}})");
     EXPECT_FLOAT_EQ(scene.tressfx.global_stiffness, 0.1f);
     EXPECT_EQ(scene.tressfx.length_iterations, 20u);
-    EXPECT_EQ(scene.sim.params.global_stiffness, 0);
-    EXPECT_EQ(read(R"({"model": "tressfx"})").sim.params.length_iterations, 20u);
+    EXPECT_EQ(scene.sim.tressfx.global_stiffness, 0);
+    EXPECT_EQ(read(R"({"model": "tressfx"})").sim.tressfx.length_iterations, 20u);
     EXPECT_THAT(refusal(R"({"model": "tressfx", "tressfx": {}})"), HasSubstr("tressfx"));
 }
 
@@ -105,7 +105,10 @@ TEST_F(SceneFile, has_wetness) {
     EXPECT_EQ(read(R"({"wetness": 0.5})").wetness, std::vector<float>{0.5f});
     write("wet.txt", "0 0.25\n1 0.5\n");
     EXPECT_EQ(read(R"({"wetness": "wet.txt"})").wetness, (std::vector<float>{0, 0.25f, 1, 0.5f}));
-    EXPECT_FLOAT_EQ(read(R"({"params": {"drying_time": 4}})").sim.params.drying_time, 4);
+    EXPECT_FLOAT_EQ(
+        read(R"({"wetness": 1, "params": {"wetness_drying_time": 4}})").sim.wetness.drying_time, 4);
+    EXPECT_THAT(refusal(R"({"params": {"wetness_drying_time": 4}})"),
+                HasSubstr("params.wetness_drying_time is of wetness, which is off"));
     EXPECT_THAT(refusal(R"({"wetness": 1.5})"), HasSubstr("wetness"));
     EXPECT_THAT(refusal(R"({"wetness": true})"), HasSubstr("wetness"));
     EXPECT_THAT(refusal(R"({"wetness": "none.txt"})"), HasSubstr("none.txt"));
@@ -211,7 +214,7 @@ TEST_F(SceneFile, sets_what_it_says) {
     const Scene scene = read(R"({
         "groom": "curly", "strands": 300, "vertices": 24, "seed": 7, "style": {"curl_radius": 0.02},
         "rate": 120, "seconds": 0.5, "substeps": 4,
-        "params": {"damping": 0.25, "gravity": [0, -3.7, 1], "follow_form": "published"},
+        "params": {"groom": 0.25, "gravity": [0, -3.7, 1], "follow_form": "published"},
         "colliders": [{"a": [1, 2, 3], "radius_a": 0.5}],
         "camera": {"azimuth": -40, "target": [0, 1.5, 0]},
         "picture": {"width": 100, "hair_tip": [0.1, 0.2, 0.3]}, "pictures": false})");
@@ -222,12 +225,12 @@ TEST_F(SceneFile, sets_what_it_says) {
     EXPECT_EQ(scene.frames(), 60u);
     EXPECT_EQ(scene.sim.substeps, 4u);
     EXPECT_FLOAT_EQ(scene.sim.step, 1.0f / 120.0f);
-    EXPECT_FLOAT_EQ(scene.sim.params.damping, 0.25f);
+    EXPECT_FLOAT_EQ(scene.sim.params.groom, 0.25f);
     EXPECT_FLOAT_EQ(scene.sim.params.gravity[1], -3.7f);
     EXPECT_EQ(scene.sim.params.follow_form, PLAIT_FOLLOW_FORM_PUBLISHED);
     ASSERT_EQ(scene.colliders->size(), 1u);
-    EXPECT_FLOAT_EQ((*scene.colliders)[0].shape.b[2], 3.0f); // a sphere
-    EXPECT_FLOAT_EQ((*scene.colliders)[0].shape.radius_b, 0.5f);
+    EXPECT_FLOAT_EQ((*scene.colliders)[0].shape.capsule.b[2], 3.0f); // a sphere
+    EXPECT_FLOAT_EQ((*scene.colliders)[0].shape.capsule.radius_b, 0.5f);
     EXPECT_FLOAT_EQ((*scene.camera.target)[1], 1.5f);
     EXPECT_FLOAT_EQ((*scene.pictures.hair_tip)[2], 0.3f);
     EXPECT_FALSE(scene.pictures.wanted);
@@ -247,8 +250,8 @@ TEST_F(SceneFile, paths_are_relative_to_it) {
 TEST_F(SceneFile, unknown_keys_name_the_nearest) {
     EXPECT_THAT(refusal(R"({"strand": 5})"),
                 AllOf(HasSubstr("scene.json"), HasSubstr("\"strands\"")));
-    EXPECT_THAT(refusal(R"({"params": {"dampng": 0.1}})"),
-                AllOf(HasSubstr("params.dampng"), HasSubstr("\"damping\"")));
+    EXPECT_THAT(refusal(R"({"params": {"gravty": [0, 0, 0]}})"),
+                AllOf(HasSubstr("params.gravty"), HasSubstr("\"gravity\"")));
     EXPECT_THAT(refusal(R"({"colliders": [{"a": [0, 0, 0], "radius_a": 1, "frction": 1}]})"),
                 AllOf(HasSubstr("colliders[0].frction"), HasSubstr("\"friction\"")));
 }
@@ -276,7 +279,7 @@ TEST_F(SceneFile, scale_is_a_number_or_auto) {
 }
 
 TEST_F(SceneFile, the_model_is_the_librarys_default) {
-    EXPECT_EQ(read("{}").sim.model, plait_sim_desc_defaults().model);
+    EXPECT_EQ(read("{}").sim.model, plait::SimDesc().model);
 }
 
 TEST_F(SceneFile, colliders_are_planes_and_boxes_too) {
@@ -286,15 +289,15 @@ TEST_F(SceneFile, colliders_are_planes_and_boxes_too) {
                  "orientation": [0, 0.6, 0, 0.8]}, "moves_with_head": false}]})");
     const plait_collider_desc& plane = (*scene.colliders)[0].shape;
     EXPECT_EQ(plane.kind, PLAIT_COLLIDER_KIND_PLANE);
-    EXPECT_FLOAT_EQ(plane.a[1], -1.0f);
-    EXPECT_FLOAT_EQ(plane.normal[1], 3.0f);
+    EXPECT_FLOAT_EQ(plane.plane.point[1], -1.0f);
+    EXPECT_FLOAT_EQ(plane.plane.normal[1], 3.0f);
     EXPECT_FLOAT_EQ(plane.friction, 0.5f);
     const plait_collider_desc& box = (*scene.colliders)[1].shape;
     EXPECT_EQ(box.kind, PLAIT_COLLIDER_KIND_BOX);
-    EXPECT_FLOAT_EQ(box.a[2], 3.0f);
-    EXPECT_FLOAT_EQ(box.half_extents[1], 0.1f);
-    EXPECT_FLOAT_EQ(box.rounding, 0.01f);
-    EXPECT_FLOAT_EQ(box.orientation[3], 0.8f);
+    EXPECT_FLOAT_EQ(box.box.centre[2], 3.0f);
+    EXPECT_FLOAT_EQ(box.box.half_extents[1], 0.1f);
+    EXPECT_FLOAT_EQ(box.box.rounding, 0.01f);
+    EXPECT_FLOAT_EQ(box.box.orientation[3], 0.8f);
     EXPECT_FALSE((*scene.colliders)[1].moves_with_head);
 }
 
@@ -315,14 +318,17 @@ TEST_F(SceneFile, moving_colliders_have_keyframes) {
 TEST_F(SceneFile, values_are_refused_with_place_value_and_range) {
     EXPECT_THAT(refusal(R"({"substeps": 0})"),
                 AllOf(HasSubstr("scene.json:1: substeps is 0"), HasSubstr("[1,1000]")));
-    EXPECT_THAT(refusal(R"({"params": {"accelerate_values": [1, 2, 3]}})"),
-                HasSubstr("not a list of 16 numbers"));
+    EXPECT_THAT(refusal(R"({"params": {"stiffness_ramp": [1, 2, 3]}})"),
+                HasSubstr("not a list of 4 numbers"));
     EXPECT_THAT(refusal(R"({"params": {"gravity": [0, -20000, 0]}})"),
                 AllOf(HasSubstr("params.gravity[1] is -20000"), HasSubstr("10000")));
-    EXPECT_THAT(refusal(R"({"params": {"wind": [0, 1]}})"), HasSubstr("a list of 3 numbers"));
+    EXPECT_THAT(refusal(R"({"model": "tressfx", "params": {"wind": [0, 1]}})"),
+                HasSubstr("a list of 3 numbers"));
+    EXPECT_THAT(refusal(R"({"params": {"damping": 1}})"),
+                HasSubstr("params.damping is of tressfx, which is off, or not one of the model's"));
     EXPECT_THAT(refusal(R"({"rate": 59.94})"), HasSubstr("not a whole number"));
     EXPECT_THAT(refusal(R"({"seed": -1})"), HasSubstr("seed is -1"));
-    EXPECT_THAT(refusal(R"({"interhair": "exakt"})"), HasSubstr("off, slots, exact"));
+    EXPECT_THAT(refusal(R"({"grid": "exakt"})"), HasSubstr("off, slots, exact"));
     EXPECT_THAT(refusal(R"({"style": {"lift": 3}})"), HasSubstr("lift"));
     EXPECT_THAT(refusal(R"({"colliders": [{"a": [0, 0, 0]}]})"),
                 HasSubstr("colliders[0].radius_a is missing"));

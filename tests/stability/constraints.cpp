@@ -15,9 +15,9 @@ float farthest_from_root(const OneStrand& strand) {
 }
 
 TEST(Constraints, attachment_holds_through_a_jump) {
-    plait_sim_desc attached = plait_sim_desc_defaults();
+    plait::SimDesc attached;
     attached.model = PLAIT_MODEL_TRESSFX;
-    attached.params.attachment = 1.05f;
+    attached.tressfx.attachment = 1.05f;
     OneStrand strand(hanging, attached);
     strand.run(0.5);
     strand.move_head({30.0f, 0.0f, 0.0f});

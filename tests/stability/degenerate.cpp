@@ -45,26 +45,26 @@ const Degenerate states[] = {
      }},
 };
 
-plait_sim_desc everything_on() {
-    plait_sim_desc desc = plait_sim_desc_defaults();
+plait::SimDesc everything_on() {
+    plait::SimDesc desc;
     desc.model = PLAIT_MODEL_TRESSFX;
     desc.follows_per_guide = 2;
-    plait_sim_params& params = desc.params;
-    params.global_stiffness = 0.4f;
-    params.global_range = 0.3f;
-    params.max_displacement = 1.0f;
-    params.wind[0] = 10.0f;
-    params.air_drag = 5.0f;
-    params.tip_separation = 1.0f;
+    plait_tressfx_desc& tressfx = desc.tressfx;
+    tressfx.global_stiffness = 0.4f;
+    tressfx.global_range = 0.3f;
+    tressfx.max_displacement = 1.0f;
+    tressfx.wind[0] = 10.0f;
+    tressfx.air_drag = 5.0f;
+    desc.params.tip_separation = 1.0f;
     return desc;
 }
 
 void add_collider(OneStrand& strand) {
-    plait_collider_desc collider = plait_collider_desc_defaults();
-    collider.a[1] = -0.1f; // the strand's rest line is the axis
-    collider.b[1] = -0.2f;
-    collider.radius_a = 0.05f;
-    collider.radius_b = 0.02f;
+    plait_collider_desc collider = smooth_collider();
+    collider.capsule.a[1] = -0.1f; // the strand's rest line is the axis
+    collider.capsule.b[1] = -0.2f;
+    collider.capsule.radius_a = 0.05f;
+    collider.capsule.radius_b = 0.02f;
     collider.friction = 0.5f;
     plait_collider_id id{};
     PLAIT_EXPECT(plait_collider_create(strand.sim(), &collider, &id));
@@ -82,7 +82,7 @@ void write_state(OneStrand& strand, const Degenerate& state) {
 }
 
 void expect_finite(const OneStrand& strand, const std::string& what) {
-    EXPECT_EQ(strand.stats().nonfinite, 0u) << what;
+    EXPECT_EQ(strand.measure().nonfinite, 0u) << what;
     for (const plait_field field : {PLAIT_FIELD_POSITION, PLAIT_FIELD_TANGENT})
         for (const auto& value : strand.read(field))
             for (const float component : value)
@@ -94,16 +94,17 @@ void expect_finite(const OneStrand& strand, const std::string& what) {
 TEST(Degenerate, states_stay_finite_with_every_option) {
     const StrandShape shape{vertices, 0.3f, {0.0f, -1.0f, 0.0f}};
     for (const Degenerate& state : states)
-        for (const plait_interhair interhair : {PLAIT_INTERHAIR_SLOTS, PLAIT_INTERHAIR_EXACT})
+        for (const plait_grid_form form : {PLAIT_GRID_FORM_SLOTS, PLAIT_GRID_FORM_EXACT})
             for (const int published : {0, 1}) {
-                plait_sim_desc desc = everything_on();
-                desc.params.interhair = interhair;
-                desc.params.tent = published ? PLAIT_TENT_FORM_VOXEL : PLAIT_TENT_FORM_TRILINEAR;
-                desc.params.wind_form =
+                plait::SimDesc desc = everything_on();
+                desc.grid.on = true;
+                desc.grid.form = form;
+                desc.grid.tent = published ? PLAIT_TENT_FORM_VOXEL : PLAIT_TENT_FORM_TRILINEAR;
+                desc.tressfx.wind_form =
                     published ? PLAIT_WIND_FORM_PUBLISHED : PLAIT_WIND_FORM_DRAG;
-                desc.params.shock_form =
+                desc.tressfx.shock_form =
                     published ? PLAIT_SHOCK_FORM_THRESHOLD : PLAIT_SHOCK_FORM_CONTINUOUS;
-                desc.params.order =
+                desc.tressfx.order =
                     published ? PLAIT_STAGE_ORDER_PUBLISHED : PLAIT_STAGE_ORDER_SHOCK_BEFORE_GLOBAL;
                 OneStrand strand(shape, desc);
                 add_collider(strand);
@@ -119,10 +120,10 @@ TEST(Degenerate, states_stay_finite_with_every_option) {
 // What was broken recovers: the strand ends up near where it hangs when nothing happened.
 TEST(Degenerate, strands_recover) {
     const StrandShape shape{vertices, 0.3f, {0.0f, -1.0f, 0.0f}};
-    plait_sim_desc desc = plait_sim_desc_defaults();
+    plait::SimDesc desc;
     desc.model = PLAIT_MODEL_TRESSFX;
-    desc.params.global_stiffness = 0.2f; // gives coincident vertices a direction to part in
-    desc.params.global_range = 1.0f;
+    desc.tressfx.global_stiffness = 0.2f; // gives coincident vertices a direction to part in
+    desc.tressfx.global_range = 1.0f;
     OneStrand undisturbed(shape, desc);
     undisturbed.run(5.0);
     for (const Degenerate& state : states) {

@@ -2,7 +2,7 @@
 // several strands of one length, on any context.
 #pragma once
 
-#include <plait/plait.h>
+#include <plait/plait.hpp>
 
 #include <gtest/gtest.h>
 
@@ -16,6 +16,13 @@
 namespace plait::test {
 
 using Vec3 = std::array<float, 3>;
+
+// A collider without friction.
+inline plait_collider_desc smooth_collider() {
+    auto desc = plait_collider_desc_defaults();
+    desc.friction = 0;
+    return desc;
+}
 
 struct StrandShape {
     uint32_t vertices = 32;
@@ -56,10 +63,10 @@ inline plait_context* shared_context() {
 
 class OneStrand {
   public:
-    OneStrand(const std::vector<Vec3>& points, const plait_sim_desc& desc)
+    OneStrand(const std::vector<Vec3>& points, const plait::SimDesc& desc)
         : OneStrand(points, static_cast<uint32_t>(points.size()), desc, shared_context()) {}
     OneStrand(const std::vector<Vec3>& points, uint32_t vertices_per_strand,
-              const plait_sim_desc& desc, plait_context* context) {
+              const plait::SimDesc& desc, plait_context* context) {
         plait_groom_desc groom = plait_groom_desc_defaults();
         groom.positions = {points.data(), points.size(), 0};
         groom.vertices_per_strand = vertices_per_strand;
@@ -67,11 +74,11 @@ class OneStrand {
         PLAIT_EXPECT(plait_groom_create(&groom, nullptr, &made_groom));
         groom_.reset(made_groom);
         plait_sim* made_sim = nullptr;
-        PLAIT_EXPECT(plait_sim_create(context, groom_.get(), &desc, &made_sim));
+        PLAIT_EXPECT(plait::create_sim(context, groom_.get(), desc, &made_sim));
         sim_.reset(made_sim);
         step_ = desc.step;
     }
-    OneStrand(const StrandShape& shape, const plait_sim_desc& desc)
+    OneStrand(const StrandShape& shape, const plait::SimDesc& desc)
         : OneStrand(straight(shape), desc) {}
 
     void step() { step(step_); }
@@ -99,11 +106,16 @@ class OneStrand {
         return data;
     }
     std::array<float, 4> tip() const { return read(PLAIT_FIELD_POSITION).back(); }
-    plait_sim_stats stats() const {
-        plait_sim_stats stats{};
+    plait_sim_measures measure() const {
+        plait_sim_measures stats{};
         stats.struct_size = sizeof stats;
-        PLAIT_EXPECT(plait_sim_get_stats(sim_.get(), &stats));
+        PLAIT_EXPECT(plait_sim_measure(sim_.get(), &stats));
         return stats;
+    }
+    plait_sim_info describe() const {
+        plait_sim_info info = plait_sim_info_defaults();
+        PLAIT_EXPECT(plait_sim_describe(sim_.get(), &info));
+        return info;
     }
     plait_groom_info groom_info() const {
         plait_groom_info info{};

@@ -15,8 +15,8 @@ using Points = std::vector<std::array<float, 4>>;
 constexpr float line_density = 5e-6f; // kg/m, the default
 constexpr float g = 9.81f;
 
-plait_sim_desc desc_of(plait_sag_free mode) {
-    plait_sim_desc desc = plait_sim_desc_defaults();
+plait::SimDesc desc_of(plait_sag_free mode) {
+    plait::SimDesc desc;
     desc.sag_free = mode;
     // One Newton step leaves hair bent this hard trembling; see docs/models/articulated.md.
     desc.params.iterations = 2;
@@ -27,20 +27,20 @@ plait_sim_desc desc_of(plait_sag_free mode) {
 
 class Hair {
   public:
-    Hair(const std::string& path, const plait_sim_desc& desc) {
+    Hair(const std::string& path, const plait::SimDesc& desc) {
         plait_groom* groom = nullptr;
         PLAIT_EXPECT(plait_groom_load(path.c_str(), nullptr, &groom));
         groom_.reset(groom);
         plait_sim* sim = nullptr;
-        PLAIT_EXPECT(plait_sim_create(shared_context(), groom, &desc, &sim));
+        PLAIT_EXPECT(plait::create_sim(shared_context(), groom, desc, &sim));
         sim_.reset(sim);
         start_ = positions();
     }
 
-    plait_sim_stats stats() const {
-        plait_sim_stats stats = plait_sim_stats_defaults();
-        PLAIT_EXPECT(plait_sim_get_stats(sim_.get(), &stats));
-        return stats;
+    plait_sim_info describe() const {
+        plait_sim_info info = plait_sim_info_defaults();
+        PLAIT_EXPECT(plait_sim_describe(sim_.get(), &info));
+        return info;
     }
     void run(double seconds) {
         for (long i = 0; i < std::lround(60 * seconds); ++i)
@@ -58,7 +58,7 @@ class Hair {
     // How far a vertex is from where it began, in lengths of its strand: the worst.
     double drift() const {
         const Points now = positions();
-        const size_t row = stats().vertices_per_strand;
+        const size_t row = describe().vertices_per_strand;
         double worst = 0;
         for (size_t first = 0; first < now.size(); first += row) {
             double length = 0, far = 0;
@@ -105,16 +105,16 @@ class SagFree : public testing::TestWithParam<GroomCase> {
   protected:
     // Drift in 5 s, and 5 s after a shake (drag 3/s), in lengths.
     static void expect_stays(const std::string& path) {
-        plait_sim_desc desc = desc_of(PLAIT_SAG_FREE_STIFFEN);
+        plait::SimDesc desc = desc_of(PLAIT_SAG_FREE_STIFFEN);
         desc.params.drag = 3.0f;
         Hair hair(path, desc);
-        const plait_sim_stats stats = hair.stats();
+        const plait_sim_info info = hair.describe();
         std::printf("residual %.1e, %llu joints stiffened, the worst %.1f times\n",
-                    double(stats.sag_residual),
-                    static_cast<unsigned long long>(stats.joints_stiffened),
-                    double(stats.worst_stiffening));
-        EXPECT_LT(stats.sag_residual, 1e-5f);
-        EXPECT_EQ(stats.sag_unstable, 0u);
+                    double(info.sag_residual),
+                    static_cast<unsigned long long>(info.joints_stiffened),
+                    double(info.worst_stiffening));
+        EXPECT_LT(info.sag_residual, 1e-5f);
+        EXPECT_EQ(info.sag_unstable, 0u);
         hair.run(5.0);
         const double still = hair.drift();
         EXPECT_LT(still, 1e-3);
@@ -133,13 +133,13 @@ TEST_P(SagFree, groom_stays_and_comes_back) {
 
 // Host and device agree on what is not round: curls of a flat hair that twists easily.
 TEST(SagFreeSection, flat_curls_stay) {
-    plait_sim_desc desc = desc_of(PLAIT_SAG_FREE_STIFFEN);
-    desc.params.twist_stiffness = 0.6f * desc.params.bend_stiffness;
-    desc.params.section_ratio = 3.0f;
+    plait::SimDesc desc = desc_of(PLAIT_SAG_FREE_STIFFEN);
+    desc.material.twist_stiffness = 0.6f * desc.material.bend_stiffness;
+    desc.material.section_ratio = 3.0f;
     desc.params.iterations = 4; // with two it trembles by 3e-3 L
     Hair hair(PLAIT_SOURCE_DIR "/assets/curly.tfx", desc);
-    EXPECT_LT(hair.stats().sag_residual, 1e-5f);
-    EXPECT_EQ(hair.stats().sag_unstable, 0u);
+    EXPECT_LT(hair.describe().sag_residual, 1e-5f);
+    EXPECT_EQ(hair.describe().sag_unstable, 0u);
     hair.run(5.0);
     EXPECT_LT(hair.drift(), 1e-3);
 }
@@ -175,24 +175,24 @@ float bend_stiffness(float gamma) {
 TEST(SagFreeStrand, upright_one_is_unstable_where_a_column_buckles) {
     const StrandShape upright{65, 0.3f, {0.0f, 1.0f, 0.0f}};
     for (const auto& [gamma, unstable] : {std::pair{7.6f, 0u}, std::pair{8.1f, 1u}}) {
-        plait_sim_desc desc = desc_of(PLAIT_SAG_FREE_REST);
-        desc.params.bend_stiffness = bend_stiffness(gamma);
-        const plait_sim_stats stats = OneStrand(upright, desc).stats();
-        EXPECT_EQ(stats.sag_unstable, unstable) << "gamma " << gamma;
-        EXPECT_LT(stats.sag_residual, 1e-5f);
-        EXPECT_EQ(stats.joints_stiffened, 0u);
+        plait::SimDesc desc = desc_of(PLAIT_SAG_FREE_REST);
+        desc.material.bend_stiffness = bend_stiffness(gamma);
+        const plait_sim_info info = OneStrand(upright, desc).describe();
+        EXPECT_EQ(info.sag_unstable, unstable) << "gamma " << gamma;
+        EXPECT_LT(info.sag_residual, 1e-5f);
+        EXPECT_EQ(info.joints_stiffened, 0u);
     }
 }
 
 TEST(SagFreeStrand, upright_one_is_stiffened_and_stands_up_again) {
     StrandShape upright = level;
     upright.direction = {0.0f, 1.0f, 0.0f};
-    plait_sim_desc desc = desc_of(PLAIT_SAG_FREE_STIFFEN);
+    plait::SimDesc desc = desc_of(PLAIT_SAG_FREE_STIFFEN);
     desc.params.drag = 10.0f;
     OneStrand strand(upright, desc);
-    EXPECT_EQ(strand.stats().sag_unstable, 0u);
-    EXPECT_GT(strand.stats().joints_stiffened, 8u);
-    EXPECT_GT(strand.stats().worst_stiffening, 280.0f / 7.84f); // Gamma of the default hair
+    EXPECT_EQ(strand.describe().sag_unstable, 0u);
+    EXPECT_GT(strand.describe().joints_stiffened, 8u);
+    EXPECT_GT(strand.describe().worst_stiffening, 280.0f / 7.84f); // Gamma of the default hair
     strand.run(0.1); // the first place of a head is where its hair is
     strand.move_head({0.05f, 0.0f, 0.0f});
     strand.run(0.1);
@@ -204,39 +204,40 @@ TEST(SagFreeStrand, upright_one_is_stiffened_and_stands_up_again) {
 
 TEST(SagFreeStrand, rest_keeps_the_material_and_says_what_is_left) {
     const OneStrand weak(level, desc_of(PLAIT_SAG_FREE_REST));
-    EXPECT_EQ(weak.stats().joints_stiffened, 0u);
-    EXPECT_EQ(weak.stats().worst_stiffening, 1.0f);
-    EXPECT_GT(weak.stats().sag_residual, 0.1f); // of 0.5, a level strand held by nothing
+    EXPECT_EQ(weak.describe().joints_stiffened, 0u);
+    EXPECT_EQ(weak.describe().worst_stiffening, 1.0f);
+    EXPECT_GT(weak.describe().sag_residual, 0.1f); // of 0.5, a level strand held by nothing
     const OneStrand stiffened(level, desc_of(PLAIT_SAG_FREE_STIFFEN));
-    EXPECT_LT(stiffened.stats().sag_residual, 1e-5f);
+    EXPECT_LT(stiffened.describe().sag_residual, 1e-5f);
     // one strong enough needs nothing
-    plait_sim_desc strong = desc_of(PLAIT_SAG_FREE_STIFFEN);
-    strong.params.bend_stiffness = bend_stiffness(1.0f);
-    EXPECT_EQ(OneStrand(level, strong).stats().joints_stiffened, 0u);
+    plait::SimDesc strong = desc_of(PLAIT_SAG_FREE_STIFFEN);
+    strong.material.bend_stiffness = bend_stiffness(1.0f);
+    EXPECT_EQ(OneStrand(level, strong).describe().joints_stiffened, 0u);
 }
 
 TEST(SagFreeStrand, without_bend_stiffness_nothing_holds_it) {
-    plait_sim_desc desc = desc_of(PLAIT_SAG_FREE_STIFFEN);
-    desc.params.bend_stiffness = 0.0f;
+    plait::SimDesc desc = desc_of(PLAIT_SAG_FREE_STIFFEN);
+    desc.material.bend_stiffness = 0.0f;
     OneStrand strand(level, desc);
-    EXPECT_EQ(strand.stats().joints_stiffened, 0u);
-    EXPECT_GT(strand.stats().sag_residual, 0.4f);
+    EXPECT_EQ(strand.describe().joints_stiffened, 0u);
+    EXPECT_GT(strand.describe().sag_residual, 0.4f);
     strand.run(1.0);
-    EXPECT_EQ(strand.stats().nonfinite, 0u);
+    EXPECT_EQ(strand.measure().nonfinite, 0u);
 }
 
 TEST(SagFreeStrand, is_found_anew_for_other_gravity_and_material) {
-    plait_sim_desc desc = desc_of(PLAIT_SAG_FREE_STIFFEN);
-    desc.params.bend_stiffness = bend_stiffness(2.0f);
+    plait::SimDesc desc = desc_of(PLAIT_SAG_FREE_STIFFEN);
+    desc.material.bend_stiffness = bend_stiffness(2.0f);
     OneStrand strand(level, desc);
     plait_sim_params params = desc.params;
     for (const float scale : {1.0f, 3.0f}) {
         params.gravity[0] = -4.0f * scale;
         params.gravity[1] = 3.0f;
-        params.bend_stiffness *= 2.0f;
+        desc.material.bend_stiffness *= 2.0f;
         PLAIT_EXPECT(plait_sim_set_params(strand.sim(), &params));
+        PLAIT_EXPECT(plait_sim_set_materials(strand.sim(), &desc.material, 1, {}));
         PLAIT_EXPECT(plait_sim_find_balance(strand.sim()));
-        EXPECT_LT(strand.stats().sag_residual, 1e-5f);
+        EXPECT_LT(strand.describe().sag_residual, 1e-5f);
         strand.run(1.0);
         EXPECT_NEAR(strand.tip()[0], 0.3f, 3e-5f);
         EXPECT_NEAR(strand.tip()[1], 0.0f, 3e-5f);
@@ -244,7 +245,7 @@ TEST(SagFreeStrand, is_found_anew_for_other_gravity_and_material) {
 }
 
 TEST(SagFreeStrand, reset_puts_it_back_into_balance) {
-    plait_sim_desc desc = desc_of(PLAIT_SAG_FREE_STIFFEN);
+    plait::SimDesc desc = desc_of(PLAIT_SAG_FREE_STIFFEN);
     OneStrand strand(level, desc);
     strand.move_head({0.1f, 0.0f, 0.0f});
     strand.run(0.2);
@@ -262,10 +263,10 @@ TEST(SagFreeStrand, tressfx_refuses_it) {
     given.vertices_per_strand = level.vertices;
     plait_groom* groom = nullptr;
     PLAIT_EXPECT(plait_groom_create(&given, nullptr, &groom));
-    plait_sim_desc desc = desc_of(PLAIT_SAG_FREE_REST);
+    plait::SimDesc desc = desc_of(PLAIT_SAG_FREE_REST);
     desc.model = PLAIT_MODEL_TRESSFX;
     plait_sim* sim = nullptr;
-    EXPECT_EQ(plait_sim_create(shared_context(), groom, &desc, &sim), PLAIT_INVALID_ARGUMENT);
+    EXPECT_EQ(plait::create_sim(shared_context(), groom, desc, &sim), PLAIT_INVALID_ARGUMENT);
     EXPECT_NE(std::string(plait_last_error()).find("sag_free"), std::string::npos);
     plait_groom_destroy(groom);
 }

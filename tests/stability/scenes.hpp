@@ -12,7 +12,7 @@ struct Stretch {
 };
 
 inline void note_stretch(const OneStrand& strand, Stretch& seen) {
-    const plait_sim_stats stats = strand.stats();
+    const plait_sim_measures stats = strand.measure();
     EXPECT_EQ(stats.nonfinite, 0u);
     seen.worst = std::max(seen.worst, stats.max_stretch);
     seen.mean = std::max(seen.mean, stats.mean_stretch);
@@ -55,7 +55,7 @@ template <typename Hair> float peak_speed_over_frames(Hair& strand, bool jitter)
         strand.move_head({0.05f * std::sin(6.2831853f * static_cast<float>(time)), 0, 0});
         strand.step(dt);
         if (time > 1.0)
-            peak = std::max(peak, strand.stats().max_speed);
+            peak = std::max(peak, strand.measure().max_speed);
     }
     return peak;
 }

@@ -11,18 +11,18 @@ namespace {
 
 constexpr StrandShape hanging{32, 0.3f, {0.0f, -1.0f, 0.0f}};
 
-plait_sim_desc at_rate(float hz) {
-    plait_sim_desc desc = plait_sim_desc_defaults();
+plait::SimDesc at_rate(float hz) {
+    plait::SimDesc desc;
     desc.model = PLAIT_MODEL_TRESSFX;
     desc.step = 1.0f / hz;
     return desc;
 }
 
 // The values of TressFX's own sample, without gravity.
-plait_sim_desc mohawk() {
-    plait_sim_desc desc = at_rate(60.0f);
-    plait_sim_params& params = desc.params;
-    params.gravity[1] = 0.0f;
+plait::SimDesc mohawk() {
+    plait::SimDesc desc = at_rate(60.0f);
+    plait_tressfx_desc& params = desc.tressfx;
+    desc.params.gravity[1] = 0.0f;
     params.damping = 0.068f;
     params.local_stiffness = 0.908f;
     params.local_iterations = 3;
@@ -57,11 +57,11 @@ struct Hung {
 // After 10 s under gravity, real and 1 g.
 void expect_stretch(StrandShape shape, uint32_t local_iterations, const Hung& measured) {
     shape.vertices = measured.vertices;
-    plait_sim_desc desc = at_rate(60.0f);
-    desc.params.local_iterations = local_iterations;
+    plait::SimDesc desc = at_rate(60.0f);
+    desc.tressfx.local_iterations = local_iterations;
     OneStrand strand(shape, desc);
     strand.run(10.0);
-    const plait_sim_stats stats = strand.stats();
+    const plait_sim_measures stats = strand.measure();
     const std::string what = std::to_string(measured.vertices) + " vertices";
     expect_within(stats.mean_stretch, measured.mean, 0.002, what);
     expect_within(stats.max_stretch, measured.worst, 0.002, what);
@@ -94,7 +94,7 @@ TEST(TressfxFailure, stretch_in_metres_does_not_know_the_length) {
         shape.length = length;
         OneStrand strand(shape, at_rate(60.0f));
         strand.run(10.0);
-        expect_within(strand.stats().max_stretch * length / 31.0, 0.0551, 0.002,
+        expect_within(strand.measure().max_stretch * length / 31.0, 0.0551, 0.002,
                       std::to_string(length) + " m");
     }
 }
@@ -104,8 +104,8 @@ TEST(TressfxFailure, stiffness_depends_on_the_iterations) {
     const std::pair<uint32_t, double> measured[] = {{1, -0.7757}, {2, -0.6489},  {4, -0.5295},
                                                     {8, -0.4255}, {16, -0.3348}, {32, -0.2336}};
     for (const auto& [iterations, tip_y] : measured) {
-        plait_sim_desc desc = at_rate(60.0f);
-        desc.params.local_iterations = iterations;
+        plait::SimDesc desc = at_rate(60.0f);
+        desc.tressfx.local_iterations = iterations;
         OneStrand strand(StrandShape{}, desc);
         strand.run(10.0);
         expect_within(strand.tip()[1], tip_y, 0.002, std::to_string(iterations) + " iterations");
@@ -122,9 +122,9 @@ TEST(TressfxFailure, jump_of_the_head_tears_the_published_order) {
 }
 
 TEST(TressfxFix, shock_before_global_survives_a_jump) {
-    plait_sim_desc desc = mohawk();
-    desc.params.order = PLAIT_STAGE_ORDER_SHOCK_BEFORE_GLOBAL;
-    desc.params.shock_form = PLAIT_SHOCK_FORM_CONTINUOUS;
+    plait::SimDesc desc = mohawk();
+    desc.tressfx.order = PLAIT_STAGE_ORDER_SHOCK_BEFORE_GLOBAL;
+    desc.tressfx.shock_form = PLAIT_SHOCK_FORM_CONTINUOUS;
     OneStrand strand(hanging, desc);
     strand.run(1.0);
     strand.move_head({30.0f, 0.0f, 0.0f});
@@ -148,9 +148,9 @@ TEST(TressfxFailure, shaken_root_stretches_the_strand) {
 
 // How far the tip is from the head after the head jumped `distance` within a step.
 float tip_after_jump(plait_shock_form form, float distance) {
-    plait_sim_desc desc = at_rate(60.0f);
+    plait::SimDesc desc = at_rate(60.0f);
     desc.params.gravity[1] = 0.0f;
-    desc.params.shock_form = form;
+    desc.tressfx.shock_form = form;
     OneStrand strand(hanging, desc);
     strand.step(); // a head that is known to rest
     strand.step();
@@ -175,9 +175,9 @@ TEST(TressfxFix, continuous_shock_keeps_neighbours_together) {
 
 // x of the tip, in strand lengths, after 2 s of wind along +x in a world of `units` per metre.
 float blown(plait_wind_form form, float units) {
-    plait_sim_desc desc = at_rate(60.0f);
-    plait_sim_params& params = desc.params;
-    params.gravity[1] = 0.0f;
+    plait::SimDesc desc = at_rate(60.0f);
+    plait_tressfx_desc& params = desc.tressfx;
+    desc.params.gravity[1] = 0.0f;
     params.wind_form = form;
     params.wind[0] = form == PLAIT_WIND_FORM_DRAG ? 5.0f * units : 5.0f;
     params.air_drag = 2.0f / units;
@@ -209,7 +209,7 @@ class FramesAsSteps {
   public:
     void move_head(Vec3 head) { head_ = head; }
     void step(double dt) {
-        plait_sim_desc desc = plait_sim_desc_defaults();
+        plait::SimDesc desc;
         desc.model = PLAIT_MODEL_TRESSFX;
         desc.step = static_cast<float>(dt);
         OneStrand next(StrandShape{}, desc);
@@ -223,11 +223,11 @@ class FramesAsSteps {
         }
         next.move_head(head_);
         next.step();
-        EXPECT_EQ(next.stats().steps, 1u);
+        EXPECT_EQ(next.describe().steps, 1u);
         last_.emplace(std::move(next));
         head_before_ = head_;
     }
-    plait_sim_stats stats() const { return last_->stats(); }
+    plait_sim_measures measure() const { return last_->measure(); }
 
   private:
     std::optional<OneStrand> last_;
@@ -256,7 +256,7 @@ TEST(TressfxFix, zero_length_segment_is_mended_and_reported) {
     EXPECT_EQ(info.repairs[PLAIT_REPAIR_ZERO_SEGMENT], 1u);
     EXPECT_NE(std::string(info.first_repair), "");
     strand.run(1.0);
-    EXPECT_EQ(strand.stats().nonfinite, 0u);
+    EXPECT_EQ(strand.measure().nonfinite, 0u);
     EXPECT_LT(strand.tip()[1], -0.3f);
 }
 
@@ -286,7 +286,7 @@ TEST(TressfxFix, settled_strand_does_not_flicker) {
 // Offset of a follow strand's middle from its guide's, after the head turned a quarter about its
 // up.
 std::pair<Vec3, Vec3> follow_offsets(plait_follow_form form) {
-    plait_sim_desc desc = at_rate(60.0f);
+    plait::SimDesc desc = at_rate(60.0f);
     desc.params.gravity[1] = 0.0f;
     desc.params.follow_form = form;
     desc.follows_per_guide = 1;

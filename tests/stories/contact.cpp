@@ -7,7 +7,7 @@ TEST(Contact, hair_lies_on_a_ball) {
     const plait::Context context;
     plait::Sim sim(context, hair(level));
     auto ball = plait_collider_desc_defaults(); // a capsule whose ends are one point
-    ball.radius_a = ball.radius_b = 0.1f;
+    ball.capsule.radius_a = ball.capsule.radius_b = 0.1f;
     ball.friction = 0.3f;
     ball.pose.t[0] = 0.1f;
     ball.pose.t[1] = -0.12f;

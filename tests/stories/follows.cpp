@@ -10,7 +10,7 @@ TEST(Follows, move_with_their_guides_and_keep_their_length) {
         roots.push_back({0.005f * float(i % 20), 0, 0.005f * float(i / 20)});
     const plait::Groom all = hairs(roots, level);
     const auto [guides, map] = all.guides(20);
-    auto desc = plait_sim_desc_defaults();
+    plait::SimDesc desc;
     desc.follow_map = map;
     plait::Sim sim(context, guides, desc);
     const auto info = sim.describe();

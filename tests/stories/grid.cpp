@@ -5,12 +5,12 @@ using namespace story;
 
 TEST(Grid, slows_a_wild_hair_among_calm_ones) {
     const plait::Context context;
-    const auto swing = [&](plait_interhair interhair) {
+    const auto swing = [&](bool grid) {
         std::vector<Point> roots;
         for (int i = 0; i < 64; ++i)
             roots.push_back({0.005f * float(i % 8), 0, 0.005f * float(i / 8)});
-        auto desc = plait_sim_desc_defaults();
-        desc.params.interhair = interhair;
+        plait::SimDesc desc;
+        desc.grid.on = grid;
         plait::Sim sim(context, hairs(roots, down), desc);
         auto v = sim.read(PLAIT_FIELD_VELOCITY); // m/s, float4 each
         for (std::uint32_t i = 1; i < vertices; ++i)
@@ -23,7 +23,7 @@ TEST(Grid, slows_a_wild_hair_among_calm_ones) {
         }
         return farthest;
     };
-    const float free = swing(PLAIT_INTERHAIR_OFF), braked = swing(PLAIT_INTERHAIR_EXACT);
+    const float free = swing(false), braked = swing(true);
     EXPECT_GT(free, 0.03f);
     EXPECT_LT(braked, 0.7f * free);
 }

@@ -6,7 +6,7 @@ using namespace story;
 TEST(Groom, a_sag_free_one_stays_as_it_was_drawn) {
     const plait::Context context;
     for (const plait_sag_free mode : {PLAIT_SAG_FREE_STIFFEN, PLAIT_SAG_FREE_OFF}) {
-        auto desc = plait_sim_desc_defaults();
+        plait::SimDesc desc;
         desc.sag_free = mode;
         plait::Sim sim(context, hair(level), desc);
         pass(sim, 2);
@@ -23,8 +23,8 @@ TEST(Groom, a_sag_free_one_stays_as_it_was_drawn) {
 TEST(Groom, a_slider_shares_its_droop) {
     const plait::Context context;
     const auto droop = [&](float groom) {
-        auto desc = plait_sim_desc_defaults();
-        desc.params.bend_stiffness = 5e-7f; // N m^2: a lock, which sinks by less than a tenth
+        plait::SimDesc desc;
+        desc.material.bend_stiffness = 5e-7f; // N m^2: a lock, which sinks by less than a tenth
         desc.params.groom = groom;
         plait::Sim sim(context, hair(level), desc);
         pass(sim, 5);

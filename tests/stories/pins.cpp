@@ -5,8 +5,7 @@ using namespace story;
 
 TEST(Pins, hold_ten_g) {
     const plait::Context context;
-    auto desc = plait_sim_desc_defaults();
-    desc.pins = 1;
+    plait::SimDesc desc;
     desc.params.gravity[1] = -98.1f;
     plait::Sim sim(context, hair(level), desc);
     plait_pin pin{};

@@ -5,9 +5,9 @@ using namespace story;
 
 TEST(Push, leans_hair) {
     const plait::Context context;
-    auto desc = plait_sim_desc_defaults();
-    desc.accelerations = 1;
-    desc.params.bend_stiffness = 0;
+    plait::SimDesc desc;
+    desc.acceleration.on = true;
+    desc.material.bend_stiffness = 0;
     plait::Sim sim(context, hair(down), desc);
     std::vector<float> push(4 * vertices, 0.0f); // m/s^2, float4 each
     for (std::uint32_t i = 0; i < vertices; ++i)

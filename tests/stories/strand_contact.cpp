@@ -6,9 +6,8 @@ using namespace story;
 TEST(StrandContact, a_hair_lies_across_another) {
     const plait::Context context;
     for (const bool meet : {true, false}) {
-        auto desc = plait_sim_desc_defaults();
-        desc.pins = 1;
-        desc.params.strand_contact = meet ? PLAIT_STRAND_CONTACT_ON : PLAIT_STRAND_CONTACT_OFF;
+        plait::SimDesc desc;
+        desc.strand_contact.on = meet;
         std::vector<float> positions; // one along z, which pins hold, and one along x above it
         for (std::uint32_t i = 0; i < vertices; ++i)
             positions.insert(positions.end(), {0.1f, 0, 0.02f * float(i) - 0.15f});

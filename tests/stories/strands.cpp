@@ -7,7 +7,7 @@ using namespace story;
 // a little stiff.
 TEST(Strands, swing_as_fast_as_a_chain) {
     const plait::Context context;
-    auto desc = plait_sim_desc_defaults();
+    plait::SimDesc desc;
     desc.params.drag = 0; // 1/s
     plait::Sim sim(context, hair({0.05f, -0.99875f, 0}), desc);
     int crossings = 0;
@@ -26,6 +26,6 @@ TEST(Strands, keep_their_length_on_a_head_that_shakes) {
     for (int frame = 1; frame <= 120; ++frame) {
         sim.set_roots(head_at({0.1f * std::sin(0.3f * static_cast<float>(frame)), 0, 0}));
         sim.step(1.0 / 60);
-        EXPECT_LT(sim.stats().max_stretch, 1e-5f);
+        EXPECT_LT(sim.measure().max_stretch, 1e-5f);
     }
 }

@@ -9,7 +9,7 @@ TEST(Tressfx, is_another_hair_at_another_step) {
     const auto moved = [&](plait_model model) {
         std::vector<Point> tips;
         for (const float rate : {60.0f, 240.0f}) {
-            auto desc = plait_sim_desc_defaults();
+            plait::SimDesc desc;
             desc.model = model;
             desc.step = 1 / rate;
             plait::Sim sim(context, hair({0.6f, -0.8f, 0}), desc);

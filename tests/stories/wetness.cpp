@@ -6,9 +6,10 @@ using namespace story;
 TEST(Wetness, makes_hair_sag) {
     const plait::Context context;
     const auto sag = [&](float wet, float drying_time) {
-        auto desc = plait_sim_desc_defaults();
-        desc.params.bend_stiffness = 2e-6f; // N m^2
-        desc.params.drying_time = drying_time;
+        plait::SimDesc desc;
+        desc.material.bend_stiffness = 2e-6f; // N m^2
+        desc.wetness.on = true;
+        desc.wetness.drying_time = drying_time;
         plait::Sim sim(context, hair(level), desc);
         sim.write(PLAIT_FIELD_WETNESS, {wet});
         pass(sim, 5);

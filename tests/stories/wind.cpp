@@ -7,7 +7,7 @@ TEST(Wind, a_strand_behind_a_ball_is_calm) {
     const plait::Context context;
     plait::Sim sim(context, hairs({{0, 0, 0}, {0.5f, 0, 0}}, down));
     auto ball = plait_collider_desc_defaults();
-    ball.radius_a = ball.radius_b = 0.15f;
+    ball.capsule.radius_a = ball.capsule.radius_b = 0.15f;
     ball.pose.t[1] = -0.15f;
     ball.pose.t[2] = -0.2f; // up the wind of the first strand
     sim.create_collider(ball);

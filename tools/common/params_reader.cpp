@@ -6,22 +6,22 @@
 
 #include <cstring>
 #include <stdexcept>
+#include <string_view>
 #include <vector>
 
 namespace common {
 
 const std::array<const char*, 2> model_names{"tressfx", "articulated"};
-const std::array<const char*, 3> interhair_names{"off", "slots", "exact"};
+const std::array<const char*, 3> grid_names{"off", "slots", "exact"};
 const std::array<const char*, 3> sag_free_names{"off", "rest", "stiffen"};
 
 namespace {
 
-// A field of `params`, whose components are read and written as bytes: the table says what they
-// are.
+// A field of a struct of the library's, whose components are read and written as bytes: the table says
+// what they are.
 class Field {
   public:
-    Field(const plait_param_info& info, plait_sim_params& params)
-        : info_(info), at_(reinterpret_cast<unsigned char*>(&params) + info.offset) {}
+    Field(const plait_param_info& info, void* at) : info_(info), at_(at) {}
 
     void read(JsonReader& in) {
         switch (info_.kind) {
@@ -63,23 +63,39 @@ class Field {
     }
 
     const plait_param_info& info_;
-    unsigned char* at_;
+    void* at_;
 };
 
 } // namespace
 
-void read_params(JsonReader in, plait_sim_params& params) {
-    for (const plait_param_info& info : all_params())
-        Field(info, params).read(in);
+void read_params(JsonReader in, plait::SimDesc& desc) {
+    for (const plait_param_info& info : all_params()) {
+        if (!plait::has_feature(desc, info) && in.value(info.name))
+            in.fail(info.name, "is of " + std::string(info.feature) +
+                                   ", which is off, or not one of the model's");
+        Field(info, plait::field_of(desc, info)).read(in);
+    }
     in.finish();
 }
 
-void take_tressfx(const plait_sim_params& from, plait_sim_params& to) {
+void read_tressfx(JsonReader in, plait_tressfx_desc& desc) {
     for (const plait_param_info& info : all_params())
-        if (info.models == 1u << PLAIT_MODEL_TRESSFX)
-            std::memcpy(reinterpret_cast<unsigned char*>(&to) + info.offset,
-                        reinterpret_cast<const unsigned char*>(&from) + info.offset,
-                        size_t{4} * info.count);
+        if (std::string_view(info.feature) == "tressfx")
+            Field(info, reinterpret_cast<unsigned char*>(&desc) + info.offset).read(in);
+    in.finish();
+}
+
+void read_grid(JsonReader& in, plait::SimDesc& desc) {
+    uint32_t name = 0;
+    if (!in.choice("grid", name, grid_names))
+        return;
+    desc.grid.on = name > 0;
+    if (desc.grid.on)
+        desc.grid.form = static_cast<plait_grid_form>(name - 1);
+}
+
+const char* grid_name(const plait::SimDesc& desc) {
+    return grid_names[desc.grid.on ? size_t(desc.grid.form) + 1 : 0];
 }
 
 } // namespace common

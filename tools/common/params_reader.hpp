@@ -1,22 +1,27 @@
-// plait_sim_params as a JSON object: every field under its own name, its range checked.
+// The parameters of a sim as a JSON object: every field under its own name, its range checked.
 #pragma once
 
 #include "common/json_reader.hpp"
 
-#include <plait/plait.h>
+#include <plait/plait.hpp>
 
 #include <array>
 
 namespace common {
 
 extern const std::array<const char*, 2> model_names;
-extern const std::array<const char*, 3> interhair_names;
+extern const std::array<const char*, 3> grid_names;
 extern const std::array<const char*, 3> sag_free_names;
 
-// What is absent keeps its value in `params`.
-void read_params(JsonReader in, plait_sim_params& params);
+// Fields by the names that plait_sim_set_param takes; what is absent keeps its value in `desc`. Fails
+// where the model or the features of `desc` do not read what is given.
+void read_params(JsonReader in, plait::SimDesc& desc);
 
-// Those that the model tressfx alone reads.
-void take_tressfx(const plait_sim_params& from, plait_sim_params& to);
+// TressFX's alone.
+void read_tressfx(JsonReader in, plait_tressfx_desc& desc);
+
+// `grid_names`: "off" or its form.
+void read_grid(JsonReader& in, plait::SimDesc& desc);
+const char* grid_name(const plait::SimDesc& desc);
 
 } // namespace common

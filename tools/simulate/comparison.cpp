@@ -8,36 +8,37 @@ namespace simulate {
 
 namespace {
 
-bool has_thesis_step(const plait_sim_params& params) {
-    return params.interhair == PLAIT_INTERHAIR_SLOTS &&
-           params.slot_hash == PLAIT_SLOT_HASH_RULE_THESIS &&
-           params.diffuse_rule == PLAIT_DIFFUSE_RULE_THESIS;
+bool has_thesis_step(const plait::SimDesc& sim) {
+    return sim.grid.on && sim.grid.form == PLAIT_GRID_FORM_SLOTS &&
+           sim.grid.slot_hash == PLAIT_SLOT_HASH_RULE_THESIS &&
+           sim.grid.diffuse_rule == PLAIT_DIFFUSE_RULE_THESIS;
 }
 
-plait_sim_desc tressfx_alone(const Scene& scene) {
-    plait_sim_desc sim = scene.sim;
+plait::SimDesc tressfx_alone(const Scene& scene) {
+    plait::SimDesc sim = scene.sim;
     if (sim.model != PLAIT_MODEL_TRESSFX)
-        take_tressfx(scene.tressfx, sim.params);
+        sim.tressfx = scene.tressfx;
     sim.model = PLAIT_MODEL_TRESSFX;
     sim.sag_free = PLAIT_SAG_FREE_OFF; // its shape constraints know no sag
-    sim.params.interhair = PLAIT_INTERHAIR_OFF;
-    sim.params.volume = PLAIT_VOLUME_OFF; // which it refuses
+    sim.grid.on = false;
+    sim.volume.on = sim.strand_contact.on = sim.wetness.on = false; // which it refuses
     return sim;
 }
 
-plait_sim_desc without_volume(plait_sim_desc sim) {
-    sim.params.volume = PLAIT_VOLUME_OFF;
+plait::SimDesc without_volume(plait::SimDesc sim) {
+    sim.volume.on = false;
     return sim;
 }
 
 // With the thesis's ratio and factor, unless the scene gives its own.
-plait_sim_desc tressfx_and_thesis(const Scene& scene) {
-    plait_sim_desc sim = tressfx_alone(scene);
-    sim.params.interhair = PLAIT_INTERHAIR_SLOTS;
-    sim.params.slot_hash = PLAIT_SLOT_HASH_RULE_THESIS;
-    sim.params.diffuse_rule = PLAIT_DIFFUSE_RULE_THESIS;
-    sim.params.diffuse_ratio = scene.unhung.diffuse_ratio;
-    sim.params.diffuse_factor = scene.unhung.diffuse_factor;
+plait::SimDesc tressfx_and_thesis(const Scene& scene) {
+    plait::SimDesc sim = tressfx_alone(scene);
+    sim.grid.on = true;
+    sim.grid.form = PLAIT_GRID_FORM_SLOTS;
+    sim.grid.slot_hash = PLAIT_SLOT_HASH_RULE_THESIS;
+    sim.grid.diffuse_rule = PLAIT_DIFFUSE_RULE_THESIS;
+    sim.grid.diffuse_ratio = scene.unhung.grid.diffuse_ratio;
+    sim.grid.diffuse_factor = scene.unhung.grid.diffuse_factor;
     return sim;
 }
 
@@ -57,15 +58,15 @@ Scene Variant::of(Scene scene) const {
     return scene;
 }
 
-std::string label_of(const plait_sim_desc& sim) {
+std::string label_of(const plait::SimDesc& sim) {
     std::string label = sim.model == PLAIT_MODEL_TRESSFX ? "TressFX" : model_names[sim.model];
-    if (sim.params.interhair == PLAIT_INTERHAIR_OFF)
+    if (!sim.grid.on && !sim.volume.on)
         return label;
-    if (has_thesis_step(sim.params))
+    if (has_thesis_step(sim))
         return label + " + inter-hair step of the thesis";
-    if (sim.params.volume != PLAIT_VOLUME_OFF)
+    if (sim.volume.on)
         return label + " + volume";
-    return label + " + inter-hair step (" + interhair_names[sim.params.interhair] + ")";
+    return label + " + inter-hair step (" + grid_name(sim) + ")";
 }
 
 std::string label_of(const Scene& scene) {
@@ -86,16 +87,16 @@ std::string label_of(const Scene& scene) {
     return label;
 }
 
-std::string short_label_of(const plait_sim_desc& sim) {
+std::string short_label_of(const plait::SimDesc& sim) {
     const std::string model = sim.model == PLAIT_MODEL_TRESSFX ? "TressFX" : model_names[sim.model];
-    if (sim.params.volume != PLAIT_VOLUME_OFF)
+    if (sim.volume.on)
         return model + " + volume";
-    return has_thesis_step(sim.params) ? model + " + thesis's step" : model;
+    return has_thesis_step(sim) ? model + " + thesis's step" : model;
 }
 
 std::string tressfx_settings(const Scene& scene) {
-    const plait_sim_params& p =
-        scene.sim.model == PLAIT_MODEL_TRESSFX ? scene.sim.params : scene.tressfx;
+    const plait_tressfx_desc& p =
+        scene.sim.model == PLAIT_MODEL_TRESSFX ? scene.sim.tressfx : scene.tressfx;
     char text[160];
     std::snprintf(
         text, sizeof text,
@@ -118,16 +119,15 @@ std::vector<Variant> variants_beside(const Scene& scene) {
     if (!scene.wetness.empty())
         return {{label_of(scene.sim) + ", dry", scene.sim, scene.detail, true}};
     const bool own = scene.sim.model == PLAIT_MODEL_TRESSFX;
-    const plait_sim_params& params = scene.sim.params;
     std::vector<Variant> variants;
-    const auto add = [&](const plait_sim_desc& sim) {
+    const auto add = [&](const plait::SimDesc& sim) {
         variants.push_back({label_of(sim), sim, scene.detail});
     };
-    if (!own || params.interhair != PLAIT_INTERHAIR_OFF)
+    if (!own || scene.sim.grid.on)
         add(tressfx_alone(scene));
-    if (!own || !has_thesis_step(params))
+    if (!own || !has_thesis_step(scene.sim))
         add(tressfx_and_thesis(scene));
-    if (params.volume != PLAIT_VOLUME_OFF)
+    if (scene.sim.volume.on)
         add(without_volume(scene.sim));
     return variants;
 }

@@ -11,7 +11,7 @@ namespace simulate {
 
 struct Variant {
     std::string label;
-    plait_sim_desc sim;
+    plait::SimDesc sim;
     Detail detail;
     bool dry = false; // though the scene is wet
 
@@ -20,13 +20,13 @@ struct Variant {
 };
 
 // "TressFX", "TressFX + inter-hair step of the thesis", "articulated + inter-hair step (slots)"
-std::string label_of(const plait_sim_desc& sim);
+std::string label_of(const plait::SimDesc& sim);
 
 // That of the run itself, its detail after the simulation in it: "articulated + clumps, frizz".
 std::string label_of(const Scene& scene);
 
 // The same in few letters, for films: "TressFX", "TressFX + thesis's step", "articulated".
-std::string short_label_of(const plait_sim_desc& sim);
+std::string short_label_of(const plait::SimDesc& sim);
 
 // What the model TressFX is set to, in words: its stiffness and stretch are iteration counts.
 std::string tressfx_settings(const Scene& scene);

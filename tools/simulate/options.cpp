@@ -81,7 +81,7 @@ void add_options(CLI::App& app, CommandLine& line) {
     text("--sag-free", "sag_free", "NAME",
          "off, rest or stiffen: the groom as drawn is in balance with gravity [off for long and "
          "curly, else stiffen where it bends]");
-    text("--interhair", "interhair", "NAME", "off, slots or exact [exact]");
+    text("--grid", "grid", "NAME", "the grid between strands: off, slots or exact [exact]");
     text("--device", "device", "TEXT",
          "part of a device's, vendor's or platform's name, as pocl; cpu or gpu [the best]");
     text("--backend", "backend", "NAME", "opencl or reference [the best]");

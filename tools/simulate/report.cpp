@@ -80,14 +80,14 @@ void print_stages(const Measurements& run) {
     std::printf("%-18s %10.3f\n", "all stages", total);
 }
 
-void print_sag(const plait_sim_stats& stats) {
+void print_sag(const plait_sim_info& info) {
     std::printf(
         "sag-free: residual %.1e, %llu joints stiffened, the worst %.1f times; strands that "
         "buckle %llu\n",
-        static_cast<double>(stats.sag_residual),
-        static_cast<unsigned long long>(stats.joints_stiffened),
-        static_cast<double>(stats.worst_stiffening),
-        static_cast<unsigned long long>(stats.sag_unstable));
+        static_cast<double>(info.sag_residual),
+        static_cast<unsigned long long>(info.joints_stiffened),
+        static_cast<double>(info.worst_stiffening),
+        static_cast<unsigned long long>(info.sag_unstable));
 }
 
 void print_inside(const char* what, const InsideCount& count) {
@@ -129,7 +129,7 @@ Json compared(const Compared& other) {
     Json json = measured(other.run);
     json["label"] = other.variant.label;
     json["model"] = model_names[other.variant.sim.model];
-    json["interhair"] = interhair_names[other.variant.sim.params.interhair];
+    json["grid"] = grid_name(other.variant.sim);
     return json;
 }
 
@@ -156,10 +156,10 @@ Json to_json(const Report& report) {
     json["groom"] = scene.groom.name;
     json["motion"] = scene.motion;
     json["model"] = model_names[scene.sim.model];
-    json["interhair"] = interhair_names[scene.sim.params.interhair];
-    json["strands"] = report.main.last.strands;
-    json["guides"] = report.main.last.guides;
-    json["vertices"] = report.main.last.vertices_per_strand;
+    json["grid"] = grid_name(scene.sim);
+    json["strands"] = report.main.info.strands;
+    json["guides"] = report.main.info.guides;
+    json["vertices"] = report.main.info.vertices_per_strand;
     json["frames_planned"] = scene.frames();
     json["rate"] = scene.rate;
     json["substeps"] = scene.substeps;
@@ -167,11 +167,11 @@ Json to_json(const Report& report) {
     json["settle"] = scene.settle;
     json["sag_free"] = sag_free_names[scene.sim.sag_free];
     if (scene.sim.sag_free != PLAIT_SAG_FREE_OFF)
-        json["sag"] = {{"residual", report.main.last.sag_residual},
-                       {"unstable", report.main.last.sag_unstable},
-                       {"joints_stiffened", report.main.last.joints_stiffened},
-                       {"worst_stiffening", report.main.last.worst_stiffening}};
-    json["device_bytes"] = report.main.last.device_bytes;
+        json["sag"] = {{"residual", report.main.info.sag_residual},
+                       {"unstable", report.main.info.sag_unstable},
+                       {"joints_stiffened", report.main.info.joints_stiffened},
+                       {"worst_stiffening", report.main.info.worst_stiffening}};
+    json["device_bytes"] = report.main.info.device_bytes;
     json["groom_strands"] = report.figure.info.strands;
     json["groom_vertices"] = report.figure.info.vertices;
     json["bounds_min"] = report.figure.info.bounds_min;
@@ -194,8 +194,8 @@ Json to_json(const Report& report) {
 void print_report(const Report& report) {
     const Measurements& run = report.main;
     std::printf("%s (%s), %llu strands x %u, %u of %u frames%s\n", run.device.name,
-                run.device.backend, static_cast<unsigned long long>(run.last.strands),
-                run.last.vertices_per_strand, run.frames, report.scene.frames(),
+                run.device.backend, static_cast<unsigned long long>(run.info.strands),
+                run.info.vertices_per_strand, run.frames, report.scene.frames(),
                 report.interrupted ? ", interrupted" : "");
     if (report.profile)
         std::fputs(to_text(*report.profile).c_str(), stdout);
@@ -213,7 +213,7 @@ void print_report(const Report& report) {
             run.worst.segment, run.worst.strand, run.worst.frame, run.stretched_frames);
     print_inside(run.inside);
     if (report.scene.sim.sag_free != PLAIT_SAG_FREE_OFF)
-        print_sag(run.last);
+        print_sag(run.info);
     print_comparison(report);
     if (report.figure.info.repairs_total)
         std::printf("%llu repairs at import; the first: %s\n",

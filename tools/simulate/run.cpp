@@ -31,29 +31,22 @@ bool pins_hair(const Scene& scene) {
 
 // Nor materials, in a comparison.
 SimHandle make_sim(plait_context* context, const Figure& figure, const Scene& scene) {
-    plait_sim_desc desc = scene.sim;
-    desc.pins = pins_hair(scene) ? 1 : 0;
+    plait::SimDesc desc = scene.sim;
     desc.follow_map = figure.follows.get();
     const auto of_strands =
         figure.of_simulated(strand_materials(scene.materials, figure.groom.get(), scene.seed));
     std::vector<plait_material> materials;
     for (const MaterialChoice& choice : scene.materials)
         materials.push_back(choice.material);
-    if (!materials.empty() && desc.model != PLAIT_MODEL_TRESSFX) {
+    materials.push_back(desc.material); // of the rest
+    if (!scene.materials.empty() && desc.model != PLAIT_MODEL_TRESSFX) {
         desc.materials = materials.data();
         desc.material_count = materials.size();
         desc.strand_material = {of_strands.data(), of_strands.size(), 0};
     }
     plait_sim* sim = nullptr;
-    check(plait_sim_create(context, figure.simulated(), &desc, &sim));
+    check(plait::create_sim(context, figure.simulated(), desc, &sim));
     return SimHandle(sim);
-}
-
-plait_sim_stats stats_of(plait_sim* sim) {
-    plait_sim_stats stats{};
-    stats.struct_size = sizeof stats;
-    check(plait_sim_get_stats(sim, &stats));
-    return stats;
 }
 
 template <typename T> void read_field(plait_sim* sim, plait_field field, std::vector<T>& into) {
@@ -77,7 +70,7 @@ double Measurements::median_ms() const {
 Simulation::Simulation(const Scene& scene, const Figure& figure)
     : scene_(scene), figure_(figure), context_(make_context(scene, said_)),
       sim_(make_sim(context_.get(), figure, scene)) {
-    row_ = stats_of(sim_.get()).vertices_per_strand;
+    row_ = describe().vertices_per_strand;
     read_field(sim_.get(), PLAIT_FIELD_VERTEX_COUNT, vertex_count_);
     read_field(sim_.get(), PLAIT_FIELD_POSITION, rest_);
     neighbours_ = std::make_unique<Neighbours>(rest_, vertex_count_, row_);
@@ -93,8 +86,16 @@ Simulation::Simulation(const Scene& scene, const Figure& figure)
         check(plait_sim_set_detail(sim_.get(), &*scene.detail));
 }
 
-plait_sim_stats Simulation::stats() const {
-    return stats_of(sim_.get());
+plait_sim_measures Simulation::measure() const {
+    plait_sim_measures measures = plait_sim_measures_defaults();
+    check(plait_sim_measure(sim_.get(), &measures));
+    return measures;
+}
+
+plait_sim_info Simulation::describe() const {
+    plait_sim_info info = plait_sim_info_defaults();
+    check(plait_sim_describe(sim_.get(), &info));
+    return info;
 }
 
 void Simulation::add_wetness() {
@@ -298,7 +299,7 @@ void Simulation::measure(Measurements& measurements, uint32_t frame) {
     const auto call = [&](const char* name, const auto& work) {
         timed(measurements.timeline, {name, frame, false, false, 0, 0}, work);
     };
-    call("get_stats", [&] { measurements.last = stats(); });
+    call("measure", [&] { measurements.last = measure(); });
     call("read", [&] { read_field(sim_.get(), PLAIT_FIELD_POSITION, positions_); });
     measurements.stretched_frames += measurements.last.max_stretch > 0.1f;
     if (measurements.last.max_stretch > measurements.max_stretch) {
@@ -355,6 +356,7 @@ std::vector<plait_stage_time> Simulation::stage_times(bool reset) {
 void Simulation::finish(Measurements& measurements) {
     measurements.stages = stage_times(false);
     check(plait_sim_hash(sim_.get(), &measurements.hash));
+    measurements.info = describe();
     measurements.device.struct_size = sizeof measurements.device;
     check(plait_context_describe(context_.get(), &measurements.device));
 }
@@ -362,7 +364,8 @@ void Simulation::finish(Measurements& measurements) {
 Measurements Simulation::run(const Motion& motion, const std::vector<Watcher>& watchers,
                              const std::string& label) {
     Measurements measurements;
-    measurements.last = stats(); // for a run that is interrupted before its first frame
+    measurements.info = describe();
+    measurements.last = measure(); // for a run that is interrupted before its first frame
     settle(head_at(motion, 0.0f));
     const uint32_t frames = scene_.frames();
     Progress progress(label, frames);

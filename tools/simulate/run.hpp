@@ -25,7 +25,8 @@ struct Measurements {
     std::vector<double> frame_ms;
     std::vector<plait_stage_time> stages; // of all frames
     plait_device_info device{};
-    plait_sim_stats last{};
+    plait_sim_measures last{};
+    plait_sim_info info{};
     float max_stretch = 0.0f;
     float mean_stretch = 0.0f; // of the last frame
     uint64_t nonfinite = 0;
@@ -61,7 +62,8 @@ class Simulation {
     void record_to(Recording& recording) { recording_ = &recording; }
     uint32_t row() const { return row_; }
     const std::vector<uint32_t>& vertex_count() const { return vertex_count_; }
-    plait_sim_stats stats() const;
+    plait_sim_measures measure() const;
+    plait_sim_info describe() const;
     // What the library has warned of since the last call.
     std::vector<std::string> take_warnings() { return std::exchange(said_, {}); }
 

@@ -1,4 +1,4 @@
-// The choices of plait_sim_params as kernels know them. The public header stands alone and cannot
+// The choices of the public header as kernels know them. The public header stands alone and cannot
 // take the list of params.h; so both have one, and here they are held to be the same.
 #pragma once
 

@@ -21,18 +21,24 @@ plait_collider_id make_id(size_t index, uint32_t generation) {
 }
 
 void take_shape(Colliders::Slot& slot, const plait_collider_desc& desc) {
-    std::copy_n(desc.a, 3, slot.a);
-    std::copy_n(desc.b, 3, slot.b);
-    slot.radius_a = desc.radius_a;
-    slot.radius_b = desc.radius_b;
-    slot.friction = desc.friction;
     slot.kind = static_cast<uint32_t>(desc.kind);
-    std::copy_n(desc.normal, 3, slot.normal);
-    std::copy_n(desc.half_extents, 3, slot.half_extents);
-    slot.rounding = desc.rounding;
-    std::copy_n(desc.orientation, 4, slot.orientation);
+    slot.friction = desc.friction;
     slot.form = desc.inward;
     slot.scale = desc.scale;
+    const bool capsule = desc.kind == PLAIT_COLLIDER_KIND_CAPSULE;
+    const bool plane = desc.kind == PLAIT_COLLIDER_KIND_PLANE;
+    const bool box = desc.kind == PLAIT_COLLIDER_KIND_BOX;
+    const plait_capsule round = capsule ? desc.capsule : plait_capsule{};
+    const plait_plane flat = plane ? desc.plane : plait_plane{};
+    const plait_box edged = box ? desc.box : plait_box{};
+    std::copy_n(plane ? flat.point : box ? edged.centre : round.a, 3, slot.a);
+    std::copy_n(round.b, 3, slot.b);
+    slot.radius_a = round.radius_a;
+    slot.radius_b = round.radius_b;
+    std::copy_n(flat.normal, 3, slot.normal);
+    std::copy_n(edged.half_extents, 3, slot.half_extents);
+    slot.rounding = edged.rounding;
+    std::copy_n(edged.orientation, 4, slot.orientation);
 }
 
 // Its shape, `size` times as large.
@@ -274,16 +280,22 @@ Result<plait_collider_desc> Colliders::describe(plait_collider_id id) const {
 
 plait_collider_desc Colliders::shape_of(const Slot& slot) {
     plait_collider_desc desc{};
-    std::copy_n(slot.a, 3, desc.a);
-    std::copy_n(slot.b, 3, desc.b);
-    desc.radius_a = slot.radius_a;
-    desc.radius_b = slot.radius_b;
-    desc.friction = slot.friction;
     std::memcpy(&desc.kind, &slot.kind, sizeof desc.kind); // of a snapshot it may be any number
-    std::copy_n(slot.normal, 3, desc.normal);
-    std::copy_n(slot.half_extents, 3, desc.half_extents);
-    desc.rounding = slot.rounding;
-    std::copy_n(slot.orientation, 4, desc.orientation);
+    desc.friction = slot.friction;
+    if (slot.kind == PLAIT_COLLIDER_KIND_CAPSULE) {
+        std::copy_n(slot.a, 3, desc.capsule.a);
+        std::copy_n(slot.b, 3, desc.capsule.b);
+        desc.capsule.radius_a = slot.radius_a;
+        desc.capsule.radius_b = slot.radius_b;
+    } else if (slot.kind == PLAIT_COLLIDER_KIND_PLANE) {
+        std::copy_n(slot.a, 3, desc.plane.point);
+        std::copy_n(slot.normal, 3, desc.plane.normal);
+    } else if (slot.kind != PLAIT_COLLIDER_KIND_MESH) { // a hull has a box around it
+        std::copy_n(slot.a, 3, desc.box.centre);
+        std::copy_n(slot.half_extents, 3, desc.box.half_extents);
+        desc.box.rounding = slot.rounding;
+        std::copy_n(slot.orientation, 4, desc.box.orientation);
+    }
     if (!is_mesh(slot))
         desc.inward = slot.form;
     desc.scale = slot.scale;

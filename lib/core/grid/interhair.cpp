@@ -41,17 +41,17 @@ uint32_t InterHair::group_width(const plait_device_info& device, uint32_t capaci
     return device.lanes > 1 ? 1 : std::bit_floor(std::min({device.max_group_size, capacity, 64u}));
 }
 
-Result<InterHair> InterHair::make_buffers(Device& device, plait_interhair mode, uint32_t edge_count,
+Result<InterHair> InterHair::make_buffers(Device& device, GridKind mode, uint32_t edge_count,
                                           uint32_t capacity) {
     InterHair grid;
     grid.mode_ = mode;
     grid.edge_count_ = edge_count;
     grid.capacity_ = capacity;
-    if (mode == PLAIT_INTERHAIR_OFF)
+    if (mode == GridKind::off)
         return grid;
     const uint32_t n = voxels(edge_count);
     constexpr auto u32 = PLAIT_ELEMENT_UINT;
-    if (mode == PLAIT_INTERHAIR_SLOTS)
+    if (mode == GridKind::slots)
         PLAIT_TRY(device.create(grid.slots_, u32, size_t{n} * capacity, "grid_slot"));
     else
         PLAIT_TRY(device.create(grid.sums_, u32, size_t{n} * PLAIT_SUM_STRIDE, "grid_sum"));
@@ -61,9 +61,9 @@ Result<InterHair> InterHair::make_buffers(Device& device, plait_interhair mode, 
     return grid;
 }
 
-Result<InterHair> InterHair::create(Device& device, const plait_sim_params& params) {
+Result<InterHair> InterHair::create(Device& device, const Params& params) {
     auto grid =
-        make_buffers(device, params.interhair, params.grid_edge_count, params.slot_capacity);
+        make_buffers(device, params.grid_kind(), params.grid.edge_count, params.grid.slot_capacity);
     if (!grid || !grid->is_on())
         return grid;
     Schedule zero;
@@ -73,37 +73,37 @@ Result<InterHair> InterHair::create(Device& device, const plait_sim_params& para
 }
 
 Result<InterHair> InterHair::create_density(Device& device, uint32_t edge_count) {
-    return make_buffers(device, PLAIT_INTERHAIR_EXACT, edge_count, 0);
+    return make_buffers(device, GridKind::exact, edge_count, 0);
 }
 
-bool InterHair::fits(const plait_sim_params& params) const {
-    if (params.interhair != mode_ || mode_ == PLAIT_INTERHAIR_OFF)
-        return params.interhair == mode_;
-    return params.grid_edge_count == edge_count_ &&
-           (mode_ != PLAIT_INTERHAIR_SLOTS || params.slot_capacity == capacity_);
+bool InterHair::fits(const Params& params) const {
+    if (params.grid_kind() != mode_ || mode_ == GridKind::off)
+        return params.grid_kind() == mode_;
+    return params.grid.edge_count == edge_count_ &&
+           (mode_ != GridKind::slots || params.grid.slot_capacity == capacity_);
 }
 
 plait_grid_params grid_params(const InterHair::Step& step) {
-    const plait_sim_params& p = step.params;
-    const bool own = p.grid_edge > 0;
-    const float edge = own ? p.grid_edge : step.cube.edge;
-    const plait_pose& frame = p.grid_in_world ? identity_pose : step.head;
+    const Params& p = step.params;
+    const bool own = p.grid.edge > 0;
+    const float edge = own ? p.grid.edge : step.cube.edge;
+    const plait_pose& frame = p.grid.in_world ? identity_pose : step.head;
     plait_grid_params g{};
     g.vertex_stride = step.layout.row;
-    g.edge_count = p.grid_edge_count;
-    g.capacity = p.slot_capacity;
-    g.voxel_edge = edge / static_cast<float>(p.grid_edge_count);
+    g.edge_count = p.grid.edge_count;
+    g.capacity = p.grid.slot_capacity;
+    g.voxel_edge = edge / static_cast<float>(p.grid.edge_count);
     std::copy_n(frame.q, 4, g.q);
-    transform(frame, own ? p.grid_origin : step.cube.origin, g.t);
+    transform(frame, own ? p.grid.origin : step.cube.origin, g.t);
     g.h = step.h;
-    g.slot_hash = of_kernels(p.slot_hash);
+    g.slot_hash = of_kernels(p.grid.slot_hash);
     g.frame = static_cast<plait_u32>(step.frame);
     g.seed = static_cast<plait_u32>(step.seed ^ (step.seed >> 32));
-    g.tent = p.interhair == PLAIT_INTERHAIR_SLOTS ? PLAIT_TENT_VOXEL : of_kernels(p.tent);
-    g.diffuse_rule = of_kernels(p.diffuse_rule);
-    g.diffuse_ratio = p.diffuse_ratio;
-    g.diffuse_factor = p.diffuse_factor;
-    g.diffuse_floor = p.diffuse_floor;
+    g.tent = p.grid_kind() == GridKind::slots ? PLAIT_TENT_VOXEL : of_kernels(p.grid.tent);
+    g.diffuse_rule = of_kernels(p.grid.diffuse_rule);
+    g.diffuse_ratio = p.grid.diffuse_ratio;
+    g.diffuse_factor = p.grid.diffuse_factor;
+    g.diffuse_floor = p.grid.diffuse_floor;
     return g;
 }
 
@@ -130,12 +130,12 @@ void InterHair::append_exact(Schedule& schedule, const Layout& layout, const Sta
 }
 
 void InterHair::append(Schedule& schedule, const Step& step) const {
-    if (mode_ == PLAIT_INTERHAIR_OFF)
+    if (mode_ == GridKind::off)
         return;
     const State& s = step.state;
     const plait_grid_params params = grid_params(step);
     clear(schedule, outside_, 0);
-    if (mode_ == PLAIT_INTERHAIR_SLOTS)
+    if (mode_ == GridKind::slots)
         append_slots(schedule, step, params);
     else
         append_exact(schedule, step.layout, s, params);

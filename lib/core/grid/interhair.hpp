@@ -13,10 +13,10 @@ namespace plait {
 class InterHair {
   public:
     // Buffers for `params`; none if the step is off.
-    static Result<InterHair> create(Device& device, const plait_sim_params& params);
+    static Result<InterHair> create(Device& device, const Params& params);
     // For append_density() alone, with exact sums.
     static Result<InterHair> create_density(Device& device, uint32_t edge_count);
-    bool fits(const plait_sim_params& params) const;
+    bool fits(const Params& params) const;
 
     // Work-items that share a voxel's slots. On a CPU, whose work-items have lanes, those of a group
     // take turns: one alone is faster than a sum in parts.
@@ -25,7 +25,7 @@ class InterHair {
     struct Step {
         const Layout& layout;
         const State& state;
-        const plait_sim_params& params;
+        const Params& params;
         const GridCube& cube;
         const plait_pose& head; // at the end of the step
         float h;                // s, of a substep: the histories span one
@@ -42,8 +42,8 @@ class InterHair {
     // they are read, else positions are.
     void append_density(Schedule& schedule, const plait_grid_params& grid, const Model* lanes,
                         const StepInput& at) const;
-    bool is_on() const { return mode_ != PLAIT_INTERHAIR_OFF; }
-    bool is_exact() const { return mode_ == PLAIT_INTERHAIR_EXACT; }
+    bool is_on() const { return mode_ != GridKind::off; }
+    bool is_exact() const { return mode_ == GridKind::exact; }
 
     const Buffer& sums() const { return sums_; }
     const Buffer& density() const { return density_; }
@@ -52,7 +52,7 @@ class InterHair {
     uint64_t device_bytes() const;
 
   private:
-    static Result<InterHair> make_buffers(Device& device, plait_interhair mode, uint32_t edge_count,
+    static Result<InterHair> make_buffers(Device& device, GridKind mode, uint32_t edge_count,
                                           uint32_t capacity);
     void append_slots(Schedule& schedule, const Step& step, const plait_grid_params& params) const;
     void append_exact(Schedule& schedule, const Layout& layout, const State& state,
@@ -60,7 +60,7 @@ class InterHair {
     void splat(Schedule& schedule, const Part& part, const plait_grid_params& grid) const;
     void diffuse(Schedule& schedule, const Part& part, const plait_grid_params& grid) const;
 
-    plait_interhair mode_ = PLAIT_INTERHAIR_OFF;
+    GridKind mode_ = GridKind::off;
     uint32_t edge_count_ = 0;
     uint32_t capacity_ = 0;
     Buffer slots_;    // uint [nv^3*C], slots

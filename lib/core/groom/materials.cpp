@@ -9,8 +9,6 @@ plait_material default_material() {
             {1, 1, 1, 1},           {1, 1, 1, 1}, 1,       1, 0, {1, 1, 1, 1}};
 }
 
-namespace {
-
 Status check_material(const plait_material& s) {
     PLAIT_RANGE(line_density, double(1e-9f), 1e3);
     PLAIT_RANGE(bend_stiffness, 0, 1e3);
@@ -34,35 +32,30 @@ Status check_material(const plait_material& s) {
     return {};
 }
 
+namespace {
+
 Status check_indices(const StrandMaterials& materials, size_t guides) {
     if (materials.of.size() != guides)
         return Error{PLAIT_INVALID_ARGUMENT,
                      format("strand_material.count is %zu, the groom has %zu strands",
                             materials.of.size(), guides)};
     for (size_t i = 0; i < guides; ++i)
-        if (const uint32_t index = materials.of[i];
-            index >= materials.table.size() && index != PLAIT_MATERIAL_OF_PARAMS)
+        if (const uint32_t index = materials.of[i]; index >= materials.table.size())
             return Error{PLAIT_INVALID_ARGUMENT,
-                         format("strand_material[%zu] is %u, range is [0, %zu], or "
-                                "PLAIT_MATERIAL_OF_PARAMS",
-                                i, index, materials.table.size() - 1)};
+                         format("strand_material[%zu] is %u, range is [0, %zu]", i, index,
+                                materials.table.size() - 1)};
     return {};
 }
 
 } // namespace
 
-Status check_materials(StrandMaterials& materials, size_t guides) {
-    if (materials.table.empty() && !materials.of.empty())
-        return Error{PLAIT_INVALID_ARGUMENT,
-                     format("strand_material.count is %zu, and there are no materials",
-                            materials.of.size())};
+Status check_materials(const StrandMaterials& materials, size_t guides) {
     for (size_t i = 0; i < materials.table.size(); ++i)
         if (const Status status = check_material(materials.table[i]); !status)
             return Error{status.error().code,
                          format("materials[%zu].%s", i, status.error().message.c_str())};
-    if (materials.table.size() == 1 && materials.of.empty())
-        materials.of.assign(guides, 0);
-    return materials.table.empty() ? Status{} : check_indices(materials, guides);
+    return materials.of.empty() && materials.table.size() == 1 ? Status{}
+                                                               : check_indices(materials, guides);
 }
 
 } // namespace plait

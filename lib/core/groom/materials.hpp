@@ -1,4 +1,4 @@
-// Materials of single strands, in place of what the parameters say.
+// What strands are made of.
 #pragma once
 
 #include "base/result.hpp"
@@ -10,15 +10,15 @@
 namespace plait {
 
 struct StrandMaterials {
-    std::pmr::vector<plait_material> table;
-    std::pmr::vector<uint32_t> of; // [guides], into the table, or PLAIT_MATERIAL_OF_PARAMS
+    std::pmr::vector<plait_material> table; // one at least
+    std::pmr::vector<uint32_t> of;          // [guides], into the table; empty: all are of the first
 };
-using StrandMaterialsPtr = std::shared_ptr<const StrandMaterials>; // none: all of the parameters
+using StrandMaterialsPtr = std::shared_ptr<const StrandMaterials>; // never null
 
 plait_material default_material();
 
-// An empty `of` becomes that of one material for all. INVALID_ARGUMENT names list, index, value and
-// range.
-Status check_materials(StrandMaterials& materials, size_t guides);
+// INVALID_ARGUMENT names list, index, value and range.
+Status check_material(const plait_material& material);
+Status check_materials(const StrandMaterials& materials, size_t guides);
 
 } // namespace plait

@@ -56,7 +56,7 @@ class Display {
     void append(Schedule& schedule, const StepInput& at, const Roots& roots, float remainder,
                 Tangents tangents) const;
     // Follow strands are kept out of colliders.
-    bool meets_colliders(const plait_sim_params& params) const {
+    bool meets_colliders(const Params& params) const {
         return turns_ && params.follow_contact != 0;
     }
 

@@ -46,17 +46,21 @@ Result<const plait_param_info*> find_param(const char* name) {
         format("no parameter is called \"%.64s\"; plait_params_list names them all", name)};
 }
 
-Result<plait_sim_params> with_param(const plait_sim_params& params, const plait_param_info& param,
-                                    std::span<const double> values) {
+Result<NamedParams> with_param(const NamedParams& all, const plait_param_info& param,
+                               std::span<const double> values) {
+    if (!feature_is_on(param, all.params))
+        return Error{PLAIT_INVALID_STATE,
+                     format("%s belongs to %s, which is off: plait_sim_set_%s turns it on",
+                            param.name, param.feature, param.feature)};
     if (values.size() != param.count)
         return Error{PLAIT_INVALID_ARGUMENT,
                      format("count is %zu, %s needs %u", values.size(), param.name, param.count)};
-    plait_sim_params changed = params;
-    auto* const at = reinterpret_cast<unsigned char*>(&changed) + param.offset;
+    NamedParams changed = all;
+    unsigned char* const at = param_at(param, changed);
     const auto put = param.kind == PLAIT_PARAM_KIND_FLOAT ? put_float : put_whole;
     for (uint32_t i = 0; i < param.count; ++i)
         PLAIT_TRY(put(param, i, values[i], at + size_t{4} * i));
-    PLAIT_TRY(check_params(changed));
+    PLAIT_TRY(check_params(changed.params));
     return changed;
 }
 

@@ -1,19 +1,19 @@
-// One field of plait_sim_params by its name, its components as numbers.
+// Single fields by their names.
 #pragma once
 
 #include "base/result.hpp"
-
-#include <plait/plait_offline.h>
+#include "core/params/param_table.hpp"
 
 #include <span>
 
 namespace plait {
 
-// NOT_FOUND: no field has this name.
+// NOT_FOUND.
 Result<const plait_param_info*> find_param(const char* name);
 
-// `params` with these values of `param`, checked as check_params checks them all.
-Result<plait_sim_params> with_param(const plait_sim_params& params, const plait_param_info& param,
-                                    std::span<const double> values);
+// `all` with the components of one field changed, and its ranges checked. INVALID_STATE: the feature
+// that it belongs to is off.
+Result<NamedParams> with_param(const NamedParams& all, const plait_param_info& param,
+                               std::span<const double> values);
 
 } // namespace plait

@@ -1,7 +1,7 @@
 // Parameters that were set and do nothing: what the log says of them.
 #pragma once
 
-#include <plait/plait_offline.h>
+#include "core/params/param_table.hpp"
 
 #include <string>
 
@@ -9,23 +9,15 @@ namespace plait {
 
 // Who reads a sim's parameters.
 struct Readers {
-    uint32_t models;           // bits 1u << plait_model
+    plait_model model;
+    bool follow_copies;        // it has follows_per_guide
     const char* no_accelerate; // why no kernel of the caller's for the stage accelerate is run; "":
-                               // one is, and reads accelerate_values
+                               // one is, and reads the acceleration's values
 };
 
 // What is wrong with a parameter that has left its default since `before` while nothing reads it;
 // "" if nothing is.
-std::string ignored_warning(const plait_param_info& param, const plait_sim_params& before,
-                            const plait_sim_params& now, const Readers& readers);
-
-// Of features that are opened by calls, which of them a sim has.
-struct OpenFeatures {
-    bool wet, follow_copies;
-};
-
-// The same of a parameter of a feature that is off.
-std::string off_warning(const plait_param_info& param, const plait_sim_params& before,
-                        const plait_sim_params& now, const OpenFeatures& open);
+std::string ignored_warning(const plait_param_info& param, const NamedParams& before,
+                            const NamedParams& now, const Readers& readers);
 
 } // namespace plait

@@ -2,6 +2,7 @@
 
 #include "core/base/pose.hpp"
 #include "core/base/ranges.hpp"
+#include "core/groom/materials.hpp"
 #include "core/params/param_table.hpp"
 
 #include <algorithm>
@@ -10,6 +11,7 @@
 #include <cstring>
 #include <limits>
 #include <numbers>
+#include <string_view>
 
 namespace plait {
 namespace {
@@ -41,58 +43,81 @@ double bound(const plait_param_info& param, double value) {
 
 // Values beside the range that leave a choice to the model.
 bool left_to_model(const plait_param_info& param, double value) {
-    return param.offset == offsetof(plait_sim_params, bdf2) && value == PLAIT_BDF2_OF_MODEL;
+    return value == PLAIT_BDF2_OF_MODEL && std::string_view(param.name) == "bdf2";
 }
 
 // Buffers are indexed with 32 bits.
-Status check_slot_total(const plait_sim_params& s) {
-    const double n = s.grid_edge_count;
-    if (s.interhair != PLAIT_INTERHAIR_SLOTS)
+Status check_slot_total(const Params& params) {
+    const double n = params.grid.edge_count;
+    if (params.grid_kind() != GridKind::slots)
         return {};
-    return check_range("grid_edge_count^3 * slot_capacity", n * n * n * s.slot_capacity, 1,
+    return check_range("edge_count^3 * slot_capacity", n * n * n * params.grid.slot_capacity, 1,
                        std::numeric_limits<uint32_t>::max());
 }
 
 } // namespace
 
-plait_sim_params default_params() {
+plait_sim_params default_sim_params() {
     plait_sim_params p{};
     p.struct_size = sizeof p;
     p.gravity[1] = -9.81f;
-    p.damping = 0.08f;
-    p.local_stiffness = 0.9f;
-    p.local_iterations = 2;
-    p.length_iterations = 2;
-    p.vsp_coeff = 0.8f;
-    p.vsp_accel_threshold = 1.4f;
-    p.max_displacement = 1e6f;
+    p.follow_contact = 1;
+    p.follow_form = PLAIT_FOLLOW_FORM_ROTATING;
+    p.drag = 2;
     p.iterations = 1;
     p.bdf2 = PLAIT_BDF2_OF_MODEL;
-    p.line_density = 5e-6f;
-    p.bend_stiffness = 4.7e-9f;
-    p.section_ratio = 1;
-    p.tip_stiffness = 1;
-    p.tip_density = 1;
-    p.drag = 2;
-    p.wind_form = PLAIT_WIND_FORM_DRAG;
-    p.follow_form = PLAIT_FOLLOW_FORM_ROTATING;
-    p.wind_cone = 0.7f;
-    p.grid_edge_count = 8;
-    p.slot_capacity = 1024;
-    p.slot_hash = PLAIT_SLOT_HASH_RULE_PCG;
-    p.diffuse_rule = PLAIT_DIFFUSE_RULE_FLOORED;
-    p.diffuse_ratio = 2;
-    p.diffuse_factor = 0.9f;
-    p.diffuse_floor = 0.5f;
-    p.volume_share = 1;
-    p.volume_sweeps = 10;
-    p.volume_rate = 5;
-    p.wet_cohesion = 0.03f;
-    p.volume_viscosity = 5;
-    p.strand_radius = 0.002f;
-    p.strand_friction = 0.3f;
-    p.follow_contact = 1;
     return p;
+}
+
+plait_tressfx_desc default_tressfx_desc() {
+    plait_tressfx_desc desc{};
+    desc.struct_size = sizeof desc;
+    desc.damping = 0.08f;
+    desc.local_stiffness = 0.9f;
+    desc.local_iterations = 2;
+    desc.length_iterations = 2;
+    desc.vsp_coeff = 0.8f;
+    desc.vsp_accel_threshold = 1.4f;
+    desc.max_displacement = 1e6f;
+    desc.wind_form = PLAIT_WIND_FORM_DRAG;
+    desc.wind_cone = 0.7f;
+    return desc;
+}
+
+plait_grid_desc default_grid_desc() {
+    plait_grid_desc desc{};
+    desc.struct_size = sizeof desc;
+    desc.form = PLAIT_GRID_FORM_EXACT;
+    desc.edge_count = 8;
+    desc.slot_capacity = 1024;
+    desc.slot_hash = PLAIT_SLOT_HASH_RULE_PCG;
+    desc.diffuse_rule = PLAIT_DIFFUSE_RULE_FLOORED;
+    desc.diffuse_ratio = 2;
+    desc.diffuse_factor = 0.9f;
+    desc.diffuse_floor = 0.5f;
+    return desc;
+}
+
+plait_volume_desc default_volume_desc() {
+    return {sizeof(plait_volume_desc), 1, 10, 5, 5, 0};
+}
+
+plait_strand_contact_desc default_strand_contact_desc() {
+    return {sizeof(plait_strand_contact_desc), 0.002f, 0.3f};
+}
+
+plait_wetness_desc default_wetness_desc() {
+    return {sizeof(plait_wetness_desc), 0, 0.03f};
+}
+
+plait_acceleration_desc default_acceleration_desc() {
+    return {sizeof(plait_acceleration_desc), {}};
+}
+
+Params default_params() {
+    return {default_sim_params(),         default_tressfx_desc(),          {default_grid_desc()},
+            {default_volume_desc()},      {default_strand_contact_desc()}, {default_wetness_desc()},
+            {default_acceleration_desc()}};
 }
 
 plait_sim_desc default_sim_desc() {
@@ -104,7 +129,7 @@ plait_sim_desc default_sim_desc() {
     desc.max_steps_per_call = 8;
     desc.interpolate_output = 2;
     desc.follow_radius = 0.003f;
-    desc.params = default_params();
+    desc.params = default_sim_params();
     return desc;
 }
 
@@ -116,35 +141,43 @@ Status check_component(const plait_param_info& param, uint32_t component, double
                        param.least_excluded != 0);
 }
 
-Status check_params(const plait_sim_params& params) {
+Status check_params(const Params& params) {
+    const NamedParams all{params, default_material()};
     for (const plait_param_info& param : param_table())
         for (uint32_t i = 0; i < param.count; ++i)
-            PLAIT_TRY(check_component(param, i, param_component(param, params, i)));
-    if (params.volume != PLAIT_VOLUME_OFF && params.interhair != PLAIT_INTERHAIR_EXACT)
-        return Error{PLAIT_INVALID_ARGUMENT,
-                     format("volume is %d (pressure), interhair is %d: volume needs interhair 2 "
-                            "(exact)",
-                            params.volume, params.interhair)};
+            PLAIT_TRY(check_component(param, i, param_component(param, all, i)));
+    if (params.volume.on && params.grid.on && params.grid.form == PLAIT_GRID_FORM_SLOTS)
+        return Error{PLAIT_INVALID_STATE,
+                     "volume and a grid of form 0 (slots): volume needs sums of all hair, those of "
+                     "a grid of form 1 (exact), or no grid of your own"};
     return check_slot_total(params);
 }
 
-Status check_volume(const plait_sim_params& params, plait_model model) {
-    if (params.volume == PLAIT_VOLUME_OFF || model == PLAIT_MODEL_ARTICULATED)
+Status check_reads_tressfx(plait_model model) {
+    if (model == PLAIT_MODEL_TRESSFX)
         return {};
-    return Error{
-        PLAIT_INVALID_ARGUMENT,
-        format("volume is %d: strands of the model tressfx have none, those of articulated "
-               "do",
-               params.volume)};
+    return Error{PLAIT_INVALID_STATE,
+                 "the sim is of model 1 (articulated), which reads no parameter of TressFX; a sim "
+                 "of model 0 (tressfx) does"};
 }
 
-Status check_strand_contact(const plait_sim_params& params, plait_model model) {
-    if (params.strand_contact == PLAIT_STRAND_CONTACT_OFF || model == PLAIT_MODEL_ARTICULATED)
-        return {};
-    return Error{PLAIT_INVALID_ARGUMENT,
-                 format("strand_contact is %d (on): strands of the model tressfx do not meet each "
-                        "other, those of articulated do",
-                        params.strand_contact)};
+Status check_model_takes(const Params& params, plait_model model) {
+    if (model == PLAIT_MODEL_ARTICULATED) {
+        const plait_tressfx_desc own = default_tressfx_desc();
+        return std::memcmp(&params.tressfx, &own, sizeof own) == 0 ? Status{}
+                                                                   : check_reads_tressfx(model);
+    }
+    const auto lacks = [](const char* what) {
+        return Error{PLAIT_INVALID_STATE,
+                     format("the sim is of model 0 (tressfx), whose strands %s; those of "
+                            "articulated do",
+                            what)};
+    };
+    if (params.volume.on)
+        return lacks("keep no volume");
+    if (params.strand_contact.on)
+        return lacks("do not meet each other");
+    return params.wetness.on ? Status(lacks("do not get wet")) : Status{};
 }
 
 Status check_sim_desc(const plait_sim_desc& s) {
@@ -154,12 +187,7 @@ Status check_sim_desc(const plait_sim_desc& s) {
     PLAIT_RANGE(max_steps_per_call, 1, 1000);
     PLAIT_RANGE(interpolate_output, 0, 2);
     PLAIT_RANGE(keep_last_frame, 0, 1);
-    PLAIT_RANGE(accelerations, 0, 1);
-    PLAIT_RANGE(pins, 0, 1);
     const bool tressfx = s.model == PLAIT_MODEL_TRESSFX;
-    if (s.pins && tressfx)
-        return Error{PLAIT_INVALID_ARGUMENT,
-                     "pins is 1: strands of the model tressfx take none, those of articulated do"};
     PLAIT_RANGE(follows_per_guide, 0, 64);
     PLAIT_RANGE(follow_radius, 0, 1);
     PLAIT_RANGE_ENUM(sag_free, PLAIT_SAG_FREE_STIFFEN);
@@ -173,9 +201,7 @@ Status check_sim_desc(const plait_sim_desc& s) {
                      format("material_count is %zu: strands of the model tressfx have no material, "
                             "those of articulated do",
                             s.material_count)};
-    PLAIT_TRY(check_params(s.params));
-    PLAIT_TRY(check_strand_contact(s.params, s.model));
-    return check_volume(s.params, s.model);
+    return {};
 }
 
 plait_strand_settings default_strand_settings() {
@@ -208,7 +234,7 @@ plait_fibre default_fibre() {
     return {sizeof(plait_fibre), 1300, 35e-6f, 1, 4e9f, 1.5e9f};
 }
 
-Status set_fibre(plait_sim_params& params, const plait_fibre& s) {
+Status set_fibre(plait_material& material, const plait_fibre& s) {
     PLAIT_RANGE(density, 1, 1e5);
     PLAIT_RANGE(radius, 1e-7f, 0.1f);
     PLAIT_RANGE(flatness, 0.05f, 1);
@@ -216,34 +242,37 @@ Status set_fibre(plait_sim_params& params, const plait_fibre& s) {
     PLAIT_RANGE(shear_modulus, 0, 1e13);
     const double a = double(s.radius), f = double(s.flatness), b = a * f;
     const double quarter = std::numbers::pi / 4 * a * b;
-    plait_sim_params with = params;
+    plait_material with = material;
     with.line_density = static_cast<float>(4 * quarter * double(s.density));
     with.bend_stiffness = static_cast<float>(quarter * b * b * double(s.youngs_modulus));
     with.section_ratio = static_cast<float>(1 / (f * f));
     // Saint-Venant's torsion constant of an ellipse
     with.twist_stiffness =
         static_cast<float>(4 * quarter * a * a * b * b / (a * a + b * b) * double(s.shear_modulus));
-    PLAIT_TRY(check_params(with));
-    params = with;
+    PLAIT_TRY(check_material(with));
+    material = with;
     return {};
 }
 
 namespace {
 
-Status check_capsule(const plait_collider_desc& s) {
+Status check_capsule(const plait_capsule& s) {
+    PLAIT_RANGE_3(a, -1e6, 1e6);
     PLAIT_RANGE_3(b, -1e6, 1e6);
     PLAIT_RANGE_OPEN(radius_a, 0, 1e3);
     PLAIT_RANGE_OPEN(radius_b, 0, 1e3);
     return {};
 }
 
-Status check_plane(const plait_collider_desc& s) {
+Status check_plane(const plait_plane& s) {
+    PLAIT_RANGE_3(point, -1e6, 1e6);
     PLAIT_RANGE_3(normal, -1e6, 1e6);
     const double length = std::hypot(double(s.normal[0]), double(s.normal[1]), double(s.normal[2]));
     return check_range("length of normal", length, 1e-6, 2e6);
 }
 
-Status check_box(const plait_collider_desc& s) {
+Status check_box(const plait_box& s) {
+    PLAIT_RANGE_3(centre, -1e6, 1e6);
     PLAIT_RANGE_3(half_extents, 0, 1e3);
     PLAIT_RANGE(rounding, 0, 1e3);
     plait_pose turned = identity_pose;
@@ -263,16 +292,15 @@ Status check_body_scale(float scale) {
 Status check_collider(const plait_collider_desc& s) {
     PLAIT_TRY(check_body_scale(s.scale));
     PLAIT_RANGE_ENUM(kind, PLAIT_COLLIDER_KIND_BOX);
-    PLAIT_RANGE_3(a, -1e6, 1e6);
     PLAIT_RANGE(friction, 0, 10);
     PLAIT_RANGE(inward, 0, 1);
     switch (s.kind) {
     case PLAIT_COLLIDER_KIND_PLANE:
-        return check_plane(s);
+        return check_plane(s.plane);
     case PLAIT_COLLIDER_KIND_BOX:
-        return check_box(s);
+        return check_box(s.box);
     default:
-        return check_capsule(s);
+        return check_capsule(s.capsule);
     }
 }
 

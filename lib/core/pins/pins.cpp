@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <utility>
 
 namespace plait {
 namespace {
@@ -19,6 +20,25 @@ void add_target(Schedule& schedule, const Layout& layout, const State& state, co
 }
 
 } // namespace
+
+Status open_pins(Device& device, const Layout& layout, State& state,
+                 std::pmr::memory_resource* memory) {
+    Buffer pin, at, from, to;
+    PLAIT_TRY(make_rows(device, layout, pin, "pin", memory));
+    PLAIT_TRY(make_rows(device, layout, at, "pin_at", memory));
+    PLAIT_TRY(make_rows(device, layout, from, "pin_from", memory));
+    PLAIT_TRY(make_rows(device, layout, to, "pin_to", memory));
+    state.pin = std::move(pin);
+    state.pin_at = std::move(at);
+    state.pin_from = std::move(from);
+    state.pin_to = std::move(to);
+    return {};
+}
+
+void close_pins(State& state) {
+    for (Buffer* buffer : {&state.pin, &state.pin_at, &state.pin_from, &state.pin_to})
+        *buffer = {};
+}
 
 void advance_pins(State& state) {
     std::swap(state.pin_from, state.pin_to);

@@ -12,6 +12,11 @@
 
 namespace plait {
 
+// Makes the buffers, in which nothing is pinned, or none of them. Waits.
+Status open_pins(Device& device, const Layout& layout, State& state,
+                 std::pmr::memory_resource* memory);
+void close_pins(State& state);
+
 // None of these does anything in a sim without pins. `scale`: m, one of the groom's units; targets in the
 // world come in metres.
 // A fixed step begins: what was pin_to is pin_from. append_pin_targets() is due.

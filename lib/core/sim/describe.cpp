@@ -51,26 +51,25 @@ std::string stiffening_warning(const SagReport& sag, bool told) {
 }
 
 // In such a step hair falls farther than the pressure's sweeps bring back.
-std::string volume_warning(const plait_sim_desc& desc, const GridCube& cube) {
-    const plait_sim_params& p = desc.params;
-    if (p.volume == PLAIT_VOLUME_OFF)
+std::string volume_warning(const Params& p, float step, const GridCube& cube) {
+    if (!p.volume.on)
         return {};
     const float voxel =
-        (p.grid_edge > 0 ? p.grid_edge : cube.edge) / static_cast<float>(p.grid_edge_count);
+        (p.grid.edge > 0 ? p.grid.edge : cube.edge) / static_cast<float>(p.grid.edge_count);
     const float g = std::hypot(p.gravity[0], p.gravity[1], p.gravity[2]);
-    const float fall = g * desc.step * desc.step;
+    const float fall = g * step * step;
     if (fall <= voxel / 4)
         return {};
     return format(
         "volume: hair falls by %.2g m in a step of %.2g s, more than a quarter of a voxel "
         "of %.2g m: shorter steps or larger voxels hold it",
-        double(fall), double(desc.step), double(voxel));
+        double(fall), double(step), double(voxel));
 }
 
 // A kernel of the caller's that is not run.
 constexpr const char* accelerate_off =
-    "the context has a kernel of yours for the stage accelerate, and this sim was made with "
-    "accelerations = 0, which leaves it out";
+    "the context has a kernel of yours for the stage accelerate, and this sim leaves it out: "
+    "plait_sim_set_acceleration turns it on";
 constexpr const char* accelerate_none =
     "the context has no kernel of yours for the stage accelerate";
 
@@ -89,34 +88,28 @@ std::string Sim::warning() const {
     append(text, groom_warning_);
     append(text, residual_warning(sag, layout_.guides, desc_.sag_free));
     append(text, stiffening_warning(sag, told));
-    append(text, volume_warning(desc_, cube_));
-    if (no_accelerate() == accelerate_off)
-        append(text, accelerate_off);
+    append(text, volume_warning(params_, desc_.step, cube_));
     return text;
 }
 
-void Sim::log_warnings(const plait_sim_params& before, const std::string& said) const {
+void Sim::log_warning(const std::string& said) const {
     if (!context_.log.callback)
         return;
-    const auto log = [&](const std::string& text) {
-        if (!text.empty())
-            context_.log(PLAIT_LOG_LEVEL_WARNING, "sim: " + text);
-    };
-    if (const std::string text = warning(); text != said)
-        log(text);
-    const Readers readers{1u << desc_.model, no_accelerate()};
-    for (const plait_param_info& param : param_table())
-        log(ignored_warning(param, before, desc_.params, readers));
+    if (const std::string text = warning(); !text.empty() && text != said)
+        context_.log(PLAIT_LOG_LEVEL_WARNING, "sim: " + text);
 }
 
-// Features that calls open, as wetness, are open by the first step or are not meant.
-void Sim::log_off() {
-    const plait_sim_params said = std::exchange(said_, desc_.params);
-    if (!context_.log.callback || std::memcmp(&said, &said_, sizeof said) == 0)
+void Sim::log_ignored() {
+    const NamedParams now{params_, materials_->table.front()};
+    const NamedParams said = std::exchange(said_, now);
+    if (!context_.log.callback)
         return;
-    const OpenFeatures open{bool(state_.wetness), desc_.follows_per_guide > 0};
+    const bool begins = clock_.steps == 0;
+    if (begins && no_accelerate() == accelerate_off)
+        context_.log(PLAIT_LOG_LEVEL_WARNING, format("sim: %s", accelerate_off));
+    const Readers readers{desc_.model, desc_.follows_per_guide > 0, no_accelerate()};
     for (const plait_param_info& param : param_table())
-        if (const std::string text = off_warning(param, said, said_, open); !text.empty())
+        if (const std::string text = ignored_warning(param, said, now, readers); !text.empty())
             context_.log(PLAIT_LOG_LEVEL_WARNING, "sim: " + text);
 }
 

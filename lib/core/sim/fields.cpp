@@ -64,7 +64,7 @@ Result<const Buffer*> Sim::field_buffer(plait_field field) const {
     case PLAIT_FIELD_GRID_DENSITY:
     case PLAIT_FIELD_GRID_VELOCITY:
         if (!grid_.density())
-            return is_off("interhair");
+            return is_off("the grid (plait_sim_set_grid)");
         return field == PLAIT_FIELD_GRID_DENSITY ? &grid_.density() : &grid_.velocity();
     case PLAIT_FIELD_POSITION_PREV:
     case PLAIT_FIELD_VELOCITY:
@@ -80,11 +80,11 @@ Result<const Buffer*> Sim::field_buffer(plait_field field) const {
         return &display_.last_frame();
     case PLAIT_FIELD_ACCELERATION:
         if (!state_.acceleration)
-            return is_off("accelerations");
+            return is_off("acceleration (plait_sim_set_acceleration)");
         return &state_.acceleration;
     case PLAIT_FIELD_PIN:
         if (!state_.pin)
-            return is_off("pins");
+            return Error{PLAIT_INVALID_STATE, "no vertex is pinned, and pins have no buffer"};
         return &state_.pin;
     case PLAIT_FIELD_WETNESS:
         if (!state_.wetness)
@@ -128,8 +128,13 @@ Result<size_t> Sim::field_bytes(plait_field field) const {
     if (field == PLAIT_FIELD_BOUNDS)
         return size_t{2} * sizeof(Float4);
     if (field == PLAIT_FIELD_WETNESS) {
-        PLAIT_TRY(check_gets_wet());
+        if (!params_.wetness.on)
+            return is_off("wetness (plait_sim_set_wetness)");
         return layout_.guides * sizeof(float);
+    }
+    if (field == PLAIT_FIELD_PIN) {
+        PLAIT_TRY(check_takes_pins());
+        return layout_.guide_vertices() * sizeof(Float4);
     }
     const auto buffer = field_buffer(field);
     if (!buffer)
@@ -142,6 +147,10 @@ Status Sim::read(plait_field field, void* dst) {
         return read_velocity({static_cast<float*>(dst), size_t{4} * layout_.guide_vertices()});
     if (field == PLAIT_FIELD_WETNESS && !state_.wetness) {
         std::fill_n(static_cast<float*>(dst), layout_.guides, 0.0f);
+        return {};
+    }
+    if (field == PLAIT_FIELD_PIN && !state_.pin) {
+        std::fill_n(static_cast<float*>(dst), size_t{4} * layout_.guide_vertices(), 0.0f);
         return {};
     }
     const auto buffer = filled_field(field);
@@ -224,24 +233,37 @@ Status Sim::write_acceleration(std::span<const float> src) {
 }
 
 Status Sim::write_pins(std::span<const float> src) {
-    const auto buffer = field_buffer(PLAIT_FIELD_PIN);
-    if (!buffer)
-        return buffer.error();
+    PLAIT_TRY(check_takes_pins());
     PLAIT_TRY(check_vectors(src.data(), src.size(), "pin", farthest));
     PLAIT_TRY(check_pin_stiffness(src, layout_.row));
+    PLAIT_TRY(open_pins());
     return device().write(state_.pin, src.data());
 }
 
-Status Sim::check_gets_wet() const {
+Status Sim::check_takes_pins() const {
     if (desc_.model == PLAIT_MODEL_ARTICULATED)
         return {};
     return Error{PLAIT_INVALID_STATE,
-                 "the sim is of model 0 (tressfx), whose strands do not get wet; those of "
+                 "the sim is of model 0 (tressfx), whose strands take no pins; those of "
                  "articulated do"};
 }
 
+// Where nothing is pinned yet, and the stages that pins take can be built.
+Status Sim::open_pins() {
+    if (state_.pin)
+        return {};
+    PLAIT_TRY(plait::open_pins(device(), layout_, state_, &context_.memory));
+    Status status = model_->open(device(), part_needs());
+    if (status)
+        status = check_stages();
+    if (status)
+        return status;
+    close_pins(state_);
+    (void)model_->open(device(), part_needs()); // which makes nothing
+    return status;
+}
+
 Status Sim::write_wetness(std::span<const float> src) {
-    PLAIT_TRY(check_gets_wet());
     PLAIT_TRY(check_wetness(src));
     if (std::ranges::all_of(src, [](float w) { return w == 0; })) {
         close_wetness();
@@ -257,13 +279,16 @@ Status Sim::write_wetness(std::span<const float> src) {
 }
 
 Status Sim::set_pins(std::span<const plait_pin> pins) {
-    const auto buffer = field_buffer(PLAIT_FIELD_PIN);
-    if (!buffer)
-        return buffer.error();
+    PLAIT_TRY(check_takes_pins());
+    if (pins.empty()) {
+        close_pins(state_);
+        return model_->open(device(), part_needs());
+    }
     PLAIT_TRY(pin_table_.fill(device(), layout_, state_));
     const auto rows = pin_table_.rows(pins);
     if (!rows)
         return rows.error();
+    PLAIT_TRY(open_pins());
     return device().upload(state_.pin, rows->data());
 }
 

@@ -16,8 +16,8 @@ constexpr uint32_t tressfx = 1u << PLAIT_MODEL_TRESSFX, lanes = 1u << PLAIT_MODE
                    any = tressfx | lanes;
 
 constexpr uint32_t always = ~0u;
-constexpr uint32_t grids = PLAIT_FEATURE_INTERHAIR | PLAIT_FEATURE_WIND; // exact sums of hair
-constexpr uint32_t solids = PLAIT_FEATURE_VOLUME | PLAIT_FEATURE_WIND;   // nodes inside of bodies
+constexpr uint32_t grids = PLAIT_FEATURE_GRID | PLAIT_FEATURE_WIND;    // exact sums of hair
+constexpr uint32_t solids = PLAIT_FEATURE_VOLUME | PLAIT_FEATURE_WIND; // nodes inside of bodies
 constexpr uint32_t clears =
     grids | PLAIT_FEATURE_SLOTS | PLAIT_FEATURE_VOLUME | PLAIT_FEATURE_STRAND_CONTACT;
 constexpr uint32_t clumps = PLAIT_FEATURE_DETAIL | PLAIT_FEATURE_WETNESS;
@@ -54,7 +54,7 @@ constexpr Need needs[] = {
     {PLAIT_STAGE_clamp, tressfx},
     {PLAIT_STAGE_attach, tressfx},
     {PLAIT_STAGE_articulated, lanes},
-    {PLAIT_STAGE_lane_accelerate, lanes, PLAIT_FEATURE_ACCELERATIONS},
+    {PLAIT_STAGE_lane_accelerate, lanes, PLAIT_FEATURE_ACCELERATION},
     {PLAIT_STAGE_pins, lanes, PLAIT_FEATURE_PINS},
     {PLAIT_STAGE_lane_pin, lanes, PLAIT_FEATURE_PINS},
     {PLAIT_STAGE_lane_groom, lanes, PLAIT_FEATURE_GROOM},
@@ -88,9 +88,9 @@ constexpr Need needs[] = {
     {PLAIT_STAGE_grid_velocity, any, PLAIT_FEATURE_SLOTS},
     {PLAIT_STAGE_grid_splat, any, grids},
     {PLAIT_STAGE_lane_splat, lanes, grids},
-    {PLAIT_STAGE_lane_diffuse, lanes, PLAIT_FEATURE_INTERHAIR},
+    {PLAIT_STAGE_lane_diffuse, lanes, PLAIT_FEATURE_GRID},
     {PLAIT_STAGE_grid_resolve, any, grids},
-    {PLAIT_STAGE_grid_diffuse, any, PLAIT_FEATURE_INTERHAIR | PLAIT_FEATURE_SLOTS},
+    {PLAIT_STAGE_grid_diffuse, any, PLAIT_FEATURE_GRID | PLAIT_FEATURE_SLOTS},
     {PLAIT_STAGE_volume_splat, lanes, PLAIT_FEATURE_VOLUME},
     {PLAIT_STAGE_volume_nodes, lanes, PLAIT_FEATURE_VOLUME},
     {PLAIT_STAGE_volume_faces, lanes, PLAIT_FEATURE_VOLUME},
@@ -186,7 +186,7 @@ std::vector<plait_dispatch> dispatches(const Context& context, const plait_stage
     case PLAIT_SPACE_VOXEL_GROUP:
         add(1, stage.stage == PLAIT_STAGE_contact_pair_scan
                    ? Pairs::group_width(context.info)
-                   : InterHair::group_width(context.info, default_params().slot_capacity));
+                   : InterHair::group_width(context.info, default_grid_desc().slot_capacity));
         break;
     case PLAIT_SPACE_WORD: // of meshes and bounds there are few, of grids' cells there may be many
         add(1, 1);

@@ -39,24 +39,25 @@ template <typename Swap> class Trial {
 };
 
 // Whether the grid is where it was.
-bool same_place(const plait_sim_params& a, const plait_sim_params& b) {
-    return a.grid_edge == b.grid_edge && a.grid_in_world == b.grid_in_world &&
-           std::ranges::equal(a.grid_origin, b.grid_origin);
+bool same_place(const Params& a, const Params& b) {
+    return a.grid.edge == b.grid.edge && a.grid.in_world == b.grid.in_world &&
+           std::ranges::equal(a.grid.origin, b.grid.origin);
 }
 
 } // namespace
 
 Sim::Sim(Context& context, SimParts parts)
-    : context_(context), layout_(parts.layout), desc_(parts.desc),
-      size_warning_(std::move(parts.size_warning)), hair_(parts.hair),
+    : context_(context), layout_(parts.layout), desc_(parts.desc), params_(parts.params),
+      materials_(std::move(parts.materials)), size_warning_(std::move(parts.size_warning)),
+      hair_(parts.hair), said_{default_params(), default_material()},
       groom_warning_(std::move(parts.groom_warning)), groom_(parts.fingerprint), cube_(parts.cube),
-      skin_(std::move(parts.skin)), model_(std::move(parts.model)), state_(std::move(parts.state)),
-      grid_(std::move(parts.grid)), volume_(std::move(parts.volume)),
-      pairs_(std::move(parts.pairs)), display_(std::move(parts.display)),
-      roots_(layout_, &context.memory), colliders_(desc_.substeps, &context.memory),
-      meshes_(&context.memory), bending_(&context.memory),
-      substeps_(1, desc_.substeps, &context.memory), clock_(desc_.step, desc_.max_steps_per_call),
-      schedule_(&context.memory), pin_table_(&context.memory), pose_before_(&context.memory) {}
+      longest_segment_(parts.longest_segment), skin_(std::move(parts.skin)),
+      model_(std::move(parts.model)), state_(std::move(parts.state)),
+      display_(std::move(parts.display)), roots_(layout_, &context.memory),
+      colliders_(desc_.substeps, &context.memory), meshes_(&context.memory),
+      bending_(&context.memory), substeps_(1, desc_.substeps, &context.memory),
+      clock_(desc_.step, desc_.max_steps_per_call), schedule_(&context.memory),
+      pin_table_(&context.memory), pose_before_(&context.memory) {}
 
 Sim::~Sim() {
     if (context_.measured == this)
@@ -75,7 +76,7 @@ Status Sim::start() {
     display_.append_step_before(schedule_, layout_, state_);
     PLAIT_TRY(show_at_once());
     PLAIT_TRY(wait());
-    log_warnings(default_params(), "");
+    log_warning("");
     return {};
 }
 
@@ -137,10 +138,9 @@ Status Sim::show_at_once() {
 }
 
 // All or nothing: what is new is made aside, taken, and given back if its stages cannot run.
-Status Sim::set_params(const plait_sim_params& params) {
+Status Sim::set_params(const Params& params) {
     const Discard discard{*model_};
-    PLAIT_TRY(check_volume(params, desc_.model));
-    PLAIT_TRY(check_strand_contact(params, desc_.model));
+    PLAIT_TRY(check_model_takes(params, desc_.model));
     PLAIT_TRY(model_->prepare(device(), params));
     InterHair grid;
     const bool same_grid = grid_.fits(params);
@@ -162,31 +162,40 @@ Status Sim::set_params(const plait_sim_params& params) {
     Pairs pairs;
     const bool same_pairs = pairs_.fits(params);
     if (!same_pairs) {
-        auto made = Pairs::create(device(), params, layout_, pairs_.longest_segment());
+        auto made = Pairs::create(device(), params, layout_, longest_segment_);
         if (!made)
             return made.error();
         pairs = std::move(*made);
     }
+    Buffer acceleration;
+    const bool same_acceleration = params.acceleration.on == bool(state_.acceleration);
+    if (!same_acceleration && params.acceleration.on)
+        PLAIT_TRY(make_rows(device(), layout_, acceleration, "acceleration", &context_.memory));
     PartNeeds needs = part_needs();
+    needs.push = needs.push || params.acceleration.on;
     needs.plane = needs.plane || pairs.buffers();
     PLAIT_TRY(model_->open(device(), needs));
-    plait_sim_params next = params;
+    Params next = params;
     const std::string warned = context_.log.callback ? warning() : "";
     const auto swap = [&] {
         model_->swap();
-        std::swap(desc_.params, next);
+        std::swap(params_, next);
         if (!same_grid)
             std::swap(grid_, grid);
         if (!same_volume)
             std::swap(volume_, volume);
         if (!same_pairs)
             std::swap(pairs_, pairs);
+        if (!same_acceleration)
+            std::swap(state_.acceleration, acceleration);
     };
     const Status status = Trial(swap).keep_if(check_stages());
     if (status) {
-        log_warnings(next, warned);
-        if (!same_place(next, desc_.params))
+        log_warning(warned);
+        if (!same_place(next, params_))
             volume_.carries = false;
+        if (!params_.wetness.on)
+            close_wetness();
     }
     PLAIT_TRY(model_->open(device(), part_needs()));
     return status;
@@ -204,10 +213,14 @@ Status Sim::set_materials(StrandMaterialsPtr materials) {
                      "articulated do"};
     const Discard discard{*model_};
     const std::string warned = context_.log.callback ? warning() : "";
-    Trial trial([&] { model_->exchange(materials); });
-    PLAIT_TRY(trial.keep_if(model_->prepare(device(), desc_.params)));
+    auto given = materials; // the model keeps one, the sim another
+    Trial trial([&] {
+        model_->exchange(given);
+        std::swap(materials_, materials);
+    });
+    PLAIT_TRY(trial.keep_if(model_->prepare(device(), params_)));
     model_->swap();
-    log_warnings(desc_.params, warned);
+    log_warning(warned);
     return {};
 }
 
@@ -217,11 +230,11 @@ Status Sim::find_balance() {
                      "sag_free is 0 (off): the sim's groom is not in balance with any gravity"};
     const Discard discard{*model_};
     const std::string warned = context_.log.callback ? warning() : "";
-    auto gravity = std::to_array(desc_.params.gravity);
+    auto gravity = std::to_array(params_.gravity);
     Trial trial([&] { model_->exchange(gravity); });
-    PLAIT_TRY(trial.keep_if(model_->prepare(device(), desc_.params)));
+    PLAIT_TRY(trial.keep_if(model_->prepare(device(), params_)));
     model_->swap();
-    log_warnings(desc_.params, warned);
+    log_warning(warned);
     return {};
 }
 
@@ -233,8 +246,8 @@ Status Sim::set_wind(const plait_wind_desc* desc) {
     if (desc_.model == PLAIT_MODEL_TRESSFX)
         return Error{
             PLAIT_INVALID_STATE,
-            "the sim is of model 0 (tressfx), whose wind is that of the params; strands of "
-            "articulated take plait_sim_set_wind"};
+            "the sim is of model 0 (tressfx), whose wind is that of plait_sim_set_tressfx; strands "
+            "of articulated take plait_sim_set_wind"};
     Wind next;
     PLAIT_TRY(next.begin(device(), wind_, *desc, hair_));
     PartNeeds needs = part_needs();
@@ -474,7 +487,7 @@ Status Sim::make_poses(Buffer& to, const char* name) {
 // Where the last step left them, for strands that follow and are shown before the next one. Nothing moves
 // on: the next step's path begins where that one ended, however many calls lie between.
 Status Sim::place_colliders() {
-    if (!display_.meets_colliders(desc_.params))
+    if (!display_.meets_colliders(params_))
         return {};
     bending_.fit_new(schedule_);
     return colliders_.upload(device());

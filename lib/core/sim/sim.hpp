@@ -9,6 +9,7 @@
 #include "core/mesh/bending_meshes.hpp"
 #include "core/mesh/mesh_colliders.hpp"
 #include "core/output/display.hpp"
+#include "core/params/param_table.hpp"
 #include "core/params/params.hpp"
 #include "core/pins/pins.hpp"
 #include "core/roots/root_binding.hpp"
@@ -32,17 +33,17 @@ namespace plait {
 struct SimParts {
     Layout layout;
     plait_sim_desc desc;
+    Params params;
+    StrandMaterialsPtr materials;
     std::string size_warning;
     HairSizes hair;
     std::string groom_warning;
     uint64_t fingerprint; // of the groom's strands
     GridCube cube;
+    float longest_segment; // m
     Skin skin;
     std::unique_ptr<Model> model;
     State state;
-    InterHair grid;
-    Volume volume;
-    Pairs pairs;
     Display display;
 };
 // What of a descriptor belongs to single guides, checked.
@@ -72,11 +73,14 @@ class Sim {
     Status start();
 
     Status reset();
-    Status set_params(const plait_sim_params& params);
-    const plait_sim_params& params() const { return desc_.params; }
-    // INVALID_STATE: strands of this model have no material of their own.
+    // Features are turned on and off, too. INVALID_STATE: the model has not one of them.
+    Status set_params(const Params& params);
+    const Params& params() const { return params_; }
+    // INVALID_STATE: strands of this model have no material.
     Status set_materials(StrandMaterialsPtr materials);
+    const StrandMaterials& materials() const { return *materials_; }
     Status find_balance();
+    plait_model model() const { return desc_.model; }
     size_t guides() const { return layout_.guides; }
     uint32_t substeps() const { return desc_.substeps; }
     // The settings of every guide strand, checked; the same as they have costs nothing.
@@ -135,7 +139,7 @@ class Sim {
     plait_sim_info describe() const; // from the host alone
 
     // stats.cpp
-    Status stats(plait_sim_stats& out);
+    Status measure(plait_sim_measures& out);
     size_t stage_time_count() const;
     Status stage_times(std::span<plait_stage_time> dst, bool reset);
     Status harvest();              // takes the device's times and launches so far as this sim's
@@ -271,18 +275,19 @@ class Sim {
     uint64_t device_bytes() const;
     std::string warning() const;       // plait_sim_info.warning
     const char* no_accelerate() const; // why no kernel of the caller's accelerates; "": one does
-    // To the log: `warning()` unless it is `said`, and what parameters changed from `before` to
-    // what nothing reads.
-    void log_warnings(const plait_sim_params& before, const std::string& said) const;
-    // Once, in the first step after: of what was set while its feature is off.
-    void log_off();
+    // To the log: `warning()` unless it is `said`.
+    void log_warning(const std::string& said) const;
+    // Once, in the first step after: of what was set and nothing reads. Features are on by then or
+    // are not meant.
+    void log_ignored();
     Status read_velocity(std::span<float> dst);
     Status write_velocity(const float* src);
     Status write_places(const Buffer& to, const float* src);
     Status write_positions(const float* src);
     Status write_acceleration(std::span<const float> src);
     Status write_pins(std::span<const float> src);
-    Status check_gets_wet() const;
+    Status check_takes_pins() const;
+    Status open_pins();
     Status write_wetness(std::span<const float> src);
     Status open_wetness(); // of all that needs it, or of nothing
     void close_wetness();
@@ -324,12 +329,15 @@ class Sim {
     Context& context_;
     Layout layout_;
     plait_sim_desc desc_;
+    Params params_;
+    StrandMaterialsPtr materials_;
     std::string size_warning_;
     HairSizes hair_;
-    plait_sim_params said_ = default_params(); // of which log_off() has spoken
+    NamedParams said_; // of which log_ignored() has spoken
     std::string groom_warning_;
     uint64_t groom_; // its fingerprint: snapshots are of one groom
     GridCube cube_;
+    float longest_segment_; // m
     Skin skin_;
     RootBinding binding_;
     std::unique_ptr<Model> model_;

@@ -93,7 +93,7 @@ Result<plait_collider_id> Sim::create_hull_collider(const Mesh& mesh,
 
 // Solves have the stages of contact from the beginning; what follows may get one of its own.
 Result<plait_collider_id> Sim::if_built(Result<plait_collider_id> made) {
-    if (!made || !display_.meets_colliders(desc_.params))
+    if (!made || !display_.meets_colliders(params_))
         return made;
     const Status status = check_stages();
     if (status)

@@ -88,44 +88,26 @@ Result<SimParts> make_sim_parts(Context& context, const Groom& groom, const plai
     const Layout layout = make_layout(groom, desc, strands.follows);
     Device& device = context.device;
     auto model = make_model(desc.model, {desc.substeps},
-                            {layout,
-                             groom,
-                             strands.stiffness,
-                             strands.materials,
-                             context.info.tile,
-                             Clock(desc.step, 1).step(),
-                             desc.sag_free,
-                             std::to_array(desc.params.gravity),
-                             {desc.accelerations != 0, desc.pins != 0,
-                              desc.params.strand_contact != PLAIT_STRAND_CONTACT_OFF},
-                             &context.memory});
+                            {layout, groom, strands.stiffness, strands.materials, context.info.tile,
+                             Clock(desc.step, 1).step(), desc.sag_free,
+                             std::to_array(desc.params.gravity), &context.memory});
     if (!model)
         return model.error();
-    PLAIT_TRY((*model)->prepare(device, desc.params));
+    Params params = default_params(); // every feature is off
+    static_cast<plait_sim_params&>(params) = desc.params;
+    PLAIT_TRY(check_params(params));
+    PLAIT_TRY((*model)->prepare(device, params));
     (*model)->swap();
     (*model)->discard();
-    auto pairs = Pairs::create(device, desc.params, layout, longest_segment_of(groom));
-    if (!pairs)
-        return pairs.error();
     const bool interpolate = desc.interpolate_output == 1;
     std::span<const uint32_t> follow_counts;
     if (strands.follows)
         follow_counts = strands.follows->strands.vertex_counts;
     const StateNeeds needs{interpolate ? layout.guides : layout.strands(),
-                           (*model)->pinned_vertices(),
-                           (*model)->keeps_two_steps(),
-                           desc.accelerations != 0,
-                           desc.pins != 0,
-                           follow_counts};
+                           (*model)->pinned_vertices(), (*model)->keeps_two_steps(), follow_counts};
     auto state = create_state(device, groom, layout, needs, &context.memory);
     if (!state)
         return state.error();
-    auto grid = InterHair::create(device, desc.params);
-    if (!grid)
-        return grid.error();
-    auto volume = Volume::create(device, desc.params);
-    if (!volume)
-        return volume.error();
     auto skin = Skin::create(device, groom);
     if (!skin)
         return skin.error();
@@ -138,17 +120,17 @@ Result<SimParts> make_sim_parts(Context& context, const Groom& groom, const plai
         return display.error();
     return SimParts{layout,
                     desc,
+                    params,
+                    strands.materials,
                     size_warning(groom.shape.mean_length, groom.shape.extent()),
                     hair_sizes(groom, layout),
                     groom_warning(groom),
                     fingerprint(groom),
                     cube_around(groom.shape.bounds_min, groom.shape.bounds_max),
+                    longest_segment_of(groom),
                     std::move(*skin),
                     std::move(*model),
                     std::move(*state),
-                    std::move(*grid),
-                    std::move(*volume),
-                    std::move(*pairs),
                     std::move(*display)};
 }
 

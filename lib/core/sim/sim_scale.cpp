@@ -64,7 +64,7 @@ Status Sim::rescale(float scale) {
     bending_.rescale(scale);
     for (plait_pose* placed : {&placed_from_, &placed_to_})
         plait::rescale(*placed, ratio);
-    volume_.carries = volume_.carries && !desc_.params.grid_in_world;
+    volume_.carries = volume_.carries && !params_.grid.in_world;
     scale_ = display_.scale = scale;
     resized_ = true;
     if (std::ranges::any_of(ways->to, [](float way) { return way != 0; })) {

@@ -66,7 +66,7 @@ Status Sim::step(double dt) {
     const Tick tick = clock_.advance(dt);
     begun_ = begun_ || dt > 0;
     if (tick.steps > 0)
-        log_off();
+        log_ignored();
     append_phases({Moment::call_begins, present(), 0, tick.steps});
     const bool jumps = dt == 0 && roots_.moves();
     if (jumps)
@@ -305,7 +305,7 @@ void Sim::append_wetness(const At& at) {
 void Sim::dry() {
     if (!state_.wetness)
         return;
-    wetness_.pass(clock_.step(), double(desc_.params.drying_time));
+    wetness_.pass(clock_.step(), double(params_.wetness.drying_time));
     if (wetness_.is_dry())
         close_wetness();
 }
@@ -326,7 +326,7 @@ void Sim::append_accelerations(const At& at) {
         params.vertex_stride = layout_.row;
         params.h = substep_length();
         params.time = static_cast<float>(clock_.time());
-        std::ranges::copy(desc_.params.accelerate_values, params.value);
+        std::ranges::copy(params_.acceleration.values, params.value);
         schedule_.add(
             PLAIT_STAGE_accelerate, layout_.guide_vertices(), params,
             {&state_.vertex_count, &state_.position, &state_.position_prev, &state_.acceleration});
@@ -340,7 +340,7 @@ void Sim::append_accelerations(const At& at) {
 // in one of the sim's own substeps.
 void Sim::append_pairs(const At& at) {
     if (at.moment == Moment::step_begins && pairs_.buffers())
-        pairs_.append(schedule_, {layout_, state_, desc_.params, desc_.substeps, context_.info});
+        pairs_.append(schedule_, {layout_, state_, params_, desc_.substeps, context_.info});
 }
 
 // The features that reach the solve by its doors, in this order: springs are known to what pushes along
@@ -352,7 +352,7 @@ Doors Sim::fill_doors(const StepInput& at, const Part& part) {
         wind_.fill(schedule_, part, at.air, at.first, at.step, doors);
     meshes_.fill(schedule_, part, at.bodies.fields, doors);
     bending_.fill(schedule_, part, at.bodies.nearest, doors);
-    pairs_.fill(schedule_, part, state_, at.params.strand_friction, doors);
+    pairs_.fill(schedule_, part, state_, at.params.strand_contact.friction, doors);
     return doors;
 }
 
@@ -367,8 +367,8 @@ void Sim::append_solve(const At& at) {
 }
 
 InterHair::Step Sim::grid_step(const plait_pose& head) const {
-    return {layout_,          state_,       desc_.params, cube_,        head,
-            substep_length(), clock_.steps, desc_.seed,   context_.info};
+    return {layout_,          state_,       params_,    cube_,        head,
+            substep_length(), clock_.steps, desc_.seed, context_.info};
 }
 
 // Where lanes fill a CPU's registers; elsewhere the grids see the positions that were published.
@@ -461,26 +461,27 @@ Bodies Sim::bodies(uint32_t substep) const {
 StepInput Sim::at(const Group& group, uint32_t substep) const {
     return {layout_,
             state_,
-            desc_.params,
+            params_,
             bodies(group.first + substep),
             clock_.step(),
             group.substeps,
             length_of(group.substeps),
             air(),
+            wind_.blows() ? 0 : params_.drag,
             static_cast<float>(substep + 1) / static_cast<float>(group.substeps),
             substep == 0};
 }
 
 std::array<float, 3> Sim::air() const {
-    const plait_sim_params& p = desc_.params;
-    std::array<float, 3> air{p.wind[0], p.wind[1], p.wind[2]};
+    std::array<float, 3> air{};
+    const float share = params_.air_with_head;
     const auto middle = cube_.middle();
     float place[3];
     transform(roots_.step_begin(), middle.data(), place);
     const auto frame = frame_.air(place, clock_.step());
     const auto head = head_velocity();
     for (size_t i = 0; i < 3; ++i)
-        air[i] += frame[i] + (p.air_with_head != 0 ? p.air_with_head * head[i] : 0.0f);
+        air[i] = frame[i] + (share != 0 ? share * head[i] : 0.0f);
     return air;
 }
 

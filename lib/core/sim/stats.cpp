@@ -12,7 +12,7 @@ namespace {
 using Float4 =
     std::array<float, 4>; // worst stretch, non-finite vertices, displacement, mean stretch
 
-void reduce(std::span<const Float4> strands, plait_sim_stats& out) {
+void reduce(std::span<const Float4> strands, plait_sim_measures& out) {
     double stretch = 0;
     double displacement = 0;
     for (const Float4& s : strands) {
@@ -39,7 +39,7 @@ void Sim::add_stats() {
                    &state_.position_prev, &strand_stats_});
 }
 
-Status Sim::stats(plait_sim_stats& out) {
+Status Sim::measure(plait_sim_measures& out) {
     out = {};
     if (!strand_stats_)
         PLAIT_TRY(
@@ -62,18 +62,6 @@ Status Sim::stats(plait_sim_stats& out) {
     if (const PairBuffers* pairs = pairs_.buffers())
         PLAIT_TRY(device().read(pairs->dropped, &dropped));
     out.pairs_dropped = dropped;
-    out.guides = layout_.guides;
-    out.strands = layout_.strands();
-    out.vertices_per_strand = layout_.row;
-    out.steps = clock_.steps;
-    out.steps_dropped = clock_.dropped;
-    out.time = clock_.time();
-    out.device_bytes = device_bytes();
-    const SagReport sag = model_->sag();
-    out.sag_residual = static_cast<float>(sag.residual);
-    out.sag_unstable = sag.unstable;
-    out.joints_stiffened = sag.stiffened;
-    out.worst_stiffening = static_cast<float>(sag.stiffening);
     return {};
 }
 

@@ -33,7 +33,7 @@ std::pmr::vector<Sim::Run> Sim::saved_runs(const Saved& now, std::span<const Set
     std::pmr::vector<PartShape> parts(&context_.memory);
     model_->list_parts(strands, parts);
     for (const PartShape& part : parts) {
-        const std::ptrdiff_t own = part.settings.bdf2_of(desc_.params) ? 6 : 4;
+        const std::ptrdiff_t own = part.settings.bdf2_of(params_) ? 6 : 4;
         for (std::ptrdiff_t i = 0; i < own; ++i) {
             saved.push_back(first[i % 4]);
             saved.back().floats = size_t{part.strands} * part.row * saved.back().lanes.components;
@@ -219,10 +219,13 @@ Status Sim::restore(std::span<const unsigned char> src) {
     PLAIT_TRY(check_runs(saved_runs(*saved, *strands), *blocks, scale));
     if (*strands != settings())
         PLAIT_TRY(set_settings(*strands));
-    if (!saved->is(BlockKind::wetness))
+    const bool wet = saved->is(BlockKind::wetness) && params_.wetness.on; // it may do without
+    if (!wet)
         close_wetness();
     else if (!state_.wetness)
         PLAIT_TRY(open_wetness());
+    if (saved->is(BlockKind::pins))
+        PLAIT_TRY(open_pins());
     PLAIT_TRY(open_scale(scale));
     schedule_.clear();
     const bool kept = saved->is(BlockKind::output);
@@ -240,7 +243,7 @@ Status Sim::restore(std::span<const unsigned char> src) {
     if (!saved->is(BlockKind::pins))
         PLAIT_TRY(clear_pins(device(), layout_, state_, &context_.memory));
     PLAIT_TRY(restore_runs(list, *blocks));
-    if (saved->is(BlockKind::wetness))
+    if (wet)
         PLAIT_TRY(wetness_.resume(device(), state_, saved->wetness.dried, &context_.memory));
     clock_.waiting = saved->sim.waiting;
     clock_.steps = saved->sim.steps;
@@ -250,8 +253,8 @@ Status Sim::restore(std::span<const unsigned char> src) {
         std::ranges::copy(saved->wind.way, wind_.moving.way.begin());
         std::ranges::copy(saved->wind.jump, wind_.moving.jump.begin());
     }
-    volume_.carries = volume_ && saved->is(BlockKind::volume) &&
-                      saved->volume.nodes == desc_.params.grid_edge_count;
+    volume_.carries =
+        volume_ && saved->is(BlockKind::volume) && saved->volume.nodes == params_.grid.edge_count;
     append_motion_of_substeps(pose_before_[0], {substeps_.data(), 1});
     if (!kept)
         display_.append_step_before(schedule_, layout_, state_);

@@ -100,7 +100,7 @@ Saved Sim::saved_now() {
     has(BlockKind::wetness, bool(state_.wetness));
     now.wetness.dried = state_.wetness ? wetness_.dried() : 0;
     has(BlockKind::volume, volume_.carries);
-    now.volume.nodes = desc_.params.grid_edge_count;
+    now.volume.nodes = params_.grid.edge_count;
     return now;
 }
 

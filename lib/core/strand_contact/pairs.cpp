@@ -32,11 +32,11 @@ uint32_t Pairs::group_width(const plait_device_info& device) {
     return std::min(device.max_group_size, device.lanes > 1 ? 16u : 256u);
 }
 
-Result<Pairs> Pairs::create(Device& device, const plait_sim_params& params, const Layout& layout,
+Result<Pairs> Pairs::create(Device& device, const Params& params, const Layout& layout,
                             float longest_segment) {
     Pairs pairs;
     pairs.longest_segment_ = longest_segment;
-    if (params.strand_contact == PLAIT_STRAND_CONTACT_OFF)
+    if (!params.strand_contact.on)
         return pairs;
     const size_t vertices = layout.guide_vertices(), kept = PLAIT_PAIR_COUNT * vertices;
     constexpr auto u32 = PLAIT_ELEMENT_UINT;
@@ -64,7 +64,7 @@ void Pairs::append(Schedule& schedule, const Step& step) const {
                                    edge_count,
                                    cell_edge * longest_segment_,
                                    stretched * longest_segment_,
-                                   2 * step.params.strand_radius,
+                                   2 * step.params.strand_contact.radius,
                                    room * longest_segment_,
                                    static_cast<float>(step.substeps)};
     clear(schedule, b.cell_count);

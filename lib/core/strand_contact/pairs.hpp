@@ -1,6 +1,7 @@
 // Strand against strand: which segments may meet in a fixed step.
 #pragma once
 
+#include "core/base/params.hpp"
 #include "core/base/part.hpp"
 #include "core/base/schedule.hpp"
 #include "core/strands/state.hpp"
@@ -30,22 +31,21 @@ class Pairs {
     static uint32_t group_width(const plait_device_info& device);
 
     // Without buffers where `params` have no contact. `longest_segment`: m, at rest.
-    static Result<Pairs> create(Device& device, const plait_sim_params& params,
-                                const Layout& layout, float longest_segment);
+    static Result<Pairs> create(Device& device, const Params& params, const Layout& layout,
+                                float longest_segment);
 
     // Whether these are what `params` want.
-    bool fits(const plait_sim_params& params) const {
-        return (params.strand_contact != PLAIT_STRAND_CONTACT_OFF) == (buffers() != nullptr);
+    bool fits(const Params& params) const {
+        return params.strand_contact.on == (buffers() != nullptr);
     }
     const PairBuffers* buffers() const { return buffers_.segment ? &buffers_ : nullptr; }
-    float longest_segment() const { return longest_segment_; }
 
     // Appends the search. `substeps`: of the fixed step, in one of which strands move by position -
     // position_prev.
     struct Step {
         const Layout& layout;
         const State& state;
-        const plait_sim_params& params;
+        const Params& params;
         uint32_t substeps;
         const plait_device_info& device;
     };

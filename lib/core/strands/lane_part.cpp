@@ -42,7 +42,7 @@ float contact_slip(float h, float length) {
 
 LaneSource::LaneSource(const ModelInput& input)
     : layout(input.layout), tile(input.tile), step(input.step), sag_free(input.sag_free),
-      gravity(input.gravity), needs(input.needs),
+      gravity(input.gravity),
       memory(input.memory), strands{{input.groom.strands.positions, input.memory},
                                     {input.groom.strands.vertex_counts, input.memory},
                                     {input.stiffness.begin(), input.stiffness.end(), input.memory}},
@@ -50,12 +50,12 @@ LaneSource::LaneSource(const ModelInput& input)
       cube(cube_around(input.groom.shape.bounds_min, input.groom.shape.bounds_max)),
       rest(input.memory) {}
 
-RestGrid LaneSource::rest_grid_of(const plait_sim_params& params) const {
-    if (params.volume == PLAIT_VOLUME_OFF)
+RestGrid LaneSource::rest_grid_of(const Params& params) const {
+    if (!params.volume.on)
         return {};
-    const bool own = params.grid_edge > 0;
-    RestGrid grid{params.grid_edge_count, own ? params.grid_edge : cube.edge, {}};
-    std::copy_n(own ? params.grid_origin : cube.origin, 3, grid.origin.begin());
+    const bool own = params.grid.edge > 0;
+    RestGrid grid{params.grid.edge_count, own ? params.grid.edge : cube.edge, {}};
+    std::copy_n(own ? params.grid.origin : cube.origin, 3, grid.origin.begin());
     return grid;
 }
 
@@ -117,22 +117,13 @@ void LanePart::close_doors() {
         fill_.wet = {};
 }
 
-Materials LanePart::materials_of(const plait_sim_params& params) const {
+Materials LanePart::materials() const {
     Materials all{std::pmr::vector<Material>(source_.memory), source_.materials};
-    const auto add = [&](const auto& of, float curl, float clamp, float drag, float friction,
-                         const Ramp& stiffness, const Ramp& density, float groom,
-                         const Ramp& groom_ramp) {
-        all.list.push_back({of.line_density, of.bend_stiffness, of.stretch_stiffness,
-                            of.twist_stiffness, of.section_ratio, curl, clamp, drag, friction,
-                            stiffness, density, groom, groom_ramp});
-    };
-    add(params, 1, 1, 1, 1, Ramp::to_tip(double(params.tip_stiffness)),
-        Ramp::to_tip(double(params.tip_density)), 0, {});
-    if (source_.materials)
-        for (const plait_material& m : source_.materials->table)
-            add(m, m.curl, m.clamp_stiffness, m.drag_scale, m.friction_scale,
-                ramp_of(m.stiffness_ramp), ramp_of(m.density_ramp), m.groom_stiffness,
-                ramp_of(m.groom_ramp));
+    for (const plait_material& m : source_.materials->table)
+        all.list.push_back({m.line_density, m.bend_stiffness, m.stretch_stiffness,
+                            m.twist_stiffness, m.section_ratio, m.curl, m.clamp_stiffness,
+                            m.drag_scale, m.friction_scale, ramp_of(m.stiffness_ramp),
+                            ramp_of(m.density_ramp), m.groom_stiffness, ramp_of(m.groom_ramp)});
     return all;
 }
 
@@ -177,7 +168,7 @@ Status LanePart::make_wet(Device& device, Fill& fill) const {
 
 // As if strands had moved as they move now: x - h v, relative to the root, whose own are row 0. At
 // creation, where the state is not filled yet, reset fills both.
-Status LanePart::prepare_history(Device& device, const plait_sim_params& params) {
+Status LanePart::prepare_history(Device& device, const Params& params) {
     const bool needed = settings_.bdf2_of(params) != 0;
     has_next_history_ = bool(history_.x) != needed;
     if (!has_next_history_ || !needed)
@@ -230,15 +221,15 @@ Status LanePart::make_pressed(Device& device, Pressed& to, const RestGrid& grid)
     return device.write(to.pressure, shares.data());
 }
 
-Status LanePart::prepare_volume(Device& device, const plait_sim_params& params) {
+Status LanePart::prepare_volume(Device& device, const Params& params) {
     const RestGrid grid = source_.rest_grid_of(params);
     has_next_volume_ = grid != volume_.grid;
     return has_next_volume_ ? make_pressed(device, next_volume_, grid) : Status{};
 }
 
 // The groom stays the shape in which strands are; what changes is what holds them in it.
-Status LanePart::prepare(Device& device, const plait_sim_params& params) {
-    const Materials materials = materials_of(params);
+Status LanePart::prepare(Device& device, const Params& params) {
+    const Materials materials = this->materials();
     const RestLoad load = this->load();
     const bool grooms = fill_.groom || params.groom > 0 || materials.holds();
     has_next_fill_ = !(fill_.material && materials == fill_.of && load == fill_.load &&
@@ -268,7 +259,7 @@ void LanePart::discard() {
 }
 
 Part LanePart::part(const StepInput& at, float mean_length) const {
-    const plait_sim_params& p = at.params;
+    const Params& p = at.params;
     plait_lane_params solve{};
     solve.vertex_stride = lanes_.row;
     solve.tile = lanes_.tile;
@@ -276,7 +267,7 @@ Part LanePart::part(const StepInput& at, float mean_length) const {
     solve.h = at.h;
     solve.iterations = settings_.iterations_of(p);
     solve.bdf2 = settings_.bdf2_of(p);
-    solve.drag = p.drag;
+    solve.drag = at.drag;
     for (size_t i = 0; i < 3; ++i) {
         solve.gravity[i] = p.gravity[i];
         solve.air[i] = at.air[i];

@@ -31,7 +31,7 @@ struct LaneSource {
     GridCube cube; // of the inter-hair grid, where the caller has none
 
     // Nothing where there is no volume.
-    RestGrid rest_grid_of(const plait_sim_params& params) const;
+    RestGrid rest_grid_of(const Params& params) const;
     // Measures `rest` where it is of another grid.
     void measure_rest(const RestGrid& grid);
     RestGrid rest_grid;
@@ -59,7 +59,7 @@ class LanePart {
     // Makes the buffers that do not depend on parameters.
     Status open(Device& device);
     // Makes what `params` need and is not there yet, aside: swap() takes it, or gives it back.
-    Status prepare(Device& device, const plait_sim_params& params);
+    Status prepare(Device& device, const Params& params);
     void swap() noexcept;
     void discard(); // what swap() would take
     // Makes what source.needs ask for and is not there, and gives back what nothing needs any more.
@@ -115,15 +115,15 @@ class LanePart {
     };
 
     Status make(Device& device, Buffer& to, size_t components, const char* name) const;
-    Materials materials_of(const plait_sim_params& params) const;
+    Materials materials() const;
     RestLoad load() const;
     Status make_fill(Device& device, Fill& fill, const Members& members, const Materials& materials,
                      const RestLoad& load, bool grooms) const;
     Status make_wet(Device& device, Fill& fill) const;
     // That strands are stepped with.
     const Buffer& material() const { return fill_.wet ? fill_.wet : fill_.material; }
-    Status prepare_history(Device& device, const plait_sim_params& params);
-    Status prepare_volume(Device& device, const plait_sim_params& params);
+    Status prepare_history(Device& device, const Params& params);
+    Status prepare_volume(Device& device, const Params& params);
     Status make_pressed(Device& device, Pressed& to, const RestGrid& grid) const;
     bool keeps_fill() const;
     bool takes_history_of(const LanePart& other) const;

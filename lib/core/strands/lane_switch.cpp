@@ -107,7 +107,7 @@ void LanePart::fit(Schedule& schedule, const StepInput& at, const Moves& moves,
 
 Status LanePart::take_over(Device& device, Schedule& schedule, const StepInput& at,
                            std::span<const LanePlace> from) {
-    fill_.of = materials_of(at.params);
+    fill_.of = materials();
     fill_.load = load();
     if (at.params.groom > 0 || fill_.of.holds())
         PLAIT_TRY(make(device, fill_.groom, PLAIT_LANE_GROOM_COMPONENTS, "lane_groom"));

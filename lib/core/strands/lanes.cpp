@@ -32,7 +32,7 @@ class LaneModel final : public Model {
     LaneModel(const Settings& settings, const ModelInput& input);
 
     uint32_t pinned_vertices() const override { return pinned; }
-    Status prepare(Device& device, const plait_sim_params& params) override;
+    Status prepare(Device& device, const Params& params) override;
     Status prepare_settings(Device& device, Schedule& schedule, const StepInput& at,
                             std::span<const Settings> settings) override;
     void exchange(StrandMaterialsPtr& materials) noexcept override {
@@ -123,7 +123,7 @@ LaneModel::PartPtr LaneModel::find_part(const Settings& settings,
     return nullptr;
 }
 
-Status LaneModel::prepare(Device& device, const plait_sim_params& params) {
+Status LaneModel::prepare(Device& device, const Params& params) {
     source_.measure_rest(source_.rest_grid_of(params));
     for (const PartPtr& part : parts_) {
         if (!opened_)

@@ -99,8 +99,7 @@ LaneRows empty_rows(const LaneLayout& layout, bool has_start, std::pmr::memory_r
 } // namespace
 
 const Material& Materials::of(uint32_t strand) const {
-    const uint32_t index = table ? table->of[strand] : PLAIT_MATERIAL_OF_PARAMS;
-    return list[index == PLAIT_MATERIAL_OF_PARAMS ? 0 : index + size_t{1}];
+    return list[table->of.empty() ? 0 : table->of[strand]];
 }
 
 bool Materials::curls() const {

@@ -17,11 +17,10 @@ struct RestStrands {
     std::pmr::vector<float> stiffness; // scale of each strand's, or empty
 };
 
-// The material of each strand: the first is what the parameters say, then comes the
-// table's.
+// The material of each strand.
 struct Materials {
-    std::pmr::vector<Material> list;
-    StrandMaterialsPtr table; // which strand is of which
+    std::pmr::vector<Material> list; // those of the table
+    StrandMaterialsPtr table;        // which strand is of which
 
     const Material& of(uint32_t strand) const;
     bool curls() const; // the rest shape is not the groom's

@@ -1,6 +1,7 @@
 // A model: which stages one substep takes, over which buffers.
 #pragma once
 
+#include "core/base/params.hpp"
 #include "core/base/part.hpp"
 #include "core/base/pose.hpp"
 #include "core/base/schedule.hpp"
@@ -21,12 +22,13 @@ namespace plait {
 struct StepInput {
     const Layout& layout;
     const State& state;
-    const plait_sim_params& params;
+    const Params& params;
     Bodies bodies;            // at the substep's end
     double step;              // s, the fixed one
     uint32_t substeps;        // of it; only strands with this number of substeps are stepped
     float h;                  // s, its length
-    std::array<float, 3> air; // m/s: the wind, and what the head takes along
+    std::array<float, 3> air; // m/s: what head and frame take along
+    float drag;               // 1/s, against that air; 0 in a wind, which drags by itself
     float share;              // of the fixed step, at the substep's end
     bool first;               // of its substeps
 };
@@ -67,7 +69,7 @@ class Model {
     // Makes what `params` need and is not there yet, and fills what depends on them: aside, so that
     // the model stays as it is until swap() takes it. swap() again gives it back; discard() drops
     // what swap() would take.
-    virtual Status prepare(Device&, const plait_sim_params&) { return {}; }
+    virtual Status prepare(Device&, const Params&) { return {}; }
     // The same for the settings of every guide strand.
     virtual Status prepare_settings(Device&, Schedule&, const StepInput&,
                                     std::span<const Settings>) {
@@ -130,7 +132,6 @@ struct ModelInput {
     double step;   // s, the fixed one
     plait_sag_free sag_free;
     std::array<float, 3> gravity; // m/s^2, in which a sag-free groom is in balance
-    PartNeeds needs;
     std::pmr::memory_resource* memory;
 };
 

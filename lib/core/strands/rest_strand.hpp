@@ -19,7 +19,6 @@ using Quat = Eigen::Quaterniond;
 struct Ramp {
     std::array<double, 4> knots{1, 1, 1, 1};
 
-    static Ramp to_tip(double tip) { return {{1, 1 + (tip - 1) / 3, 1 + 2 * (tip - 1) / 3, tip}}; }
     double at(double share) const;
     double mean() const { return (knots[0] + 2 * (knots[1] + knots[2]) + knots[3]) / 6; }
     bool operator==(const Ramp&) const = default;

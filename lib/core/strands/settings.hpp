@@ -1,7 +1,7 @@
 // How a strand is solved: in how many substeps and with how much work in each.
 #pragma once
 
-#include <plait/plait.h>
+#include "core/base/params.hpp"
 
 #include <memory_resource>
 #include <span>
@@ -18,15 +18,15 @@ struct Settings {
     bool operator==(const Settings&) const = default;
 
     // The numbers that a solve takes.
-    uint32_t iterations_of(const plait_sim_params& params) const {
+    uint32_t iterations_of(const Params& params) const {
         return iterations == PLAIT_SETTING_OF_SIM ? params.iterations : iterations;
     }
-    uint32_t bdf2_of(const plait_sim_params& params) const {
+    uint32_t bdf2_of(const Params& params) const {
         const uint32_t own = bdf2 == PLAIT_SETTING_OF_SIM ? params.bdf2 : bdf2;
         if (own != PLAIT_BDF2_OF_MODEL)
             return own;
         // what it remembers of the step before throws off strands that others have pushed
-        return params.strand_contact == PLAIT_STRAND_CONTACT_OFF ? 1 : 0;
+        return params.strand_contact.on ? 0 : 1;
     }
 };
 using SettingsList = std::pmr::vector<Settings>; // [guides]

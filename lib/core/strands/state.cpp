@@ -88,18 +88,14 @@ Result<State> create_state(Device& device, const Groom& groom, const Layout& lay
     if (needs.two_steps)
         PLAIT_TRY(make(state.position_prev2, f4, guides, "position_prev2", rest.data(), guides));
     PLAIT_TRY(make(state.pose, f4, poses.size(), "pose", poses.data(), poses.size()));
-    if (needs.accelerates) {
-        const std::pmr::vector<Float4> none(guides, Float4{}, memory);
-        PLAIT_TRY(make(state.acceleration, f4, guides, "acceleration", none.data(), guides));
-    }
-    if (needs.pins) {
-        const std::pmr::vector<Float4> none(guides, Float4{}, memory);
-        PLAIT_TRY(make(state.pin, f4, guides, "pin", none.data(), guides));
-        PLAIT_TRY(make(state.pin_at, f4, guides, "pin_at", none.data(), guides));
-        PLAIT_TRY(make(state.pin_from, f4, guides, "pin_from", none.data(), guides));
-        PLAIT_TRY(make(state.pin_to, f4, guides, "pin_to", none.data(), guides));
-    }
     return state;
+}
+
+Status make_rows(Device& device, const Layout& layout, Buffer& to, const char* name,
+                 std::pmr::memory_resource* memory) {
+    const std::pmr::vector<Float4> none(layout.guide_vertices(), Float4{}, memory);
+    PLAIT_TRY(device.create(to, PLAIT_ELEMENT_FLOAT4, none.size(), name));
+    return device.write(to, none.data());
 }
 
 } // namespace plait

@@ -23,8 +23,8 @@ struct State {
     Buffer position_prev2; // float4 [guides*V]; only where the model keeps two steps
     Buffer pose;           // float4 [2*guides], of the last substep
     // From without.
-    Buffer acceleration; // float4 [guides*V], m/s^2; only with accelerations
-    // Only with pins, see pins.hpp. float4 [guides*V]: target and stiffness, as in stages.def.
+    Buffer acceleration; // float4 [guides*V], m/s^2; only with the feature of this name
+    // Only where vertices are pinned, see pins.hpp. float4 [guides*V]: target and stiffness, as in stages.def.
     Buffer pin;              // as the caller wants it at the end of the next call
     Buffer pin_at;           // at the end of the call before
     Buffer pin_from, pin_to; // at begin and end of the last fixed step
@@ -44,12 +44,16 @@ struct State {
 struct StateNeeds {
     uint32_t position_rows;
     uint32_t pinned; // vertices from the root on, of inverse mass 0; that of others is 1
-    bool two_steps, accelerates, pins;
+    bool two_steps;
     std::span<const uint32_t> follow_counts; // vertices of strands of their own; else empty
 };
 
 // Creates and fills the state with `groom` at rest, its roots at the identity.
 Result<State> create_state(Device& device, const Groom& groom, const Layout& layout,
                            const StateNeeds& needs, std::pmr::memory_resource* memory);
+
+// float4 [guides*V] of zeros. Waits.
+Status make_rows(Device& device, const Layout& layout, Buffer& to, const char* name,
+                 std::pmr::memory_resource* memory);
 
 } // namespace plait

@@ -10,43 +10,45 @@ namespace {
 constexpr uint32_t pinned = 2; // the root segment: its direction is the hair's growth direction
 constexpr float off = 1e6f;    // max_displacement and vsp_accel_threshold that are never reached
 
-bool has_shock(const plait_sim_params& p) {
-    return p.vsp_coeff > 0 || p.vsp_accel_threshold < off;
+bool has_shock(const Params& p) {
+    return p.tressfx.vsp_coeff > 0 || p.tressfx.vsp_accel_threshold < off;
 }
 
-bool has_wind(const plait_sim_params& p) {
-    if (p.wind_form == PLAIT_WIND_FORM_DRAG)
-        return p.air_drag > 0;
-    return p.wind[0] != 0 || p.wind[1] != 0 || p.wind[2] != 0;
+bool has_wind(const Params& p) {
+    if (p.tressfx.wind_form == PLAIT_WIND_FORM_DRAG)
+        return p.tressfx.air_drag > 0;
+    return p.tressfx.wind[0] != 0 || p.tressfx.wind[1] != 0 || p.tressfx.wind[2] != 0;
 }
 
-bool has_global_shape(const plait_sim_params& p) {
-    return p.global_stiffness > 0 && p.global_range > 0;
+bool has_global_shape(const Params& p) {
+    return p.tressfx.global_stiffness > 0 && p.tressfx.global_range > 0;
 }
 
-bool has_local_shape(const plait_sim_params& p) {
-    return p.local_iterations > 0 && p.local_stiffness > 0;
+bool has_local_shape(const Params& p) {
+    return p.tressfx.local_iterations > 0 && p.tressfx.local_stiffness > 0;
 }
 
-bool has_attachment(const plait_sim_params& p) {
-    return p.attachment > 0;
+bool has_attachment(const Params& p) {
+    return p.tressfx.attachment > 0;
 }
 
 void global_shape(Schedule& schedule, const StepInput& at) {
-    const plait_sim_params& p = at.params;
+    const Params& p = at.params;
     const State& s = at.state;
     if (has_global_shape(p))
         schedule.add(PLAIT_STAGE_global_shape, at.layout.guide_vertices(),
-                     plait_global_shape_params{at.layout.row, p.global_stiffness, p.global_range},
+                     plait_global_shape_params{at.layout.row, p.tressfx.global_stiffness,
+                                               p.tressfx.global_range},
                      {&s.rest, &s.vertex_count, &s.pose, &s.position});
 }
 
 void local_shape(Schedule& schedule, const StepInput& at) {
-    const plait_sim_params& p = at.params;
+    const Params& p = at.params;
     const State& s = at.state;
     if (has_local_shape(p))
         schedule.add(PLAIT_STAGE_local_shape, at.layout.guides,
-                     plait_local_shape_params{at.layout.row, p.local_stiffness, p.local_iterations},
+                     plait_local_shape_params{at.layout.row, p.tressfx.local_stiffness,
+                                              p.tressfx.local_iterations},
                      {&s.rest, &s.vertex_count, &s.pose, &s.position});
 }
 
@@ -54,7 +56,7 @@ void attach(Schedule& schedule, const StepInput& at) {
     const State& s = at.state;
     if (has_attachment(at.params))
         schedule.add(PLAIT_STAGE_attach, at.layout.guides,
-                     plait_attach_params{at.layout.row, at.params.attachment},
+                     plait_attach_params{at.layout.row, at.params.tressfx.attachment},
                      {&s.rest_length, &s.vertex_count, &s.position});
 }
 
@@ -63,7 +65,7 @@ class TressFx final : public Model {
     uint32_t pinned_vertices() const override { return pinned; }
     bool keeps_two_steps() const override { return true; }
     explicit TressFx(const Layout& layout) : layout_(layout) {}
-    Status prepare(Device& device, const plait_sim_params& params) override;
+    Status prepare(Device& device, const Params& params) override;
     void swap() noexcept override {
         if (changes_)
             strand_motion_.swap(next_strand_motion_);
@@ -86,7 +88,7 @@ class TressFx final : public Model {
     bool changes_ = false;
 };
 
-Status TressFx::prepare(Device& device, const plait_sim_params& params) {
+Status TressFx::prepare(Device& device, const Params& params) {
     const bool needed = has_shock(params);
     if (needed && !strand_motion_)
         PLAIT_TRY(device.create(next_strand_motion_, PLAIT_ELEMENT_FLOAT4,
@@ -101,11 +103,12 @@ void TressFx::discard() {
 }
 
 void integrate(Schedule& schedule, const StepInput& at, float global_stiffness) {
-    const plait_sim_params& p = at.params;
+    const Params& p = at.params;
     const State& s = at.state;
     const plait_integrate_params params = {
-        at.layout.row,           at.h,           p.damping,
-        global_stiffness,        p.global_range, {p.gravity[0], p.gravity[1], p.gravity[2]},
+        at.layout.row,           at.h,
+        p.tressfx.damping,       global_stiffness,
+        p.tressfx.global_range,  {p.gravity[0], p.gravity[1], p.gravity[2]},
         s.acceleration ? 1u : 0u};
     schedule.add(PLAIT_STAGE_integrate, at.layout.guide_vertices(), params,
                  {&s.rest, &s.vertex_count, &s.pose, &s.acceleration, &s.position, &s.position_prev,
@@ -113,13 +116,14 @@ void integrate(Schedule& schedule, const StepInput& at, float global_stiffness) 
 }
 
 void TressFx::shock(Schedule& schedule, const StepInput& at) const {
-    const plait_sim_params& p = at.params;
+    const Params& p = at.params;
     const State& s = at.state;
     if (!has_shock(p))
         return;
     schedule.add(PLAIT_STAGE_strand_data, at.layout.guides,
-                 plait_strand_data_params{at.layout.row, p.vsp_coeff, p.vsp_accel_threshold,
-                                          of_kernels(p.shock_form)},
+                 plait_strand_data_params{at.layout.row, p.tressfx.vsp_coeff,
+                                          p.tressfx.vsp_accel_threshold,
+                                          of_kernels(p.tressfx.shock_form)},
                  {&s.position, &s.position_prev, &s.position_prev2, &strand_motion_});
     schedule.add(PLAIT_STAGE_velocity_shock, at.layout.guide_vertices(),
                  plait_layout_params{at.layout.row},
@@ -127,28 +131,28 @@ void TressFx::shock(Schedule& schedule, const StepInput& at) const {
 }
 
 void wind(Schedule& schedule, const StepInput& at) {
-    const plait_sim_params& p = at.params;
+    const Params& p = at.params;
     const State& s = at.state;
     if (!has_wind(p))
         return;
     plait_tressfx_wind_params params{};
     params.vertex_stride = at.layout.row;
     params.h = at.h;
-    params.form = of_kernels(p.wind_form);
-    params.drag = p.air_drag;
+    params.form = of_kernels(p.tressfx.wind_form);
+    params.drag = p.tressfx.air_drag;
     for (size_t i = 0; i < 3; ++i)
-        params.wind[i] = p.wind[i];
-    if (p.wind_form == PLAIT_WIND_FORM_PUBLISHED)
-        wind_cone(p.wind, p.wind_cone, params.corner);
+        params.wind[i] = p.tressfx.wind[i];
+    if (p.tressfx.wind_form == PLAIT_WIND_FORM_PUBLISHED)
+        wind_cone(p.tressfx.wind, p.tressfx.wind_cone, params.corner);
     schedule.add(PLAIT_STAGE_tressfx_wind, at.layout.guides, params,
                  {&s.vertex_count, &s.position_prev, &s.position}, at.layout.row);
 }
 
 void length(Schedule& schedule, const StepInput& at) {
     const State& s = at.state;
-    if (at.params.length_iterations > 0)
+    if (at.params.tressfx.length_iterations > 0)
         schedule.add(PLAIT_STAGE_length, at.layout.guides,
-                     plait_length_params{at.layout.row, at.params.length_iterations},
+                     plait_length_params{at.layout.row, at.params.tressfx.length_iterations},
                      {&s.rest_length, &s.vertex_count, &s.position}, at.layout.row);
 }
 
@@ -163,9 +167,9 @@ void collide(Schedule& schedule, const StepInput& at) {
 
 void clamp(Schedule& schedule, const StepInput& at) {
     const State& s = at.state;
-    if (at.params.max_displacement < off)
+    if (at.params.tressfx.max_displacement < off)
         schedule.add(PLAIT_STAGE_clamp, at.layout.guide_vertices(),
-                     plait_clamp_params{at.layout.row, at.params.max_displacement},
+                     plait_clamp_params{at.layout.row, at.params.tressfx.max_displacement},
                      {&s.position_prev, &s.position});
 }
 
@@ -199,12 +203,13 @@ void TressFx::carry(Schedule& schedule, const StepInput& at, const plait_pose& m
 }
 
 void TressFx::substep(Schedule& schedule, const StepInput& at, const FillDoors&) {
-    if (at.params.order == PLAIT_STAGE_ORDER_SHOCK_BEFORE_GLOBAL) {
+    if (at.params.tressfx.order == PLAIT_STAGE_ORDER_SHOCK_BEFORE_GLOBAL) {
         integrate(schedule, at, 0);
         shock(schedule, at);
         global_shape(schedule, at);
     } else {
-        integrate(schedule, at, has_global_shape(at.params) ? at.params.global_stiffness : 0);
+        integrate(schedule, at,
+                  has_global_shape(at.params) ? at.params.tressfx.global_stiffness : 0);
         shock(schedule, at);
     }
     local_shape(schedule, at);

@@ -38,7 +38,7 @@ NodeGridPlace place_of(const plait_grid_params& grid) {
 }
 
 // What h of gravity does to a velocity, along the grid's axes.
-std::array<float, 3> fall_of(const plait_sim_params& p, const plait_grid_params& grid, float h) {
+std::array<float, 3> fall_of(const Params& p, const plait_grid_params& grid, float h) {
     plait_pose back = identity_pose;
     for (size_t i = 0; i < 4; ++i)
         back.q[i] = i < 3 ? -grid.q[i] : grid.q[i];
@@ -50,18 +50,18 @@ std::array<float, 3> fall_of(const plait_sim_params& p, const plait_grid_params&
     return fall;
 }
 
-plait_volume_params faces_params(const plait_sim_params& p, const VolumeGrid& grid) {
+plait_volume_params faces_params(const Params& p, const VolumeGrid& grid) {
     plait_volume_params params{};
     params.edge_count = grid.params.edge_count;
     params.voxel_edge = grid.params.voxel_edge;
     params.h = grid.step;
-    params.share = p.volume_share;
+    params.share = p.volume.share;
     params.slack = slack;
     params.onset = onset;
     params.recovery = static_cast<float>(1 - std::exp(-parting * double(grid.step)));
-    params.most_recovery = grid.step * p.volume_rate;
-    params.cohesion = p.cohesion;
-    params.wet_cohesion = p.wet_cohesion;
+    params.most_recovery = grid.step * p.volume.rate;
+    params.cohesion = p.volume.cohesion;
+    params.wet_cohesion = p.wetness.cohesion;
     return params;
 }
 
@@ -80,13 +80,13 @@ plait_lane_volume_params lane_params(const Part& part, const VolumeGrid& grid) {
 
 } // namespace
 
-Result<Volume> Volume::create(Device& device, const plait_sim_params& params) {
+Result<Volume> Volume::create(Device& device, const Params& params) {
     Volume volume;
-    if (params.volume == PLAIT_VOLUME_OFF)
+    if (!params.volume.on)
         return volume;
-    volume.edge_count_ = params.grid_edge_count;
+    volume.edge_count_ = params.grid.edge_count;
     const size_t n =
-        size_t{params.grid_edge_count} * params.grid_edge_count * params.grid_edge_count;
+        size_t{params.grid.edge_count} * params.grid.edge_count * params.grid.edge_count;
     constexpr auto one = PLAIT_ELEMENT_FLOAT, four = PLAIT_ELEMENT_FLOAT4;
     PLAIT_TRY(device.create(volume.potential_, one, 2 * n, "volume_potential"));
     PLAIT_TRY(device.create(volume.next_, one, 2 * n, "volume_potential"));
@@ -96,7 +96,7 @@ Result<Volume> Volume::create(Device& device, const plait_sim_params& params) {
     PLAIT_TRY(device.create(volume.link_, four, n, "volume_link"));
     PLAIT_TRY(device.create(volume.node_, four, n, "volume_node"));
     PLAIT_TRY(device.create(volume.pull_, four, 2 * n, "volume_pull"));
-    auto meshes = MeshSolid::create(device, params.grid_edge_count);
+    auto meshes = MeshSolid::create(device, params.grid.edge_count);
     if (!meshes)
         return meshes.error();
     volume.meshes_ = std::move(*meshes);
@@ -163,7 +163,7 @@ void Volume::solve(Schedule& schedule, const VolumeGrid& grid, const StepInput& 
                          plait_volume_sweep_params{n, colour}, {&link_, &node_, &pressure_});
     schedule.add(PLAIT_STAGE_volume_impulse, voxels(grid.params),
                  plait_volume_impulse_params{n, grid.params.voxel_edge, grid.step,
-                                             at.params.volume_viscosity},
+                                             at.params.volume.viscosity},
                  {&grid.density, &grid.velocity, &link_, &pressure_, &potential, &pull_});
 }
 
@@ -190,7 +190,7 @@ void Volume::append_start(Schedule& schedule, const VolumeGrid& grid, const Mode
 void Volume::append_step(Schedule& schedule, const VolumeGrid& grid, const Model& model,
                          const StepInput& at) const {
     splat(schedule, grid, model, at);
-    solve(schedule, grid, at, &potential_, next_, at.params.volume_sweeps);
+    solve(schedule, grid, at, &potential_, next_, at.params.volume.sweeps);
     gather(schedule, grid, model, at, true);
 }
 

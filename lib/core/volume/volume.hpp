@@ -18,9 +18,9 @@ struct VolumeGrid {
 class Volume {
   public:
     // None where `params` want none.
-    static Result<Volume> create(Device& device, const plait_sim_params& params);
-    bool fits(const plait_sim_params& params) const {
-        return params.volume == PLAIT_VOLUME_OFF ? !*this : edge_count_ == params.grid_edge_count;
+    static Result<Volume> create(Device& device, const Params& params);
+    bool fits(const Params& params) const {
+        return params.volume.on ? edge_count_ == params.grid.edge_count : !*this;
     }
     explicit operator bool() const { return bool(potential_); }
 
@@ -46,7 +46,7 @@ class Volume {
     void splat_into(Schedule& schedule, const VolumeGrid& grid, const Model& model,
                     const StepInput& at, bool soaked, const Buffer& rest) const;
     bool coheres_wet(const VolumeGrid& grid, const StepInput& at) const {
-        return grid.wetness && wetness_ && at.params.wet_cohesion > 0;
+        return grid.wetness && wetness_ && at.params.wetness.cohesion > 0;
     }
     // `before`: null where nothing is carried.
     void solve(Schedule& schedule, const VolumeGrid& grid, const StepInput& at,

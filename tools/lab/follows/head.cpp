@@ -1,4 +1,5 @@
 #include "head.hpp"
+#include "common/collider_reader.hpp"
 
 #include "generator/generator.hpp"
 
@@ -77,22 +78,22 @@ Choice choose_all(GroomHandle groom, uint32_t strands) {
 
 Run::Run(plait_context* context, const Choice& choice, const plait_follow_map* map)
     : choice_(choice) {
-    plait_sim_desc desc = plait_sim_desc_defaults();
+    plait::SimDesc desc;
     desc.follow_map = map;
     desc.sag_free = PLAIT_SAG_FREE_STIFFEN;
     plait_sim* sim = nullptr;
-    check(plait_sim_create(context, choice.groom.get(), &desc, &sim));
+    check(plait::create_sim(context, choice.groom.get(), desc, &sim));
     sim_.reset(sim);
     add_colliders();
 }
 
 void Run::add_colliders() {
     for (const plait_generator::Capsule& capsule : plait_generator::head_colliders()) {
-        plait_collider_desc desc = plait_collider_desc_defaults();
-        std::copy_n(capsule.a, 3, desc.a);
-        std::copy_n(capsule.b, 3, desc.b);
-        desc.radius_a = capsule.radius_a;
-        desc.radius_b = capsule.radius_b;
+        plait_collider_desc desc = common::smooth_collider();
+        std::copy_n(capsule.a, 3, desc.capsule.a);
+        std::copy_n(capsule.b, 3, desc.capsule.b);
+        desc.capsule.radius_a = capsule.radius_a;
+        desc.capsule.radius_b = capsule.radius_b;
         plait_collider_id id{};
         check(plait_collider_create(sim_.get(), &desc, &id));
         if (capsule.moves_with_head)

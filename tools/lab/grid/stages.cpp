@@ -84,7 +84,7 @@ void Device::wait() {
 }
 
 plait_grid_params params_of(uint32_t edge_count, double edge, uint32_t capacity) {
-    const plait_sim_params sim = plait_sim_params_defaults();
+    const plait_grid_desc sim = plait_grid_desc_defaults();
     plait_grid_params params{};
     params.edge_count = edge_count;
     params.capacity = capacity;

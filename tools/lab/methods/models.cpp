@@ -135,7 +135,7 @@ const Model* find_model(const std::string& label) {
 }
 
 const Model& default_model() {
-    const plait_model wanted = plait_sim_desc_defaults().model;
+    const plait_model wanted = plait::SimDesc().model;
     for (const Model& model : models())
         if (model.model == wanted && !model.baseline())
             return model;

@@ -88,8 +88,9 @@ Vec3 end_of(const float* p) {
 
 // Inside the hull of two spheres: depth below its surface, m.
 double depth_in_capsule(const plait_collider_desc& shape, const Pose& pose, const Vec3& x) {
-    const Vec3 a = pose * end_of(shape.a), b = pose * end_of(shape.b);
-    const double ra = static_cast<double>(shape.radius_a), rb = static_cast<double>(shape.radius_b);
+    const Vec3 a = pose * end_of(shape.capsule.a), b = pose * end_of(shape.capsule.b);
+    const double ra = static_cast<double>(shape.capsule.radius_a),
+                 rb = static_cast<double>(shape.capsule.radius_b);
     double deepest = -1e9;
     constexpr int samples = 200; // a cone's foot has a closed form; a fine search needs no cases
     for (int k = 0; k <= samples; ++k) {
@@ -103,19 +104,19 @@ double depth_in_capsule(const plait_collider_desc& shape, const Pose& pose, cons
 
 // Of a rounded box: the nearest face's plane inside the box without its rounding.
 double depth_in_box(const plait_collider_desc& shape, const Vec3& x) {
-    const float* q = shape.orientation;
+    const float* q = shape.box.orientation;
     const Eigen::Quaterniond turn{double(q[3]), double(q[0]), double(q[1]), double(q[2])};
-    const Vec3 offset = turn.normalized().conjugate() * (x - end_of(shape.a));
-    const Vec3 beyond = offset.cwiseAbs() - end_of(shape.half_extents);
+    const Vec3 offset = turn.normalized().conjugate() * (x - end_of(shape.box.centre));
+    const Vec3 beyond = offset.cwiseAbs() - end_of(shape.box.half_extents);
     const double most = beyond.maxCoeff();
-    return double(shape.rounding) - (most > 0 ? beyond.cwiseMax(0).norm() : most);
+    return double(shape.box.rounding) - (most > 0 ? beyond.cwiseMax(0).norm() : most);
 }
 
 double depth_in(const plait_collider_desc& shape, const Pose& pose, const Vec3& x) {
     const Vec3 own = pose.q.conjugate() * (x - pose.t);
     switch (shape.kind) {
     case PLAIT_COLLIDER_KIND_PLANE:
-        return end_of(shape.normal).normalized().dot(end_of(shape.a) - own);
+        return end_of(shape.plane.normal).normalized().dot(end_of(shape.plane.point) - own);
     case PLAIT_COLLIDER_KIND_BOX:
         return depth_in_box(shape, own);
     default:
@@ -127,13 +128,14 @@ double depth_in(const plait_collider_desc& shape, const Pose& pose, const Vec3& 
 // behind.
 double thickness(const plait_collider_desc& shape) {
     if (shape.kind == PLAIT_COLLIDER_KIND_BOX)
-        return end_of(shape.half_extents).minCoeff() + double(shape.rounding);
-    return double(shape.radius_a);
+        return end_of(shape.box.half_extents).minCoeff() + double(shape.box.rounding);
+    return double(shape.capsule.radius_a);
 }
 
 Vec3 middle_of(const plait_collider_desc& shape) {
-    const bool capsule = shape.kind == PLAIT_COLLIDER_KIND_CAPSULE;
-    return 0.5 * (end_of(shape.a) + end_of(capsule ? shape.b : shape.a));
+    return shape.kind == PLAIT_COLLIDER_KIND_CAPSULE
+               ? Vec3(0.5 * (end_of(shape.capsule.a) + end_of(shape.capsule.b)))
+               : end_of(shape.box.centre);
 }
 
 // Deepest of the edges below the collider's surface, m.

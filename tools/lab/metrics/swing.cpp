@@ -136,7 +136,8 @@ Eigen::VectorXcd answer(const MetricInput& in, double frequency, Complex way) {
     const Eigen::VectorXd free = (modes.rowwise().squaredNorm().array() > 0).cast<double>();
     const double drag = in.scene.drag * frequency;
     const Complex s(-square, drag);
-    const Complex driven(-square, drag * (1 - static_cast<double>(in.scene.params.air_with_head)));
+    const Complex driven(-square,
+                         drag * (1 - static_cast<double>(in.scene.sim.params.air_with_head)));
     Eigen::VectorXcd u = Eigen::VectorXcd::Zero(modes.rows());
     for (Eigen::Index k = 0; k < modes.cols(); ++k) {
         const double share = modes.col(k).dot(mass.cwiseProduct(free));

@@ -51,11 +51,11 @@ std::vector<float> stiffness_of(const Scene& scene, uint32_t copies) {
     return scales;
 }
 
-SimHandle make_sim(plait_context* context, const plait_groom* groom, plait_sim_desc desc,
+SimHandle make_sim(plait_context* context, const plait_groom* groom, plait::SimDesc desc,
                    const std::vector<float>& stiffness) {
     desc.strand_stiffness = {stiffness.data(), stiffness.size(), 0};
     plait_sim* sim = nullptr;
-    check(plait_sim_create(context, groom, &desc, &sim));
+    check(plait::create_sim(context, groom, desc, &sim));
     return SimHandle(sim);
 }
 
@@ -75,7 +75,7 @@ std::vector<std::vector<Vec3>> shapes_of(const Scene& scene, const Model& model)
 constexpr double limp = 1e5; // gamma beyond which bending is not to be seen
 
 // TressFX damps by e^(-60 d h), has iterations of its own, and a stiffness without a modulus.
-void describe_tressfx(const Scene& scene, const Setting& setting, plait_sim_params& p) {
+void describe_tressfx(const Scene& scene, const Setting& setting, plait_tressfx_desc& p) {
     p.length_iterations = setting.iterations;
     p.damping = static_cast<float>(scene.drag / 60);
     if (scene.gamma() > limp)
@@ -92,30 +92,32 @@ uint64_t count_nonfinite(const Frame& frame) {
 
 } // namespace
 
-plait_sim_desc describe(const Scene& scene, const Method& method) {
+plait::SimDesc describe(const Scene& scene, const Method& method) {
     if (scene.tip_pin && !method.model->pins)
         throw Failure("the scene has a tip_pin, and " + method.model->label + " takes no pins");
-    plait_sim_desc desc = plait_sim_desc_defaults();
+    plait::SimDesc desc = scene.sim;
     desc.model = method.model->model;
     desc.step = static_cast<float>(1 / scene.rate);
     desc.substeps = resolved(*method.model, method.setting, scene).substeps;
     desc.max_steps_per_call = 1;
     desc.follows_per_guide = scene.follows_per_guide;
-    desc.pins = scene.tip_pin ? 1 : 0;
-    plait_sim_params& p = desc.params = scene.params;
+    plait_sim_params& p = desc.params;
+    plait_material& material = desc.material;
     to_floats(scene.gravity, p.gravity);
     p.iterations = std::min(method.setting.iterations, 64u);
     p.bdf2 = method.setting.bdf2;
-    p.line_density = static_cast<float>(scene.material.line_density);
-    p.bend_stiffness = static_cast<float>(scene.material.bend_stiffness);
-    p.stretch_stiffness = static_cast<float>(scene.material.stretch_stiffness);
-    p.tip_stiffness = static_cast<float>(scene.material.tip_stiffness);
+    material.line_density = static_cast<float>(scene.material.line_density);
+    material.bend_stiffness = static_cast<float>(scene.material.bend_stiffness);
+    material.stretch_stiffness = static_cast<float>(scene.material.stretch_stiffness);
+    for (size_t k = 0; k < 4; ++k)
+        material.stiffness_ramp[k] =
+            static_cast<float>(1 + (scene.material.tip_stiffness - 1) * double(k) / 3);
     if (scene.material.twist_ratio > 0 && method.model->twists)
-        p.twist_stiffness =
+        material.twist_stiffness =
             static_cast<float>(scene.material.twist_ratio * scene.material.bend_stiffness);
     p.drag = static_cast<float>(scene.drag);
     if (desc.model == PLAIT_MODEL_TRESSFX)
-        describe_tressfx(scene, method.setting, p);
+        describe_tressfx(scene, method.setting, desc.tressfx);
     return desc;
 }
 
@@ -133,9 +135,9 @@ Stage::Stage(plait_context* context, const Scene& scene, const Method& method, u
       groom_(make_groom(shapes_of(scene, *method.model), copies)),
       sim_(make_sim(context, groom_.get(), desc_, stiffness_of(scene, copies))),
       rest_(shapes_of(scene, *method.model)), copies_(copies), pose_(scene.motion.at(0)) {
-    plait_sim_stats stats = plait_sim_stats_defaults();
-    check(plait_sim_get_stats(sim_.get(), &stats));
-    row_ = stats.vertices_per_strand;
+    plait_sim_info info = plait_sim_info_defaults();
+    check(plait_sim_describe(sim_.get(), &info));
+    row_ = info.vertices_per_strand;
     if (!scene.motion.still())
         start_at(pose_);
     for (const SceneCollider& collider : scene.colliders) {
@@ -171,18 +173,21 @@ void Stage::start_at(const Pose& pose) {
 }
 
 uint64_t Stage::vertices() const {
-    plait_sim_stats stats = plait_sim_stats_defaults();
-    check(plait_sim_get_stats(sim_.get(), &stats));
-    return stats.guides * stats.vertices_per_strand;
+    plait_sim_info info = plait_sim_info_defaults();
+    check(plait_sim_describe(sim_.get(), &info));
+    return info.guides * info.vertices_per_strand;
 }
 
 void Stage::set_params(double drag, const Vec3& gravity) {
     plait_sim_params p = desc_.params;
     p.drag = static_cast<float>(drag);
-    if (desc_.model == PLAIT_MODEL_TRESSFX)
-        p.damping = static_cast<float>(drag / 60);
     to_floats(gravity, p.gravity);
     check(plait_sim_set_params(sim_.get(), &p));
+    if (desc_.model != PLAIT_MODEL_TRESSFX)
+        return;
+    plait_tressfx_desc tressfx = desc_.tressfx;
+    tressfx.damping = static_cast<float>(drag / 60);
+    check(plait_sim_set_tressfx(sim_.get(), &tressfx));
 }
 
 void Stage::settle(bool begin) {

@@ -23,7 +23,7 @@ struct Recording {
 };
 
 // What the method makes of the scene. Stiffnesses of single strands come on top, see Stage.
-plait_sim_desc describe(const Scene& scene, const Method& method);
+plait::SimDesc describe(const Scene& scene, const Method& method);
 Method method_of(const Scene& scene); // as the scene says
 
 // Settles, then records. `watch` is told the share that is done. Throws Failure.
@@ -53,7 +53,7 @@ class Stage {
     std::vector<std::vector<Vec3>> read_field(plait_field field) const;
 
     const Scene& scene_;
-    plait_sim_desc desc_;
+    plait::SimDesc desc_;
     GroomHandle groom_;
     SimHandle sim_;
     std::vector<plait_collider_id> colliders_;

@@ -199,7 +199,7 @@ void read_time(JsonReader& top, Scene& scene) {
 }
 
 SceneCollider read_moving(JsonReader in, double unit_time) {
-    SceneCollider collider{common::read_collider(in), {}};
+    SceneCollider collider{common::read_collider(in, common::smooth_collider()), {}};
     if (const Json* motion = in.value("motion"))
         collider.motion = read_motion(in, *motion, "motion", unit_time);
     in.finish();
@@ -406,7 +406,6 @@ Scene read_scene(const Json& document, const Origin& origin) {
     scene.file = origin.file;
     scene.physics = physics_of(document);
     scene.physics_but_segments = physics_of(without_segments(document));
-    scene.params = plait_sim_params_defaults();
     JsonReader top(document, origin);
     top.text("title", scene.title);
     read_method(top, scene);
@@ -420,11 +419,15 @@ Scene read_scene(const Json& document, const Origin& origin) {
     static constexpr std::array airs{"world", "head"};
     int air = 0;
     top.choice("air", air, airs);
-    scene.params.air_with_head = static_cast<float>(air);
+    scene.sim.params.air_with_head = static_cast<float>(air);
+    scene.sim.model = find_model(scene.model)->model;
+    read_grid(top, scene.sim);
     if (const Json* params = top.value("params"))
-        read_params(top.object(*params, "params"), scene.params);
-    if (scene.params.tip_density != 1)
-        top.fail("params", "has a tip_density other than 1: the references are of even strands");
+        read_params(top.object(*params, "params"), scene.sim);
+    for (const float knot : scene.sim.material.density_ramp)
+        if (knot != 1)
+            top.fail("params",
+                     "has a density_ramp other than 1: the references are of even strands");
     if (const Json* motion = top.value("motion"))
         scene.motion = read_motion(top, *motion, "motion", scene.unit_time);
     top.each("colliders", [&](const JsonReader& in) {

@@ -64,7 +64,7 @@ struct Scene {
     Material material;
     Vec3 gravity{0, -standard_gravity, 0};        // m/s^2
     double drag = 1;                              // 1/s
-    plait_sim_params params;                      // what else is set, by the library's own names
+    plait::SimDesc sim;                           // what else is set, by the library's own names
     double rate = 60;                             // steps a second
     double duration = 2;                          // s, recorded
     double settle = 0;                            // s before, not recorded,

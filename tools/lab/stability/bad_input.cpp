@@ -1,4 +1,5 @@
 #include "bad_input.hpp"
+#include "common/collider_reader.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -54,13 +55,13 @@ GroomHandle groom_of(const std::vector<Strand>& strands) {
 }
 
 SimHandle sim_of(const Subject& subject, const plait_groom* groom) {
-    plait_sim_desc desc = plait_sim_desc_defaults();
+    plait::SimDesc desc;
     desc.model = subject.model;
     desc.substeps = subject.substeps;
     desc.params.iterations = subject.iterations;
     desc.params.bdf2 = subject.bdf2;
     plait_sim* sim = nullptr;
-    check(plait_sim_create(subject.context, groom, &desc, &sim));
+    check(plait::create_sim(subject.context, groom, desc, &sim));
     return SimHandle(sim);
 }
 
@@ -204,21 +205,20 @@ Verdict try_folded(const Subject& subject, const std::string& input) {
 
 std::vector<plait_result> bad_numbers(plait_sim* sim) {
     std::vector<plait_result> results;
-    const auto with = [&](const std::function<void(plait_sim_params&)>& change) {
-        plait_sim_params params{};
-        plait_sim_params_init(&params, sizeof params);
-        check(plait_sim_get_params(sim, &params));
-        change(params);
-        results.push_back(plait_sim_set_params(sim, &params));
+    const auto with = [&](const std::function<void(plait::SimDesc&)>& change) {
+        plait::SimDesc desc;
+        check(plait_sim_get_params(sim, &desc.params));
+        change(desc);
+        results.push_back(plait::set_all(sim, desc));
     };
-    with([](plait_sim_params& p) { p.bend_stiffness = -1; });
-    with([](plait_sim_params& p) { p.stretch_stiffness = -1; });
-    with([](plait_sim_params& p) { p.line_density = 0; });
-    with([](plait_sim_params& p) { p.bend_stiffness = nan; });
-    with([](plait_sim_params& p) { p.drag = inf; });
+    with([](plait::SimDesc& d) { d.material.bend_stiffness = -1; });
+    with([](plait::SimDesc& d) { d.material.stretch_stiffness = -1; });
+    with([](plait::SimDesc& d) { d.material.line_density = 0; });
+    with([](plait::SimDesc& d) { d.material.bend_stiffness = nan; });
+    with([](plait::SimDesc& d) { d.params.drag = inf; });
     for (const float radius : {0.0f, -1.0f, nan}) {
-        plait_collider_desc collider = plait_collider_desc_defaults();
-        collider.radius_a = collider.radius_b = radius;
+        plait_collider_desc collider = common::smooth_collider();
+        collider.capsule.radius_a = collider.capsule.radius_b = radius;
         plait_collider_id id{};
         results.push_back(plait_collider_create(sim, &collider, &id));
     }

@@ -4,6 +4,8 @@
 
 #include "sweep.hpp"
 
+#include <plait/plait.hpp>
+
 namespace lab::stability {
 
 struct Verdict {

@@ -15,7 +15,6 @@ constexpr double swing_rate = 2 * pi * 1.5; // rad/s: not the roots' 2 Hz
 Trial pinned(const Subject& subject, double stiffness, std::function<Point(double)> target,
              double target_speed) {
     Trial trial = base_trial(subject);
-    trial.desc.pins = 1;
     trial.has_energy = false; // what a pin's spring holds is not counted here
     for (uint32_t k = 0; k < trial.strands.size(); ++k)
         for (const uint32_t vertex : {8u, 16u})

@@ -1,6 +1,7 @@
 // Axes of the stability sweep: boxes that tumble through hair, floors that rise over it, and hair
 // pressed between the two.
 #include "axes.hpp"
+#include "common/collider_reader.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,11 +25,11 @@ plait_pose turned(const Point& at, double angle) {
 }
 
 plait_collider_desc box_of(double half_extent, double rounding, double friction) {
-    plait_collider_desc box = plait_collider_desc_defaults();
+    plait_collider_desc box = common::smooth_collider();
     box.kind = PLAIT_COLLIDER_KIND_BOX;
-    for (float& half : box.half_extents)
+    for (float& half : box.box.half_extents)
         half = static_cast<float>(half_extent);
-    box.rounding = static_cast<float>(rounding);
+    box.box.rounding = static_cast<float>(rounding);
     box.friction = static_cast<float>(friction);
     return box;
 }
@@ -54,11 +55,11 @@ TrialCollider tumbling(double speed, double friction) {
 // A floor that rises to `height` above the roots, from up to half a metre under it, and leans by 20
 // degrees.
 TrialCollider floor_to(double height, double speed, double friction) {
-    TrialCollider collider{plait_collider_desc_defaults(), {}};
+    TrialCollider collider{common::smooth_collider(), {}};
     collider.shape.kind = PLAIT_COLLIDER_KIND_PLANE;
     const Point up(std::sin(pi / 9), std::cos(pi / 9), 0);
     for (int c = 0; c < 3; ++c)
-        collider.shape.normal[c] = static_cast<float>(up[c]);
+        collider.shape.plane.normal[c] = static_cast<float>(up[c]);
     collider.shape.friction = static_cast<float>(friction);
     const double rise = std::min(0.5, moves_for * speed);
     collider.pose = [height, speed, rise](double t) {
@@ -113,8 +114,8 @@ void add_presses(Points& points) {
     for (const double room : {10.0, 0.0, -10.0}) {
         const double ends = -0.1 + 0.05 + 1e-3 * room;
         TrialCollider ground = floor_to(-0.1, 1e3, 0.5);
-        ground.shape.normal[0] = 0;
-        ground.shape.normal[1] = 1;
+        ground.shape.plane.normal[0] = 0;
+        ground.shape.plane.normal[1] = 1;
         const TrialCollider press{box_of(0.04, 0.01, 0.5), [ends](double t) {
                                       return turned(Point(middle, std::max(0.3 - 0.5 * t, ends), 0),
                                                     0);

@@ -1,4 +1,5 @@
 #include "axes.hpp"
+#include "common/collider_reader.hpp"
 
 #include <cmath>
 
@@ -50,18 +51,18 @@ TrialStrand shaken(std::vector<Point> rest, const Shake& shake, double shaking, 
     return strand;
 }
 
-plait_sim_desc desc_of(const Subject& subject, double rate, double gamma) {
-    plait_sim_desc desc = plait_sim_desc_defaults();
+plait::SimDesc desc_of(const Subject& subject, double rate, double gamma) {
+    plait::SimDesc desc;
     desc.model = subject.model;
     desc.step = static_cast<float>(1 / rate);
     desc.substeps = subject.substeps;
     plait_sim_params& params = desc.params;
     params.gravity[1] = static_cast<float>(-gravity);
-    params.line_density = static_cast<float>(line_density);
-    params.bend_stiffness =
+    desc.material.line_density = static_cast<float>(line_density);
+    desc.material.bend_stiffness =
         subject.limp ? 0 : static_cast<float>(line_density * gravity * std::pow(length, 3) / gamma);
     params.iterations = subject.iterations;
-    params.length_iterations = subject.iterations;
+    desc.tressfx.length_iterations = subject.iterations;
     params.bdf2 = subject.bdf2;
     return desc;
 }
@@ -137,7 +138,9 @@ void add_densities(Points& points) {
     for (const double ratio : {1e-3, 1e-2, 0.1, 1.0, 10.0, 100.0, 1e3})
         points.push_back({"density ratio", axis_text(ratio), [ratio](const Subject& subject) {
                               Trial trial = base_trial(subject);
-                              trial.desc.params.tip_density = static_cast<float>(ratio);
+                              for (int k = 0; k < 4; ++k)
+                                  trial.desc.material.density_ramp[k] =
+                                      static_cast<float>(1 + (ratio - 1) * k / 3);
                               return trial;
                           }});
 }
@@ -182,8 +185,8 @@ void add_frames(Points& points) {
 
 // A sphere of 5 cm that crosses the middle of the strand at `speed` and stays beyond it.
 TrialCollider crossing(double speed, double friction) {
-    TrialCollider collider{plait_collider_desc_defaults(), {}};
-    collider.shape.radius_a = collider.shape.radius_b = 0.05f;
+    TrialCollider collider{common::smooth_collider(), {}};
+    collider.shape.capsule.radius_a = collider.shape.capsule.radius_b = 0.05f;
     collider.shape.friction = static_cast<float>(friction);
     collider.pose = [speed](double t) {
         plait_pose pose = pose_at(0.3 * length);
@@ -215,7 +218,7 @@ void add_colliders(Points& points) {
         points.push_back({"start embedded", axis_text(share), [share](const Subject& subject) {
                               Trial trial = base_trial(subject);
                               TrialCollider sphere = crossing(0, 0.3);
-                              sphere.shape.radius_a = sphere.shape.radius_b = 0.15f;
+                              sphere.shape.capsule.radius_a = sphere.shape.capsule.radius_b = 0.15f;
                               const double depth = 0.15 * (1 - 2 * share);
                               sphere.pose = [depth](double) {
                                   plait_pose pose = pose_at(0.5 * length);
@@ -245,10 +248,10 @@ Point hand_at(double time, double room) {
 }
 
 TrialCollider hand_of(double room) {
-    TrialCollider collider{plait_collider_desc_defaults(), {}};
-    collider.shape.a[2] = -0.06f;
-    collider.shape.b[2] = 0.06f;
-    collider.shape.radius_a = collider.shape.radius_b = static_cast<float>(hand);
+    TrialCollider collider{common::smooth_collider(), {}};
+    collider.shape.capsule.a[2] = -0.06f;
+    collider.shape.capsule.b[2] = 0.06f;
+    collider.shape.capsule.radius_a = collider.shape.capsule.radius_b = static_cast<float>(hand);
     collider.shape.friction = 0.3f;
     collider.pose = [room](double time) {
         const Point at = hand_at(time, room);
@@ -260,8 +263,8 @@ TrialCollider hand_of(double room) {
 }
 
 TrialCollider skull_at_origin() {
-    TrialCollider collider{plait_collider_desc_defaults(), {}};
-    collider.shape.radius_a = collider.shape.radius_b = static_cast<float>(skull);
+    TrialCollider collider{common::smooth_collider(), {}};
+    collider.shape.capsule.radius_a = collider.shape.capsule.radius_b = static_cast<float>(skull);
     collider.shape.friction = 0.3f;
     collider.pose = [](double) { return pose_at(0); };
     return collider;

@@ -40,7 +40,7 @@ Point apply(const plait_pose& pose, const Point& p) {
 // are turned is not among a sim's fields.
 class Elastic {
   public:
-    Elastic(const std::vector<Point>& rest, const plait_sim_desc& desc);
+    Elastic(const std::vector<Point>& rest, const plait::SimDesc& desc);
 
     double kinetic(const std::vector<Point>& v) const;
     // Height and stretch, J: not above what there is.
@@ -56,10 +56,10 @@ class Elastic {
     double length_, density_, EI_, EA_; // the mean density
 };
 
-Elastic::Elastic(const std::vector<Point>& rest, const plait_sim_desc& desc)
+Elastic::Elastic(const std::vector<Point>& rest, const plait::SimDesc& desc)
     : length_(length_of(rest)),
-      density_(desc.params.line_density * 0.5 * (1 + desc.params.tip_density)),
-      EI_(desc.params.bend_stiffness), EA_(desc.params.stretch_stiffness) {
+      density_(desc.material.line_density * 0.5 * (1 + desc.material.density_ramp[3])),
+      EI_(desc.material.bend_stiffness), EA_(desc.material.stretch_stiffness) {
     if (EA_ == 0)
         EA_ = density_ * length_ * 10 * gravity / 0.01; // the library's choice
     Turn frame = Turn::Identity();
@@ -74,7 +74,8 @@ Elastic::Elastic(const std::vector<Point>& rest, const plait_sim_desc& desc)
     std::vector<double> own; // masses of the segments
     for (const double l : lengths_) {
         const double share = (above + 0.5 * l) / length_;
-        own.push_back(desc.params.line_density * l * (1 + (desc.params.tip_density - 1) * share));
+        own.push_back(desc.material.line_density * l *
+                      (1 + (desc.material.density_ramp[3] - 1) * share));
         above += l;
     }
     for (size_t i = 0; i < own.size(); ++i) {
@@ -126,7 +127,7 @@ class Watch {
 
   private:
     void see_energy(const std::vector<Point>& x, const std::vector<Point>& v, const Turn& root);
-    double expected_response(const TrialStrand& strand, const plait_sim_desc& desc) const;
+    double expected_response(const TrialStrand& strand, const plait::SimDesc& desc) const;
 
     std::vector<Point> rest_, before_;
     std::vector<double> lengths_;
@@ -150,12 +151,12 @@ Watch::Watch(const TrialStrand& strand, const Trial& trial)
 }
 
 // A tenth of the deflection of a level rod, or of half its length; 0 where that is below 1e-3 L.
-double Watch::expected_response(const TrialStrand& strand, const plait_sim_desc& desc) const {
+double Watch::expected_response(const TrialStrand& strand, const plait::SimDesc& desc) const {
     if (desc.model == PLAIT_MODEL_TRESSFX)
         return 0.05 * length_;
-    const double EI = double(desc.params.bend_stiffness);
+    const double EI = double(desc.material.bend_stiffness);
     const double gamma =
-        double(desc.params.line_density) * gravity * std::pow(length_, 3) / std::max(EI, 1e-300);
+        double(desc.material.line_density) * gravity * std::pow(length_, 3) / std::max(EI, 1e-300);
     const double deflection = std::min(0.5, gamma * std::max(1.0, strand.stir) / 8);
     return deflection < 1e-2 ? 0 : 0.1 * deflection * length_;
 }
@@ -258,7 +259,7 @@ Scene::Scene(plait_context* context, const Trial& trial) : trial_(trial) {
     check(plait_groom_create(&desc, &options, &groom));
     groom_.reset(groom);
     plait_sim* sim = nullptr;
-    check(plait_sim_create(context, groom, &trial.desc, &sim));
+    check(plait::create_sim(context, groom, trial.desc, &sim));
     sim_.reset(sim);
 
     std::vector<plait_pose> poses;

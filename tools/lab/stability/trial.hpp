@@ -4,6 +4,8 @@
 
 #include "common/handles.hpp"
 
+#include <plait/plait.hpp>
+
 #include <Eigen/Geometry>
 
 #include <functional>
@@ -37,10 +39,10 @@ struct TrialPin {
 };
 
 struct Trial {
-    plait_sim_desc desc;
+    plait::SimDesc desc;
     std::vector<TrialStrand> strands;
     std::vector<TrialCollider> colliders;
-    std::vector<TrialPin> pins;   // desc.pins has to be on
+    std::vector<TrialPin> pins;
     Point offset = Point::Zero(); // of the whole scene in the world, m
     double shake = 2, settle = 5; // s; in the second the drag is 2.4 sqrt(g/L), near critical
     std::vector<double> frames;   // lengths of the frames, s, over and over; empty: the step's

@@ -1,4 +1,5 @@
 #include "ball.hpp"
+#include "common/collider_reader.hpp"
 
 #include "generator/generator.hpp"
 
@@ -18,25 +19,25 @@ double now_ms() {
     return now.count();
 }
 
-plait_sim_desc desc_of(const Method& method, const std::string& model, bool free) {
-    plait_sim_desc desc = plait_sim_desc_defaults();
+plait::SimDesc desc_of(const Method& method, const std::string& model, bool free) {
+    plait::SimDesc desc;
     desc.model = find_model(model)->model;
     desc.step = static_cast<float>(1 / rate);
     desc.substeps = 1;
     desc.params.bdf2 = 0; // a velocity that is written is all the history there is
-    desc.accelerations = 1;
+    desc.acceleration.on = true;
     plait_sim_params& params = desc.params;
     params.drag = free ? 0.0f : 1.0f;
     if (free) { // nor held by their roots: there is no pull along strands, or next to none
         std::fill_n(params.gravity, 3, 0.0f);
-        params.stretch_stiffness = 1e-9f;
-        params.bend_stiffness = 0;
+        desc.material.stretch_stiffness = 1e-9f;
+        desc.material.bend_stiffness = 0;
     }
-    params.grid_edge = static_cast<float>(cube.edge);
-    params.grid_edge_count = cube.nodes;
+    desc.grid.edge = static_cast<float>(cube.edge);
+    desc.grid.edge_count = cube.nodes;
     for (int axis = 0; axis < 3; ++axis)
-        params.grid_origin[axis] = static_cast<float>(cube.origin[axis]);
-    method.set(params);
+        desc.grid.origin[axis] = static_cast<float>(cube.origin[axis]);
+    method.set(desc);
     return desc;
 }
 
@@ -50,10 +51,11 @@ GroomHandle groom_of(const Hair& hair) {
 }
 
 void add_ball(plait_sim* sim) {
-    plait_collider_desc desc = plait_collider_desc_defaults();
-    std::fill_n(desc.a, 3, 0.0f);
-    std::fill_n(desc.b, 3, 0.0f);
-    desc.radius_a = desc.radius_b = static_cast<float>(plait_generator::ball_radius);
+    plait_collider_desc desc = common::smooth_collider();
+    std::fill_n(desc.capsule.a, 3, 0.0f);
+    std::fill_n(desc.capsule.b, 3, 0.0f);
+    desc.capsule.radius_a = desc.capsule.radius_b =
+        static_cast<float>(plait_generator::ball_radius);
     desc.friction = 0.2f;
     plait_collider_id id{};
     check(plait_collider_create(sim, &desc, &id));
@@ -85,9 +87,9 @@ Run::Run(plait_context* context, const Hair& hair, const Method& method, const s
          bool free)
     : method_(method) {
     const GroomHandle groom = groom_of(hair);
-    const plait_sim_desc desc = desc_of(method, model, free);
+    const plait::SimDesc desc = desc_of(method, model, free);
     plait_sim* sim = nullptr;
-    check(plait_sim_create(context, groom.get(), &desc, &sim));
+    check(plait::create_sim(context, groom.get(), desc, &sim));
     sim_.reset(sim);
     const double radius = free ? 0 : plait_generator::ball_radius;
     if (!free)

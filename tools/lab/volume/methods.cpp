@@ -162,18 +162,17 @@ std::unique_ptr<Program> projection(const Cube& cube, double closed_radius) {
     return std::make_unique<Projection>(cube, closed_radius);
 }
 
-void set_nothing(plait_sim_params&) {}
+void set_nothing(plait::SimDesc&) {}
 
 // Its own grid of eight voxels along an edge, and its own rule.
-void set_diffusion(plait_sim_params& params) {
-    params.interhair = PLAIT_INTERHAIR_EXACT;
-    params.grid_edge_count = 8;
-    params.diffuse_rule = PLAIT_DIFFUSE_RULE_THESIS;
+void set_diffusion(plait::SimDesc& desc) {
+    desc.grid.on = true;
+    desc.grid.edge_count = 8;
+    desc.grid.diffuse_rule = PLAIT_DIFFUSE_RULE_THESIS;
 }
 
-void set_volume(plait_sim_params& params) {
-    params.interhair = PLAIT_INTERHAIR_EXACT;
-    params.volume = PLAIT_VOLUME_PRESSURE;
+void set_volume(plait::SimDesc& desc) {
+    desc.grid.on = desc.volume.on = true;
 }
 
 } // namespace

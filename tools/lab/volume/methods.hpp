@@ -4,6 +4,8 @@
 
 #include "cloud.hpp"
 
+#include <plait/plait.hpp>
+
 #include <memory>
 #include <optional>
 #include <string>
@@ -26,7 +28,7 @@ struct Method {
     std::string name;  // of a row: "petrovic"
     std::string title; // "Petrovic, Henne & Anderson 2005"
     std::string colour;
-    void (*set)(plait_sim_params&); // what it is in the library
+    void (*set)(plait::SimDesc&); // what it is in the library
     // Null: it is the library's. `closed_radius` as of Nodes.
     std::unique_ptr<Program> (*program)(const Cube& cube, double closed_radius);
 };

@@ -141,8 +141,9 @@ std::vector<Collider> skull_under(const plait_groom* groom) {
     std::nth_element(distances.begin(), low, distances.end());
     Collider skull{plait_collider_desc_defaults(), true};
     for (int axis = 0; axis < 3; ++axis)
-        skull.shape.a[axis] = skull.shape.b[axis] = centre[axis];
-    skull.shape.radius_a = skull.shape.radius_b = std::max(1e-4f, std::min(radius, *low));
+        skull.shape.capsule.a[axis] = skull.shape.capsule.b[axis] = centre[axis];
+    skull.shape.capsule.radius_a = skull.shape.capsule.radius_b =
+        std::max(1e-4f, std::min(radius, *low));
     return {skull};
 }
 
@@ -155,11 +156,11 @@ std::vector<Collider> generated_colliders(bool on_ball) {
     std::vector<Collider> colliders;
     for (const Capsule& capsule : on_ball ? ball_colliders() : head_colliders()) {
         Collider collider{plait_collider_desc_defaults(), capsule.moves_with_head};
-        std::copy_n(capsule.a, 3, collider.shape.a);
-        std::copy_n(capsule.b, 3, collider.shape.b);
+        std::copy_n(capsule.a, 3, collider.shape.capsule.a);
+        std::copy_n(capsule.b, 3, collider.shape.capsule.b);
         const float margin = capsule.moves_with_head ? 0 : body_margin;
-        collider.shape.radius_a = capsule.radius_a + margin;
-        collider.shape.radius_b = capsule.radius_b + margin;
+        collider.shape.capsule.radius_a = capsule.radius_a + margin;
+        collider.shape.capsule.radius_b = capsule.radius_b + margin;
         colliders.push_back(collider);
     }
     return colliders;

@@ -17,7 +17,7 @@ constexpr float plane_size = 0.6f; // m from the middle of what is drawn of a pl
 
 // Rings from the far side of a, by its cap, along the cone and around b.
 HeadMesh capsule_mesh(const plait_collider_desc& shape) {
-    const Vector3f a(shape.a), b(shape.b);
+    const Vector3f a(shape.capsule.a), b(shape.capsule.b);
     const float length = (b - a).norm();
     const Vector3f axis = length > 0.0f ? Vector3f((b - a) / length) : Vector3f::UnitX();
     const Vector3f side = axis.unitOrthogonal(), other = axis.cross(side);
@@ -27,7 +27,7 @@ HeadMesh capsule_mesh(const plait_collider_desc& shape) {
         const auto step = static_cast<float>(first ? ring : ring - 1);
         const float angle = (step / (2.0f * along_a_cap) - 0.5f) * std::numbers::pi_v<float>;
         const Vector3f middle = first ? a : b;
-        const float radius = first ? shape.radius_a : shape.radius_b;
+        const float radius = first ? shape.capsule.radius_a : shape.capsule.radius_b;
         for (uint32_t i = 0; i < around; ++i) {
             const float turn = 2.0f * std::numbers::pi_v<float> * static_cast<float>(i) / around;
             mesh.vertices.push_back(middle + radius * (std::sin(angle) * axis +
@@ -47,9 +47,9 @@ HeadMesh capsule_mesh(const plait_collider_desc& shape) {
 
 // A square around its point.
 HeadMesh plane_mesh(const plait_collider_desc& shape) {
-    const Vector3f normal = Vector3f(shape.normal).normalized();
+    const Vector3f normal = Vector3f(shape.plane.normal).normalized();
     const Vector3f side = plane_size * normal.unitOrthogonal(), other = normal.cross(side);
-    const Vector3f point(shape.a);
+    const Vector3f point(shape.plane.point);
     HeadMesh mesh;
     mesh.vertices = {point - side - other, point + side - other, point + side + other,
                      point - side + other};
@@ -61,9 +61,9 @@ HeadMesh plane_mesh(const plait_collider_desc& shape) {
 // that rounds it lies in its corners. Each of six faces is a grid whose inner square is flat.
 HeadMesh box_mesh(const plait_collider_desc& shape) {
     constexpr int across = 2 * 6; // cells of a quarter turn: of both edges of a face
-    const Eigen::Quaternionf turn(shape.orientation[3], shape.orientation[0], shape.orientation[1],
-                                  shape.orientation[2]);
-    const Vector3f half(shape.half_extents), centre(shape.a);
+    const Eigen::Quaternionf turn(shape.box.orientation[3], shape.box.orientation[0],
+                                  shape.box.orientation[1], shape.box.orientation[2]);
+    const Vector3f half(shape.box.half_extents), centre(shape.box.centre);
     HeadMesh mesh;
     for (int face = 0; face < 6; ++face) {
         const auto first = static_cast<uint32_t>(mesh.vertices.size());
@@ -86,7 +86,7 @@ HeadMesh box_mesh(const plait_collider_desc& shape) {
                 corner[(axis + 1) % 3] = side * half_of(row);
                 corner[(axis + 2) % 3] = half_of(column);
                 mesh.vertices.push_back(centre + turn * (half.cwiseProduct(corner) +
-                                                         shape.rounding * out.normalized()));
+                                                         shape.box.rounding * out.normalized()));
             }
         constexpr uint32_t row_size = across + 2;
         for (uint32_t row = 0; row + 1 < row_size; ++row)
@@ -110,10 +110,13 @@ HeadMesh mesh_of(const plait_collider_desc& shape) {
     }
 }
 
-// A capsule's is half-way between its ends; others have it as their first point.
 std::array<float, 3> middle_of(const plait_collider_desc& shape) {
-    const float* b = shape.kind == PLAIT_COLLIDER_KIND_CAPSULE ? shape.b : shape.a;
-    return {0.5f * (shape.a[0] + b[0]), 0.5f * (shape.a[1] + b[1]), 0.5f * (shape.a[2] + b[2])};
+    const bool plane = shape.kind == PLAIT_COLLIDER_KIND_PLANE;
+    const float* const at = plane ? shape.plane.point : shape.box.centre;
+    if (shape.kind != PLAIT_COLLIDER_KIND_CAPSULE)
+        return {at[0], at[1], at[2]};
+    const plait_capsule& c = shape.capsule;
+    return {0.5f * (c.a[0] + c.b[0]), 0.5f * (c.a[1] + c.b[1]), 0.5f * (c.a[2] + c.b[2])};
 }
 
 } // namespace

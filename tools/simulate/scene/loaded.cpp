@@ -32,14 +32,14 @@ std::string colliders_of(const Scene& scene, const Figure& figure) {
     if (!figure.stand_ins.empty())
         return std::to_string(figure.colliders.size()) + " colliders that move";
     if (scene.groom.on_ball() && !scene.colliders)
-        return "a ball of " + number(figure.colliders[0].shape.radius_a) + " m";
+        return "a ball of " + number(figure.colliders[0].shape.capsule.radius_a) + " m";
     if (scene.colliders || scene.groom.generated)
         return std::to_string(figure.colliders.size()) + " colliders of the " +
                (scene.colliders ? "scene" : "mannequin");
     const plait_collider_desc& skull = figure.colliders[0].shape;
-    std::string text = "collider: a sphere of " + number(skull.radius_a) +
-                       " m fitted under the roots, about (" + number(skull.a[0]) + ", " +
-                       number(skull.a[1]) + ", " + number(skull.a[2]) + ")";
+    std::string text = "collider: a sphere of " + number(skull.capsule.radius_a) +
+                       " m fitted under the roots, about (" + number(skull.capsule.a[0]) + ", " +
+                       number(skull.capsule.a[1]) + ", " + number(skull.capsule.a[2]) + ")";
     if (figure.colliders.size() > 1)
         text += ", and " + std::to_string(figure.colliders.size() - 1) + " that move";
     return text;

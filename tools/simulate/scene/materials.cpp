@@ -8,24 +8,6 @@ namespace simulate {
 
 namespace {
 
-// A ramp from 1 to `tip`, linear, at its knots.
-void ramp_to(float tip, float (&ramp)[4]) {
-    for (int k = 0; k < 4; ++k)
-        ramp[k] = 1.0f + (tip - 1.0f) * static_cast<float>(k) / 3.0f;
-}
-
-plait_material material_of(const plait_sim_params& params) {
-    plait_material material = plait_material_defaults();
-    material.line_density = params.line_density;
-    material.bend_stiffness = params.bend_stiffness;
-    material.stretch_stiffness = params.stretch_stiffness;
-    material.twist_stiffness = params.twist_stiffness;
-    material.section_ratio = params.section_ratio;
-    ramp_to(params.tip_stiffness, material.stiffness_ramp);
-    ramp_to(params.tip_density, material.density_ramp);
-    return material;
-}
-
 // Units and ranges are plait_material's.
 void read_fields(JsonReader& in, plait_material& material) {
     struct Field {
@@ -123,11 +105,11 @@ void check_strands(const MaterialChoice& choice, size_t count) {
 
 } // namespace
 
-std::vector<MaterialChoice> read_materials(JsonReader& top, const plait_sim_params& params) {
+std::vector<MaterialChoice> read_materials(JsonReader& top, const plait_material& usual) {
     std::vector<MaterialChoice> list;
     top.each("materials", [&](JsonReader in) {
         MaterialChoice choice;
-        choice.material = material_of(params);
+        choice.material = usual;
         if (!in.text("name", choice.name) || choice.name.empty())
             in.fail("name", "is missing: what the material is called");
         if (std::ranges::find(list, choice.name, &MaterialChoice::name) != list.end())
@@ -149,7 +131,7 @@ std::vector<uint32_t> strand_materials(const std::vector<MaterialChoice>& materi
         return {};
     const auto positions = read_field<float>(groom, PLAIT_GROOM_FIELD_POSITIONS);
     const auto counts = read_field<uint32_t>(groom, PLAIT_GROOM_FIELD_VERTEX_COUNTS);
-    std::vector<uint32_t> taken(counts.size(), PLAIT_MATERIAL_OF_PARAMS);
+    std::vector<uint32_t> taken(counts.size(), static_cast<uint32_t>(materials.size()));
     for (size_t m = 0; m < materials.size(); ++m) {
         const MaterialChoice& choice = materials[m];
         check_strands(choice, counts.size());

@@ -28,11 +28,11 @@ struct MaterialChoice {
     float share = 1.0f;
 };
 
-// What a material leaves out is as in `params`.
-std::vector<MaterialChoice> read_materials(JsonReader& top, const plait_sim_params& params);
+// What a material leaves out is as in `usual`.
+std::vector<MaterialChoice> read_materials(JsonReader& top, const plait_material& usual);
 
-// Of every strand of `groom` which material it takes, the last of the list that names it, or
-// PLAIT_MATERIAL_OF_PARAMS; empty without materials. Throws Failure where one names a strand that is
+// Of every strand of `groom` which material it takes, the last of the list that names it, or as many
+// as there are: none of them; empty without materials. Throws Failure where one names a strand that is
 // none, or takes none.
 std::vector<uint32_t> strand_materials(const std::vector<MaterialChoice>& materials,
                                        const plait_groom* groom, uint64_t seed);

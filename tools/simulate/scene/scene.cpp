@@ -143,7 +143,7 @@ void read_head(JsonReader& top, const Origin& origin, HeadChoice& head) {
 void read_colliders(JsonReader& top, std::optional<std::vector<Collider>>& colliders) {
     std::vector<Collider> list;
     const bool given = top.each("colliders", [&](JsonReader in) {
-        Collider collider{read_collider(in), true, {}};
+        Collider collider{read_collider(in, plait_collider_desc_defaults()), true, {}};
         in.flag("moves_with_head", collider.moves_with_head);
         in.finish();
         list.push_back(collider);
@@ -155,7 +155,7 @@ void read_colliders(JsonReader& top, std::optional<std::vector<Collider>>& colli
 // Keyframes as a motion file has them: of the collider about its middle, in its rest orientation.
 void read_moving_colliders(JsonReader& top, std::vector<Collider>& colliders) {
     top.each("moving_colliders", [&](JsonReader in) {
-        Collider collider{read_collider(in), false, {}};
+        Collider collider{read_collider(in, plait_collider_desc_defaults()), false, {}};
         in.each("keyframes",
                 [&](JsonReader key) { collider.keyframes.push_back(read_keyframe(key)); });
         if (const std::string problem = keyframe_problem(collider.keyframes); !problem.empty())
@@ -220,7 +220,7 @@ void read_wind(JsonReader& top, Scene& scene) {
     if (!value)
         return;
     if (scene.sim.model == PLAIT_MODEL_TRESSFX)
-        top.fail("wind", "is given, and strands of the model tressfx take params.wind");
+        top.fail("wind", "is given, and strands of the model tressfx take the wind in \"params\"");
     plait_wind_desc wind = plait_wind_desc_defaults();
     JsonReader in = top.object(*value, "wind");
     in.numbers("velocity", wind.velocity, -1e3, 1e3);
@@ -350,14 +350,14 @@ void hang(Scene& scene) {
         return;
     const Hang hang = hang_of(scene.groom.name);
     scene.sim.sag_free = hang.sag_free;
-    scene.sim.params.bend_stiffness *= hang.stiffness;
+    scene.sim.material.bend_stiffness *= hang.stiffness;
     scene.sim.params.drag *= hang.drag;
     scene.settle = hang.settle;
     if (!hang.friction)
         return;
-    scene.sim.params.diffuse_ratio = hang.friction->ratio;
-    scene.sim.params.diffuse_factor = hang.friction->factor;
-    scene.sim.params.diffuse_floor = hang.friction->floor;
+    scene.sim.grid.diffuse_ratio = hang.friction->ratio;
+    scene.sim.grid.diffuse_factor = hang.friction->factor;
+    scene.sim.grid.diffuse_floor = hang.friction->floor;
 }
 
 // What a scene was made for, its colliders and camera, and another groom would not fit.
@@ -374,6 +374,14 @@ void refuse_without_groom(JsonReader& top, bool given) {
     if (!given)
         top.fail("made_for", "is the groom " + groom + ", which is not given: it is public at " +
                                  from + "; --groom FILE takes it");
+}
+
+// What is on; what it is like is in "params".
+void read_features(JsonReader& top, plait::SimDesc& sim) {
+    read_grid(top, sim);
+    top.flag("volume", sim.volume.on);
+    top.flag("strand_contact", sim.strand_contact.on);
+    sim.wetness.on = top.value("wetness") != nullptr;
 }
 
 void read_simulation(JsonReader& top, Scene& scene) {
@@ -395,18 +403,19 @@ void read_simulation(JsonReader& top, Scene& scene) {
         if (own)
             top.fail("tressfx",
                      "is of the TressFX beside the model; of the model it is \"params\"");
-        read_params(top.object(*params, "tressfx"), scene.tressfx);
+        read_tressfx(top.object(*params, "tressfx"), scene.tressfx);
     }
     if (own)
-        take_tressfx(scene.tressfx, scene.sim.params);
-    if (const Json* params = top.value("params")) {
-        read_params(top.object(*params, "params"), scene.sim.params);
-        read_params(top.object(*params, "params"), scene.unhung);
-    }
-    scene.materials = read_materials(top, scene.sim.params);
+        scene.sim.tressfx = scene.tressfx;
+    for (plait::SimDesc* sim : {&scene.sim, &scene.unhung})
+        read_features(top, *sim);
+    scene.unhung.model = scene.sim.model;
+    if (const Json* params = top.value("params"))
+        for (plait::SimDesc* sim : {&scene.sim, &scene.unhung})
+            read_params(top.object(*params, "params"), *sim);
+    scene.materials = read_materials(top, scene.sim.material);
     if (!scene.materials.empty() && scene.sim.model == PLAIT_MODEL_TRESSFX)
         top.fail("materials", "are given, and strands of the model tressfx take none");
-    top.choice("interhair", scene.sim.params.interhair, interhair_names);
     scene.sim.step = 1.0f / static_cast<float>(scene.rate);
     scene.sim.substeps = scene.substeps;
     scene.sim.seed = scene.seed;
@@ -434,16 +443,15 @@ void read_output(JsonReader& top, const Origin& origin, Scene& scene) {
 
 } // namespace
 
-plait_sim_desc Scene::default_sim() {
-    plait_sim_desc sim = plait_sim_desc_defaults();
+plait::SimDesc Scene::default_sim() {
+    plait::SimDesc sim;
     sim.max_steps_per_call = 1;
-    plait_sim_params& p = sim.params;
-    p.interhair = PLAIT_INTERHAIR_EXACT;
+    sim.grid.on = true;
     return sim;
 }
 
-plait_sim_params Scene::default_tressfx() {
-    plait_sim_params p = plait_sim_params_defaults();
+plait_tressfx_desc Scene::default_tressfx() {
+    plait_tressfx_desc p = plait_tressfx_desc_defaults();
     p.global_stiffness = 0.3f;
     p.global_range = 0.3f;
     p.length_iterations = 20;

@@ -11,7 +11,7 @@
 
 #include "generator/generator.hpp"
 
-#include <plait/plait.h>
+#include <plait/plait.hpp>
 
 #include <array>
 #include <optional>
@@ -105,9 +105,9 @@ struct Scene {
     uint32_t rate = 60;  // fixed steps and frames a second
     uint32_t substeps = 2;
     uint64_t seed = 1;
-    plait_sim_desc sim = default_sim();
-    plait_sim_params unhung = default_sim().params; // without what its hairstyle asks of `sim`
-    plait_sim_params tressfx = default_tressfx();   // of these what only that model reads, beside
+    plait::SimDesc sim = default_sim();
+    plait::SimDesc unhung = default_sim();          // without what its hairstyle asks of `sim`
+    plait_tressfx_desc tressfx = default_tressfx(); // of the TressFX beside it
     bool compare = true;
     std::string device, backend; // "": the best
     std::string out = "out", cache, json, replay;
@@ -117,8 +117,8 @@ struct Scene {
     uint32_t frames() const;
     bool head_is_mesh() const;           // of the colliders
     bool mannequin_is_meshes() const;    // of the colliders, beside those of a file
-    static plait_sim_desc default_sim(); // what long hair needs under real gravity
-    static plait_sim_params default_tressfx();
+    static plait::SimDesc default_sim(); // what long hair needs under real gravity
+    static plait_tressfx_desc default_tressfx();
 };
 
 // `file` may be ""; `command_line` holds keys of a scene file and wins over it. Throws Failure.
