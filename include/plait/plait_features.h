@@ -1,8 +1,8 @@
 /* What hair may feel beside gravity, the head and bodies. C99; plait.h includes it.
  *
- * Each feature is off at first. plait_sim_set_<feature>(sim, &desc) turns it on with what `desc`
- * says, from the next step on; called again it changes it; `desc` NULL turns it off. What fails
- * changes nothing. The first use builds kernels and makes buffers (plait_context_prepare).
+ * Each feature is off at first. plait_sim_set_<feature>(sim, &desc) turns it on from the next step
+ * on, and another call changes it; `desc` NULL turns it off. A call that fails changes nothing. The
+ * first use builds kernels and makes buffers: plait_context_prepare builds the kernels before.
  */
 #ifndef PLAIT_FEATURES_H
 #define PLAIT_FEATURES_H
@@ -325,11 +325,11 @@ typedef struct plait_prepare_desc {
 } plait_prepare_desc;
 PLAIT_STRUCT(plait_prepare_desc)
 
-/* Builds now what sims will take, for a loading screen, which takes seconds where nothing is
- * cached: whatever they do then that `desc` names, in grids of up to 32 voxels each way, compiles
- * nothing. `desc` NULL: all defaults. Calls for several grooms add up. Meanwhile other threads may
- * use everything but this context and its sims. What was built stays when it ends early; called
- * again it goes on. Waits.
+/* Builds the kernels of sims ahead, for a loading screen; it takes seconds where nothing is cached.
+ * Sims that use no more than `desc` names, with grids of at most 32 voxels along an edge, then
+ * compile nothing. `desc` NULL: all defaults. Calls for several grooms add up. Meanwhile other
+ * threads may use all but this context and its sims. Kernels that are built stay where it ends early;
+ * the next call goes on from them. Waits.
  * @errors CANCELLED (by `progress`) */
 PLAIT_API plait_result plait_context_prepare(plait_context* context,
                                              const plait_prepare_desc* desc);

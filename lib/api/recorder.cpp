@@ -4,6 +4,7 @@
 #include "api/objects.hpp"
 #include "api/structs.hpp"
 #include "api/view.hpp"
+#include "core/sim/import_frame.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -56,17 +57,6 @@ Status read_field(plait_sim* sim, plait_field field, std::pmr::vector<T>& values
     PLAIT_TRY(passed_on(plait_sim_read(sim, field, nullptr, &size)));
     values.resize(size / sizeof(T));
     return passed_on(plait_sim_read(sim, field, values.data(), &size));
-}
-
-// Where a point of plait lies in the file: the reverse of plait_import_options.axes.
-void to_axes(plait_axes axes, float* p) {
-    const float y = p[1], z = p[2];
-    if (axes == PLAIT_AXES_Z_UP || axes == PLAIT_AXES_Z_UP_LEFT_HANDED) {
-        p[1] = axes == PLAIT_AXES_Z_UP ? -z : z;
-        p[2] = y;
-    } else if (axes == PLAIT_AXES_Y_UP_LEFT_HANDED) {
-        p[2] = -z;
-    }
 }
 
 } // namespace
@@ -143,7 +133,7 @@ Status Recorder::read_positions(plait_sim* sim) {
         for (size_t vertex = 0; vertex < counts_[strand]; ++vertex) {
             const float* const from = &shown_[4 * (strand * row_ + vertex)];
             float p[3] = {desc_.scale * from[0], desc_.scale * from[1], desc_.scale * from[2]};
-            to_axes(desc_.axes, p);
+            turn_to_axes(p, desc_.axes);
             now_.insert(now_.end(), p, p + 3);
         }
     return {};

@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace plait::api {
 namespace {
@@ -290,8 +289,6 @@ plait_result plait_sim_set_tressfx(plait_sim* sim, const plait_tressfx_desc* des
             PLAIT_TRY(api::read_struct(desc, next.tressfx, "desc"));
         PLAIT_TRY(check_params(next));
         PLAIT_TRY(check_reads_tressfx(s.model()));
-        if (std::memcmp(&next.tressfx, &s.params().tressfx, sizeof next.tressfx) == 0)
-            return {};
         return s.set_params(next);
     });
 }

@@ -33,6 +33,12 @@ bool is_identity(const plait_pose& pose) {
 
 } // namespace
 
+// Three turns by a right angle are one back; a reflection is its own reverse.
+void turn_to_axes(float* point, plait_axes axes) {
+    for (int turn = 0; turn < (axes == PLAIT_AXES_Z_UP ? 3 : 1); ++turn)
+        turn_axes(point, axes);
+}
+
 bool reflects(plait_axes axes) {
     return axes == PLAIT_AXES_Y_UP_LEFT_HANDED || axes == PLAIT_AXES_Z_UP_LEFT_HANDED;
 }

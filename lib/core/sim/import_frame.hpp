@@ -1,4 +1,4 @@
-// Where what is imported comes to lie: its axes, then a turn and an offset.
+// From the axes of a file to plait's, where a turn and an offset follow, and back.
 #pragma once
 
 #include <plait/plait.h>
@@ -12,5 +12,8 @@ bool reflects(plait_axes axes);
 
 // `positions`: xyz of points, in metres. `pose`: of a unit quaternion.
 void place_points(std::span<float> positions, plait_axes axes, const plait_pose& pose);
+
+// The reverse of what place_points does with `axes`, of one point in plait's axes.
+void turn_to_axes(float* point, plait_axes axes);
 
 } // namespace plait

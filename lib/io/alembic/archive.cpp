@@ -5,9 +5,8 @@
 namespace plait {
 namespace {
 
-constexpr uint32_t INLINE_METADATA = 0xff; // in place of an index of the archive's list
-constexpr uint64_t KEY_SIZE = 16;          // before each sample, a hash of it
-constexpr uint64_t SMALLEST_HEADER = 4;    // bytes
+constexpr uint64_t KEY_SIZE = 16;       // before each sample, a hash of it
+constexpr uint64_t SMALLEST_HEADER = 4; // bytes
 
 } // namespace
 

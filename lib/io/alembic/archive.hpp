@@ -10,6 +10,9 @@ namespace plait {
 
 enum class AlembicType : uint32_t { COMPOUND = 0, SCALAR = 1, ARRAY = 2 };
 
+// In a header, in place of an index of the archive's list of metadata: they follow.
+constexpr uint32_t INLINE_METADATA = 0xff;
+
 // The element types that curves use; the others are only named.
 enum class AlembicPod : uint32_t {
     BOOL = 0,

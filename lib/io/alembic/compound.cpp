@@ -7,7 +7,6 @@
 namespace plait {
 namespace {
 
-constexpr uint32_t INLINE_METADATA = 0xff;
 constexpr size_t MOST_INDEXED = 254, MOST_INDEXED_SIZE = 255;
 
 // The width of a header's numbers: 0, 1 or 2 for 1, 2 or 4 bytes.
