@@ -59,7 +59,7 @@ must_fail lib/backend/reference/grid/grid.cpp '"backend/reference/volume/volume.
 must_fail tests/cases/grid/grid_inputs.cpp '"volume/volume_inputs.hpp"'
 must_fail tests/cases/inputs.hpp '"grid/grid_inputs.hpp"'
 must_fail lib/core/sim/sim.cpp '"base/vec3.clh"'
-must_pass lib/core/wind/wind.cpp '"core/grid/interhair.hpp"'
+must_pass lib/core/wind/wind.cpp '"core/grid/strand_grid.hpp"'
 must_pass lib/core/sim/sim.cpp '"core/wind/wind.hpp"'
 must_fail lib/core/strands/model.hpp '"core/wind/wind.hpp"'
 must_fail lib/core/strands/state.cpp '"core/wind/wind_grid.hpp"'

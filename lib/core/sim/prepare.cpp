@@ -1,7 +1,7 @@
 #include "core/sim/prepare.hpp"
 
 #include "base/format.hpp"
-#include "core/grid/interhair.hpp"
+#include "core/grid/strand_grid.hpp"
 #include "core/params/params.hpp"
 #include "core/strand_contact/pairs.hpp"
 #include "core/wind/wind_grid.hpp"
@@ -186,7 +186,7 @@ std::vector<plait_dispatch> dispatches(const Context& context, const plait_stage
     case PLAIT_SPACE_VOXEL_GROUP:
         add(1, stage.stage == PLAIT_STAGE_contact_pair_scan
                    ? Pairs::group_width(context.info)
-                   : InterHair::group_width(context.info, default_grid_desc().slot_capacity));
+                   : StrandGrid::group_width(context.info, default_grid_desc().slot_capacity));
         break;
     case PLAIT_SPACE_WORD: // of meshes and bounds there are few, of grids' cells there may be many
         add(1, 1);

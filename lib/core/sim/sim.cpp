@@ -142,10 +142,10 @@ Status Sim::set_params(const Params& params) {
     const Discard discard{*model_};
     PLAIT_TRY(check_model_takes(params, desc_.model));
     PLAIT_TRY(model_->prepare(device(), params));
-    InterHair grid;
+    StrandGrid grid;
     const bool same_grid = grid_.fits(params);
     if (!same_grid) {
-        auto made = InterHair::create(device(), params);
+        auto made = StrandGrid::create(device(), params);
         if (!made)
             return made.error();
         grid = std::move(*made);

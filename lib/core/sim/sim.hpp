@@ -5,7 +5,7 @@
 #include "core/base/clock.hpp"
 #include "core/base/frame.hpp"
 #include "core/contact/colliders.hpp"
-#include "core/grid/interhair.hpp"
+#include "core/grid/strand_grid.hpp"
 #include "core/mesh/bending_meshes.hpp"
 #include "core/mesh/mesh_colliders.hpp"
 #include "core/output/display.hpp"
@@ -228,7 +228,7 @@ class Sim {
     void append_dry_step();
     bool model_shows_guides() const;
     void append_shown(Tangents tangents = Tangents::of_all);
-    InterHair::Step grid_step(const plait_pose& head) const;
+    StrandGrid::Step grid_step(const plait_pose& head) const;
     VolumeGrid volume_grid(const plait_pose& head) const;
     bool grid_is_over_lanes() const;
     bool hair_is_over_lanes() const;
@@ -342,7 +342,7 @@ class Sim {
     RootBinding binding_;
     std::unique_ptr<Model> model_;
     State state_;
-    InterHair grid_;
+    StrandGrid grid_;
     Volume volume_; // where it is on, over the grid's sums
     Pairs pairs_;
     Display display_;

@@ -366,7 +366,7 @@ void Sim::append_solve(const At& at) {
                     [&](const Part& part) { return fill_doors(at.substep, part); });
 }
 
-InterHair::Step Sim::grid_step(const plait_pose& head) const {
+StrandGrid::Step Sim::grid_step(const plait_pose& head) const {
     return {layout_,          state_,       params_,    cube_,        head,
             substep_length(), clock_.steps, desc_.seed, context_.info};
 }

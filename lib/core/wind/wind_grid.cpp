@@ -30,7 +30,7 @@ Result<WindGrid> WindGrid::create(Device& device, bool eddies, bool sheltered) {
         return grid;
     PLAIT_TRY(device.create(grid.extinction_, PLAIT_ELEMENT_FLOAT, count, "wind_extinction"));
     PLAIT_TRY(device.create(grid.depth_, PLAIT_ELEMENT_FLOAT, count, "wind_depth"));
-    auto hair = InterHair::create_density(device, nodes);
+    auto hair = StrandGrid::create_density(device, nodes);
     if (!hair)
         return hair.error();
     grid.hair_ = std::move(*hair);

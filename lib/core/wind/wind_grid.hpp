@@ -5,8 +5,8 @@
 #include "core/base/cube.hpp"
 #include "core/base/pose.hpp"
 #include "core/base/schedule.hpp"
-#include "core/grid/interhair.hpp"
 #include "core/grid/mesh_solid.hpp"
+#include "core/grid/strand_grid.hpp"
 
 #include <array>
 
@@ -53,7 +53,7 @@ class WindGrid {
     bool eddies_ = false, sheltered_ = false;
     plait_pose corner_ = identity_pose;
     float voxel_edge_ = 1;
-    InterHair hair_;    // its density and velocity here; brakes nothing
+    StrandGrid hair_;   // its density and velocity here; brakes nothing
     MeshSolid meshes_;  // that stop the wind
     Buffer velocity_;   // float4 [nodes^3]: m/s, in the world; w: share of the wind
     Buffer extinction_; // float [nodes^3], 1/m

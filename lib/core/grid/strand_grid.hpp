@@ -10,12 +10,12 @@
 
 namespace plait {
 
-class InterHair {
+class StrandGrid {
   public:
     // Buffers for `params`; none if the step is off.
-    static Result<InterHair> create(Device& device, const Params& params);
+    static Result<StrandGrid> create(Device& device, const Params& params);
     // For append_density() alone, with exact sums.
-    static Result<InterHair> create_density(Device& device, uint32_t edge_count);
+    static Result<StrandGrid> create_density(Device& device, uint32_t edge_count);
     bool fits(const Params& params) const;
 
     // Work-items that share a voxel's slots. On a CPU, whose work-items have lanes, those of a group
@@ -52,8 +52,8 @@ class InterHair {
     uint64_t device_bytes() const;
 
   private:
-    static Result<InterHair> make_buffers(Device& device, GridKind mode, uint32_t edge_count,
-                                          uint32_t capacity);
+    static Result<StrandGrid> make_buffers(Device& device, GridKind mode, uint32_t edge_count,
+                                           uint32_t capacity);
     void append_slots(Schedule& schedule, const Step& step, const plait_grid_params& params) const;
     void append_exact(Schedule& schedule, const Layout& layout, const State& state,
                       const plait_grid_params& params) const;
@@ -71,6 +71,6 @@ class InterHair {
 };
 
 // Where the grid is and how fine, for the grid stages.
-plait_grid_params grid_params(const InterHair::Step& step);
+plait_grid_params grid_params(const StrandGrid::Step& step);
 
 } // namespace plait

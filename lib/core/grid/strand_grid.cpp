@@ -1,4 +1,4 @@
-#include "core/grid/interhair.hpp"
+#include "core/grid/strand_grid.hpp"
 
 #include "core/base/choices.hpp"
 #include "core/base/pose.hpp"
@@ -37,13 +37,13 @@ plait_lane_grid_params lane_params(const Part& part, const plait_grid_params& gr
 
 } // namespace
 
-uint32_t InterHair::group_width(const plait_device_info& device, uint32_t capacity) {
+uint32_t StrandGrid::group_width(const plait_device_info& device, uint32_t capacity) {
     return device.lanes > 1 ? 1 : std::bit_floor(std::min({device.max_group_size, capacity, 64u}));
 }
 
-Result<InterHair> InterHair::make_buffers(Device& device, GridKind mode, uint32_t edge_count,
-                                          uint32_t capacity) {
-    InterHair grid;
+Result<StrandGrid> StrandGrid::make_buffers(Device& device, GridKind mode, uint32_t edge_count,
+                                            uint32_t capacity) {
+    StrandGrid grid;
     grid.mode_ = mode;
     grid.edge_count_ = edge_count;
     grid.capacity_ = capacity;
@@ -61,7 +61,7 @@ Result<InterHair> InterHair::make_buffers(Device& device, GridKind mode, uint32_
     return grid;
 }
 
-Result<InterHair> InterHair::create(Device& device, const Params& params) {
+Result<StrandGrid> StrandGrid::create(Device& device, const Params& params) {
     auto grid =
         make_buffers(device, params.grid_kind(), params.grid.edge_count, params.grid.slot_capacity);
     if (!grid || !grid->is_on())
@@ -72,18 +72,18 @@ Result<InterHair> InterHair::create(Device& device, const Params& params) {
     return grid;
 }
 
-Result<InterHair> InterHair::create_density(Device& device, uint32_t edge_count) {
+Result<StrandGrid> StrandGrid::create_density(Device& device, uint32_t edge_count) {
     return make_buffers(device, GridKind::exact, edge_count, 0);
 }
 
-bool InterHair::fits(const Params& params) const {
+bool StrandGrid::fits(const Params& params) const {
     if (params.grid_kind() != mode_ || mode_ == GridKind::off)
         return params.grid_kind() == mode_;
     return params.grid.edge_count == edge_count_ &&
            (mode_ != GridKind::slots || params.grid.slot_capacity == capacity_);
 }
 
-plait_grid_params grid_params(const InterHair::Step& step) {
+plait_grid_params grid_params(const StrandGrid::Step& step) {
     const Params& p = step.params;
     const bool own = p.grid.edge > 0;
     const float edge = own ? p.grid.edge : step.cube.edge;
@@ -107,8 +107,8 @@ plait_grid_params grid_params(const InterHair::Step& step) {
     return g;
 }
 
-void InterHair::append_slots(Schedule& schedule, const Step& step,
-                             const plait_grid_params& params) const {
+void StrandGrid::append_slots(Schedule& schedule, const Step& step,
+                              const plait_grid_params& params) const {
     const State& s = step.state;
     const uint32_t n = voxels(edge_count_);
     const uint32_t width = group_width(step.device, capacity_);
@@ -120,8 +120,8 @@ void InterHair::append_slots(Schedule& schedule, const Step& step,
                  {&slots_, &s.position, &s.position_prev, &density_, &velocity_}, width);
 }
 
-void InterHair::append_exact(Schedule& schedule, const Layout& layout, const State& s,
-                             const plait_grid_params& params) const {
+void StrandGrid::append_exact(Schedule& schedule, const Layout& layout, const State& s,
+                              const plait_grid_params& params) const {
     clear(schedule, sums_, 0);
     schedule.add(PLAIT_STAGE_grid_splat, layout.guides, params,
                  {&s.vertex_count, &s.position, &s.position_prev, &sums_, &outside_});
@@ -129,7 +129,7 @@ void InterHair::append_exact(Schedule& schedule, const Layout& layout, const Sta
                  {&sums_, &density_, &velocity_});
 }
 
-void InterHair::append(Schedule& schedule, const Step& step) const {
+void StrandGrid::append(Schedule& schedule, const Step& step) const {
     if (mode_ == GridKind::off)
         return;
     const State& s = step.state;
@@ -143,29 +143,30 @@ void InterHair::append(Schedule& schedule, const Step& step) const {
                  {&s.vertex_count, &s.position, &density_, &velocity_, &s.position_prev});
 }
 
-void InterHair::splat(Schedule& schedule, const Part& part, const plait_grid_params& grid) const {
+void StrandGrid::splat(Schedule& schedule, const Part& part, const plait_grid_params& grid) const {
     schedule.add(PLAIT_STAGE_lane_splat, part.lanes.strands, lane_params(part, grid),
                  {&part.strand, &part.vertex_count, &part.x, &part.v, &sums_, &outside_},
                  part.lanes.row);
 }
 
-void InterHair::diffuse(Schedule& schedule, const Part& part, const plait_grid_params& grid) const {
+void StrandGrid::diffuse(Schedule& schedule, const Part& part,
+                         const plait_grid_params& grid) const {
     schedule.add(
         PLAIT_STAGE_lane_diffuse, part.lanes.strands, lane_params(part, grid),
         {&part.strand, &part.vertex_count, &part.x, &density_, &velocity_, &part.v, &part.v_before},
         part.lanes.row);
 }
 
-void InterHair::append_over_lanes(Schedule& schedule, const Step& step, const Model& model,
-                                  const StepInput& at) const {
+void StrandGrid::append_over_lanes(Schedule& schedule, const Step& step, const Model& model,
+                                   const StepInput& at) const {
     const plait_grid_params params = grid_params(step);
     append_density(schedule, params, &model, at);
     for (size_t i = 0; i < model.parts(); ++i)
         diffuse(schedule, model.part(i, at), params);
 }
 
-void InterHair::append_density(Schedule& schedule, const plait_grid_params& params,
-                               const Model* lanes, const StepInput& at) const {
+void StrandGrid::append_density(Schedule& schedule, const plait_grid_params& params,
+                                const Model* lanes, const StepInput& at) const {
     clear(schedule, outside_, 0);
     if (!lanes)
         return append_exact(schedule, at.layout, at.state, params);
@@ -176,7 +177,7 @@ void InterHair::append_density(Schedule& schedule, const plait_grid_params& para
                  {&sums_, &density_, &velocity_});
 }
 
-uint64_t InterHair::device_bytes() const {
+uint64_t StrandGrid::device_bytes() const {
     return slots_.bytes() + sums_.bytes() + density_.bytes() + velocity_.bytes() + outside_.bytes();
 }
 
