@@ -2,6 +2,7 @@
 // time and in the one for quality, on OpenCL and on the reference. A value has to meet its row's
 // mark, or to be a known miss and no worse than recorded.
 #include "accuracy/accuracy.hpp"
+#include "common/params_reader.hpp"
 #include "known_misses.hpp"
 #include "run/report.hpp"
 

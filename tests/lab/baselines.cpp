@@ -1,6 +1,7 @@
 // Contact of the baselines, as plait-lab runs them: friction against the closed form of an incline,
 // and nothing comes through a bar. That they fall and bend as they should:
 // tests/accuracy/baselines.cpp.
+#include "common/json_reader.hpp"
 #include "measured.hpp"
 #include "methods/settings.hpp"
 

@@ -1,6 +1,7 @@
 // Figures and pages: what is best at its cost, what fails, and that the lists of the repository
 // hold.
 #include "chart/chart.hpp"
+#include "common/json_reader.hpp"
 #include "page/page.hpp"
 
 #include "simulate/support.hpp"

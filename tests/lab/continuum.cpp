@@ -1,6 +1,7 @@
 // E_total: from the limit of many segments, at eighths of the length.
 #include "references/continuum.hpp"
 #include "chart/chart.hpp"
+#include "common/json_reader.hpp"
 #include "metrics/metrics.hpp"
 
 #include "simulate/support.hpp"

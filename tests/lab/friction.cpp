@@ -1,5 +1,6 @@
 // Friction against closed forms (tests/data/capstan.csv, stick_slip.csv) as the models are: what
 // holds its mark must, and what misses it is held to what was measured, both ways.
+#include "common/json_reader.hpp"
 #include "measured.hpp"
 #include "references/table.hpp"
 

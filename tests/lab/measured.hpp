@@ -1,6 +1,7 @@
 // What a scene of assets/lab measures first, with a method, on OpenCL.
 #pragma once
 
+#include "common/json_reader.hpp"
 #include "metrics/metrics.hpp"
 #include "run/recording.hpp"
 #include "scene/scene.hpp"

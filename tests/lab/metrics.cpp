@@ -1,6 +1,7 @@
 // The laboratory's own arithmetic, against closed forms and reference tables.
 #include "metrics/metrics.hpp"
 #include "common/collider_reader.hpp"
+#include "common/json_reader.hpp"
 #include "references/elastic.hpp"
 #include "references/modes.hpp"
 #include "references/statics.hpp"

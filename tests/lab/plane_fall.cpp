@@ -1,6 +1,7 @@
 // Falls in a plane by Lagrange's equations: against the tables, which were made otherwise, and
 // against the models, which converge to them with masses and joints of their own.
 #include "references/plane_fall.hpp"
+#include "common/json_reader.hpp"
 #include "metrics/metrics.hpp"
 #include "references/modes.hpp"
 #include "references/table.hpp"

@@ -1,6 +1,7 @@
 // Scenes of the laboratory: what they set, and how they are refused.
 #include "scene/scene.hpp"
 #include "accuracy/rows.hpp"
+#include "common/json_reader.hpp"
 
 #include "simulate/support.hpp"
 

@@ -1,5 +1,6 @@
 // Settings that follow from a scene, and costs that stop where they are dear.
 #include "methods/settings.hpp"
+#include "common/json_reader.hpp"
 #include "metrics/metrics.hpp"
 #include "run/cost.hpp"
 

@@ -1,5 +1,6 @@
 // Hair in motion: what the metrics of it say where the answer is known.
 #include "accuracy/rows.hpp"
+#include "common/json_reader.hpp"
 #include "metrics/input.hpp"
 #include "metrics/metrics.hpp"
 

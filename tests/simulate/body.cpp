@@ -139,7 +139,7 @@ TEST_F(BodyOfCharacter, is_refused_where_the_file_has_no_such_thing) {
     bad.animation = 1u;
     EXPECT_THAT(refusal(bad), AllOf(HasSubstr("scene.json:3: body.animation is 1, range is [0, 0]"),
                                     HasSubstr("character.gltf")));
-    bad.animation = "wlak";
+    bad.animation = std::string("wlak");
     EXPECT_THAT(refusal(bad), HasSubstr("the nearest is \"walk\""));
     bad = choice();
     bad.bone = "haed";

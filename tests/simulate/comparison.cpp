@@ -1,6 +1,8 @@
 // What a run is set beside: TressFX alone and with the thesis's own inter-hair step, by its own
 // hash and its own rule, whatever the run uses.
 #include "comparison.hpp"
+#include "common/json_reader.hpp"
+#include "common/params_reader.hpp"
 #include "support.hpp"
 
 using simulate::Json;

@@ -1,5 +1,6 @@
 // What is said about a groom's size, and what follows from it.
 #include "scene/loaded.hpp"
+#include "common/json_reader.hpp"
 #include "support.hpp"
 
 #include <gmock/gmock.h>

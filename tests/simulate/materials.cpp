@@ -1,5 +1,6 @@
 // Materials of a scene: what a file says of them, which strands take which, and that they act there
 // and nowhere else.
+#include "common/json_reader.hpp"
 #include "run.hpp"
 #include "support.hpp"
 

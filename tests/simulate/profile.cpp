@@ -1,6 +1,7 @@
 // Where a frame's time goes, and the trace of a run: from made-up measurements, whose sums are
 // known.
 #include "profile/profile.hpp"
+#include "common/json_reader.hpp"
 #include "profile/trace.hpp"
 
 #include <gtest/gtest.h>

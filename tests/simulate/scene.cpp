@@ -1,5 +1,7 @@
 // Scene files: what they set, and how they are refused.
 #include "scene/scene.hpp"
+#include "common/json_reader.hpp"
+#include "common/params_reader.hpp"
 #include "support.hpp"
 
 #include <gmock/gmock.h>
@@ -186,11 +188,11 @@ TEST_F(SceneFile, has_a_body) {
     EXPECT_EQ(scene.body->mesh.desc.form, PLAIT_MESH_FORM_NEAREST);
     EXPECT_FLOAT_EQ(scene.body->mesh.scale, 0.01f);
     EXPECT_FLOAT_EQ(scene.body->mesh.desc.friction, 0.1f);
-    EXPECT_EQ(scene.body->animation, Json(2u));
+    EXPECT_EQ(scene.body->animation, simulate::AnimationChoice(2u));
     EXPECT_EQ(scene.body->bone, "Head");
     EXPECT_TRUE(scene.head_is_mesh());
     EXPECT_EQ(read(R"({"body": {"file": "a.gltf", "animation": "run"}})").body->animation,
-              Json("run"));
+              simulate::AnimationChoice("run"));
     EXPECT_EQ(read(R"({"body": {"file": "a.gltf"}})").body->bone, "head");
     EXPECT_EQ(read(R"({"body": {"file": "a.gltf"}})").body->roots, simulate::Carrier::Bone);
     EXPECT_EQ(read(R"({"body": {"file": "a.gltf", "roots": "skin"}})").body->roots,

@@ -1,4 +1,5 @@
 // The scenes that come with plait: what each sets is read, and changes the hair.
+#include "common/json_reader.hpp"
 #include "run.hpp"
 #include "scene/motion.hpp"
 #include "support.hpp"

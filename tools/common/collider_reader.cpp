@@ -1,4 +1,5 @@
 #include "common/collider_reader.hpp"
+#include "common/json_reader.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // A collider's shape as keys of a JSON object.
 #pragma once
 
-#include "common/json_reader.hpp"
+#include "common/json_fwd.hpp"
 
 #include <plait/plait.h>
 

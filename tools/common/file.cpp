@@ -1,4 +1,5 @@
 #include "common/file.hpp"
+#include "common/json_reader.hpp"
 
 #include <filesystem>
 #include <fstream>

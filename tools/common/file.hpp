@@ -1,7 +1,7 @@
 // Files that appear whole or not at all: written beside their place, then renamed.
 #pragma once
 
-#include "common/json_reader.hpp"
+#include "common/json_fwd.hpp"
 
 #include <string>
 

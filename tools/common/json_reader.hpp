@@ -3,6 +3,7 @@
 #pragma once
 
 #include "common/failure.hpp"
+#include "common/json_fwd.hpp"
 #include "common/json_lines.hpp"
 
 #include <nlohmann/json.hpp>
@@ -16,8 +17,6 @@
 #include <vector>
 
 namespace common {
-
-using Json = nlohmann::json;
 
 // The name in `known` with the smallest edit distance to `word`.
 std::string_view nearest(std::string_view word, const std::vector<std::string>& known);

@@ -1,4 +1,5 @@
 #include "common/params_reader.hpp"
+#include "common/json_reader.hpp"
 
 #include "common/params_list.hpp"
 

@@ -1,7 +1,7 @@
 // The parameters of a sim as a JSON object: every field under its own name, its range checked.
 #pragma once
 
-#include "common/json_reader.hpp"
+#include "common/json_fwd.hpp"
 
 #include <plait/plait.hpp>
 

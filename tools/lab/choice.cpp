@@ -1,4 +1,5 @@
 #include "choice.hpp"
+#include "common/json_reader.hpp"
 
 #include <algorithm>
 #include <filesystem>

@@ -3,8 +3,7 @@
 
 #include "common/failure.hpp"
 #include "common/handles.hpp"
-#include "common/json_reader.hpp"
-#include "common/params_reader.hpp"
+#include "common/json_fwd.hpp"
 
 #include <Eigen/Geometry>
 

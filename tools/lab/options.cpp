@@ -1,4 +1,5 @@
 #include "commands.hpp"
+#include "common/json_reader.hpp"
 #include "references/table.hpp"
 #include "run/cost.hpp"
 #include "scene/scene.hpp"

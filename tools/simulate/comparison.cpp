@@ -1,4 +1,5 @@
 #include "comparison.hpp"
+#include "common/params_reader.hpp"
 
 #include <algorithm>
 #include <cstdio>

@@ -2,6 +2,7 @@
 #include "cache.hpp"
 #include "common/devices.hpp"
 #include "common/file.hpp"
+#include "common/json_reader.hpp"
 #include "common/params_list.hpp"
 #include "common/progress.hpp"
 #include "options.hpp"

@@ -1,4 +1,6 @@
 #include "options.hpp"
+#include "common/json_reader.hpp"
+#include "common/params_reader.hpp"
 
 #include <CLI/CLI.hpp>
 

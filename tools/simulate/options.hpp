@@ -1,6 +1,7 @@
 // The command line of plait-simulate.
 #pragma once
 
+#include "common/json_reader.hpp"
 #include "scene/scene.hpp"
 
 #include <optional>

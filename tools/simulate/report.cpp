@@ -1,4 +1,6 @@
 #include "report.hpp"
+#include "common/json_reader.hpp"
+#include "common/params_reader.hpp"
 
 #include <plait/plait_profile.h>
 

@@ -3,6 +3,7 @@
 #include "commands.hpp"
 
 #include "common/file.hpp"
+#include "common/json_reader.hpp"
 
 #include <iostream>
 

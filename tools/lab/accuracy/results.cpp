@@ -1,6 +1,7 @@
 #include "results.hpp"
 
 #include "common/file.hpp"
+#include "common/json_reader.hpp"
 
 #include <cmath>
 #include <cstdio>

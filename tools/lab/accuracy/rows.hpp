@@ -2,6 +2,7 @@
 // it, what is measured, and the mark that passes.
 #pragma once
 
+#include "common/json_reader.hpp"
 #include "methods/models.hpp"
 #include "scene/scene.hpp"
 

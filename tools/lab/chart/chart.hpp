@@ -2,6 +2,7 @@
 #pragma once
 
 #include "accuracy/accuracy.hpp"
+#include "common/json_reader.hpp"
 #include "figure.hpp"
 #include "methods/settings.hpp"
 #include "run/cost.hpp"

@@ -1,4 +1,5 @@
 #include "chart.hpp"
+#include "common/json_reader.hpp"
 
 #include <cstdio>
 

@@ -1,6 +1,7 @@
 // plait-lab chart: the figures.
 #include "chart.hpp"
 #include "commands.hpp"
+#include "common/json_reader.hpp"
 
 #include <cstdio>
 #include <iostream>

@@ -1,5 +1,6 @@
 #include "chart.hpp"
 
+#include "common/json_reader.hpp"
 #include "metrics/metrics.hpp"
 #include "references/continuum.hpp"
 

@@ -1,5 +1,6 @@
 // plait-lab features: what each feature costs, and does.
 #include "commands.hpp"
+#include "common/json_reader.hpp"
 #include "features.hpp"
 
 #include <iostream>

@@ -1,6 +1,7 @@
 #include "features.hpp"
 
 #include "accuracy/results.hpp"
+#include "common/json_reader.hpp"
 #include "hash.hpp"
 #include "metrics/metrics.hpp"
 #include "run/report.hpp"

@@ -3,6 +3,7 @@
 
 #include "accuracy/rows.hpp"
 #include "choice.hpp"
+#include "common/json_reader.hpp"
 #include "run/cost.hpp"
 
 namespace lab {

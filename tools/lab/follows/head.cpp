@@ -3,6 +3,7 @@
 
 #include "generator/generator.hpp"
 
+#include <plait/plait.hpp>
 #include <plait/plait_offline.h>
 
 #include <algorithm>

@@ -2,6 +2,8 @@
 
 #include "baselines/source.hpp"
 
+#include <plait/plait.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>

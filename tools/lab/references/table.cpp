@@ -1,4 +1,5 @@
 #include "table.hpp"
+#include "common/json_reader.hpp"
 
 #include <cmath>
 #include <fstream>

@@ -2,6 +2,7 @@
 #include "commands.hpp"
 #include "report.hpp"
 
+#include "common/json_reader.hpp"
 #include "common/progress.hpp"
 
 #include <iostream>

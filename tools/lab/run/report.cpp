@@ -1,4 +1,5 @@
 #include "report.hpp"
+#include "common/json_reader.hpp"
 
 #include <cmath>
 #include <cstdio>

@@ -1,4 +1,5 @@
 #include "motion.hpp"
+#include "common/json_reader.hpp"
 
 #include <algorithm>
 #include <cmath>

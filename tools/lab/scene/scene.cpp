@@ -1,6 +1,8 @@
 #include "scene.hpp"
 
 #include "common/collider_reader.hpp"
+#include "common/json_reader.hpp"
+#include "common/params_reader.hpp"
 #include "hash.hpp"
 #include "methods/models.hpp"
 #include "metrics/metrics.hpp"

@@ -5,6 +5,8 @@
 #include "motion.hpp"
 #include "strand.hpp"
 
+#include <plait/plait.hpp>
+
 #include <map>
 #include <optional>
 #include <string>

@@ -3,6 +3,7 @@
 #include "search.hpp"
 
 #include "common/file.hpp"
+#include "common/json_reader.hpp"
 
 #include <cstdio>
 #include <iostream>

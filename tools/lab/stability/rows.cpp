@@ -1,4 +1,5 @@
 #include "rows.hpp"
+#include "common/json_reader.hpp"
 
 #include <cmath>
 #include <iostream>

@@ -1,6 +1,7 @@
 #include "search.hpp"
 
 #include "choice.hpp"
+#include "common/json_reader.hpp"
 #include "methods/settings.hpp"
 
 #include "common/progress.hpp"

@@ -1,4 +1,5 @@
 #include "profile.hpp"
+#include "common/json_reader.hpp"
 
 #include <algorithm>
 #include <cstdio>

@@ -1,4 +1,5 @@
 #include "trace.hpp"
+#include "common/json_reader.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -1,4 +1,5 @@
 #include "animation.hpp"
+#include "common/json_reader.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -70,25 +71,26 @@ std::string name_of(const aiScene& scene, unsigned animation) {
     return scene.mAnimations[animation]->mName.C_Str();
 }
 
-unsigned choose(const aiScene& scene, const Json& which, const std::string& place,
+unsigned choose(const aiScene& scene, const AnimationChoice& which, const std::string& place,
                 const std::string& file) {
     const unsigned count = scene.mNumAnimations;
     if (count == 0)
         throw Failure(place + ": " + file + " has no animation");
-    if (which.is_number_unsigned() && which.get<uint64_t>() < count)
-        return which.get<unsigned>();
-    if (!which.is_string())
-        throw Failure(place + " is " + which.dump() + ", range is [0, " +
+    if (const auto* number = std::get_if<uint64_t>(&which)) {
+        if (*number < count)
+            return static_cast<unsigned>(*number);
+        throw Failure(place + " is " + std::to_string(*number) + ", range is [0, " +
                       std::to_string(count - 1) + "]: " + file + " has no other");
+    }
+    const std::string& name = std::get<std::string>(which);
     std::vector<std::string> names;
     for (unsigned a = 0; a < count; ++a) {
         names.push_back(name_of(scene, a));
-        if (names.back() == which.get<std::string>())
+        if (names.back() == name)
             return a;
     }
-    throw Failure(place + " is " + which.dump() + ", which " + file +
-                  " does not have; the nearest is \"" +
-                  std::string(nearest(which.get<std::string>(), names)) + "\"");
+    throw Failure(place + " is \"" + name + "\", which " + file +
+                  " does not have; the nearest is \"" + std::string(nearest(name, names)) + "\"");
 }
 #endif
 
@@ -107,7 +109,8 @@ Quaternionf sample(const std::vector<Key<Quaternionf>>& keys, float time) {
 }
 
 #ifdef PLAIT_WITH_ASSIMP
-Animation::Animation(const std::string& file, const Json& which, const std::string& place) {
+Animation::Animation(const std::string& file, const AnimationChoice& which,
+                     const std::string& place) {
     Assimp::Importer importer;
     const aiScene* const scene = importer.ReadFile(file, 0);
     if (!scene || !scene->mRootNode)
@@ -129,7 +132,7 @@ Animation::Animation(const std::string& file, const Json& which, const std::stri
     }
 }
 #else
-Animation::Animation(const std::string& file, const Json&, const std::string& place) {
+Animation::Animation(const std::string& file, const AnimationChoice&, const std::string& place) {
     throw Failure(place + ": " + file +
                   ": this plait-simulate was built without assimp, which reads animations");
 }

@@ -7,6 +7,7 @@
 
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace simulate {
@@ -16,10 +17,13 @@ template <typename T> struct Key {
     T value;
 };
 
+// One of a file: its number, from 0, or its name.
+using AnimationChoice = std::variant<uint64_t, std::string>;
+
 class Animation {
   public:
-    // `which`: a name, or a number from 0. `place`: where the scene says so, for messages. Throws Failure.
-    Animation(const std::string& file, const Json& which, const std::string& place);
+    // `place`: where the scene says which, for messages. Throws Failure.
+    Animation(const std::string& file, const AnimationChoice& which, const std::string& place);
 
     const std::string& name() const { return name_; }
     float seconds() const { return seconds_; }

@@ -1,4 +1,5 @@
 #include "body.hpp"
+#include "common/json_reader.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -66,7 +67,10 @@ BodyChoice read_body(const JsonReader& top, const Json& value, const std::string
         if (!animation->is_number_unsigned() && !animation->is_string())
             in.fail("animation",
                     "is " + animation->dump() + ", neither a number of one, from 0, nor a name");
-        body.animation = *animation;
+        if (animation->is_string())
+            body.animation = animation->get<std::string>();
+        else
+            body.animation = animation->get<uint64_t>();
     }
     in.text("bone", body.bone);
     in.choice("roots", body.roots, carrier_names);

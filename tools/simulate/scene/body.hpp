@@ -14,7 +14,7 @@ enum class Carrier { Bone, Skin };
 
 struct BodyChoice {
     MeshChoice mesh;
-    Json animation = 0u;       // a number or a name
+    AnimationChoice animation = 0u;
     std::string bone = "head"; // which the hair goes with, and what else moves with the head
     Carrier roots = Carrier::Bone;
     std::string animation_place, bone_place; // "scene.json:3: body.bone"

@@ -1,4 +1,5 @@
 #include "detail.hpp"
+#include "common/json_reader.hpp"
 
 namespace simulate {
 

@@ -1,4 +1,5 @@
 #include "materials.hpp"
+#include "common/json_reader.hpp"
 #include "read_field.hpp"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 #include "meshes.hpp"
 
+#include "common/json_reader.hpp"
 #include "generator/generator.hpp"
 
 #include <filesystem>

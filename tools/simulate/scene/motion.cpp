@@ -1,5 +1,6 @@
 #include "motion.hpp"
 #include "common.hpp"
+#include "common/json_reader.hpp"
 
 #include <Eigen/Geometry>
 
