@@ -369,6 +369,16 @@ void output_blends_in_the_root_frame(Bench& bench) {
     expect_near(out[4], {-2, 3, 3, 0, -2, 4, 3, 5});
 }
 
+void output_shows_what_swings_on_its_arc(Bench& bench) {
+    // local (1, 0, 0) and (1, 1, 0): the tip has turned by a right angle, halfway of it by half
+    const auto out =
+        bench.run(PLAIT_STAGE_output, 2, 1, plait_output_params{2, .5f},
+                  {float4s({1, 0, 0, 0, 2, 0, 0, 5}), float4s({1, 3, 3, 0, 0, 3, 3, 5}),
+                   float4s(quarter_about_z), float4s(quarter_about_z), unwritten_float4s(2)});
+    const float half = std::sqrt(.5f); // local (1 + half, half, 0)
+    expect_near(out[4], {1, 3, 3, 0, 1 - half, 3 + half, 3, 5});
+}
+
 void follow_turns_with_the_guide(Bench& bench) {
     const auto place = [&](uint32_t form) {
         const auto out = bench.run(
@@ -545,6 +555,7 @@ const std::vector<ClosedForm>& strand_closed_forms() {
         PLAIT_CLOSED_FORM(roots_meet_halfway),
         PLAIT_CLOSED_FORM(reset_and_teleport_are_rigid),
         PLAIT_CLOSED_FORM(output_blends_in_the_root_frame),
+        PLAIT_CLOSED_FORM(output_shows_what_swings_on_its_arc),
         PLAIT_CLOSED_FORM(follow_turns_with_the_guide),
         PLAIT_CLOSED_FORM(guide_turns_go_on_beyond_half_a_turn),
         PLAIT_CLOSED_FORM(follow_turns_by_the_mean),
