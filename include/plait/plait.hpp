@@ -7,6 +7,7 @@
 #define PLAIT_HPP
 
 #include <plait/plait.h>
+#include <plait/plait_async.h>
 #include <plait/plait_offline.h>
 #include <plait/plait_profile.h>
 
@@ -457,6 +458,27 @@ class Sim : public detail::Owner<plait_sim, plait_sim_destroy> {
         check(plait_sim_read(get(), field, values.data(), &size));
         return values;
     }
+    // Into `values`, once the fence that this gives is reached: till then they stay as they are.
+    template <typename T = float>
+    std::uint64_t read_later(plait_field field, std::vector<T>& values) const {
+        std::size_t size = 0;
+        check(plait_sim_read(get(), field, nullptr, &size));
+        values.resize(size / sizeof(T));
+        std::uint64_t fence = 0;
+        check(plait_sim_read_later(get(), field, values.data(), size, &fence));
+        return fence;
+    }
+    std::uint64_t fence() const {
+        std::uint64_t fence = 0;
+        check(plait_sim_fence(get(), &fence));
+        return fence;
+    }
+    bool fence_reached(std::uint64_t fence) const {
+        std::uint32_t reached = 0;
+        check(plait_sim_fence_reached(get(), fence, &reached));
+        return reached != 0;
+    }
+    void fence_wait(std::uint64_t fence) const { check(plait_sim_fence_wait(get(), fence)); }
     void write(plait_field field, const std::vector<float>& values) {
         check(plait_sim_write(get(), field, values.data(), values.size() * sizeof(float)));
     }

@@ -173,6 +173,15 @@ typedef struct plait_device_api {
      * different ones may run at once, and need not begin before END. Where BEGIN fails there is
      * nothing to end. Without it all is one sequence. */
     plait_result (*overlap)(plait_device*, plait_overlap what);
+    /* buffer_read without waiting: dst is filled once a fence made after it is reached. All three or
+     * none; without them reads wait, and fences are reached. */
+    plait_result (*buffer_read_later)(plait_device*, plait_buffer*, size_t first, size_t count,
+                                      void* dst);
+    /* A number behind all work so far, larger than those before. */
+    plait_result (*fence)(plait_device*, uint64_t* fence);
+    /* *reached: whether the work before a fence that was made is done; wait != 0: waits until it is.
+     * Fails as `wait` does where work before it failed. */
+    plait_result (*fence_reached)(plait_device*, uint64_t fence, int wait, int* reached);
 } plait_device_api;
 
 typedef struct plait_open_info {

@@ -2,6 +2,7 @@
 
 #include "base/format.hpp"
 
+#include <cinttypes>
 #include <cstddef>
 
 namespace plait {
@@ -70,6 +71,44 @@ Status Device::upload(const Buffer& buffer, size_t first, size_t count, const vo
 Status Device::read(const Buffer& buffer, size_t first, size_t count, void* dst) {
     return perform(buffer.name(),
                    [&] { return api_->buffer_read(handle_, buffer.handle(), first, count, dst); });
+}
+
+bool Device::has_fences() const {
+    const size_t end = offsetof(plait_device_api, fence_reached) + sizeof api_->fence_reached;
+    return api_->struct_size >= end && api_->buffer_read_later && api_->fence &&
+           api_->fence_reached;
+}
+
+Status Device::read_later(const Buffer& buffer, void* dst) {
+    if (!has_fences())
+        return read(buffer, dst);
+    return perform(buffer.name(), [&] {
+        return api_->buffer_read_later(handle_, buffer.handle(), 0, buffer.count(), dst);
+    });
+}
+
+Result<uint64_t> Device::fence() {
+    if (has_fences()) {
+        PLAIT_TRY(perform("fence", [&] { return api_->fence(handle_, &last_fence_); }));
+    } else {
+        PLAIT_TRY(wait());
+        ++last_fence_;
+    }
+    return last_fence_;
+}
+
+Result<bool> Device::fence_reached(uint64_t fence, bool wait) {
+    if (fence < 1 || fence > last_fence_)
+        return Error{PLAIT_INVALID_ARGUMENT,
+                     last_fence_ == 0 ? "there is no fence yet"
+                                      : format("fence is %" PRIu64 ", range is [1, %" PRIu64
+                                               "], the fences that were made",
+                                               fence, last_fence_)};
+    int reached = 1;
+    if (has_fences())
+        PLAIT_TRY(perform(
+            "fence", [&] { return api_->fence_reached(handle_, fence, wait ? 1 : 0, &reached); }));
+    return reached != 0;
 }
 
 Status Device::submit(std::span<const plait_dispatch> list) {

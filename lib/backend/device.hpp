@@ -75,6 +75,12 @@ class Device {
     Status read(const Buffer& buffer, size_t first, size_t count, void* dst);
     Status read(const Buffer& buffer, void* dst) { return read(buffer, 0, buffer.count(), dst); }
 
+    // `dst` is filled once a fence made after it is reached.
+    Status read_later(const Buffer& buffer, void* dst);
+    Result<uint64_t> fence();
+    // Whether it is; `wait`: until it is.
+    Result<bool> fence_reached(uint64_t fence, bool wait);
+
     Status submit(std::span<const plait_dispatch> list);
     Status prepare(std::span<const plait_dispatch> list); // builds what the list needs
     Status wait();
@@ -92,10 +98,12 @@ class Device {
     Device(const plait_backend_api& backend, plait_device* handle)
         : backend_(backend.name), api_(backend.device), handle_(handle) {}
     template <typename Call> Status perform(const char* what, const Call& call);
+    bool has_fences() const;
 
     const char* backend_;
     const plait_device_api* api_;
     plait_device* handle_;
+    uint64_t last_fence_ = 0;
     std::string lost_; // the sentence of the loss; "" while the device is there
 };
 

@@ -275,6 +275,27 @@ TEST(Arguments, NullPointers) {
          [](O& o) { return plait_sim_write(nullptr, PLAIT_FIELD_POSITION, o.floats.data(), 4); }},
         {"src is NULL",
          [](O& o) { return plait_sim_write(o.sim, PLAIT_FIELD_POSITION, nullptr, 128); }},
+        {"sim is NULL",
+         [](O& o) {
+             uint64_t fence = 0;
+             return plait_sim_read_later(nullptr, PLAIT_FIELD_POSITION, o.floats.data(), 128,
+                                         &fence);
+         }},
+        {"dst is NULL",
+         [](O& o) {
+             uint64_t fence = 0;
+             return plait_sim_read_later(o.sim, PLAIT_FIELD_POSITION, nullptr, 128, &fence);
+         }},
+        {"fence is NULL",
+         [](O& o) {
+             return plait_sim_read_later(o.sim, PLAIT_FIELD_POSITION, o.floats.data(), 128,
+                                         nullptr);
+         }},
+        {"sim is NULL", [](O&) { return plait_sim_fence(nullptr, nullptr); }},
+        {"fence is NULL", [](O& o) { return plait_sim_fence(o.sim, nullptr); }},
+        {"sim is NULL", [](O&) { return plait_sim_fence_reached(nullptr, 1, nullptr); }},
+        {"reached is NULL", [](O& o) { return plait_sim_fence_reached(o.sim, 1, nullptr); }},
+        {"sim is NULL", [](O&) { return plait_sim_fence_wait(nullptr, 1); }},
         {"sim is NULL", [](O&) { return plait_sim_measure(nullptr, nullptr); }},
         {"out is NULL", [](O& o) { return plait_sim_measure(o.sim, nullptr); }},
         {"sim is NULL",

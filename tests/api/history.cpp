@@ -465,6 +465,15 @@ std::vector<Call> calls() {
              size_t count = 0;
              (void)plait_sim_take_launches(r.sim().get(), nullptr, &count);
          }},
+        {"read_later",
+         {"plait_sim_read_later", "plait_sim_fence", "plait_sim_fence_reached",
+          "plait_sim_fence_wait"},
+         [](Ride& r) {
+             std::vector<float> later;
+             const auto fence = r.sim().read_later(PLAIT_FIELD_POSITION, later);
+             (void)r.sim().fence_reached(r.sim().fence());
+             r.sim().fence_wait(fence);
+         }},
         {"dropped_steps",
          {"plait_sim_step"},
          [](Ride& r) {

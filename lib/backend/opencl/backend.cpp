@@ -117,6 +117,25 @@ plait_result buffer_read(plait_device* device, plait_buffer* buffer, size_t firs
                    [&](Device& self) { return self.read(unwrap(buffer), first, count, dst); });
 }
 
+plait_result buffer_read_later(plait_device* device, plait_buffer* buffer, size_t first,
+                               size_t count, void* dst) {
+    return perform(
+        device, [&](Device& self) { return self.read_later(unwrap(buffer), first, count, dst); });
+}
+
+plait_result fence(plait_device* device, uint64_t* fence) {
+    return perform(device, [&](Device& self) { return self.fence(*fence); });
+}
+
+plait_result fence_reached(plait_device* device, uint64_t fence, int wait, int* reached) {
+    return perform(device, [&](Device& self) {
+        bool is_reached = false;
+        const Status status = self.fence_reached(fence, wait != 0, is_reached);
+        *reached = is_reached ? 1 : 0;
+        return status;
+    });
+}
+
 plait_result submit(plait_device* device, const plait_dispatch* list, size_t count) {
     return perform(device, [&](Device& self) { return self.submit({list, count}); });
 }
@@ -172,6 +191,9 @@ constexpr plait_device_api device_functions = {
     .native_buffer = native_buffer,
     .native_queue = native_queue,
     .overlap = overlap,
+    .buffer_read_later = buffer_read_later,
+    .fence = fence,
+    .fence_reached = fence_reached,
 };
 
 constexpr plait_backend_api backend_functions = {

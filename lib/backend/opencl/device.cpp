@@ -121,6 +121,28 @@ Status Device::read(const Buffer& buffer, size_t first, size_t count, void* dst)
     return flight_.collect(session_.profile);
 }
 
+Status Device::read_later(const Buffer& buffer, size_t first, size_t count, void* dst) {
+    PLAIT_TRY(check_part(buffer, first, count, "read from"));
+    if (count == 0)
+        return {};
+    const cl_int code =
+        calls_.enqueue_read(queue(), buffer.memory.get(), CL_FALSE, first * buffer.element_bytes,
+                            count * buffer.element_bytes, dst, 0, nullptr, nullptr);
+    return code == CL_SUCCESS ? Status{} : late_failure(code, "read from buffer " + buffer.name);
+}
+
+Status Device::fence(uint64_t& fence) {
+    PLAIT_TRY(fences_.make(queue(), fence));
+    if (const cl_int code = calls_.flush(queue())) // else nothing before it need ever begin
+        return late_failure(code, "clFlush");
+    return {};
+}
+
+Status Device::fence_reached(uint64_t fence, bool wait, bool& reached) {
+    PLAIT_TRY(fences_.reached(fence, wait, reached));
+    return reached ? flight_.collect(session_.profile) : Status{};
+}
+
 Status Device::wait() {
     PLAIT_TRY(finish());
     keep_changed();

@@ -3,6 +3,7 @@
 
 #include "backend/opencl/build.hpp"
 #include "backend/opencl/enumerate.hpp"
+#include "backend/opencl/fences.hpp"
 #include "backend/opencl/flight.hpp"
 #include "backend/opencl/range.hpp"
 #include "backend/opencl/side_queues.hpp"
@@ -51,6 +52,9 @@ class Device {
     // Does not wait, unless uploads under way take more than Staging::most_bytes.
     Status upload(const Buffer& buffer, size_t first, size_t count, const void* src);
     Status read(const Buffer& buffer, size_t first, size_t count, void* dst);
+    Status read_later(const Buffer& buffer, size_t first, size_t count, void* dst);
+    Status fence(uint64_t& fence);
+    Status fence_reached(uint64_t fence, bool wait, bool& reached);
 
     Status submit(std::span<const plait_dispatch> list);
     Status overlap(plait_overlap what);
@@ -88,6 +92,7 @@ class Device {
     ProgramFolder folder_;
     Calls calls_;
     Flight flight_;
+    Fences fences_;
     Staging staging_;
     SideQueues side_queues_;
     std::array<std::optional<StageText>, PLAIT_STAGE_COUNT> texts_;

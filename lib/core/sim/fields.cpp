@@ -162,6 +162,27 @@ Status Sim::read(plait_field field, void* dst) {
     return {};
 }
 
+Result<uint64_t> Sim::read_later(plait_field field, void* dst) {
+    if (field == PLAIT_FIELD_VELOCITY || field == PLAIT_FIELD_POSITION_PREV)
+        return Error{PLAIT_INVALID_ARGUMENT,
+                     format("field is %d (%s), which the host reckons: plait_sim_read has it",
+                            field, field == PLAIT_FIELD_VELOCITY ? "VELOCITY" : "POSITION_PREV")};
+    const bool no_buffer = (field == PLAIT_FIELD_WETNESS && !state_.wetness) ||
+                           (field == PLAIT_FIELD_PIN && !state_.pin);
+    if (no_buffer) {
+        PLAIT_TRY(read(field, dst));
+    } else {
+        const auto buffer = filled_field(field);
+        if (!buffer)
+            return buffer.error();
+        PLAIT_TRY(device().read_later(**buffer, dst));
+    }
+    const auto fence = device().fence();
+    if (fence)
+        read_fence_ = *fence;
+    return fence;
+}
+
 // Verlet velocity over the last substep; padding has that of its strand's history, at rest 0.
 Status Sim::read_velocity(std::span<float> dst) {
     std::pmr::vector<float> before(dst.size(), &context_.memory);

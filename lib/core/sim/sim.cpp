@@ -62,6 +62,8 @@ Sim::Sim(Context& context, SimParts parts)
 Sim::~Sim() {
     if (context_.measured == this)
         context_.measured = nullptr;
+    if (read_fence_ != 0) // the caller's memory may go with the sim
+        (void)fence_reached(read_fence_, true);
 }
 
 Status Sim::start() {

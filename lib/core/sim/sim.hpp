@@ -129,6 +129,11 @@ class Sim {
     // fields.cpp
     Result<size_t> field_bytes(plait_field field) const;
     Status read(plait_field field, void* dst);
+    Result<uint64_t> read_later(plait_field field, void* dst); // the fence that it lies before
+    Result<uint64_t> fence() { return device().fence(); }
+    Result<bool> fence_reached(uint64_t fence, bool wait) {
+        return device().fence_reached(fence, wait);
+    }
     // What field_buffer() gives, or for BOUNDS reckoned into a buffer now.
     Result<const Buffer*> filled_field(plait_field field);
     Status write(plait_field field, const void* src);
@@ -379,6 +384,7 @@ class Sim {
     std::pmr::vector<Buffer> pose_before_; // [substeps_]
     Buffer strand_stats_;                  // float4 [guides], from the first measurement on
     Buffer boxes_, box_; // float4 [2*runs], [2], from the first time on that bounds are asked for
+    uint64_t read_fence_ = 0; // before which the last read lies that did not wait; 0: none
     std::array<plait_stage_cost, PLAIT_STAGE_COUNT> costs_{};
     Launches launches_;
 };

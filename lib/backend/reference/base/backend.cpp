@@ -156,7 +156,11 @@ constexpr plait_device_api device_api = {
     last_error,
     native_buffer,
     native_queue,
-    nullptr, // overlap: it runs each list while it is submitted
+    // overlap, buffer_read_later, fence, fence_reached: it runs each list while it is submitted
+    nullptr,
+    nullptr,
+    nullptr,
+    nullptr,
 };
 
 constexpr plait_backend_api backend_api = {
