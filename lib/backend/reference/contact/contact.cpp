@@ -10,16 +10,8 @@
 #include <numeric>
 
 namespace plait::reference {
-namespace {
 
-// A tangent plane of a collider's distance: `height` of the end of the way above it.
-struct Tangent {
-    Vec3 normal;
-    double height;
-};
-
-// The distance along the way is convex: Newton from outside comes to the first zero and not beyond.
-// Nothing if the way ends or turns away before.
+// Newton's method from outside comes to the first zero and not beyond.
 std::optional<Tangent> first_crossing(const Collider& collider, const Vec3& from, const Vec3& to) {
     const Vec3 way = to - from;
     double t = 0;
@@ -35,8 +27,6 @@ std::optional<Tangent> first_crossing(const Collider& collider, const Vec3& from
     }
     return Tangent{at.normal, at.distance + (1 - t) * at.normal.dot(way)};
 }
-
-} // namespace
 
 double clearance(const Collider& collider, const Vec3& x) {
     if (collider.inward)

@@ -16,6 +16,16 @@ using Mat3 = Eigen::Matrix3d;
 // greater radius all along, of a hull also of the box around it.
 double clearance(const Collider& collider, const Vec3& x);
 
+// A tangent plane of a collider's distance: `height` of the end of the way above it.
+struct Tangent {
+    Vec3 normal;
+    double height;
+};
+
+// Where the way, along which the distance is convex, first crosses the surface; nothing if it ends or turns
+// away before.
+std::optional<Tangent> first_crossing(const Collider& collider, const Vec3& from, const Vec3& to);
+
 class Contacts {
   public:
     // `planes`: of meshes, as mesh_planes_of. `length[i]` and `stretch[i]`, EA/l, of the segment before vertex i, 0 past the tip; `mass[i]`

@@ -23,24 +23,10 @@ double thin(const Body& body) {
     return INFINITY;
 }
 
-Eigen::AlignedBox3d around(const Vec3& centre, const Vec3& reach) {
-    return {Vec3(centre - reach), Vec3(centre + reach)};
-}
-
-Eigen::AlignedBox3d around(const Box& box, double rounding) {
-    const Vec3 reach = box.orientation.toRotationMatrix().cwiseAbs() * box.half;
-    return around(box.centre, Vec3(reach.array() + rounding));
-}
-
-// Of what is no plane.
-Eigen::AlignedBox3d around(const Body& body) {
-    if (const Box* box = std::get_if<Box>(&body))
-        return around(*box, box->rounding);
-    if (const Hull* hull = std::get_if<Hull>(&body))
-        return around(hull->around, hull->margin);
-    const Capsule& capsule = std::get<Capsule>(body);
-    return around(capsule.a, Vec3::Constant(capsule.ra))
-        .merged(around(capsule.b, Vec3::Constant(capsule.rb)));
+double distance_to_way(const Vec3& p, const Vec3& from, const Vec3& to) {
+    const Vec3 way = to - from;
+    const double share = way.dot(p - from) / std::max(way.squaredNorm(), 1e-30);
+    return (p - from - std::clamp(share, 0.0, 1.0) * way).norm();
 }
 
 bool inside(const Collider& collider, const Vec3& x) {
@@ -80,11 +66,12 @@ double WarmContacts::room(size_t vertex) const {
     return PLAIT_CONTACT_WARM_ROOM * contacts_.length_[vertex];
 }
 
-Eigen::AlignedBox3d WarmContacts::range(size_t vertex, double room) const {
+// Is p farther than that from the way between where the vertex was, as its root sees it, and where inertia
+// takes it?
+bool WarmContacts::strays(size_t vertex, const Vec3& p) const {
     const std::vector<Vec3>& start = contacts_.motion_.start;
-    const Vec3 begin = contacts_.motion_.root + start[vertex] - start[0]; // as the root sees it
-    const Vec3 end = contacts_.motion_.root + y_[vertex];
-    return {Vec3(begin.cwiseMin(end).array() - room), Vec3(begin.cwiseMax(end).array() + room)};
+    return distance_to_way(p, start[vertex] - start[0], y_[vertex]) >
+           room(vertex) - PLAIT_CONTACT_WARM_REACH * tolerance(vertex);
 }
 
 Vec3 WarmContacts::carried(const Collider& collider, size_t vertex) const {
@@ -165,9 +152,9 @@ void WarmContacts::begin(size_t vertex) {
 bool WarmContacts::passes(const Collider& collider, size_t vertex, const Vec3& p) const {
     const Vec3 from = carried(collider, vertex), root = contacts_.motion_.root;
     const double way = (p - from).norm();
-    const Eigen::AlignedBox3d swept(Vec3(root + p.cwiseMin(from)), Vec3(root + p.cwiseMax(from)));
-    return way > thin(collider.body) / 2 && clearance(collider, root + p) <= way &&
-           swept.intersects(around(collider.body));
+    return way > thin(collider.body) / 2 &&
+           clearance(collider, root + (from + p) / 2) <= way / 2 &&
+           first_crossing(collider, root + from, root + p);
 }
 
 std::optional<WarmContacts::Nearest> WarmContacts::nearest(size_t vertex, const Vec3& p,
@@ -202,8 +189,8 @@ Vec3 WarmContacts::place(size_t vertex, const Vec3& p) {
     if (contacts_.length_[vertex] == 0)
         return p;
     const double tolerance = this->tolerance(vertex), near = PLAIT_CONTACT_WARM_REACH * tolerance;
-    const Vec3 world = contacts_.motion_.root + p;
-    if (!range(vertex, room(vertex) - near).contains(world)) {
+    if (strays(vertex, p)) {
+        const Vec3 world = contacts_.motion_.root + p;
         deep_ = deep_ || std::any_of(colliders_.begin(), colliders_.end(),
                                      [&](const Collider& c) { return inside(c, world); });
         return p;

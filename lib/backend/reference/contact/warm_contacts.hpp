@@ -38,7 +38,7 @@ class WarmContacts {
     };
     bool hard(const Collider& collider, size_t vertex) const;
     double room(size_t vertex) const;
-    Eigen::AlignedBox3d range(size_t vertex, double room) const; // in the world
+    bool strays(size_t vertex, const Vec3& p) const;
     double gap(const Collider& collider, size_t vertex, const Surface& surface) const;
     Vec3 carried(const Collider& collider, size_t vertex) const; // relative to the root
     void begin(size_t vertex);
