@@ -54,10 +54,10 @@ static inline mask articulated_warm(const rod_problem* rod, rod_state* s, articu
         }
         warm->contacts->now &= !warm->which;
         articulated_newton(rod, s, level, warm->which, warm);
-        const mask slid = warm_rub(warm, s->x);
+        const mask slips = warm_rub(warm, s->x);
         mask again = warm->deep;
         if (k == 0)
-            again |= warm->pressed & slid;
+            again |= warm->pressed & slips;
         if (k == 1)
             again |= warm->back;
         warm->which &= again;
@@ -76,6 +76,7 @@ static inline void articulated_solve(const rod_problem* rod, rod_state* s, artic
         const mask left = articulated_warm(rod, s, start, warm);
         takes = iterations > 1u ? takes : left;
     }
+    const mask loops = takes;
     mask moved = takes, renews = takes;
     uint back = 0;
     for (uint k = 0;; ++k) {
@@ -91,7 +92,7 @@ static inline void articulated_solve(const rod_problem* rod, rod_state* s, artic
             if (!rod_in_contact(rod) || rod->contacts->params->planes > 1u ||
                 back++ == PLAIT_ARTICULATED_PUT_BACK)
                 return;
-            renews = articulated_put_back(rod, s);
+            renews = articulated_put_back(rod, s, loops);
             if (!any_lane(renews))
                 return;
         }

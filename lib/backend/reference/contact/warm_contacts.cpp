@@ -186,6 +186,7 @@ void WarmContacts::arrive(size_t vertex, const Nearest& found) {
 
 Vec3 WarmContacts::place(size_t vertex, const Vec3& p) {
     Contact& at = contacts_.at_[vertex];
+    depth_ = -INFINITY;
     if (contacts_.length_[vertex] == 0)
         return p;
     const double tolerance = this->tolerance(vertex), near = PLAIT_CONTACT_WARM_REACH * tolerance;
@@ -209,6 +210,7 @@ Vec3 WarmContacts::place(size_t vertex, const Vec3& p) {
     if (was && std::abs(lift) < 2 * tolerance)
         lift *= PLAIT_CONTACT_WARM_BACK;
     deep_ = deep_ || std::abs(lift) > PLAIT_CONTACT_WARM_DEEP * contacts_.length_[vertex];
+    depth_ = -(found->gap + lift);
     Vec3 to = p + lift * found->normal;
     if (!was) {
         arrive(vertex, *found);
@@ -223,29 +225,38 @@ Vec3 WarmContacts::place(size_t vertex, const Vec3& p) {
     return to;
 }
 
+void WarmContacts::left(size_t vertex, const Vec3& to, const Vec3& x) {
+    const Contact& at = contacts_.at_[vertex];
+    deep_ = deep_ || (at.stiffness > 0 && depth_ + at.normal.dot(to - x) >
+                                              PLAIT_CONTACT_MAX_PENETRATION * contacts_.length_[vertex]);
+}
+
 void WarmContacts::placed(double turned) {
     contacts_.touched_ = contacts_.touched_ || contacts_.touching();
     deep_ = deep_ || (contacts_.touched_ && turned > PLAIT_CONTACT_WARM_TURN);
 }
 
+// What slips slides with mu N from now on. Only what its spring has all but stopped is not thrown back by that:
+// a spring as weak as mu N draws it by what it slipped stops more of it.
 bool WarmContacts::rub(const std::vector<Vec3>& x) {
-    bool slid = false;
+    bool slips = false;
     const double slip = contacts_.params_.contact_slip;
     for (size_t i = 1; i < x.size(); ++i) {
         Contact& at = contacts_.at_[i];
         if (at.stiffness == 0)
             continue;
-        deep_ = deep_ ||
-                at.offset - at.normal.dot(x[i]) > PLAIT_CONTACT_WARM_DEEP * contacts_.length_[i];
         const Vec3 u = contacts_.slip_of(at, x[i]);
-        const bool back = at.slide.dot(u)<0, slides = u.norm()> slip && !back;
-        at.slide = slides ? Vec3(u.normalized()) : Vec3(Vec3::Zero());
+        const bool back = at.slide.dot(u) < 0, more = u.norm() > slip && !back;
+        const bool stops = at.sticks() && u.norm() < PLAIT_CONTACT_WARM_STOPS * at.grip;
+        at.slide = more && !stops ? Vec3(u.normalized()) : Vec3(Vec3::Zero());
         if (back)
             at.grip = slip;
+        else if (more && stops)
+            at.grip = u.norm();
         back_ = back_ || back;
-        slid = slid || slides;
+        slips = slips || more;
     }
-    return slid;
+    return slips;
 }
 
 void WarmContacts::press(const std::vector<Vec3>& x) {

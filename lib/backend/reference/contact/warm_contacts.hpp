@@ -17,9 +17,11 @@ class WarmContacts {
     bool solves() const { return solves_; }
     // Where a vertex goes that the step would leave at p.
     Vec3 place(size_t vertex, const Vec3& p);
+    // Where its segment's length leaves it, that was to go to `to`.
+    void left(size_t vertex, const Vec3& to, const Vec3& x);
     // All vertices have been; `turned`: the largest rotation.
     void placed(double turned);
-    // Friction after a step that left vertices at x; returns whether any slides.
+    // Friction after a step that left vertices at x; returns whether any slips.
     bool rub(const std::vector<Vec3>& x);
     // Before another step.
     void press(const std::vector<Vec3>& x);
@@ -53,6 +55,7 @@ class WarmContacts {
     std::vector<Collider> colliders_;
     std::vector<Vec3> y_;
     std::vector<double> force_;
+    double depth_ = 0; // m, below the surface, of what place() left last
     bool solves_ = true, pressed_ = false, back_ = false, deep_ = false;
 };
 

@@ -170,8 +170,11 @@ void RodModel::follow_turns(const RodModel& from, const Eigen::VectorXd& w, Warm
         d += length_[i] * turn.cross(from.director(i));
         q[i] = turned(from.q[i], turn);
         most = std::max(most, turn.norm());
-        const Vec3 to = from.x[i + 1] + d;
-        turn_to(i, warm ? warm->place(i + 1, to) : stopped(i + 1, to));
+        Vec3 to = from.x[i + 1] + d;
+        to = warm ? warm->place(i + 1, to) : stopped(i + 1, to);
+        turn_to(i, to);
+        if (warm)
+            warm->left(i + 1, to, x[i + 1]);
     }
     if (warm)
         warm->placed(most);
@@ -237,8 +240,8 @@ bool RodModel::solve_warm(const std::vector<double>& force) {
         if (k > 0)
             warm.press(x);
         turn_segments(&warm);
-        const bool slides = warm.rub(x) && warm.pressed();
-        if (!warm.deep() && !(k == 0 && slides) && !(k == 1 && warm.back()))
+        const bool slips = warm.rub(x) && warm.pressed();
+        if (!warm.deep() && !(k == 0 && slips) && !(k == 1 && warm.back()))
             break;
     }
     return !warm.deep() && !off_pin();
@@ -260,7 +263,8 @@ void RodModel::articulate(uint32_t steps, const std::vector<double>& force) {
             break;
         moved = turn_segments();
     }
-    put_back();
+    if (!solved || steps > 1)
+        put_back();
 }
 
 // Where it was, but for a leader that moves by more than half a segment: that would turn it back on
