@@ -25,7 +25,7 @@ constexpr KnownMiss known_misses[] = {
     {"7a", "", "articulated 1x1 BDF2", 0.00208, 0.00206},
     {"7b", "", "articulated 1x1 BDF2", 0.00209, 0.00206},
     // Where a strand slips hangs on where its tip came to stand. It lands end-on, straight as it is, hops while it
-    // buckles, and a millimetre to the side is 9 % of the strain at which it slips.
+    // buckles, and a millimetre to the side is 6 % of the strain at which it slips.
     {"20", "µ 0.1", "articulated 1x1 BDF2", 0.0507, met, 1.5},
     {"20", "µ 0.1", "articulated 2x1 BDF2", 0.102, 0.117, 1.5},
     {"20", "µ 0.2", "articulated 1x1 BDF2", met, 0.0671, 1.5},
