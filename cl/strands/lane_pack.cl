@@ -4,6 +4,7 @@
  * Items   vertices of the lanes in use.
  * Reads   lane_strand, vertex_count, position, position_prev.
  * Moves   lane_x, lane_v, with BDF2 lane_x_before, lane_v_before, of every vertex but the root.
+ *         lane_normal_force is 0 where a vertex was moved.
  *         What is as lane_unpack wrote it stays as it is here, to the bit: a place in the world has lost
  *         digits that an offset from the root has.
  * Source  ours: what changed the velocity changes that of the step before by as much. BDF2, which
@@ -26,7 +27,8 @@ __kernel void plait_lane_pack(const uint item_count, const plait_lane_history_pa
                               __global const uint* lane_strand, __global const uint* vertex_count,
                               __global const float4* position, __global const float4* position_prev,
                               __global float* lane_x, __global float* lane_v,
-                              __global float* lane_x_before, __global float* lane_v_before) {
+                              __global float* lane_x_before, __global float* lane_v_before,
+                              __global float* lane_normal_force) {
     const uint item = get_global_id(0), row = item % params.vertex_stride;
     if (item >= item_count || row == 0)
         return;
@@ -42,6 +44,8 @@ __kernel void plait_lane_pack(const uint item_count, const plait_lane_history_pa
     if (!same3(shown, x)) {
         const vec3 moved = sub3(x, root);
         lane_write3(lane_x, here, params.tile, moved);
+        lane_normal_force[lane_row(item / params.vertex_stride, row, 1, params.vertex_stride,
+                                   params.tile)] = 0.0f;
         if (params.history)
             lane_write3(lane_x_before, here, params.tile,
                         add3(lane_read3(lane_x_before, here, params.tile), sub3(moved, offset)));

@@ -12,7 +12,7 @@ __kernel void plait_lane_reset(const uint item_count, const plait_lane_state_par
                                __global const float4* pose, __global const real* lane_rest,
                                __global real* lane_x, __global real* lane_v, __global real* lane_q,
                                __global real* lane_q_before, __global real* lane_x_before,
-                               __global real* lane_v_before) {
+                               __global real* lane_v_before, __global real* lane_normal_force) {
     const lane_place place = lane_place_of(get_global_id(0));
     if (!lane_place_used(place, item_count))
         return;
@@ -26,6 +26,7 @@ __kernel void plait_lane_reset(const uint item_count, const plait_lane_state_par
         const vec3 x = lane_carried(i, p.root, p.q, offset);
         store3(lane_x, place, i, x);
         store3(lane_v, place, i, zero);
+        lane_normal_force[lane_index(place, 1, i, 0)] = (real)(0.0f);
         if (params.history) {
             store3(lane_x_before, place, i, x);
             store3(lane_v_before, place, i, zero);

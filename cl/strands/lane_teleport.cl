@@ -23,7 +23,8 @@ __kernel void plait_lane_teleport(const uint item_count, const plait_lane_state_
                                   __global const float4* pose_from, __global const float4* pose_to,
                                   __global real* lane_x, __global real* lane_v,
                                   __global real* lane_q, __global real* lane_q_before,
-                                  __global real* lane_x_before, __global real* lane_v_before) {
+                                  __global real* lane_x_before, __global real* lane_v_before,
+                                  __global real* lane_normal_force) {
     const lane_place place = lane_place_of(get_global_id(0));
     if (!lane_place_used(place, item_count))
         return;
@@ -37,6 +38,7 @@ __kernel void plait_lane_teleport(const uint item_count, const plait_lane_state_
     for (int i = 0; i < (int)params.vertex_stride; ++i) {
         carry(lane_x, place, i, to.root, turn);
         store3(lane_v, place, i, rotate3(turn, load3(lane_v, place, i)));
+        lane_normal_force[lane_index(place, 1, i, 0)] = (real)(0.0f);
         storeq(lane_q, place, i, mulq(turn, loadq(lane_q, place, i)));
         storeq(lane_q_before, place, i, mulq(turn, loadq(lane_q_before, place, i)));
         if (params.history) {

@@ -523,6 +523,7 @@ const std::map<std::string, Maker>& makers() {
          [](const Shape& s) {
              return lane_rows<3>(s, {0.1f, 0, 0});
          }},
+        {"lane_normal_force", [](const Shape& s) { return lane_rows<1>(s, {0}); }},
         {"lane_strand", [](const Shape& s) { return counting(s.strands); }},
         {"lane_slot",
          [](const Shape& s) {

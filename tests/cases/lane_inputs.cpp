@@ -77,8 +77,8 @@ float friction_for(std::vector<float>& material, size_t strand, size_t stride, f
     return friction / scales[PLAIT_LANE_FRICTION];
 }
 
-void add_strand(LaneHair& lanes, Random& random, uint32_t count, uint32_t stride, const float* pose,
-                const float* root_rest) {
+void add_strand(LaneHair& lanes, Random& random, Random& forces, uint32_t count, uint32_t stride,
+                const float* pose, const float* root_rest) {
     const Quat pose_q = {pose[0], pose[1], pose[2], pose[3]};
     const Point pose_t = {pose[4], pose[5], pose[6]};
     const Point root = sum(rotate(pose_q, {root_rest[0], root_rest[1], root_rest[2]}), pose_t);
@@ -97,6 +97,7 @@ void add_strand(LaneHair& lanes, Random& random, uint32_t count, uint32_t stride
         append(lanes.x_before, i == 0 ? root : sum(x, shift));
         append(lanes.v, random_step(random, 0.3));
         append(lanes.v_before, random_step(random, 0.3));
+        append(lanes.normal_force, std::array<double, 1>{forces.uniform(5e-6, 2e-5)});
         x = sum(x, rotate(q, {1, 0, 0}), segment_length);
     }
 }
@@ -110,16 +111,17 @@ Point place_of(const LaneHair& lanes, size_t vertex) {
 
 // A tapered capsule whose side is `gap` (m) off the start of a vertex, down the way that forces
 // drive it, and moves a little.
-void add_capsule(LaneHair& lanes, Random& random, size_t vertex, double gap, float friction) {
+void add_capsule(LaneHair& lanes, Random& random, size_t vertex, double gap, float friction,
+                 double taper = 0.005, double moves = 0.03, double wider = 0) {
     const Point down = sum(direction_of({20, -40, 30}), random_step(random, 0.2));
     const Point across = cross(down, random.direction());
-    const double radius = random.uniform(0.03, 0.04);
+    const double radius = random.uniform(0.03, 0.04) + wider;
     const Point middle = sum(place_of(lanes, vertex), down, radius + gap);
-    const Point to = sum(middle, random_step(random, 0.03));
+    const Point to = sum(middle, random_step(random, moves));
     for (const Point& at : {middle, to})
         for (const double side : {-1.0, 1.0})
             append(lanes.capsules,
-                   with_radius(sum(at, across, 0.04 * side), radius - 0.005 * side));
+                   with_radius(sum(at, across, 0.04 * side), radius - taper * side));
     append(lanes.capsules, small_turn(random, 0.3));
     append(lanes.capsules, Quat{double(friction), double{PLAIT_KIND_CAPSULE}, 0, 0});
 }
@@ -304,10 +306,11 @@ std::vector<float> capsules_of_two_substeps(const std::vector<float>& capsules) 
 LaneHair make_lane_hair(const Size& size, uint32_t seed) {
     LaneHair lanes;
     lanes.hair = make_hair(size, seed);
-    Random random(seed * 104729 + size.strands * 17 + size.stride), scales(seed + 5);
+    Random random(seed * 104729 + size.strands * 17 + size.stride), scales(seed + 5),
+        forces(seed + 9);
     for (uint32_t s = 0; s < size.strands; ++s) {
-        add_strand(lanes, random, lanes.hair.vertex_count[s], size.stride, &lanes.hair.pose[8 * s],
-                   &lanes.hair.rest[size_t{4} * s * size.stride]);
+        add_strand(lanes, random, forces, lanes.hair.vertex_count[s], size.stride,
+                   &lanes.hair.pose[8 * s], &lanes.hair.rest[size_t{4} * s * size.stride]);
         float* own = scales_of(lanes.material, s, size.stride);
         own[PLAIT_LANE_DRAG] = static_cast<float>(scales.uniform(0.4, 1.6));
         own[PLAIT_LANE_FRICTION] = static_cast<float>(scales.uniform(0.6, 1.4));
@@ -326,6 +329,17 @@ LaneHair make_lane_hair_in_contact(const Size& size, uint32_t seed, float fricti
             add_capsule(lanes, random, s * size.stride + 1, -0.025,
                         friction_for(lanes.material, s, size.stride, friction));
     }
+    return lanes;
+}
+
+LaneHair make_lane_hair_pressed(const Size& size, uint32_t seed, float friction) {
+    LaneHair lanes = make_lane_hair(size, seed);
+    Random random(seed + 1);
+    for (size_t s = 0; s < size.strands; ++s)
+        add_capsule(lanes, random, s * size.stride + lanes.hair.vertex_count[s] / 2,
+                    s % 3 == 2 ? -0.00015 : 0.0001,
+                    friction_for(lanes.material, s, size.stride, s % 2 ? 0.3f : friction), 0, 0.008,
+                    0.08);
     return lanes;
 }
 
@@ -477,6 +491,8 @@ Setup lane_setup(const Size& size, const LaneHair& lanes, const plait_lane_param
     // kept even where BDF2 is off, so that turning it on is a fair disturbance
     setup.buffers.push_back(lane_floats(lanes.x_before, 3));
     setup.buffers.push_back(lane_floats(lanes.v_before, 3));
+    if (bends)
+        setup.buffers.push_back(lane_floats(lanes.normal_force, 1));
     plait_lane_params with_capsules = params;
     with_capsules.collider_count = with_capsules.collider_first =
         static_cast<uint32_t>(lanes.capsules.size() / (4 * PLAIT_COLLIDER_STRIDE));
@@ -562,12 +578,14 @@ void add_rods_on_surfaces(Case& result, uint32_t seed) {
     result.flags.push_back("collider.kind");
 }
 
-// With other seeds a vertex is about to break loose, or between two faces.
+// With some other seeds a vertex is about to break loose, or between two faces.
 void add_rods_on_hulls(Case& result) {
     for (const Size& size : contact_sizes())
-        for (const uint32_t bdf2 : {0u, 1u})
-            result.setups.push_back(lane_setup(size, make_lane_hair_on_hulls(size, 53, 100.0f),
+        for (const uint32_t bdf2 : {0u, 1u}) {
+            result.setups.push_back(lane_setup(size, make_lane_hair_on_hulls(size, 54, 100.0f),
                                                lane_params(size, 1, bdf2), true));
+            result.setups.back().name += ", on hulls";
+        }
 }
 
 void add_rods_in_rooms(Case& result, uint32_t seed) {

@@ -10,8 +10,9 @@ struct LaneHair {
     Hair hair; // rest shape, poses, counts
     std::vector<float> material, rest;
     std::vector<float> x, v, q, q_before, x_before, v_before;
-    std::vector<float> capsules; // float4 [6*colliders]; empty: none
-    std::vector<float> faces;    // float4, of hulls, whose rows say where in them theirs begin
+    std::vector<float> normal_force; // N
+    std::vector<float> capsules;     // float4 [6*colliders]; empty: none
+    std::vector<float> faces;        // float4, of hulls, whose rows say where in them theirs begin
 };
 
 // A strand is at its pose, bent and turned a little in every joint, and moves.
@@ -19,6 +20,9 @@ LaneHair make_lane_hair(const Size& size, uint32_t seed);
 // With a moving capsule near the middle of every strand, of friction 0.3 or as given; every third
 // starts inside it.
 LaneHair make_lane_hair_in_contact(const Size& size, uint32_t seed, float friction);
+// With a wider capsule at the middle of every strand that moves less and that the substep before pressed it to,
+// by a force of the size of its weight.
+LaneHair make_lane_hair_pressed(const Size& size, uint32_t seed, float friction);
 // With moving boxes, some of them rounded, capsules, and a plane under all; in some a strand starts
 // inside. Before them in the buffer `far` that no strand meets.
 LaneHair make_lane_hair_on_surfaces(const Size& size, uint32_t seed, float friction, uint32_t far);

@@ -69,7 +69,8 @@ class Strand {
                          capsules,
                          q,
                          q_before,
-                         {x, v, none, none, material, acceleration, pin, plane}},
+                         {x, v, none, none, material, acceleration, pin, plane},
+                         none},
                         params, 0);
     }
     double* joint(size_t i) { return &material_[i * PLAIT_LANE_MATERIAL_COMPONENTS]; }

@@ -47,6 +47,22 @@
 /* Arc length from the root: how far out of a surface that holds the root a vertex has to come. All
  * of it would have the strand stand on end; the surface itself would stretch it. Ours. */
 #define PLAIT_CONTACT_ROOT_CLEARANCE PLAIT_NUMBER(0.5)
+/* Solve that begins with the contacts of the substep before. Segment lengths beside where a vertex was and
+ * where inertia takes it: what touches it there is looked for. Ours. */
+#define PLAIT_CONTACT_WARM_ROOM PLAIT_NUMBER(0.3)
+/* PLAIT_CONTACT_TOLERANCE: farther off a surface nothing is pressed to it any more. Ours. */
+#define PLAIT_CONTACT_WARM_REACH PLAIT_NUMBER(4.0)
+/* Share of its way to the surface that what is pressed to it goes back by in a step. Ours. */
+#define PLAIT_CONTACT_WARM_BACK PLAIT_NUMBER(0.1)
+/* Share of the slip that friction's spring was to allow: what slips by less has all but stopped, and goes on
+ * on a spring. Ours. */
+#define PLAIT_CONTACT_WARM_STOPS PLAIT_NUMBER(0.3)
+/* Segment lengths: what had to be lifted by more takes another step. Ours. */
+#define PLAIT_CONTACT_WARM_DEEP PLAIT_NUMBER(0.1)
+/* Radians: a strand in contact takes another step where one turned a segment by more. Ours. */
+#define PLAIT_CONTACT_WARM_TURN PLAIT_NUMBER(0.5)
+/* Most steps: the second for what slides, the third for what the second turned back. Ours. */
+#define PLAIT_CONTACT_WARM_STEPS 3
 /* Newton steps to the first crossing; exact to 1e-3 r at half a radius off the axis. Ours. */
 #define PLAIT_SWEEP_STEPS 4
 /* Cosine of 60 degrees: normals farther apart belong to different sides of a capsule. Ours. */

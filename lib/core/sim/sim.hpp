@@ -322,7 +322,7 @@ class Sim {
     Status write_bodies(SnapshotWriter& to);
     Status write_bending(SnapshotWriter& to, size_t index);
     Status save_run(const Run& run, unsigned char* out);
-    using BlockBytes = std::array<std::span<const unsigned char>, 11>; // by BlockKind
+    using BlockBytes = std::array<std::span<const unsigned char>, 12>; // by BlockKind
     Status check_fits(const Saved& saved) const;
     Result<SettingsList> saved_settings(std::span<const unsigned char> from) const;
     Status check_run(const Run& run, const unsigned char* from, float scale) const;

@@ -242,6 +242,8 @@ Status Sim::restore(std::span<const unsigned char> src) {
     frame_.restore(saved->frame);
     if (!saved->is(BlockKind::pins))
         PLAIT_TRY(clear_pins(device(), layout_, state_, &context_.memory));
+    if (!saved->is(BlockKind::contact))
+        PLAIT_TRY(model_->clear_normal_force(device()));
     PLAIT_TRY(restore_runs(list, *blocks));
     if (wet)
         PLAIT_TRY(wetness_.resume(device(), state_, saved->wetness.dried, &context_.memory));

@@ -57,6 +57,13 @@ std::pmr::vector<Sim::Run> Sim::list_runs(const Saved& now) {
         const size_t n = now.volume.nodes;
         add(BlockKind::volume, volume_.potential(), n * n * n * 2, Run::Of::pressures);
     }
+    if (now.is(BlockKind::contact)) {
+        std::pmr::vector<LaneBuffer> forces(&context_.memory);
+        model_->add_normal_force(forces);
+        for (const LaneBuffer& lanes : forces)
+            add(BlockKind::contact, *lanes.buffer, size_t{lanes.layout.strands} * lanes.layout.row,
+                Run::Of::pushes, lanes);
+    }
     return list;
 }
 
@@ -100,6 +107,7 @@ Saved Sim::saved_now() {
     has(BlockKind::wetness, bool(state_.wetness));
     now.wetness.dried = state_.wetness ? wetness_.dried() : 0;
     has(BlockKind::volume, volume_.carries);
+    has(BlockKind::contact, model_->parts() > 0);
     now.volume.nodes = params_.grid.edge_count;
     return now;
 }
@@ -207,7 +215,8 @@ Status Sim::write_snapshot(SnapshotWriter& to) {
     PLAIT_TRY(write(BlockKind::pins));
     PLAIT_TRY(write(BlockKind::wind, now.wind));
     PLAIT_TRY(write(BlockKind::wetness, now.wetness));
-    return write(BlockKind::volume, now.volume);
+    PLAIT_TRY(write(BlockKind::volume, now.volume));
+    return write(BlockKind::contact);
 }
 
 size_t Sim::snapshot_size() {

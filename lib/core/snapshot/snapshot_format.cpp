@@ -148,6 +148,7 @@ constexpr Kind kinds[block_kinds] = {
     {"wind", "wind", 1, false, sizeof(SavedWind)},
     {"wetness", "wetn", 1, false, sizeof(SavedWetness)},
     {"volume", "volu", 1, false, sizeof(SavedVolume)},
+    {"contact", "cont", 1, false, 0},
 };
 
 uint32_t tag_of(const Kind& kind) {

@@ -34,8 +34,9 @@ enum class BlockKind : uint32_t {
     wind,    // SavedWind
     wetness, // SavedWetness, then that of strands
     volume,  // SavedVolume, then the pressure of strands and of nodes
+    contact, // normal forces of the last substep, of strands over lanes
 };
-constexpr size_t block_kinds = 11;
+constexpr size_t block_kinds = 12;
 
 struct SavedSim {
     uint64_t groom; // its fingerprint

@@ -84,6 +84,7 @@ Status LanePart::open(Device& device) {
     PLAIT_TRY(make(device, q_, 4, "lane_q"));
     PLAIT_TRY(make(device, q_before_, 4, "lane_q_before"));
     PLAIT_TRY(make(device, x_, 3, "lane_x"));
+    PLAIT_TRY(make(device, normal_force_, 1, "lane_normal_force"));
     PLAIT_TRY(open_doors(device));
     std::pmr::vector<uint32_t> strands(source_.memory);
     for (size_t lane = 0; lane < lanes_.padded_strands(); ++lane)
@@ -306,7 +307,7 @@ void LanePart::substep(Schedule& schedule, const StepInput& at, const Part& part
     schedule.add(PLAIT_STAGE_articulated, lanes_.strands, solve_params(part, doors, bodies),
                  {&lane_strand_, &part.rest, &part.pose, &part.material, &fill_.rest,
                   &bodies.buffer, &part.pushed(), &spring_, &plane_, &x_, &v_, &q_, &q_before_,
-                  &history_.x, &history_.v},
+                  &history_.x, &history_.v, &normal_force_},
                  lanes_.row);
 }
 
@@ -322,21 +323,21 @@ void LanePart::publish(Schedule& schedule, const StepInput& at, const Buffer* ta
 void LanePart::adopt(Schedule& schedule, const StepInput& at) const {
     schedule.add(PLAIT_STAGE_lane_pack, lanes_.strands * lanes_.row, history_params(at),
                  {&lane_strand_, &at.state.vertex_count, &at.state.position,
-                  &at.state.position_prev, &x_, &v_, &history_.x, &history_.v});
+                  &at.state.position_prev, &x_, &v_, &history_.x, &history_.v, &normal_force_});
 }
 
 void LanePart::reset(Schedule& schedule, const StepInput& at) {
     schedule.add(PLAIT_STAGE_lane_reset, lanes_.strands, state_params(),
                  {&lane_strand_, &at.state.rest, &at.state.pose,
                   fill_.start ? &fill_.start : &fill_.rest, &x_, &v_, &q_, &q_before_, &history_.x,
-                  &history_.v},
+                  &history_.v, &normal_force_},
                  lanes_.row);
 }
 
 void LanePart::teleport(Schedule& schedule, const StepInput& at, const Buffer& pose) {
     schedule.add(PLAIT_STAGE_lane_teleport, lanes_.strands, state_params(),
                  {&lane_strand_, &at.state.rest, &at.state.pose, &pose, &x_, &v_, &q_, &q_before_,
-                  &history_.x, &history_.v},
+                  &history_.x, &history_.v, &normal_force_},
                  lanes_.row);
 }
 
@@ -365,12 +366,17 @@ void LanePart::add_dynamic(std::pmr::vector<LaneBuffer>& to) const {
             to.push_back(buffer);
 }
 
+Status LanePart::clear_normal_force(Device& device) const {
+    const std::pmr::vector<float> none(normal_force_.count(), 0.0f, source_.memory);
+    return device.write(normal_force_, none.data());
+}
+
 uint64_t LanePart::device_bytes() const {
     uint64_t bytes = 0;
     for (const Buffer* buffer :
          {&fill_.material, &fill_.wet, &fill_.groom, &fill_.rest, &fill_.start, &x_, &v_, &q_,
-          &q_before_, &history_.x, &history_.v, &push_, &spring_, &plane_, &lane_strand_,
-          &volume_.share, &volume_.pressure})
+          &q_before_, &normal_force_, &history_.x, &history_.v, &push_, &spring_, &plane_,
+          &lane_strand_, &volume_.share, &volume_.pressure})
         bytes += buffer->bytes();
     return bytes;
 }

@@ -85,6 +85,8 @@ class LanePart {
     const SagReport& sag() const { return fill_.sag; }
     void add_dynamic(std::pmr::vector<LaneBuffer>& to) const;
     LaneBuffer pressure() const { return {&volume_.pressure, 3, lanes_}; }
+    LaneBuffer normal_force() const { return {&normal_force_, 1, lanes_}; }
+    Status clear_normal_force(Device& device) const;
     uint64_t device_bytes() const;
 
   private:
@@ -151,6 +153,7 @@ class LanePart {
     Fill fill_, next_fill_;
     bool has_next_fill_ = false, has_next_history_ = false, has_next_volume_ = false;
     Buffer x_, v_, q_, q_before_;
+    Buffer normal_force_;          // of contact in the last substep, N
     Buffer push_, spring_, plane_; // doors
     History history_, next_history_;
     Pressed volume_, next_volume_;

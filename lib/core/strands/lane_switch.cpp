@@ -80,6 +80,7 @@ Status LanePart::move_from(Device& device, Schedule& schedule, const StepInput& 
     move(schedule, *moves, 3, other.v_, v_);
     move(schedule, *moves, 4, other.q_, q_);
     move(schedule, *moves, 4, other.q_before_, q_before_);
+    move(schedule, *moves, 1, other.normal_force_, normal_force_);
     if (volume_.pressure && other.volume_.pressure)
         move(schedule, *moves, 3, other.volume_.pressure, volume_.pressure);
     if (takes_history_of(other)) {

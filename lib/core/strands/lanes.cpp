@@ -63,6 +63,8 @@ class LaneModel final : public Model {
                     std::pmr::vector<PartShape>& to) const override;
     void add_dynamic(std::pmr::vector<LaneBuffer>& to) const override;
     void add_pressure(std::pmr::vector<LaneBuffer>& to) const override;
+    void add_normal_force(std::pmr::vector<LaneBuffer>& to) const override;
+    Status clear_normal_force(Device& device) override;
     uint64_t device_bytes() const override;
 
   private:
@@ -263,6 +265,17 @@ void LaneModel::add_dynamic(std::pmr::vector<LaneBuffer>& to) const {
 void LaneModel::add_pressure(std::pmr::vector<LaneBuffer>& to) const {
     for (const PartPtr& part : parts_)
         to.push_back(part->pressure());
+}
+
+void LaneModel::add_normal_force(std::pmr::vector<LaneBuffer>& to) const {
+    for (const PartPtr& part : parts_)
+        to.push_back(part->normal_force());
+}
+
+Status LaneModel::clear_normal_force(Device& device) {
+    for (const PartPtr& part : parts_)
+        PLAIT_TRY(part->clear_normal_force(device));
+    return {};
 }
 
 uint64_t LaneModel::device_bytes() const {

@@ -119,6 +119,9 @@ class Model {
     virtual void add_dynamic(std::pmr::vector<LaneBuffer>&) const {}
     // The same of what carried pressure does; without volume the buffers are none.
     virtual void add_pressure(std::pmr::vector<LaneBuffer>&) const {}
+    // The same of what contact goes on with, and as if nothing had touched.
+    virtual void add_normal_force(std::pmr::vector<LaneBuffer>&) const {}
+    virtual Status clear_normal_force(Device&) { return {}; }
     virtual uint64_t device_bytes() const { return 0; }
 };
 

@@ -11,7 +11,8 @@ Case articulated_case() {
                     {"lane_q", 4e-4},
                     {"lane_q_before", 4e-4},
                     {"lane_x_before", 2e-5},
-                    {"lane_v_before", 1e-3}},
+                    {"lane_v_before", 1e-3},
+                    {"lane_normal_force", 1e-7}},
                    unread_of_colliders()};
     result.unread.push_back("lane_material.wetness");
     for (const Size& size : sizes())
@@ -33,6 +34,10 @@ Case articulated_case() {
     for (const Size& size : contact_sizes())
         for (const uint32_t bdf2 : {0u, 1u})
             result.setups.push_back(lane_setup(size, make_lane_hair_in_contact(size, 38, 100.0f),
+                                               lane_params(size, 1, bdf2), true));
+    for (const Size& size : contact_sizes())
+        for (const uint32_t bdf2 : {0u, 1u})
+            result.setups.push_back(lane_setup(size, make_lane_hair_pressed(size, 42, 1.0f),
                                                lane_params(size, 1, bdf2), true));
     add_rods_on_surfaces(result, 65); // with others a vertex is about to break loose
     add_rods_on_hulls(result);

@@ -8,7 +8,7 @@ Case lane_pack_case() {
         PLAIT_STAGE_lane_pack,
         {},
         {{"lane_x", 1e-6}, {"lane_v", 6e-5}, {"lane_x_before", 2e-6}, {"lane_v_before", 6e-5}},
-        {"position.w"}}; // pinned or not
+        {"position.w", "lane_normal_force"}}; // pinned or not; only taken back
     for (const Size& size : sizes()) {
         const LaneHair lanes = make_lane_hair(size, 37);
         Setup setup;
@@ -21,7 +21,8 @@ Case lane_pack_case() {
                          lane_floats(lanes.x, 3),
                          lane_floats(lanes.v, 3),
                          lane_floats(lanes.x_before, 3),
-                         lane_floats(lanes.v_before, 3)};
+                         lane_floats(lanes.v_before, 3),
+                         lane_floats(lanes.normal_force, 1)};
         result.setups.push_back(
             setup.with(plait_lane_history_params{size.stride, 1, size.stride, 1.0f / 60, 1}));
         // all strands but one, in another order

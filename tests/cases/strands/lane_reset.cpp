@@ -23,7 +23,8 @@ Case lane_reset_case() {
                          lane_floats(lanes.q, 4),
                          lane_floats(lanes.q_before, 4),
                          lane_floats(lanes.x_before, 3),
-                         lane_floats(lanes.v_before, 3)};
+                         lane_floats(lanes.v_before, 3),
+                         lane_floats(lanes.normal_force, 1)};
         result.setups.push_back(
             setup.with(plait_lane_state_params{size.stride, 1, size.stride, 1}));
         result.setups.push_back(

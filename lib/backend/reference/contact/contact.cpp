@@ -10,16 +10,8 @@
 #include <numeric>
 
 namespace plait::reference {
-namespace {
 
-// A tangent plane of a collider's distance: `height` of the end of the way above it.
-struct Tangent {
-    Vec3 normal;
-    double height;
-};
-
-// The distance along the way is convex: Newton from outside comes to the first zero and not beyond.
-// Nothing if the way ends or turns away before.
+// Newton's method from outside comes to the first zero and not beyond.
 std::optional<Tangent> first_crossing(const Collider& collider, const Vec3& from, const Vec3& to) {
     const Vec3 way = to - from;
     double t = 0;
@@ -36,8 +28,6 @@ std::optional<Tangent> first_crossing(const Collider& collider, const Vec3& from
     return Tangent{at.normal, at.distance + (1 - t) * at.normal.dot(way)};
 }
 
-// At least this far from a collider, and from most no farther than that: of a capsule with the
-// greater radius all along, of a hull also of the box around it.
 double clearance(const Collider& collider, const Vec3& x) {
     if (collider.inward)
         return collider.surface(x).distance;
@@ -52,8 +42,6 @@ double clearance(const Collider& collider, const Vec3& x) {
     wide.ra = wide.rb = std::max(wide.ra, wide.rb);
     return surface(wide, x).distance;
 }
-
-} // namespace
 
 Contacts::Contacts(const plait_lane_params& params, const View<const Vec4>& colliders,
                    const Motion& motion, std::vector<double> length, std::vector<double> stretch,
@@ -300,6 +288,12 @@ Vec3 Contacts::stopped(size_t vertex, const Vec3& to, double inertia) const {
     const double most = PLAIT_ARTICULATED_PRESSED * PLAIT_CONTACT_TOLERANCE * length_[vertex];
     const double stop = depth - std::min(depth * inertia / params_.contact_rate, most);
     return stop > PLAIT_ARTICULATED_STOP * length_[vertex] ? Vec3(to + stop * at.normal) : to;
+}
+
+Vec3 Contacts::lifted(size_t vertex, const Vec3& to) const {
+    const Contact& at = at_[vertex];
+    return at.stiffness > 0 ? Vec3(to + std::max(at.offset - at.normal.dot(to), 0.0) * at.normal)
+                            : to;
 }
 
 Vec3 Contacts::put_back(size_t vertex, const Vec3& leader, double length,

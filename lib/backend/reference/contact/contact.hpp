@@ -12,6 +12,20 @@ namespace plait::reference {
 
 using Mat3 = Eigen::Matrix3d;
 
+// At least this far from a collider, and from most no farther than that: of a capsule with the
+// greater radius all along, of a hull also of the box around it.
+double clearance(const Collider& collider, const Vec3& x);
+
+// A tangent plane of a collider's distance: `height` of the end of the way above it.
+struct Tangent {
+    Vec3 normal;
+    double height;
+};
+
+// Where the way, along which the distance is convex, first crosses the surface; nothing if it ends or turns
+// away before.
+std::optional<Tangent> first_crossing(const Collider& collider, const Vec3& from, const Vec3& to);
+
 class Contacts {
   public:
     // `planes`: of meshes, as mesh_planes_of. `length[i]` and `stretch[i]`, EA/l, of the segment before vertex i, 0 past the tip; `mass[i]`
@@ -52,11 +66,15 @@ class Contacts {
     Vec3 put_back(size_t vertex, const Vec3& leader, double length, const Vec3& solved) const;
     // How much deeper the vertex is than a solve may leave it.
     double excess(size_t vertex, const Vec3& x) const;
+    // `to`, or the place above it where nothing pushes the vertex.
+    Vec3 lifted(size_t vertex, const Vec3& to) const;
+    double push(size_t vertex) const { return at_[vertex].push; } // N, of the last press()
     // Positions and velocities; what is pressed to a surface moves with it.
     void store(const Lane& lane, const LaneState& state, const std::vector<Vec3>& x,
                const std::vector<Vec3>& solved) const;
 
   private:
+    friend class WarmContacts;
     struct Contact {
         Vec3 normal = Vec3::Zero(), anchor = Vec3::Zero(), slide = Vec3::Zero();
         double offset = 0, stiffness = 0, push = 0, friction = 0;

@@ -14,6 +14,7 @@
 #include <plait/constants.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace plait::reference {
 namespace {
@@ -58,12 +59,15 @@ void RodModel::load() {
     rebuild();
 }
 
-// Every segment towards where inertia takes its end, if that is lower.
+// Every segment towards where inertia takes its end, or to the place above that on the surface to which
+// it is pressed, if that is lower.
 void RodModel::follow_target() {
     const double stays = energy();
     const RodModel from = *this;
-    for (size_t i = 0; i < segments(); ++i)
-        turn_to(i, motion_.goal(i + 1, mass_[i + 1]));
+    for (size_t i = 0; i < segments(); ++i) {
+        const Vec3 goal = motion_.goal(i + 1, mass_[i + 1]);
+        turn_to(i, contacts_ ? contacts_->lifted(i + 1, goal) : goal);
+    }
     if (!(energy() <= stays * (1 + PLAIT_ARTICULATED_POTENTIAL_RISE)))
         *this = from;
 }
@@ -158,23 +162,35 @@ void RodModel::turn_to(size_t segment, const Vec3& place) {
 
 // Turns alone would leave errors of second order that add up along the strand as false velocity:
 // every segment goes along where the linear step puts its end.
-void RodModel::follow_turns(const RodModel& from, const Eigen::VectorXd& w) {
+void RodModel::follow_turns(const RodModel& from, const Eigen::VectorXd& w, WarmContacts* warm) {
     Vec3 d = Vec3::Zero();
+    double most = 0;
     for (size_t i = 0; i < segments(); ++i) {
         const Vec3 turn = w.segment<3>(3 * static_cast<Eigen::Index>(i));
         d += length_[i] * turn.cross(from.director(i));
         q[i] = turned(from.q[i], turn);
-        turn_to(i, stopped(i + 1, from.x[i + 1] + d));
+        most = std::max(most, turn.norm());
+        Vec3 to = from.x[i + 1] + d;
+        to = warm ? warm->place(i + 1, to) : stopped(i + 1, to);
+        turn_to(i, to);
+        if (warm)
+            warm->left(i + 1, to, x[i + 1]);
     }
+    if (warm)
+        warm->placed(most);
 }
 
-bool RodModel::turn_segments() {
-    const double before = energy(), limit = before +
-                                            std::abs(before) * PLAIT_ARTICULATED_POTENTIAL_RISE +
-                                            PLAIT_ARTICULATED_POTENTIAL_MIN;
+bool RodModel::turn_segments(WarmContacts* warm) {
+    const double before = energy();
+    double limit = before + std::abs(before) * PLAIT_ARTICULATED_POTENTIAL_RISE +
+                   PLAIT_ARTICULATED_POTENTIAL_MIN;
     const RodModel from = *this;
     const Eigen::VectorXd w = turns();
-    follow_turns(from, w);
+    follow_turns(from, w, warm);
+    if (warm && touched()) // what is placed has another potential than the step had
+        limit = std::numeric_limits<double>::max();
+    if (warm && !(energy() <= limit))
+        warm->fail();
     double share = 1;
     for (int trial = 0; trial < PLAIT_ARTICULATED_SHORTER_STEPS && !(energy() <= limit); ++trial) {
         share *= PLAIT_ARTICULATED_SHORTEN;
@@ -210,19 +226,45 @@ bool RodModel::off_pin() const {
     return false;
 }
 
-void RodModel::articulate(uint32_t steps) {
-    load();
+// The steps with the contacts of the substep before: one, a second where something slides, a third where
+// that was turned back or the second was not enough.
+bool RodModel::solve_warm(const std::vector<double>& force) {
+    std::vector<Vec3> y;
+    for (size_t i = 0; i < x.size(); ++i)
+        y.push_back(motion_.goal(i, mass_[i]));
+    WarmContacts warm(*contacts_, y, force);
     follow_target();
+    if (!warm.solves())
+        return false;
+    for (uint32_t k = 0; k < PLAIT_CONTACT_WARM_STEPS; ++k) {
+        if (k > 0)
+            warm.press(x);
+        turn_segments(&warm);
+        const bool slips = warm.rub(x) && warm.pressed();
+        if (!warm.deep() && !(k == 0 && slips) && !(k == 1 && warm.back()))
+            break;
+    }
+    return !warm.deep() && !off_pin();
+}
+
+void RodModel::articulate(uint32_t steps, const std::vector<double>& force) {
+    load();
+    bool solved = false;
+    if (contacts_ && steps > 0)
+        solved = solve_warm(force);
+    else
+        follow_target();
     if (contacts_)
         contacts_->slide_on();
     bool moved = true;
-    for (uint32_t k = 0;; ++k) {
+    for (uint32_t k = 0; !solved || steps > 1; ++k) {
         renew_contacts();
         if (k >= steps && !wants_step(k, moved))
             break;
         moved = turn_segments();
     }
-    put_back();
+    if (!solved || steps > 1)
+        put_back();
 }
 
 // Where it was, but for a leader that moves by more than half a segment: that would turn it back on
@@ -271,10 +313,15 @@ void articulated(uint32_t item_count, const plait_lane_params& params,
                              args.lane_q_before,
                              {args.lane_x, args.lane_v, args.lane_x_before, args.lane_v_before,
                               args.lane_material, args.lane_acceleration, args.lane_pin,
-                              args.lane_plane}};
+                              args.lane_plane},
+                             args.lane_normal_force};
     for (size_t slot = 0; slot < item_count; ++slot) {
         RodModel rod(buffers, params, slot);
-        rod.articulate(params.iterations);
+        const Lane lane(slot, params.vertex_stride, params.tile);
+        std::vector<double> force;
+        for (uint32_t i = 0; i < params.vertex_stride; ++i)
+            force.push_back(args.lane_normal_force[lane.index(i, 0, 1)]);
+        rod.articulate(params.iterations, force);
         rod.store(buffers);
     }
 }

@@ -25,6 +25,7 @@ void lane_pack(uint32_t item_count, const plait_lane_history_params& params,
         const Vec3 shown = root + offset, prev = xyz(args.position_prev[vertex]);
         if (!same_floats(shown, x)) {
             lane.store(args.lane_x, i, Vec3(x - root));
+            args.lane_normal_force[lane.index(i, 0, 1)] = 0;
             if (params.history)
                 lane.store(args.lane_x_before, i,
                            Vec3(lane.vector(args.lane_x_before, i) + x - shown));

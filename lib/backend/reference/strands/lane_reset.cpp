@@ -17,6 +17,7 @@ void lane_reset(uint32_t item_count, const plait_lane_state_params& params,
             const Vec3 x = i == 0 ? pose.apply(p) : Vec3(pose.q * (p - origin));
             lane.store(args.lane_x, i, x);
             lane.store(args.lane_v, i, Vec3(Vec3::Zero()));
+            args.lane_normal_force[lane.index(i, 0, 1)] = 0;
             if (params.history) {
                 lane.store(args.lane_x_before, i, x);
                 lane.store(args.lane_v_before, i, Vec3(Vec3::Zero()));

@@ -26,6 +26,7 @@ void lane_teleport(uint32_t item_count, const plait_lane_state_params& params,
             carry(args.lane_x, args.lane_v, i, root);
             if (params.history)
                 carry(args.lane_x_before, args.lane_v_before, i, before);
+            args.lane_normal_force[lane.index(i, 0, 1)] = 0;
             lane.store(args.lane_q, i, turn * lane.rotation(args.lane_q, i));
             lane.store(args.lane_q_before, i, turn * lane.rotation(args.lane_q_before, i));
         }

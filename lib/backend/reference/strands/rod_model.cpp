@@ -87,6 +87,8 @@ void RodModel::store(const RodBuffers& buffers) {
         contacts_->store(lane_, buffers.state, x, v);
     else
         motion_.store(lane_, buffers.state, x, v);
+    for (size_t i = 1; contacts_ && i < x.size(); ++i)
+        buffers.normal_force[lane_.index(i, 0, 1)] = contacts_->push(i);
     if (params_->bdf2)
         limit.apply_before(lane_, buffers.state, x.size());
     // The turn that the next substep repeats loses what the velocities lost; BDF2's remembers

@@ -9,7 +9,7 @@
 // Source: Kugelstadt & Schoemer 2016, Hsu et al. 2025.
 #pragma once
 
-#include "backend/reference/contact/contact.hpp"
+#include "backend/reference/contact/warm_contacts.hpp"
 #include "backend/reference/strands/energy.hpp"
 
 #include <Eigen/Dense>
@@ -27,6 +27,7 @@ struct RodBuffers {
     const View<double>& q;
     const View<double>& q_before;
     LaneState state;
+    const View<double>& normal_force;
 };
 
 class RodModel {
@@ -40,8 +41,9 @@ class RodModel {
     double energy() const;
     // Its elastic part, also of other orientations.
     double elastic(const std::vector<Quat>& turned) const;
-    // One substep of an inextensible rod in `steps` Newton steps, see articulated.cpp.
-    void articulate(uint32_t steps);
+    // One substep of an inextensible rod in `steps` Newton steps, see articulated.cpp; `force`: N, of
+    // contact at every vertex in the substep before.
+    void articulate(uint32_t steps, const std::vector<double>& force);
     // Contacts of the end of the step; did anything touch in it?
     void renew_contacts();
     bool touched() const { return contacts_ && contacts_->touched(); }
@@ -78,12 +80,14 @@ class RodModel {
     void add_vertices(Eigen::MatrixXd& H, Eigen::VectorXd& g) const;
     void add_joints(Eigen::MatrixXd& H, Eigen::VectorXd& g) const;
     Eigen::VectorXd turns() const;
-    void follow_turns(const RodModel& from, const Eigen::VectorXd& w);
+    void follow_turns(const RodModel& from, const Eigen::VectorXd& w, WarmContacts* warm);
     Vec3 stopped(size_t vertex, const Vec3& to) const;
     void turn_to(size_t segment, const Vec3& place);
     void put_back();
     Vec3 hung(size_t segment, const std::vector<Vec3>& solved) const;
-    bool turn_segments(); // whether a vertex moved far enough for another step
+    // Whether a vertex moved far enough for another step. `warm`: null, or what places vertices.
+    bool turn_segments(WarmContacts* warm = nullptr);
+    bool solve_warm(const std::vector<double>& force); // whether it was enough
     bool wants_step(uint32_t k, bool moved) const;
     bool deep() const;    // any vertex, deeper than pull and push balance
     bool off_pin() const; // any vertex that its pin, far stiffer than its inertia, has not got to

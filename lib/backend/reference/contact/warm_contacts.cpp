@@ -1,0 +1,267 @@
+// Source: warm starting, Moreau & Jean 1996. Ours: friction as a spring drawn by the slip before, and
+// placing root to tip. The formulae are those of docs/stages/strands.md.
+#include "backend/reference/contact/warm_contacts.hpp"
+
+#include <plait/constants.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace plait::reference {
+namespace {
+
+constexpr uint32_t most_colliders = 63; // that a list has room for
+
+// m, about how far a surface is from the middle of what is behind it, at the least.
+double thin(const Body& body) {
+    if (const Capsule* capsule = std::get_if<Capsule>(&body))
+        return std::min(capsule->ra, capsule->rb);
+    if (const Box* box = std::get_if<Box>(&body))
+        return box->half.minCoeff() + box->rounding;
+    if (const Hull* hull = std::get_if<Hull>(&body))
+        return hull->around.half.minCoeff(); // with its margin
+    return INFINITY;
+}
+
+double distance_to_way(const Vec3& p, const Vec3& from, const Vec3& to) {
+    const Vec3 way = to - from;
+    const double share = way.dot(p - from) / std::max(way.squaredNorm(), 1e-30);
+    return (p - from - std::clamp(share, 0.0, 1.0) * way).norm();
+}
+
+bool inside(const Collider& collider, const Vec3& x) {
+    return collider.inward ? clearance(collider, x) < 0 : clearance(collider, x) <= 0;
+}
+
+} // namespace
+
+WarmContacts::WarmContacts(Contacts& contacts, std::vector<Vec3> y, std::vector<double> force)
+    : contacts_(contacts), y_(std::move(y)), force_(std::move(force)) {
+    const plait_lane_params& params = contacts_.params_;
+    solves_ = params.collider_count > 0 && params.collider_count <= most_colliders;
+    for (size_t i = 0; solves_ && i < params.collider_count; ++i)
+        colliders_.push_back(collider_at(contacts_.colliders_, params.collider_first + i));
+    for (size_t i = 1; i < y_.size(); ++i) {
+        solves_ = solves_ && (contacts_.planes_.empty() || !contacts_.planes_[i]);
+        for (const Collider& collider : colliders_)
+            solves_ = solves_ && !hard(collider, i);
+    }
+    if (!solves_)
+        return;
+    for (size_t i = 1; i < y_.size(); ++i)
+        begin(i);
+    contacts_.solved_ = true;
+    contacts_.touched_ = pressed_;
+}
+
+double WarmContacts::tolerance(size_t vertex) const {
+    return PLAIT_CONTACT_TOLERANCE * contacts_.length_[vertex];
+}
+
+double WarmContacts::stiffness(size_t vertex) const {
+    return contacts_.mass_[vertex] * contacts_.params_.contact_rate;
+}
+
+double WarmContacts::room(size_t vertex) const {
+    return PLAIT_CONTACT_WARM_ROOM * contacts_.length_[vertex];
+}
+
+// Is p farther than that from the way between where the vertex was, as its root sees it, and where inertia
+// takes it?
+bool WarmContacts::strays(size_t vertex, const Vec3& p) const {
+    const std::vector<Vec3>& start = contacts_.motion_.start;
+    return distance_to_way(p, start[vertex] - start[0], y_[vertex]) >
+           room(vertex) - PLAIT_CONTACT_WARM_REACH * tolerance(vertex);
+}
+
+Vec3 WarmContacts::carried(const Collider& collider, size_t vertex) const {
+    const Motion& motion = contacts_.motion_;
+    return collider.carried(motion.root + motion.start[vertex]) - motion.root;
+}
+
+// May the vertex meet it on a way that is not looked along?
+bool WarmContacts::hard(const Collider& collider, size_t vertex) const {
+    const Vec3 start = contacts_.motion_.start[vertex];
+    const Vec3 to = carried(collider, vertex), head = start - contacts_.motion_.start[0];
+    const double moves = (to - start).norm(), least = std::min(moves, (to - head).norm());
+    if (contacts_.length_[vertex] == 0 || (!collider.inward && least <= thin(collider.body)))
+        return false;
+    const double reach = (y_[vertex] - start).norm() / 2 + 1.75 * room(vertex) + moves;
+    return clearance(collider, contacts_.motion_.root + (start + y_[vertex]) / 2) <= reach;
+}
+
+// Of what need come no farther out of a collider that holds the root.
+double WarmContacts::gap(const Collider& collider, size_t vertex, const Surface& surface) const {
+    const double root_depth = -collider.surface(contacts_.motion_.root).distance;
+    return surface.distance +
+           std::max(root_depth - PLAIT_CONTACT_ROOT_CLEARANCE * contacts_.arc_[vertex], 0.0);
+}
+
+// The slip in this substep of what goes on as in the last ones.
+double WarmContacts::grip(size_t vertex, const Vec3& normal, const Vec3& anchor) const {
+    const Motion& motion = contacts_.motion_;
+    const Vec3 surface = anchor - motion.start[vertex];
+    const auto slip = [&](const Vec3& velocity) {
+        const Vec3 way = motion.whole * velocity - surface;
+        return (way - normal.dot(way) * normal).norm();
+    };
+    const double now = slip(motion.v[vertex]);
+    double next = now;
+    if (contacts_.params_.bdf2)
+        next = std::clamp(2 * now - slip(motion.v_before[vertex]), now / 4, 2 * now);
+    return std::max(next, double(contacts_.params_.contact_slip));
+}
+
+// The contact of a vertex that was pressed to a surface and is near one still.
+void WarmContacts::begin(size_t vertex) {
+    Contact& at = contacts_.at_[vertex];
+    at = Contact{};
+    at.anchor = contacts_.motion_.start[vertex];
+    if (!(force_[vertex] > 0) || contacts_.length_[vertex] == 0)
+        return;
+    const double reach = PLAIT_CONTACT_WARM_REACH * tolerance(vertex);
+    double least = reach;
+    for (const Collider& collider : colliders_) {
+        if (collider.inward)
+            continue;
+        const Vec3 anchor = carried(collider, vertex);
+        const Surface surface = collider.surface(contacts_.motion_.root + anchor);
+        const double distance = gap(collider, vertex, surface);
+        if (distance >= least || clearance(collider, contacts_.motion_.root + anchor) > reach)
+            continue;
+        least = distance;
+        at.normal = surface.normal;
+        at.anchor = anchor;
+        at.friction = contacts_.motion_.friction * collider.friction;
+        at.stiffness = stiffness(vertex);
+    }
+    if (at.stiffness == 0)
+        return;
+    at.stiff = true;
+    at.push = force_[vertex];
+    at.begin = at.push / at.stiffness + std::max(-least - 0.75 * tolerance(vertex), 0.0);
+    at.offset = at.normal.dot(at.anchor) + at.begin;
+    at.friction = std::min(at.friction, PLAIT_CONTACT_MAX_FRICTION * contacts_.stretch_[vertex] *
+                                            contacts_.length_[vertex] / std::max(at.push, 1e-30));
+    at.grip = grip(vertex, at.normal, at.anchor);
+    deep_ = deep_ || -least > 2 * tolerance(vertex);
+    pressed_ = true;
+}
+
+// Has it let through a vertex that went, as it sees it, by more than half its radius?
+bool WarmContacts::passes(const Collider& collider, size_t vertex, const Vec3& p) const {
+    const Vec3 from = carried(collider, vertex), root = contacts_.motion_.root;
+    const double way = (p - from).norm();
+    return way > thin(collider.body) / 2 &&
+           clearance(collider, root + (from + p) / 2) <= way / 2 &&
+           first_crossing(collider, root + from, root + p);
+}
+
+std::optional<WarmContacts::Nearest> WarmContacts::nearest(size_t vertex, const Vec3& p,
+                                                           double reach) {
+    std::optional<Nearest> found;
+    for (const Collider& collider : colliders_) {
+        if (collider.inward)
+            continue;
+        deep_ = deep_ || passes(collider, vertex, p);
+        if (clearance(collider, contacts_.motion_.root + p) > reach)
+            continue;
+        const Surface surface = collider.surface(contacts_.motion_.root + p);
+        const double distance = gap(collider, vertex, surface);
+        if (distance < (found ? found->gap : reach))
+            found = Nearest{distance, surface.normal, &collider};
+    }
+    return found;
+}
+
+void WarmContacts::arrive(size_t vertex, const Nearest& found) {
+    Contact& at = contacts_.at_[vertex];
+    at.anchor = carried(*found.collider, vertex);
+    at.friction = contacts_.motion_.friction * found.collider->friction;
+    at.slide.setZero();
+    at.push = at.begin = at.level = 0;
+    at.grip = contacts_.params_.contact_slip;
+    at.stiff = true;
+}
+
+Vec3 WarmContacts::place(size_t vertex, const Vec3& p) {
+    Contact& at = contacts_.at_[vertex];
+    depth_ = -INFINITY;
+    if (contacts_.length_[vertex] == 0)
+        return p;
+    const double tolerance = this->tolerance(vertex), near = PLAIT_CONTACT_WARM_REACH * tolerance;
+    if (strays(vertex, p)) {
+        const Vec3 world = contacts_.motion_.root + p;
+        deep_ = deep_ || std::any_of(colliders_.begin(), colliders_.end(),
+                                     [&](const Collider& c) { return inside(c, world); });
+        return p;
+    }
+    const bool was = at.stiffness > 0;
+    const double height = was ? at.normal.dot(p) - at.offset : 0;
+    const auto found = nearest(vertex, p, height < 0 ? near : 0);
+    if (!found) {
+        at.stiffness = 0;
+        return p;
+    }
+    const double h = contacts_.motion_.h, rate = contacts_.params_.contact_rate;
+    const double deep = std::max(-found->gap, 0.0);
+    const double sinks = was ? -std::min(height, 0.0) : std::min(deep / (rate * h * h), tolerance);
+    double lift = -std::min(sinks, tolerance / 2) - found->gap;
+    if (was && std::abs(lift) < 2 * tolerance)
+        lift *= PLAIT_CONTACT_WARM_BACK;
+    deep_ = deep_ || std::abs(lift) > PLAIT_CONTACT_WARM_DEEP * contacts_.length_[vertex];
+    depth_ = -(found->gap + lift);
+    Vec3 to = p + lift * found->normal;
+    if (!was) {
+        arrive(vertex, *found);
+        Vec3 u = to - at.anchor;
+        u -= found->normal.dot(u) * found->normal;
+        if (!contacts_.touched_)
+            to -= std::min(at.friction * deep / std::max(u.norm(), 1e-20), 1.0) * u;
+    }
+    at.stiffness = stiffness(vertex);
+    at.normal = found->normal;
+    at.offset = at.normal.dot(to) + sinks;
+    return to;
+}
+
+void WarmContacts::left(size_t vertex, const Vec3& to, const Vec3& x) {
+    const Contact& at = contacts_.at_[vertex];
+    deep_ = deep_ || (at.stiffness > 0 && depth_ + at.normal.dot(to - x) >
+                                              PLAIT_CONTACT_MAX_PENETRATION * contacts_.length_[vertex]);
+}
+
+void WarmContacts::placed(double turned) {
+    contacts_.touched_ = contacts_.touched_ || contacts_.touching();
+    deep_ = deep_ || (contacts_.touched_ && turned > PLAIT_CONTACT_WARM_TURN);
+}
+
+// What slips slides with mu N from now on. Only what its spring has all but stopped is not thrown back by that:
+// a spring as weak as mu N draws it by what it slipped stops more of it.
+bool WarmContacts::rub(const std::vector<Vec3>& x) {
+    bool slips = false;
+    const double slip = contacts_.params_.contact_slip;
+    for (size_t i = 1; i < x.size(); ++i) {
+        Contact& at = contacts_.at_[i];
+        if (at.stiffness == 0)
+            continue;
+        const Vec3 u = contacts_.slip_of(at, x[i]);
+        const bool back = at.slide.dot(u) < 0, more = u.norm() > slip && !back;
+        const bool stops = at.sticks() && u.norm() < PLAIT_CONTACT_WARM_STOPS * at.grip;
+        at.slide = more && !stops ? Vec3(u.normalized()) : Vec3(Vec3::Zero());
+        if (back)
+            at.grip = slip;
+        else if (more && stops)
+            at.grip = u.norm();
+        back_ = back_ || back;
+        slips = slips || more;
+    }
+    return slips;
+}
+
+void WarmContacts::press(const std::vector<Vec3>& x) {
+    deep_ = back_ = false;
+    contacts_.press(x);
+}
+
+} // namespace plait::reference

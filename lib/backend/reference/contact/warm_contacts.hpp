@@ -1,0 +1,62 @@
+// Contact in one Newton step: the solve begins with what was pressed at the substep's begin, its normal
+// force that of the substep before, friction a spring drawn as far as the vertex slipped; what the step
+// would carry under a surface is placed on it, root to tip.
+#pragma once
+
+#include "backend/reference/contact/contact.hpp"
+
+namespace plait::reference {
+
+class WarmContacts {
+  public:
+    // `y`: inertial targets of all vertices; `force`: N, of the substep before.
+    WarmContacts(Contacts& contacts, std::vector<Vec3> y, std::vector<double> force);
+
+    // Does it meet no mesh, no strand, and nothing that moves by more than its radius or that hair stays
+    // inside of?
+    bool solves() const { return solves_; }
+    // Where a vertex goes that the step would leave at p.
+    Vec3 place(size_t vertex, const Vec3& p);
+    // Where its segment's length leaves it, that was to go to `to`.
+    void left(size_t vertex, const Vec3& to, const Vec3& x);
+    // All vertices have been; `turned`: the largest rotation.
+    void placed(double turned);
+    // Friction after a step that left vertices at x; returns whether any slips.
+    bool rub(const std::vector<Vec3>& x);
+    // Before another step.
+    void press(const std::vector<Vec3>& x);
+
+    bool pressed() const { return pressed_; } // any vertex, at the begin
+    bool back() const { return back_; }       // what slid came back
+    bool deep() const { return deep_; }       // the step was not enough
+    void fail() { deep_ = true; }
+
+  private:
+    using Contact = Contacts::Contact;
+    struct Nearest {
+        double gap;
+        Vec3 normal;
+        const Collider* collider;
+    };
+    bool hard(const Collider& collider, size_t vertex) const;
+    double room(size_t vertex) const;
+    bool strays(size_t vertex, const Vec3& p) const;
+    double gap(const Collider& collider, size_t vertex, const Surface& surface) const;
+    Vec3 carried(const Collider& collider, size_t vertex) const; // relative to the root
+    void begin(size_t vertex);
+    double grip(size_t vertex, const Vec3& normal, const Vec3& anchor) const;
+    bool passes(const Collider& collider, size_t vertex, const Vec3& p) const;
+    std::optional<Nearest> nearest(size_t vertex, const Vec3& p, double reach);
+    void arrive(size_t vertex, const Nearest& found);
+    double tolerance(size_t vertex) const;
+    double stiffness(size_t vertex) const;
+
+    Contacts& contacts_;
+    std::vector<Collider> colliders_;
+    std::vector<Vec3> y_;
+    std::vector<double> force_;
+    double depth_ = 0; // m, below the surface, of what place() left last
+    bool solves_ = true, pressed_ = false, back_ = false, deep_ = false;
+};
+
+} // namespace plait::reference
