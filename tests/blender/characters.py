@@ -68,13 +68,15 @@ def rig(body, turn=40, frames=(1, 13, 25, 37, 48)):
     return skeleton
 
 
-def hair(body, strands=500, points=16, length=0.2, seed=1, name="hair", lowest=0.06):
-    """Curves that leave the upper head and fall around the body at rest, which they stay 2 mm out of; in the body's space."""
+def hair(body, strands=500, points=16, length=0.2, seed=1, lowest=0.06, apart=0.002):
+    """Curves that leave the upper head, above `lowest`, and fall around the body at rest, which they stay `apart` from; in the
+    body's space."""
     mesh = body.data
     mesh.calc_loop_triangles()
     tree = BVHTree.FromPolygons([v.co for v in mesh.vertices], [t.vertices for t in mesh.loop_triangles])
     chance = numpy.random.default_rng(seed)
-    middle, places = Vector((0, 0, 0.05)), []
+    places = []
+    middle = Vector((0, 0, lowest))
     while len(places) < strands * points:
         along = Vector(chance.normal(size=3)).normalized()
         root, normal, _, _ = tree.ray_cast(middle + along, -along)
@@ -86,17 +88,47 @@ def hair(body, strands=500, points=16, length=0.2, seed=1, name="hair", lowest=0
             direction = (0.75 * direction + 0.25 * Vector((0, 0, -1))).normalized()
             place = place + length / (points - 1) * direction
             near, out, _, _ = tree.find_nearest(place)
-            if (place - near).dot(out) < 0.002:
-                place = near + 0.002 * out
-    data = bpy.data.hair_curves.new(name)
+            if (place - near).dot(out) < apart:
+                place = near + apart * out
+    data = bpy.data.hair_curves.new("hair")
     data.add_curves([points] * strands)
     data.position_data.foreach_set("vector", numpy.array(places, numpy.float32).ravel())
     data.attributes.new("radius", "FLOAT", "POINT").data.foreach_set(
         "value", numpy.tile(numpy.linspace(4e-4, 1e-4, points, dtype=numpy.float32), strands))
     data.surface = body
-    thing = link(name, data)
+    thing = link("hair", data)
     thing.parent = body
     return thing
+
+
+def wind(strength, noise, towards):
+    field = link("wind", None)
+    field.rotation_euler = Vector(towards).to_track_quat("Z", "Y").to_euler()
+    bpy.context.view_layer.objects.active = field
+    field.select_set(True)
+    bpy.ops.object.forcefield_toggle()
+    field.field.type, field.field.strength, field.field.noise = "WIND", strength, noise
+
+
+def children(hair, number, apart):
+    """Geometry nodes that make `number` hairs of each curve, up to `apart` m from it along each axis."""
+    tree = bpy.data.node_groups.new("children", "GeometryNodeTree")
+    for side in ("INPUT", "OUTPUT"):
+        tree.interface.new_socket("Geometry", in_out=side, socket_type="NodeSocketGeometry")
+    make, join = tree.nodes.new, tree.links.new
+    came, left = make("NodeGroupInput"), make("NodeGroupOutput")
+    copies, place, chance = make("GeometryNodeDuplicateElements"), make("GeometryNodeSetPosition"), make("FunctionNodeRandomValue")
+    curve, number_of = make("GeometryNodeFieldOnDomain"), make("GeometryNodeInputIndex")
+    copies.domain, chance.data_type, curve.domain, curve.data_type = "SPLINE", "FLOAT_VECTOR", "CURVE", "FLOAT_VECTOR"
+    copies.inputs["Amount"].default_value = number
+    chance.inputs[0].default_value, chance.inputs[1].default_value = [-apart] * 3, [apart] * 3
+    join(came.outputs[0], copies.inputs["Geometry"])
+    join(copies.outputs["Geometry"], place.inputs["Geometry"])
+    join(number_of.outputs[0], chance.inputs["ID"])
+    join(chance.outputs[0], curve.inputs[0])
+    join(curve.outputs[0], place.inputs["Offset"])
+    join(place.outputs[0], left.inputs[0])
+    hair.modifiers.new("children", "NODES").node_group = tree
 
 
 def empty_scene(first=1, last=48, fps=24):

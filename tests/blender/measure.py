@@ -1,7 +1,8 @@
 """How good a bake is: the cache as Blender shows it, beside the body as Blender shows it."""
 import bpy
+from mathutils import Vector
 from mathutils.bvhtree import BVHTree
-from mathutils.geometry import barycentric_transform
+from mathutils.geometry import barycentric_transform, normal
 import numpy
 
 
@@ -30,17 +31,19 @@ def tree_of(corners):
 
 
 class Places:
-    """Where roots are on a surface at rest, found without plait: the nearest triangle, and the place over it."""
+    """Where roots are on a surface at rest, found without plait: the nearest triangle, the place on it, the height above it."""
 
     def __init__(self, roots, corners):
         tree, self._found = tree_of(corners), []
         for root in roots.tolist():
             near, _, triangle, _ = tree.find_nearest(root)
-            self._found.append((triangle, near, corners[triangle]))
+            height = (Vector(root) - near).dot(normal(*corners[triangle]))
+            self._found.append((triangle, near, height, corners[triangle]))
 
     def distances(self, roots, corners):
-        """How far roots are from the same places of the surface as it is now."""
-        now = [barycentric_transform(near, *rest, *corners[triangle]) for triangle, near, rest in self._found]
+        """How far roots are from the same places over the surface as it is now."""
+        now = [barycentric_transform(near, *rest, *corners[triangle]) + height * normal(*corners[triangle])
+               for triangle, near, height, rest in self._found]
         return numpy.linalg.norm(roots - numpy.array(now), axis=1)
 
 
@@ -52,8 +55,8 @@ def depths(points, corners):
     """How deep each point is inside of a closed body, m; below 0: outside."""
     tree, found = tree_of(corners), []
     for point in points.reshape(-1, 3).tolist():
-        near, normal, _, distance = tree.find_nearest(point)
-        inside = sum((p - n) * o for p, n, o in zip(point, near, normal)) < 0
+        near, outward, _, distance = tree.find_nearest(point)
+        inside = sum((p - n) * o for p, n, o in zip(point, near, outward)) < 0
         found.append(distance if inside else -distance)
     return numpy.array(found)
 

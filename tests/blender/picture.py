@@ -26,15 +26,6 @@ def character(assets, groom):
     return body, hair
 
 
-def wind(strength, noise, towards):
-    field = characters.link("wind", None)
-    field.rotation_euler = Vector(towards).to_track_quat("Z", "Y").to_euler()
-    bpy.context.view_layer.objects.active = field
-    field.select_set(True)
-    bpy.ops.object.forcefield_toggle()
-    field.field.type, field.field.strength, field.field.noise = "WIND", strength, noise
-
-
 def _material(name, node, **inputs):
     material = bpy.data.materials.new(name)
     material.use_nodes = True
@@ -88,27 +79,6 @@ def studio(body, hair, width, samples, azimuth=35):
     scene.render.image_settings.file_format = "PNG"
 
 
-def children(hair, number, apart):
-    """Geometry nodes that make `number` hairs of each curve, up to `apart` m from it along each axis."""
-    tree = bpy.data.node_groups.new("children", "GeometryNodeTree")
-    for side in ("INPUT", "OUTPUT"):
-        tree.interface.new_socket("Geometry", in_out=side, socket_type="NodeSocketGeometry")
-    make, join = tree.nodes.new, tree.links.new
-    came, left = make("NodeGroupInput"), make("NodeGroupOutput")
-    copies, place, chance = make("GeometryNodeDuplicateElements"), make("GeometryNodeSetPosition"), make("FunctionNodeRandomValue")
-    curve, number_of = make("GeometryNodeFieldOnDomain"), make("GeometryNodeInputIndex")
-    copies.domain, chance.data_type, curve.domain, curve.data_type = "SPLINE", "FLOAT_VECTOR", "CURVE", "FLOAT_VECTOR"
-    copies.inputs["Amount"].default_value = number
-    chance.inputs[0].default_value, chance.inputs[1].default_value = [-apart] * 3, [apart] * 3
-    join(came.outputs[0], copies.inputs["Geometry"])
-    join(copies.outputs["Geometry"], place.inputs["Geometry"])
-    join(number_of.outputs[0], chance.inputs["ID"])
-    join(chance.outputs[0], curve.inputs[0])
-    join(curve.outputs[0], place.inputs["Offset"])
-    join(place.outputs[0], left.inputs[0])
-    hair.modifiers.new("children", "NODES").node_group = tree
-
-
 def render(file):
     bpy.context.scene.render.filepath = os.path.abspath(file)
     bpy.ops.render.render(write_still=True)
@@ -117,10 +87,10 @@ def render(file):
 def pictures():
     assets, groom, folder, width, samples, *frames = sys.argv[1:]
     body, hair = character(assets, groom)
-    wind(1.4, 0.5, (-0.8, 1.2, 0))
+    characters.wind(1.4, 0.5, (-0.8, 1.2, 0))
     studio(body, hair, int(width), int(samples))
     hair.data.attributes.new("radius", "FLOAT", "POINT").data.foreach_set("value", [1.5e-4] * len(hair.data.points))
-    children(hair, 8, 0.004)
+    characters.children(hair, 8, 0.004)
     settings = hair.plait
     settings.bend_stiffness, settings.line_density = 47, 50
     settings.keep_volume = True

@@ -5,7 +5,7 @@ import bpy
 
 from . import bake, cache, capi, library, properties
 
-TURN = 0.1  # s of baking between two looks at the keyboard
+TURN = 0.05  # s of baking between two looks at the keyboard
 
 progress = None  # (frames done, of all) of the bake that runs, for the panel
 
