@@ -55,6 +55,8 @@ def a_scaled_doll_that_is_bent_by_shape_keys():
     hair = characters.hair(body, 200, length=0.02, lowest=0.01, apart=2e-4)
     recorded = check(hair, body)
     assert abs(recorded[0][:, 0] - 3).max() < 0.5
+    shown = hair.plait.cache.evaluated_get(bpy.context.evaluated_depsgraph_get())
+    assert math.isclose(shown.data.points[0].radius, 10 * hair.data.points[0].radius, rel_tol=1e-6), "as thick as its object"
 
 
 def a_character_in_centimetres_that_walks_off():

@@ -61,7 +61,7 @@ def bake(api, scene, hair, device="", kernels=""):
         taken = shot.Shot(scene, hair)
         checks.check_roots(hair, taken.root_distances, first)
         simulation, names = _simulation(api, scene, hair, taken, device, kernels, stack)
-        recorder = Recorder(api, file, 1 / shot.metres(scene), scene.render.fps / scene.render.fps_base)
+        recorder = Recorder(api, file, 1 / shot.metres(scene), 1 / shot.frame_seconds(scene), taken.widths)
         stack.callback(recorder.destroy)
         _set_frame(simulation, names, taken, first, settings.use_wind, at_once=True)
         for done in range(1, settings.preroll + 1):

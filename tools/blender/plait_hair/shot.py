@@ -50,6 +50,15 @@ def points(curves):
     return values.reshape(-1, 3)
 
 
+def radii(curves):
+    """Of each point; none where curves have none of their own."""
+    own = curves.attributes.get("radius")
+    values = numpy.zeros(len(own.data) if own else 0, numpy.float32)
+    if own:
+        own.data.foreach_get("value", values)
+    return values
+
+
 def vertices(mesh):
     values = numpy.zeros(3 * len(mesh.vertices), numpy.float32)
     mesh.vertices.foreach_get("co", values)
@@ -151,6 +160,7 @@ class Shot:
         self.scene = scene
         self.counts = point_counts(curves)
         self.points = transformed(to_plait(scene) @ hair.matrix_world, points(curves))
+        self.widths = 2 * metres(scene) * hair.matrix_world.median_scale * radii(curves)
         self.surface = Body(scene, curves.surface)
         self._choose_rest()
         self.bodies = [self.surface] if settings.surface_is_body else []

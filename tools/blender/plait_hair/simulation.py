@@ -157,10 +157,11 @@ class Simulation:
 class Recorder:
     """A file of hair as it moves. One that is destroyed before it is closed leaves none."""
 
-    def __init__(self, api, path, scale, frames_per_second):
-        """`scale`: metres to the file's units."""
+    def __init__(self, api, path, scale, frames_per_second, widths):
+        """`scale`: metres to the file's units; `widths`: diameter of each point, m, or of none."""
         self._api = api
-        desc = api.make(capi.RecorderDesc, scale=scale, frames_per_second=frames_per_second)
+        widths = floats(widths)
+        desc = api.make(capi.RecorderDesc, scale=scale, frames_per_second=frames_per_second, widths=capi.view(widths, 4))
         self._handle = api.create("recorder", str(path).encode(), byref(desc))
 
     def add(self, simulation, seconds):
