@@ -30,7 +30,9 @@ typedef struct plait_recorder_desc {
     double
         frames_per_second; /* [1e-3, 1e6], default 24: of .usda, whose times are in frames, and as
                                  a note in .abc, whose times are in seconds */
-    plait_view widths; /* float, m, diameters: one for all, one for each strand, or empty: none */
+    /* float, m, diameters, each [0, 1]: one for all, one for each strand, one for each vertex, root
+       first, strand after strand; or empty: none */
+    plait_view widths;
     plait_view strand_uv; /* float[2], where roots lie on the scalp [strands] or empty */
     plait_allocator allocator;
 } plait_recorder_desc;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 struct plait_recorder {
     plait::Memory own;
@@ -102,11 +103,12 @@ Status Recorder::read_shape(plait_sim* sim, std::pmr::vector<uint32_t>& counts,
 Status Recorder::begin(plait_sim* sim) {
     PLAIT_TRY(read_shape(sim, counts_, row_));
     const size_t strands = counts_.size();
-    if (widths_.size() > 1 && widths_.size() != strands)
+    const size_t vertices = std::accumulate(counts_.begin(), counts_.end(), size_t{0});
+    if (widths_.size() > 1 && widths_.size() != strands && widths_.size() != vertices)
         return invalid(
             format("widths of the recorder are %zu; allowed are 0, 1 or one for each of the "
-                   "%zu strands",
-                   widths_.size(), strands));
+                   "%zu strands or %zu vertices",
+                   widths_.size(), strands, vertices));
     if (!uv_.empty() && uv_.size() != 2 * strands)
         return invalid(format("strand_uv of the recorder is for %zu strands, there are %zu",
                               uv_.size() / 2, strands));

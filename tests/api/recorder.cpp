@@ -245,7 +245,33 @@ TEST_F(Recorders, DescsAreCheckedFieldByField) {
     desc.widths = plait::view(widths);
     const Recorder recorder = record(path("a.abc"), desc);
     expect_failure(plait_recorder_add(recorder.get(), sim, 0), PLAIT_INVALID_ARGUMENT,
-                   "widths of the recorder are 3; allowed are 0, 1 or one for each of the 2");
+                   "widths of the recorder are 3; allowed are 0, 1 or one for each of the 2 strands or");
+}
+
+TEST_F(Recorders, EachVertexMayHaveItsOwnWidth) {
+    plait::Sim sim = make_sim();
+    const auto counts = sim.read<uint32_t>(PLAIT_FIELD_VERTEX_COUNT);
+    std::vector<float> widths, means; // tapered; a groom has one for each strand, the mean
+    for (const uint32_t count : counts) {
+        for (uint32_t v = 0; v < count; ++v)
+            widths.push_back(1e-4f * static_cast<float>(count - v));
+        means.push_back(5e-5f * static_cast<float>(count + 1));
+    }
+    auto desc = plait_recorder_desc_defaults();
+    desc.widths = plait::view(widths);
+    for (const char* name : {"w.abc", "w.usda"}) {
+        const Recorder recorder = record(path(name), desc);
+        plait::check(plait_recorder_add(recorder.get(), sim, 0));
+        plait::check(plait_recorder_close(recorder.get()));
+        const auto found = load(path(name)).read<float>(PLAIT_GROOM_FIELD_THICKNESS);
+        ASSERT_EQ(found.size(), means.size());
+        for (size_t s = 0; s < means.size(); ++s)
+            EXPECT_NEAR(found[s], means[s], 1e-9f) << name;
+    }
+    std::string list = text_of(path("w.usda"));
+    list = list.substr(list.find("widths = ["));
+    list = list.substr(0, list.find(']'));
+    EXPECT_FLOAT_EQ(std::stof(list.substr(list.rfind(',') + 1)), 1e-4f) << "the tip's is last";
 }
 
 TEST_F(Recorders, GuidesOfAFileAreLoadedApart) {

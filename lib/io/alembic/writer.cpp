@@ -73,10 +73,7 @@ Result<std::unique_ptr<ClipWriter>> AlembicClip::create(const std::string& path,
 
 Status AlembicClip::begin(const ClipShape& shape) {
     vertex_counts_.assign(shape.vertex_counts.begin(), shape.vertex_counts.end());
-    // One for each point: Blender takes them for that.
-    for (size_t c = 0; c < vertex_counts_.size() && !shape.widths.empty(); ++c)
-        widths_.insert(widths_.end(), vertex_counts_[c],
-                       shape.widths[shape.widths.size() == 1 ? 0 : c]);
+    append_widths(shape, widths_);
     uv_.assign(shape.uv.begin(), shape.uv.end());
     return {};
 }

@@ -21,12 +21,24 @@ struct ClipRules {
     std::pmr::memory_resource* memory = std::pmr::get_default_resource();
 };
 
-// In the file's unit and axes, but for the diameters' number: one, or one for each curve; or none.
+// In the file's unit and axes, but for the diameters' number: one, or one for each curve or point; or none.
 struct ClipShape {
     std::span<const uint32_t> vertex_counts; // [curves]
     std::span<const float> widths;
     std::span<const float> uv; // 2 [curves] or none
 };
+
+// The diameter of point `point` of all, of curve `curve`.
+inline float width_of(const ClipShape& shape, size_t curve, size_t point) {
+    const size_t count = shape.widths.size();
+    return shape.widths[count == 1 ? 0 : count == shape.vertex_counts.size() ? curve : point];
+}
+// Appends one for each point, as Blender takes them, unless there are none.
+template <typename Floats> void append_widths(const ClipShape& shape, Floats& out) {
+    for (size_t c = 0, point = 0; c < shape.vertex_counts.size() && !shape.widths.empty(); ++c)
+        for (uint32_t v = 0; v < shape.vertex_counts[c]; ++v)
+            out.push_back(width_of(shape, c, point++));
+}
 
 // Calls: begin, then frames with rising times, in step with them their velocities, then commit.
 // Destroyed before it has committed: nothing is left. IO.

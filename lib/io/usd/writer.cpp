@@ -122,11 +122,8 @@ Status UsdClip::begin(const ClipShape& shape) {
     PLAIT_TRY(out_.add_list(shape.vertex_counts));
     PLAIT_TRY(out_.add("\n"));
     if (!shape.widths.empty()) {
-        // One for each point: Blender takes them for that.
         std::pmr::vector<float> widths(rules_.memory);
-        for (size_t c = 0; c < shape.vertex_counts.size(); ++c)
-            widths.insert(widths.end(), shape.vertex_counts[c],
-                          shape.widths[shape.widths.size() == 1 ? 0 : c]);
+        append_widths(shape, widths);
         widest_ = *std::ranges::max_element(shape.widths);
         PLAIT_TRY(out_.add("        float[] widths = "));
         PLAIT_TRY(out_.add_list(widths, 1));
