@@ -17,7 +17,7 @@ extern "C" {
 
 /* As plait_sim_read, but dst is filled once `fence` is reached: till then it must stay there, and is
  * neither read nor written. `size`: bytes, as plait_sim_read gives them. Any field but VELOCITY and
- * POSITION_PREV, which the host reckons. Destroying the sim waits for what is on its way.
+ * POSITION_PREV, which the host computes. Destroying the sim waits for reads under way.
  * @errors INVALID_STATE (as plait_sim_read), INVALID_ARGUMENT (VELOCITY, POSITION_PREV) */
 PLAIT_API plait_result plait_sim_read_later(plait_sim* sim, plait_field field, void* dst,
                                             size_t size, uint64_t* fence);

@@ -85,8 +85,8 @@ TEST_P(Async, WhatIsNoneIsRefused) {
     };
     const size_t size = dst.size() * sizeof(float);
     refused(read(PLAIT_FIELD_POSITION, size - 4), "size is 188, the field has 192 bytes");
-    refused(read(PLAIT_FIELD_VELOCITY, size), "(VELOCITY), which the host reckons");
-    refused(read(PLAIT_FIELD_POSITION_PREV, size), "(POSITION_PREV), which the host reckons");
+    refused(read(PLAIT_FIELD_VELOCITY, size), "(VELOCITY), which the host computes");
+    refused(read(PLAIT_FIELD_POSITION_PREV, size), "(POSITION_PREV), which the host computes");
     EXPECT_EQ(read(PLAIT_FIELD_GRID_DENSITY, size), PLAIT_INVALID_STATE);
     EXPECT_EQ(made, 0u);
 }

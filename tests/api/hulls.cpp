@@ -59,7 +59,7 @@ TEST_P(Hulls, OfABoxIsTheBox) {
         plait::Sim with_box(context, make_groom(strands), desc_of(model));
         plait::Sim with_hull(context, make_groom(strands), desc_of(model));
         plait::Sim with_none(context, make_groom(strands), desc_of(model));
-        const int frames = is_reference() ? 12 : 20;
+        constexpr int frames = 12;
         const auto on_box = after(with_box, frames, [](plait::Sim& sim, const plait_pose& pose) {
             auto box = smooth_collider();
             box.kind = PLAIT_COLLIDER_KIND_BOX;

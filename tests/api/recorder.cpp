@@ -244,8 +244,9 @@ TEST_F(Recorders, DescsAreCheckedFieldByField) {
     const std::vector<float> widths(3, 1e-4f);
     desc.widths = plait::view(widths);
     const Recorder recorder = record(path("a.abc"), desc);
-    expect_failure(plait_recorder_add(recorder.get(), sim, 0), PLAIT_INVALID_ARGUMENT,
-                   "widths of the recorder are 3; allowed are 0, 1 or one for each of the 2 strands or");
+    expect_failure(
+        plait_recorder_add(recorder.get(), sim, 0), PLAIT_INVALID_ARGUMENT,
+        "widths of the recorder are 3; allowed are 0, 1 or one for each of the 2 strands or");
 }
 
 TEST_F(Recorders, EachVertexMayHaveItsOwnWidth) {

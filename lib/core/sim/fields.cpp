@@ -165,7 +165,7 @@ Status Sim::read(plait_field field, void* dst) {
 Result<uint64_t> Sim::read_later(plait_field field, void* dst) {
     if (field == PLAIT_FIELD_VELOCITY || field == PLAIT_FIELD_POSITION_PREV)
         return Error{PLAIT_INVALID_ARGUMENT,
-                     format("field is %d (%s), which the host reckons: plait_sim_read has it",
+                     format("field is %d (%s), which the host computes: plait_sim_read has it",
                             field, field == PLAIT_FIELD_VELOCITY ? "VELOCITY" : "POSITION_PREV")};
     const bool no_buffer = (field == PLAIT_FIELD_WETNESS && !state_.wetness) ||
                            (field == PLAIT_FIELD_PIN && !state_.pin);

@@ -152,8 +152,7 @@ void WarmContacts::begin(size_t vertex) {
 bool WarmContacts::passes(const Collider& collider, size_t vertex, const Vec3& p) const {
     const Vec3 from = carried(collider, vertex), root = contacts_.motion_.root;
     const double way = (p - from).norm();
-    return way > thin(collider.body) / 2 &&
-           clearance(collider, root + (from + p) / 2) <= way / 2 &&
+    return way > thin(collider.body) / 2 && clearance(collider, root + (from + p) / 2) <= way / 2 &&
            first_crossing(collider, root + from, root + p);
 }
 
@@ -227,8 +226,9 @@ Vec3 WarmContacts::place(size_t vertex, const Vec3& p) {
 
 void WarmContacts::left(size_t vertex, const Vec3& to, const Vec3& x) {
     const Contact& at = contacts_.at_[vertex];
-    deep_ = deep_ || (at.stiffness > 0 && depth_ + at.normal.dot(to - x) >
-                                              PLAIT_CONTACT_MAX_PENETRATION * contacts_.length_[vertex]);
+    deep_ = deep_ ||
+            (at.stiffness > 0 && depth_ + at.normal.dot(to - x) >
+                                     PLAIT_CONTACT_MAX_PENETRATION * contacts_.length_[vertex]);
 }
 
 void WarmContacts::placed(double turned) {
@@ -246,7 +246,7 @@ bool WarmContacts::rub(const std::vector<Vec3>& x) {
         if (at.stiffness == 0)
             continue;
         const Vec3 u = contacts_.slip_of(at, x[i]);
-        const bool back = at.slide.dot(u) < 0, more = u.norm() > slip && !back;
+        const bool back = at.slide.dot(u)<0, more = u.norm()> slip && !back;
         const bool stops = at.sticks() && u.norm() < PLAIT_CONTACT_WARM_STOPS * at.grip;
         at.slide = more && !stops ? Vec3(u.normalized()) : Vec3(Vec3::Zero());
         if (back)
