@@ -6,7 +6,7 @@
  *         by the interpolated distance; then where pose_now puts it. w of position.
  * Why     fixed steps shown at another rate stutter. Interpolating in the root's frame leaves hair
  *         one step late against itself but never against the head. A vertex that swings about its root
- *         is shown on the arc: the chord is nearer to the root, so in the head where hair lies on it.
+ *         is shown on the arc. The chord is nearer to the root: where hair lies on the head, inside it.
  */
 #pragma OPENCL FP_CONTRACT OFF
 #include "base/pose.clh"

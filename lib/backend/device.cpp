@@ -88,13 +88,12 @@ Status Device::read_later(const Buffer& buffer, void* dst) {
 }
 
 Result<uint64_t> Device::fence() {
-    if (has_fences()) {
-        PLAIT_TRY(perform("fence", [&] { return api_->fence(handle_, &last_fence_); }));
-    } else {
+    uint64_t next = last_fence_ + 1;
+    if (has_fences())
+        PLAIT_TRY(perform("fence", [&] { return api_->fence(handle_, &next); }));
+    else
         PLAIT_TRY(wait());
-        ++last_fence_;
-    }
-    return last_fence_;
+    return last_fence_ = next;
 }
 
 Result<bool> Device::fence_reached(uint64_t fence, bool wait) {

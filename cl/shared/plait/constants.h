@@ -54,8 +54,8 @@
 #define PLAIT_CONTACT_WARM_REACH PLAIT_NUMBER(4.0)
 /* Share of its way to the surface that what is pressed to it goes back by in a step. Ours. */
 #define PLAIT_CONTACT_WARM_BACK PLAIT_NUMBER(0.1)
-/* Share of the slip that friction's spring was to allow: what slips by less has all but stopped, and goes on
- * on a spring. Ours. */
+/* Share of the slip of friction's spring: a vertex that slips by less has all but stopped, and the spring holds
+ * it on. Ours. */
 #define PLAIT_CONTACT_WARM_STOPS PLAIT_NUMBER(0.3)
 /* Segment lengths: what had to be lifted by more takes another step. Ours. */
 #define PLAIT_CONTACT_WARM_DEEP PLAIT_NUMBER(0.1)

@@ -109,26 +109,20 @@ Status Device::upload(const Buffer& buffer, size_t first, size_t count, const vo
                            count * buffer.element_bytes, src, "write to buffer " + buffer.name);
 }
 
-Status Device::read(const Buffer& buffer, size_t first, size_t count, void* dst) {
+Status Device::enqueue_read(const Buffer& buffer, size_t first, size_t count, void* dst,
+                            cl_bool blocking) {
     PLAIT_TRY(check_part(buffer, first, count, "read from"));
     if (count == 0)
         return {};
     const cl_int code =
-        calls_.enqueue_read(queue(), buffer.memory.get(), CL_TRUE, first * buffer.element_bytes,
-                            count * buffer.element_bytes, dst, 0, nullptr, nullptr);
-    if (code != CL_SUCCESS)
-        return late_failure(code, "read from buffer " + buffer.name);
-    return flight_.collect(session_.profile);
-}
-
-Status Device::read_later(const Buffer& buffer, size_t first, size_t count, void* dst) {
-    PLAIT_TRY(check_part(buffer, first, count, "read from"));
-    if (count == 0)
-        return {};
-    const cl_int code =
-        calls_.enqueue_read(queue(), buffer.memory.get(), CL_FALSE, first * buffer.element_bytes,
+        calls_.enqueue_read(queue(), buffer.memory.get(), blocking, first * buffer.element_bytes,
                             count * buffer.element_bytes, dst, 0, nullptr, nullptr);
     return code == CL_SUCCESS ? Status{} : late_failure(code, "read from buffer " + buffer.name);
+}
+
+Status Device::read(const Buffer& buffer, size_t first, size_t count, void* dst) {
+    PLAIT_TRY(enqueue_read(buffer, first, count, dst, CL_TRUE));
+    return flight_.collect(session_.profile);
 }
 
 Status Device::fence(uint64_t& fence) {

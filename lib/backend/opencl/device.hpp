@@ -52,7 +52,9 @@ class Device {
     // Does not wait, unless uploads under way take more than Staging::most_bytes.
     Status upload(const Buffer& buffer, size_t first, size_t count, const void* src);
     Status read(const Buffer& buffer, size_t first, size_t count, void* dst);
-    Status read_later(const Buffer& buffer, size_t first, size_t count, void* dst);
+    Status read_later(const Buffer& buffer, size_t first, size_t count, void* dst) {
+        return enqueue_read(buffer, first, count, dst, CL_FALSE);
+    }
     Status fence(uint64_t& fence);
     Status fence_reached(uint64_t fence, bool wait, bool& reached);
 
@@ -80,6 +82,8 @@ class Device {
     cl_command_queue work_queue() const {
         return side_queues_.open() ? side_queues_.queue() : queue();
     }
+    Status enqueue_read(const Buffer& buffer, size_t first, size_t count, void* dst,
+                        cl_bool blocking);
     Status enqueue(const plait_dispatch& dispatch, bool last);
     Status launch(const plait_stage_info& stage, const StageKernel& built, const WorkRange& range,
                   cl_event* event) const;

@@ -144,7 +144,7 @@ class ParamInfo(Versioned):
 
 PLAIN = (View, Pose, Allocator, ColliderId, RootPlace)
 
-POSITIONS, SOURCES = 0, 2  # plait_mesh_field
+SOURCES = 2  # plait_mesh_field
 POSITION = 0  # plait_field
 
 _HANDLE = c_void_p
@@ -160,7 +160,6 @@ CALLS = {
     "plait_mesh_read": [_HANDLE, c_int, c_void_p, POINTER(c_size_t)],
     "plait_sim_create": [_HANDLE, _HANDLE, POINTER(SimDesc), _OUT],
     "plait_sim_set_param": [_HANDLE, c_char_p, POINTER(c_double), c_size_t],
-    "plait_sim_get_param": [_HANDLE, c_char_p, POINTER(c_double), POINTER(c_size_t)],
     "plait_sim_set_wind": [_HANDLE, POINTER(WindDesc)],
     "plait_sim_set_volume": [_HANDLE, POINTER(VolumeDesc)],
     "plait_sim_bind_roots": [_HANDLE, _HANDLE, POINTER(RootPlace), c_size_t],

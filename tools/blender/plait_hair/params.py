@@ -1,6 +1,6 @@
 """The ten parameters that the panel shows: what the library calls them, and in which unit the panel has them.
 
-Names, ranges, sliders and defaults are those of the library's table of parameters, times `factor`; tests/blender/params.py
+Names, ranges, sliders and defaults are those of the library's table of parameters, times `factor`; tests/blender/library.py
 compares them with it. Friction and margin are of the colliders, plait_collider_mesh_desc, which are not in that table.
 """
 from typing import NamedTuple

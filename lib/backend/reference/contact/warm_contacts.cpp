@@ -246,7 +246,8 @@ bool WarmContacts::rub(const std::vector<Vec3>& x) {
         if (at.stiffness == 0)
             continue;
         const Vec3 u = contacts_.slip_of(at, x[i]);
-        const bool back = at.slide.dot(u)<0, more = u.norm()> slip && !back;
+        const bool back = at.slide.dot(u) < 0;
+        const bool more = slip < u.norm() && !back;
         const bool stops = at.sticks() && u.norm() < PLAIT_CONTACT_WARM_STOPS * at.grip;
         at.slide = more && !stops ? Vec3(u.normalized()) : Vec3(Vec3::Zero());
         if (back)
