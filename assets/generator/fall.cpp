@@ -49,6 +49,10 @@ Vec3 comb_back(Vec3 p) {
     return or_hanging({0.25 * p.x / 0.075, -0.35 - 0.5 * side, -1}, p);
 }
 
+Vec3 comb_beard(Vec3 p) {
+    return {0.3 * p.x / 0.05, -1, 0.45};
+}
+
 Path fall(const Field& field, Vec3 root, const Comb& comb, const Walk& walk,
           const std::function<bool(Vec3 p)>& stop) {
     const Vec3 normal = head_normal(root);

@@ -18,6 +18,9 @@ Vec3 comb_parted(Vec3 p, double part);
 // the direction otherwise; `spread`: where in the layer of such hair, [0, 1].
 Vec3 comb_past_shoulder(Vec3 combed, Vec3 p, bool before, double spread);
 
+// Down and forward, off the throat.
+Vec3 comb_beard(Vec3 p);
+
 // Back over the head and down at its sides.
 Vec3 comb_back(Vec3 p);
 

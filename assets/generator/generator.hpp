@@ -70,7 +70,7 @@ struct Character {
 // 2,864 triangles; in 4 s the head turns to both sides and nods, two steps a second lift the chest.
 Character make_character();
 
-// What hair of the style `ball` lies on in place of the mannequin: a sphere about the origin.
+// What hair of the styles `ball` and `fur` lies on in place of the mannequin: a sphere about the origin.
 inline constexpr double ball_radius = 0.1;         // m
 inline constexpr double ball_hairline = 0.0497571; // m above the middle; hair grows higher up
 HeadMesh make_ball();                              // of 20,448 triangles
@@ -80,12 +80,17 @@ std::vector<Capsule> ball_colliders();
 // ----------------------------------------------------------------------------------------
 
 enum class Hairstyle : uint32_t {
-    Long,     // parted, falling over the shoulders
-    Braid,    // combed back into one plait of three bundles
-    Curly,    // helices
-    Short,    // swept back
-    Ponytail, // combed back through a holder, and free behind it
-    Ball      // in a layer on a ball and past its equator, for measurements: not on the mannequin
+    Long,       // parted, falling over the shoulders
+    Braid,      // combed back into one plait of three bundles
+    Curly,      // helices
+    Short,      // swept back
+    Ponytail,   // combed back through a holder, and free behind it
+    Ball,       // in a layer on a ball and past its equator, for measurements: not on the mannequin
+    Bob,        // parted and cut in one line below the jaw
+    Afro,       // coils that stand away from the scalp on all sides
+    Dreadlocks, // a strand is a whole lock, and hangs
+    Beard,      // on chin, jaw and upper lip
+    Fur         // all over the ball, combed down
 };
 
 // Lengths in metres. What each number means and its range: style_fields().
@@ -115,10 +120,15 @@ struct Style {
     double holder_radius = 0.011;
     double holder_height = 0.035;
     double tail_length = 0.3;
+    double cut = -0.095;
 };
 
-// "long", "braid", "curly", "short", "ponytail", "ball".
+// "long", "braid", ...: the names above in lower case.
 std::string_view hairstyle_name(Hairstyle hairstyle);
+inline constexpr size_t hairstyle_count = 11;
+
+// Whether it grows on the ball and not on the mannequin.
+bool is_on_ball(Hairstyle hairstyle);
 
 // The defaults of a hairstyle. They are what `plait-groom <name>` starts from.
 Style make_style(Hairstyle hairstyle);

@@ -3,6 +3,7 @@
 #include "ball.hpp"
 #include "braid.hpp"
 #include "fall.hpp"
+#include "fur.hpp"
 #include "generator.hpp"
 #include "head_shape.hpp"
 #include "ponytail.hpp"
@@ -36,8 +37,8 @@ class LooseHair {
   public:
     LooseHair(const Style& style, const std::vector<Vec3>& roots)
         : style_(style), roots_(roots),
-          middles_(
-              scatter_roots(std::min<size_t>(style.clumps, roots.size()), scramble(style.seed))),
+          middles_(scatter_roots(std::min<size_t>(style.clumps, roots.size()), scramble(style.seed),
+                                 style.hairstyle == Hairstyle::Beard)),
           grid_(middles_, 0.02) {
         for (uint32_t c = 0; c < middles_.size(); ++c)
             axes_.push_back(resample(fall_from(middles_[c], c, c), samples));
@@ -63,8 +64,10 @@ class LooseHair {
     Vec3 comb(Vec3 p, uint32_t clump) const {
         if (style_.hairstyle == Hairstyle::Short)
             return comb_back(p);
+        if (style_.hairstyle == Hairstyle::Beard)
+            return comb_beard(p);
         const Vec3 parted = comb_parted(p, style_.part);
-        return style_.hairstyle == Hairstyle::Long
+        return style_.hairstyle == Hairstyle::Long || style_.hairstyle == Hairstyle::Dreadlocks
                    ? comb_past_shoulder(parted, p, falls_before(clump), own(clump_spread, clump))
                    : parted;
     }
@@ -91,11 +94,41 @@ class LooseHair {
         return mix(1.0, 0.45, smoothstep(0.01, 0.06, root.z) * smoothstep(0.06, 0.03, aside));
     }
 
+    // Straight away from the scalp and from the head's middle, and past the ears, as coils that hold one
+    // another up.
+    Path stand_from(Vec3 root, uint32_t i) const {
+        const double length = style_.length * (1 - style_.length_variation * own(strand_length, i));
+        const double room = style_.curl_radius * (1 + style_.curl_variation) + clearance;
+        Vec3 way = unit(head_normal(root) + unit(root - Vec3{0, -0.02, -0.015}));
+        Path path;
+        bool meets = true;
+        for (int tries = 0; tries < 12 && meets; ++tries) {
+            path = {root};
+            meets = false;
+            Vec3 away;
+            for (double along = walk_step; along <= length; along += walk_step) {
+                path.push_back(root + along * way);
+                const Surroundings here = field_.at(path.back());
+                if (here.distance < room * std::min(along / (3 * room), 1.0))
+                    away += here.normal;
+            }
+            meets = dot(away, away) > 0;
+            way = unit(way + 0.2 * unit(away, {0, 0, 0}));
+        }
+        return path;
+    }
+
     Path fall_from(Vec3 root, uint32_t i, uint32_t clump) const {
+        if (style_.hairstyle == Hairstyle::Afro)
+            return stand_from(root, i);
+        const double line = style_.cut + 0.006 * own_signed(strand_length, i);
+        const auto cut = [&](Vec3 p) { return style_.hairstyle == Hairstyle::Bob && p.y < line; };
         const double layer = style_.volume * mix(0.25, 1.0, own(strand_layer, i));
         return fall(
             field_, root, [&](Vec3 p) { return comb(p, clump); },
-            {length_of(root, i, clump), style_.stiffness, clearance, layer, style_.lift, true});
+            {length_of(root, i, clump), style_.stiffness, clearance, layer, style_.lift,
+             style_.hairstyle != Hairstyle::Beard},
+            cut);
     }
 
     // Of the clumps on the same side of the parting.
@@ -179,8 +212,7 @@ template <typename Hair> Strands cut(const Hair& hair, const Style& style) {
     return strands;
 }
 
-Strands on_ball(const Style& style) {
-    const BallHair hair(style);
+template <typename Hair> Strands on_ball(const Hair& hair, const Style& style) {
     Strands strands;
     strands.positions.reserve(size_t{3} * style.strands * style.vertices);
     for (uint32_t i = 0; i < style.strands; ++i)
@@ -192,8 +224,11 @@ Strands on_ball(const Style& style) {
 
 Strands make_groom(const Style& style) {
     if (style.hairstyle == Hairstyle::Ball)
-        return on_ball(style);
-    const std::vector<Vec3> roots = scatter_roots(style.strands, style.seed);
+        return on_ball(BallHair(style), style);
+    if (style.hairstyle == Hairstyle::Fur)
+        return on_ball(FurHair(style), style);
+    const bool beard = style.hairstyle == Hairstyle::Beard;
+    const std::vector<Vec3> roots = scatter_roots(style.strands, style.seed, beard);
     if (style.hairstyle == Hairstyle::Braid)
         return cut(BraidedHair(style, roots), style);
     if (style.hairstyle == Hairstyle::Ponytail)

@@ -26,11 +26,12 @@ double hairline_at(double z) {
     return mix(hairline[i - 1].y, hairline[i].y, t);
 }
 
-Surface scalp_surface() {
+Surface scalp_surface(bool beard) {
     constexpr double spacing = 0.004;
-    const auto place = [](size_t i, size_t j, size_t k) {
+    const Vec3 corner = beard ? Vec3{-0.096, -0.154, -0.106} : Vec3{-0.096, -0.09, -0.126};
+    const auto place = [&](size_t i, size_t j, size_t k) {
         const Vec3 steps{static_cast<double>(i), static_cast<double>(j), static_cast<double>(k)};
-        return Vec3{-0.096, -0.09, -0.126} + spacing * steps;
+        return corner + spacing * steps;
     };
     return surface_nets([](Vec3 p) { return head_distance(p); }, {{49, 59, 57}, place});
 }
@@ -73,8 +74,20 @@ double scalp_height(double x, double y, double z) {
     return scalp_height(Vec3{x, y, z});
 }
 
-std::vector<Vec3> scatter_roots(size_t count, uint64_t seed) {
-    const Surface surface = scalp_surface();
+// From the sideburns down along the cheek to the corner of the mouth, the upper lip, not the mouth
+// itself, and below the chin as far as the throat.
+double beard_height(Vec3 p) {
+    const double aside = std::abs(p.x);
+    const double cheek = mix(-0.046, 0.0, smoothstep(0.034, 0.062, aside)); // height of its border
+    const double lip = std::max(std::abs(p.y + 0.0655) - 0.0085, aside - 0.026);  // of the mouth
+    const double behind = p.z - mix(0.028, -0.002, smoothstep(-0.03, -0.1, p.y)); // of the ear
+    const double throat = p.y + mix(0.105, 0.128, smoothstep(0.0, 0.06, p.z));
+    const bool on_ear = skull_distance(p) > 5e-4;
+    return on_ear ? -1 : std::min({cheek - p.y, lip, behind, throat});
+}
+
+std::vector<Vec3> scatter_roots(size_t count, uint64_t seed, bool beard) {
+    const Surface surface = scalp_surface(beard);
     const AreaSampler sampler(surface);
     // More candidates give evener spacing; five per root is Yuksel's choice, three nearly as even.
     const size_t wanted = std::max<size_t>((count > 100000 ? 3 : 5) * count, 64);
@@ -85,7 +98,7 @@ std::vector<Vec3> scatter_roots(size_t count, uint64_t seed) {
         const Vec3 p =
             sampler.at(random(seed, 1, drawn), random(seed, 2, drawn), random(seed, 3, drawn));
         ++drawn;
-        if (scalp_height(p) > 0.001)
+        if ((beard ? beard_height(p) : scalp_height(p)) > 0.001)
             candidates.push_back(p);
     }
     const double scalp_area =

@@ -33,6 +33,7 @@ constexpr StyleField fields[] = {
     {"holder_height", "of what holds a ponytail, above the ears, m", &Style::holder_height, -0.05,
      0.12},
     {"tail_length", "of a ponytail behind its holder, m", &Style::tail_length, 0.05, 1},
+    {"cut", "height of the line in which a bob ends, m", &Style::cut, -0.3, 0.05},
 };
 
 std::string out_of_range(const char* field, double value, double least, double most) {
@@ -116,11 +117,89 @@ Style make_ball_style() {
     return style;
 }
 
+// Long enough that nearly all of it is cut.
+Style make_bob() {
+    Style style;
+    style.hairstyle = Hairstyle::Bob;
+    style.length = 0.32;
+    style.length_variation = 0;
+    style.volume = 0.018;
+    style.lift = 0.55;
+    style.clumps = 400;
+    style.clump_tightness = 0.35;
+    style.stray = 0.002;
+    return style;
+}
+
+Style make_afro() {
+    Style style;
+    style.hairstyle = Hairstyle::Afro;
+    style.vertices = 32;
+    style.length = 0.095; // from the scalp to the tip of a coil
+    style.length_variation = 0.15;
+    style.stray = 0.01;
+    style.curl_radius = 0.004;
+    style.curl_pitch = 0.024;
+    style.curl_variation = 0.15;
+    return style;
+}
+
+// A lock is as thick as a finger: there are few.
+Style make_dreadlocks() {
+    Style style;
+    style.hairstyle = Hairstyle::Dreadlocks;
+    style.strands = 160;
+    style.vertices = 20;
+    style.clumps = 160;
+    style.length = 0.4;
+    style.length_variation = 0.25;
+    style.volume = 0.04;
+    style.lift = 0.6;
+    style.stiffness = 0.035;
+    style.clump_tightness = 0;
+    style.stray = 0.006;
+    return style;
+}
+
+Style make_beard() {
+    Style style;
+    style.hairstyle = Hairstyle::Beard;
+    style.strands = 4000;
+    style.vertices = 8;
+    style.length = 0.055;
+    style.length_variation = 0.35;
+    style.volume = 0.02;
+    style.lift = 0.5;
+    style.stiffness = 0.02;
+    style.clumps = 300;
+    style.clump_tightness = 0.45;
+    style.stray = 0.0025;
+    return style;
+}
+
+Style make_fur() {
+    Style style;
+    style.hairstyle = Hairstyle::Fur;
+    style.vertices = 8;
+    style.length = 0.03;
+    style.length_variation = 0.3;
+    style.lift = 0.45;
+    style.stray = 0.003;
+    return style;
+}
+
+constexpr std::string_view names[] = {"long", "braid", "curly",      "short", "ponytail", "ball",
+                                      "bob",  "afro",  "dreadlocks", "beard", "fur"};
+static_assert(std::size(names) == hairstyle_count);
+
 } // namespace
 
 std::string_view hairstyle_name(Hairstyle hairstyle) {
-    constexpr std::string_view names[] = {"long", "braid", "curly", "short", "ponytail", "ball"};
     return names[static_cast<uint32_t>(hairstyle)];
+}
+
+bool is_on_ball(Hairstyle hairstyle) {
+    return hairstyle == Hairstyle::Ball || hairstyle == Hairstyle::Fur;
 }
 
 Style make_style(Hairstyle hairstyle) {
@@ -137,6 +216,16 @@ Style make_style(Hairstyle hairstyle) {
         return make_ponytail();
     case Hairstyle::Ball:
         return make_ball_style();
+    case Hairstyle::Bob:
+        return make_bob();
+    case Hairstyle::Afro:
+        return make_afro();
+    case Hairstyle::Dreadlocks:
+        return make_dreadlocks();
+    case Hairstyle::Beard:
+        return make_beard();
+    case Hairstyle::Fur:
+        return make_fur();
     }
     return make_long();
 }

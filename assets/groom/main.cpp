@@ -102,6 +102,12 @@ int run(int argc, char** argv) {
     add_style(app, Hairstyle::Ponytail, "combed back through a holder behind the head", out,
               problem);
     add_style(app, Hairstyle::Ball, "in a layer on a ball of 10 cm, to be measured", out, problem);
+    add_style(app, Hairstyle::Bob, "parted, and cut in one line below the jaw", out, problem);
+    add_style(app, Hairstyle::Afro, "coils that stand away from the scalp", out, problem);
+    add_style(app, Hairstyle::Dreadlocks, "locks as thick as a finger, a strand each", out,
+              problem);
+    add_style(app, Hairstyle::Beard, "on chin, jaw and upper lip", out, problem);
+    add_style(app, Hairstyle::Fur, "all over a ball of 10 cm, combed down", out, problem);
     add_head(app, out, problem);
     add_character(app, out, problem);
     CLI11_PARSE(app, argc, argv);

@@ -88,8 +88,9 @@ static inline void solid_lines(const solid_grid* grid, const solid_corner* a, co
 }
 
 static inline solid_corner solid_turned(solid_corner corner) {
-    corner.at = corner.at.yzx;
-    return corner;
+    solid_corner turned = corner;
+    turned.at = corner.at.yzx;
+    return turned;
 }
 
 __kernel void

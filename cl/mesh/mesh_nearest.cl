@@ -231,7 +231,8 @@ static inline mesh_plane near_plane(const near_body* body, const near_sample* sa
 
 /* As mesh_march() in lane_mesh.clh, by true distances, which need no least step. */
 static inline mesh_plane near_march(const near_body* body, vec3 from, vec3 to, real offset,
-                                    mesh_plane nearest, real* side, mask on) {
+                                    mesh_plane known, real* side, mask on) {
+    mesh_plane nearest = known;
     const vec3 way = sub3(to, from);
     const real one = (real)(1.0f), size = mesh_length(way), per_m = one / fmax(size, (real)(1e-9f));
     real distance = nearest.height, t = (real)(0.0f);

@@ -19,14 +19,13 @@ typedef struct {
 } fit_box;
 
 static inline fit_box fit_cover(fit_box box, float3 low, float3 high, float way) {
-    box.low = fmin(box.low, low);
-    box.high = fmax(box.high, high);
-    box.way = fmax(box.way, way);
-    return box;
+    const fit_box both = {fmin(box.low, low), fmax(box.high, high), fmax(box.way, way)};
+    return both;
 }
 
-static inline fit_box fit_triangles(fit_box box, __global const uint* triangle, uint number,
+static inline fit_box fit_triangles(fit_box begin, __global const uint* triangle, uint number,
                                     __global const float4* from, __global const float4* to) {
+    fit_box box = begin;
     for (uint i = 0; i < number; ++i)
         for (uint k = 0; k < 3; ++k) {
             const uint corner = triangle[PLAIT_MESH_TRIANGLE_STRIDE * (size_t)i + k];

@@ -39,9 +39,11 @@ static inline vec3 contact_goes(const contact_state* state, uint vertex) {
 /* Of a vertex with so much of the contact point. */
 static inline void contact_take(contact_plane plane, float share, vec3 goes,
                                 contact_plane* deepest) {
-    plane.height = plane.gap + dot3(plane.normal, sub3(goes, plane.moves));
-    if (share > PLAIT_PAIR_SHARE && plane.height < deepest->height)
+    const float height = plane.gap + dot3(plane.normal, sub3(goes, plane.moves));
+    if (share > PLAIT_PAIR_SHARE && height < deepest->height) {
         *deepest = plane;
+        deepest->height = height;
+    }
 }
 
 /* Takes the pairs of the segment that begins at `first` for both of its ends. */

@@ -4,10 +4,10 @@
  * groom moving on one context. SI units, right-handed axes, quaternions stored (x, y, z, w). A pose
  * maps a rest-space point p to q*p + t in the world. docs/concepts.md shows the calls of a frame.
  *
- * Headers:   every simulation needs this one; it includes plait_features.h, wind, volume and other
- *            features, and plait_mesh.h, bodies and scalps. plait_offline.h has tools that need no
- *            context, plait_recorder.h and plait_formats.h are for files, plait_async.h does not
- *            wait, plait_profile.h measures, plait_opencl.h and plait_backend.h are for devices.
+ * Headers:   this one includes plait_features.h, wind, volume and others, and plait_mesh.h, bodies
+ *            and scalps. plait_offline.h has tools without a context, plait_presets.h kinds of hair,
+ *            plait_recorder.h and plait_formats.h files; plait_async.h does not wait, plait_profile.h
+ *            measures; plait_opencl.h and plait_backend.h are for devices.
  * Errors:    every function that can fail returns a plait_result and leaves a sentence that names
  *            what failed, on what, with which value and range, in plait_last_error() of the thread.
  *            A call that fails leaves objects and outputs as they were, unless its comment says

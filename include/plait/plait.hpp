@@ -9,6 +9,7 @@
 #include <plait/plait.h>
 #include <plait/plait_async.h>
 #include <plait/plait_offline.h>
+#include <plait/plait_presets.h>
 #include <plait/plait_profile.h>
 
 #include <cstddef>
@@ -417,6 +418,8 @@ class Sim : public detail::Owner<plait_sim, plait_sim_destroy> {
     void set_param(const std::string& name, const std::vector<double>& values) {
         check(plait_sim_set_param(get(), name.c_str(), values.data(), values.size()));
     }
+    // Hair of a kind: "curly".
+    void set_preset(const std::string& name) { check(plait_sim_set_preset(get(), name.c_str())); }
     std::vector<double> param(const std::string& name) const {
         std::size_t count = 0;
         check(plait_sim_get_param(get(), name.c_str(), nullptr, &count));

@@ -41,13 +41,8 @@ void plait_param_info_init(plait_param_info* info, size_t size) {
 
 plait_result plait_params_list(plait_param_info* dst, size_t* count) {
     return api::guard(__func__, [&]() -> Status {
-        PLAIT_TRY(api::need(count, "count"));
         const auto table = param_table();
-        const size_t number = dst ? std::min(*count, table.size()) : table.size();
-        if (dst)
-            PLAIT_TRY(api::write_structs(dst, number, "dst", [&](size_t i) { return table[i]; }));
-        *count = number;
-        return {};
+        return api::write_list(dst, count, table.size(), [&](size_t i) { return table[i]; });
     });
 }
 

@@ -120,4 +120,16 @@ inline Result<bool> wants_bytes(const void* dst, size_t* size, size_t needed) {
     return true;
 }
 
+// At most *count rows of a list; *count is then how many were written, or, without dst, how many there are.
+template <typename T, typename At>
+Status write_list(T* dst, size_t* count, size_t number, const At& at) {
+    PLAIT_TRY(need(count, "count"));
+    if (dst) {
+        number = std::min(*count, number);
+        PLAIT_TRY(write_structs(dst, number, "dst", at));
+    }
+    *count = number;
+    return {};
+}
+
 } // namespace plait::api

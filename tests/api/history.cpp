@@ -313,6 +313,10 @@ std::vector<Call> calls() {
          {"plait_sim_set_param"},
          [](Ride& r) { r.sim().set_param("bend_stiffness", {1e-7}); },
          true},
+        {"preset",
+         {"plait_sim_set_preset", "plait_preset_read", "plait_presets_list"},
+         [](Ride& r) { r.sim().set_preset("bob"); },
+         true},
         {"materials",
          {"plait_sim_set_materials"},
          [](Ride& r) {

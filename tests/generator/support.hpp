@@ -11,8 +11,9 @@
 namespace plait_generator {
 
 // On the mannequin.
-inline constexpr std::array all_hairstyles{Hairstyle::Long, Hairstyle::Braid, Hairstyle::Curly,
-                                           Hairstyle::Short, Hairstyle::Ponytail};
+inline constexpr std::array all_hairstyles{
+    Hairstyle::Long, Hairstyle::Braid, Hairstyle::Curly,      Hairstyle::Short, Hairstyle::Ponytail,
+    Hairstyle::Bob,  Hairstyle::Afro,  Hairstyle::Dreadlocks, Hairstyle::Beard};
 
 inline Strands sample_groom(Hairstyle hairstyle, uint32_t strands = 400) {
     Style style = make_style(hairstyle);

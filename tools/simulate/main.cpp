@@ -4,6 +4,7 @@
 #include "common/file.hpp"
 #include "common/json_reader.hpp"
 #include "common/params_list.hpp"
+#include "common/presets.hpp"
 #include "common/progress.hpp"
 #include "options.hpp"
 #include "pictures/album.hpp"
@@ -156,6 +157,10 @@ void replay(Scene scene) {
 Exit run(const CommandLine& line) {
     if (line.list_devices) {
         print_devices();
+        return Exit::ok;
+    }
+    if (line.list_presets) {
+        print_presets();
         return Exit::ok;
     }
     if (line.list_params) {

@@ -43,8 +43,8 @@ void add_options(CLI::App& app, CommandLine& line) {
     app.add_option("--scene", line.scene_file, "scene file; options win over it")
         ->type_name("FILE.json");
     text("--groom", "groom", "NAME|FILE",
-         "long, braid, curly, short, ponytail, ball, or .tfx .hair .obj .abc .usda .ply .data "
-         "[long]");
+         "long, braid, curly, short, ponytail, bob, afro, dreadlocks, beard, fur, ball, or .tfx "
+         ".hair .obj .abc .usda .ply .data [long]");
     count("--strands", "strands", "N",
           "strands; of a file, at most so many [10000, all of a file]");
     count("--vertices", "vertices", "V", "vertices per strand, 2..256 [16, as in the file]");
@@ -79,6 +79,8 @@ void add_options(CLI::App& app, CommandLine& line) {
                    "before the motion, the head still [1 for long and curly, else 0]");
     count("--rate", "rate", "HZ", "steps and frames a second [60]");
     count("--substeps", "substeps", "N", "per step [2]");
+    text("--preset", "preset", "NAME",
+         "kind of hair: straight, curly, afro, ...; --list-presets names them [the groom's]");
     text("--model", "model", "NAME", models.c_str());
     text("--sag-free", "sag_free", "NAME",
          "off, rest or stiffen: the groom as drawn is in balance with gravity [off for long and "
@@ -104,6 +106,8 @@ void add_options(CLI::App& app, CommandLine& line) {
     app.add_flag_callback(
         "--no-film", [&keys] { keys["film"] = false; }, "pictures, but no film");
     app.add_flag("--list-devices", line.list_devices, "list the devices and stop");
+    app.add_flag("--list-presets", line.list_presets,
+                 "list the kinds of hair, in a sentence each, and stop");
     app.add_flag("--list-params", line.list_params,
                  "list the parameters of a scene's params, what each does, and stop");
 }

@@ -10,6 +10,7 @@ namespace simulate {
 
 struct CommandLine {
     bool list_devices = false;
+    bool list_presets = false;
     bool list_params = false;
     std::optional<int> exit_code; // set when --help or an error has been printed
     std::string scene_file;

@@ -122,6 +122,7 @@ struct Album::State {
     bool in_film(uint32_t frame) const { return frame % video_every == 0; }
     bool films_all() const;
     void write_film(std::vector<std::string>& files);
+    std::string title() const;   // the groom, and the kind of hair if it is another
     std::string setting() const; // what all rows share
     void write_sheets(std::vector<std::string>& files) const;
     void write_comparison(std::vector<std::string>& files) const;
@@ -170,6 +171,12 @@ std::string Album::State::setting() const {
            std::to_string(scene.rate) + " Hz, " + std::to_string(scene.substeps) + " substeps";
 }
 
+std::string Album::State::title() const {
+    const std::string groom = std::filesystem::path(scene.groom.name).filename().string();
+    const bool same = scene.preset.empty() || scene.preset == groom;
+    return "plait: " + groom + (same ? "" : ", " + scene.preset);
+}
+
 void Album::State::write_sheets(std::vector<std::string>& files) const {
     std::map<uint32_t, render::Cell> chosen;
     for (const auto& [frame, cell] : cells)
@@ -177,8 +184,7 @@ void Album::State::write_sheets(std::vector<std::string>& files) const {
             chosen.emplace(frame, cell);
     if (chosen.empty())
         return;
-    render::write_sheet({"plait: " + std::filesystem::path(scene.groom.name).filename().string(),
-                         setting() + ", " + label_of(scene), in_rows(chosen)},
+    render::write_sheet({title(), setting() + ", " + label_of(scene), in_rows(chosen)},
                         path("sheet.png"));
     files.push_back(path("sheet.png"));
 }
@@ -205,10 +211,9 @@ void Album::State::write_comparison(std::vector<std::string>& files) const {
     add(label_of(scene), cells);
     const bool has_tressfx = std::ranges::any_of(
         beside, [](const Variant& v) { return v.sim.model == PLAIT_MODEL_TRESSFX; });
-    render::write_sheet({"plait: " + std::filesystem::path(scene.groom.name).filename().string(),
-                         has_tressfx ? setting() + "; " + tressfx_settings(scene) : setting(),
-                         rows},
-                        path("ab.png"));
+    render::write_sheet(
+        {title(), has_tressfx ? setting() + "; " + tressfx_settings(scene) : setting(), rows},
+        path("ab.png"));
     files.push_back(path("ab.png"));
 }
 

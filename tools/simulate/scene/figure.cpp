@@ -179,7 +179,8 @@ HeadMesh make_head(const Scene& scene) {
         return load_head(scene.head.file, scene.groom.scale);
     if (!scene.groom.generated || scene.head_is_mesh())
         return {};
-    return scene.groom.on_ball() ? ball() : mannequin();
+    const bool fur = scene.groom.style.hairstyle == plait_generator::Hairstyle::Fur;
+    return scene.groom.on_ball() ? ball(fur) : mannequin();
 }
 
 Vector3f mean_of(const std::vector<Vector3f>& points) {

@@ -89,11 +89,11 @@ HeadMesh mannequin() {
     return head;
 }
 
-HeadMesh ball() {
+HeadMesh ball(bool fur) {
     HeadMesh head = without_scalp(plait_generator::make_ball());
     for (const Eigen::Vector3f& p : head.vertices) {
         const float high = p.y() - static_cast<float>(plait_generator::ball_hairline);
-        head.scalp.push_back(0.9f * std::clamp(high / hairline, 0.0f, 1.0f));
+        head.scalp.push_back(fur ? 0.9f : 0.9f * std::clamp(high / hairline, 0.0f, 1.0f));
     }
     return head;
 }

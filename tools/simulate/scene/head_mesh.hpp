@@ -21,7 +21,7 @@ struct HeadMesh {
 HeadMesh mannequin();
 
 // What the generated style `ball` lies on.
-HeadMesh ball();
+HeadMesh ball(bool fur);
 
 // `scalp` of vertices in the mannequin's space.
 std::vector<float> scalp_of(const std::vector<Eigen::Vector3f>& vertices);

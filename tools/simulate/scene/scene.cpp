@@ -3,6 +3,7 @@
 #include "common/collider_reader.hpp"
 #include "common/json_reader.hpp"
 #include "common/params_reader.hpp"
+#include "common/presets.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +16,22 @@ using plait_generator::Style;
 
 namespace {
 
-constexpr std::array style_names{"long", "braid", "curly", "short", "ponytail", "ball"};
+using plait_generator::Hairstyle, plait_generator::hairstyle_count;
+
+// "long, braid, ..."
+std::string style_names() {
+    std::string names;
+    for (size_t i = 0; i < hairstyle_count; ++i)
+        names += (i ? ", " : "") + std::string(hairstyle_name(static_cast<Hairstyle>(i)));
+    return names;
+}
+
+std::optional<Hairstyle> style_called(const std::string& name) {
+    for (size_t i = 0; i < hairstyle_count; ++i)
+        if (name == hairstyle_name(static_cast<Hairstyle>(i)))
+            return static_cast<Hairstyle>(i);
+    return std::nullopt;
+}
 
 // A path in a scene file is relative to that file, one on the command line to the working
 // directory.
@@ -47,7 +63,8 @@ void read_style(const JsonReader& top, const Json& value, Style& style) {
                                        {"braid_length", &Style::braid_length},
                                        {"holder_radius", &Style::holder_radius},
                                        {"holder_height", &Style::holder_height},
-                                       {"tail_length", &Style::tail_length}};
+                                       {"tail_length", &Style::tail_length},
+                                       {"cut", &Style::cut}};
     JsonReader in = top.object(value, "style");
     for (const Field& field : fields)
         in.number(field.key, style.*field.member, -1e6, 1e6);
@@ -98,13 +115,12 @@ void read_groom(JsonReader& top, const Origin& origin, Scene& scene) {
     const bool has_axes = top.choice("axes", groom.axes, axes);
     const bool has_end = top.choice("root_end", groom.root_end, ends);
     const Json* style = top.value("style");
-    const auto known = std::find(style_names.begin(), style_names.end(), groom.name);
-    groom.generated = known != style_names.end();
+    const auto known = style_called(groom.name);
+    groom.generated = known.has_value();
     if (!groom.generated) {
         if (groom.name.find('.') == std::string::npos)
             top.fail("groom",
-                     "is \"" + groom.name +
-                         "\", neither a file nor one of long, braid, curly, short, ponytail, ball");
+                     "is \"" + groom.name + "\", neither a file nor one of " + style_names());
         if (style)
             top.fail("style", "is for generated grooms; \"" + groom.name + "\" is a file");
         groom.name = resolve(groom.name, "groom", origin);
@@ -115,7 +131,7 @@ void read_groom(JsonReader& top, const Origin& origin, Scene& scene) {
                  : has_axes  ? "axes"
                              : "root_end",
                  "is for files; \"" + groom.name + "\" is generated");
-    groom.style = make_style(static_cast<plait_generator::Hairstyle>(known - style_names.begin()));
+    groom.style = make_style(*known);
     groom.style.seed = scene.seed;
     groom.style.strands = groom.strands ? groom.strands : groom.style.strands;
     groom.style.vertices = groom.vertices ? groom.vertices : groom.style.vertices;
@@ -246,6 +262,8 @@ void read_wind(JsonReader& top, Scene& scene) {
 // A number for all strands, or a file of one for each.
 void read_wetness(JsonReader& top, const Origin& origin, Scene& scene) {
     const Json* value = top.value("wetness");
+    if (!value && scene.sim.wetness.on) // of the preset
+        scene.wetness = {1.0f};
     if (!value)
         return;
     if (scene.sim.model == PLAIT_MODEL_TRESSFX)
@@ -315,51 +333,45 @@ void read_pictures(const JsonReader& top, const Json& value, PictureChoice& pict
     in.finish();
 }
 
-// From how much more than its neighbourhood's speed a vertex is braked, and what is left of it a
-// step: diffuse_ratio, diffuse_factor, diffuse_floor.
-struct Friction {
-    float ratio, factor, floor;
-};
-
-// How a groom hangs, with models that bend.
+// How a hairstyle hangs, with models that bend.
 struct Hang {
-    float stiffness; // of a strand, which stands for a lock, over a hair's of the same weight
-    float drag;      // over the library's, that of a hair alone: locks also rub against one another
+    const char* preset; // the kind of hair that it is; "": the library's defaults
     // In balance as drawn, or settled under its weight before the motion? A groom in balance weighs
     // nothing on the head that it lies on, and is tossed off by the first shake: what falls freely
     // settles. A short cut and a braid are held up by what the models lack, hair beneath hair.
-    plait_sag_free sag_free;
-    float settle; // s
-    std::optional<Friction> friction = {};
+    plait_sag_free sag_free = PLAIT_SAG_FREE_STIFFEN;
+    float settle = 0.0f; // s
 };
 
 Hang hang_of(const std::string& groom) {
     if (groom == "long")
-        return {10.0f, 2.0f, PLAIT_SAG_FREE_OFF, 1.0f};
-    if (groom == "curly") // soft enough for its curls to bounce as springs
-        return {1.5f, 2.0f, PLAIT_SAG_FREE_OFF, 1.0f};
-    if (groom == "short") // as stiff as locks a few centimetres of hair would not move at all
-        return {1.0f, 1.0f, PLAIT_SAG_FREE_STIFFEN, 0.0f};
-    if (groom == "braid") // presses hair on hair, or it would come undone
-        return {10.0f, 1.0f, PLAIT_SAG_FREE_STIFFEN, 0.0f, Friction{1.5f, 0.5f, 0.0f}};
+        return {"straight", PLAIT_SAG_FREE_OFF, 1.0f};
+    if (groom == "curly")
+        return {"curly", PLAIT_SAG_FREE_OFF, 1.0f};
+    if (groom == "dreadlocks")
+        return {"dreadlocks", PLAIT_SAG_FREE_OFF, 1.0f};
     if (groom == "ball") // limp: nothing holds it up but volume
-        return {1.0f, 1.0f, PLAIT_SAG_FREE_OFF, 0.0f};
-    return {10.0f, 1.0f, PLAIT_SAG_FREE_STIFFEN, 0.0f};
+        return {"", PLAIT_SAG_FREE_OFF, 0.0f};
+    if (groom == "fur")
+        return {"short_fur"};
+    for (const char* own : {"short", "braid", "ponytail", "bob", "afro", "beard"})
+        if (groom == own)
+            return {own};
+    return {"straight"};
 }
 
-void hang(Scene& scene) {
-    if (scene.sim.model == PLAIT_MODEL_TRESSFX) // which has no bending
-        return;
+void hang(JsonReader& top, Scene& scene) {
+    const bool tressfx = scene.sim.model == PLAIT_MODEL_TRESSFX; // which has no bending
     const Hang hang = hang_of(scene.groom.name);
-    scene.sim.sag_free = hang.sag_free;
-    scene.sim.material.bend_stiffness *= hang.stiffness;
-    scene.sim.params.drag *= hang.drag;
-    scene.settle = hang.settle;
-    if (!hang.friction)
+    scene.preset = read_preset(top, tressfx ? "" : hang.preset, scene.sim);
+    if (tressfx)
         return;
-    scene.sim.grid.diffuse_ratio = hang.friction->ratio;
-    scene.sim.grid.diffuse_factor = hang.friction->factor;
-    scene.sim.grid.diffuse_floor = hang.friction->floor;
+    scene.sim.sag_free = hang.sag_free;
+    scene.settle = hang.settle;
+    if (scene.groom.name == "dreadlocks") { // a strand is a lock: this many hairs of it are drawn
+        scene.sim.follows_per_guide = 64;
+        scene.sim.follow_radius = 0.005f;
+    }
 }
 
 // What a scene was made for, its colliders and camera, and another groom would not fit.
@@ -383,7 +395,7 @@ void read_features(JsonReader& top, plait::SimDesc& sim) {
     read_grid(top, sim);
     top.flag("volume", sim.volume.on);
     top.flag("strand_contact", sim.strand_contact.on);
-    sim.wetness.on = top.value("wetness") != nullptr;
+    sim.wetness.on |= top.value("wetness") != nullptr;
 }
 
 void read_simulation(JsonReader& top, Scene& scene) {
@@ -393,7 +405,7 @@ void read_simulation(JsonReader& top, Scene& scene) {
     top.integer("substeps", scene.substeps, 1, 1000);
     top.integer("seed", scene.seed);
     top.choice("model", scene.sim.model, model_names);
-    hang(scene);
+    hang(top, scene);
     top.number("settle", scene.settle, 0, 60);
     top.choice("sag_free", scene.sim.sag_free, sag_free_names);
     top.integer("follows_per_guide", scene.sim.follows_per_guide, 0, 64);

@@ -50,7 +50,7 @@ struct GroomChoice {
     bool generated = true;
 
     bool on_ball() const { // and not on the mannequin
-        return generated && style.hairstyle == plait_generator::Hairstyle::Ball;
+        return generated && is_on_ball(style.hairstyle);
     }
 };
 
@@ -105,6 +105,7 @@ struct Scene {
     uint32_t rate = 60;  // fixed steps and frames a second
     uint32_t substeps = 2;
     uint64_t seed = 1;
+    std::string preset; // kind of hair; "": none
     plait::SimDesc sim = default_sim();
     plait::SimDesc unhung = default_sim();          // without what its hairstyle asks of `sim`
     plait_tressfx_desc tressfx = default_tressfx(); // of the TressFX beside it

@@ -1,0 +1,58 @@
+# cmake -DOUTPUT= -DFILES=a|b|c -P embed_presets.cmake
+# Writes the presets, JSON files of { text, groom, values }, as tables in C++, in the order of the files. Names
+# and ranges of values are checked where they are used, and by a test.
+string(REPLACE "|" ";" files "${FILES}")
+
+# C++ source of a JSON string.
+function(quoted text result)
+  string(REPLACE "\\" "\\\\" text "${text}")
+  string(REPLACE "\"" "\\\"" text "${text}")
+  set(${result} "\"${text}\"" PARENT_SCOPE)
+endfunction()
+
+set(values "")
+set(rows "")
+foreach(file IN LISTS files)
+  get_filename_component(name ${file} NAME_WE)
+  file(READ ${file} json)
+  foreach(key text groom)
+    string(JSON found ERROR_VARIABLE problem GET "${json}" ${key})
+    if(problem)
+      message(FATAL_ERROR "${file}: ${key}: ${problem}")
+    endif()
+    quoted("${found}" ${key})
+  endforeach()
+  string(JSON count ERROR_VARIABLE problem LENGTH "${json}" values)
+  if(problem OR count EQUAL 0)
+    message(FATAL_ERROR "${file}: values: ${problem}, or there are none")
+  endif()
+  string(APPEND values "constexpr PresetValue ${name}_values[] = {\n")
+  math(EXPR last "${count} - 1")
+  foreach(i RANGE ${last})
+    string(JSON param MEMBER "${json}" values ${i})
+    string(JSON type TYPE "${json}" values ${param})
+    if(type STREQUAL "ARRAY")
+      string(JSON size LENGTH "${json}" values ${param})
+      set(numbers "")
+      math(EXPR end "${size} - 1")
+      foreach(k RANGE ${end})
+        string(JSON number GET "${json}" values ${param} ${k})
+        list(APPEND numbers ${number})
+      endforeach()
+    elseif(type STREQUAL "NUMBER")
+      set(size 1)
+      string(JSON numbers GET "${json}" values ${param})
+    else()
+      message(FATAL_ERROR "${file}: values: ${param} is neither a number nor a list of some")
+    endif()
+    list(JOIN numbers ", " numbers)
+    string(APPEND values "    {\"${param}\", {${numbers}}, ${size}},\n")
+  endforeach()
+  string(APPEND values "};\n")
+  string(APPEND rows "    {\"${name}\", ${text}, ${groom}, ${name}_values},\n")
+endforeach()
+file(WRITE ${OUTPUT} "// Written by cmake/embed_presets.cmake.
+${values}
+constexpr Preset preset_table[] = {
+${rows}};
+")
