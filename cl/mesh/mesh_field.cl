@@ -18,9 +18,9 @@ typedef struct {
 
 /* ---- which vertices are near -------------------------------------------------------------- */
 
-/* Cells. A plane is taken where a sample is at most two: in a cell with a node of at most that, so
+/* Cells. A plane is taken where a sample is at most mesh_room(): in a cell with a node of at most that, so
  * less than a cell's diagonal farther from the mesh. The rest is for rounding. */
-#define MESH_NEAR (2.0f + 1.7321f + 0.05f)
+#define MESH_NEAR (1.7321f + 0.05f)
 
 /* Lists all vertices that may have a plane: of the others a distance looked up at one before them
  * says that their ways do not come near. What is not finite is listed. */
@@ -28,7 +28,7 @@ static inline void mesh_list_near(const mesh_body* body, const mesh_ways* ways, 
     const vec3 root = ways->step->pose.root;
     const float moves = length(body->motion.to - body->motion.from),
                 turns = 2.0f * length(body->motion.turn.xyz);
-    const float reach = MESH_NEAR * body->field.edge + moves;
+    const float reach = mesh_room(&body->field) + MESH_NEAR * body->field.edge + moves;
     const real arm = mesh_arm(&body->motion, root);
     real least = (real)(-1.0f); /* m: the distance of the vertex before is no less */
     real along = (real)(0.0f);  /* m, of the chain of vertices */
@@ -61,7 +61,7 @@ static inline mesh_touch mesh_meet(const mesh_body* body, mesh_vertex* vertex) {
     mesh_cells cells;
     const mesh_sample first = mesh_field_first_sample(&body->field, from, &cells);
     touch.start = first.distance - vertex->offset;
-    touch.some = !(touch.start > mesh_length(sub3(to, from)) + (real)(2.0f * body->field.edge));
+    touch.some = !(touch.start > mesh_length(sub3(to, from)) + (real)(mesh_room(&body->field)));
     mesh_plane plane =
         mesh_march(&body->field, from, to, vertex->offset, first, &cells, touch.some);
     touch.some &= mesh_plane_is(plane);

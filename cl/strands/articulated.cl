@@ -39,63 +39,72 @@ static inline mask articulated_wants(const rod_problem* rod, const rod_state* s,
     return wants | (rod->contacts->lanes & restless);
 }
 
-/* The steps with the contacts of the substep before, from the start, whose level is known: one, and a
- * second where something slides, a third where that was turned back or the second was not enough. Returns
- * the lanes that are not solved. */
-static inline mask articulated_warm(const rod_problem* rod, rod_state* s, articulated_level start,
-                                    contact_warm* warm) {
-    const mask none = (real)(0.0f) > (real)(0.0f), apart = !warm->which;
-    articulated_level level = start;
-    for (uint k = 0; k < PLAIT_CONTACT_WARM_STEPS && any_lane(warm->which); ++k) {
-        if (k > 0) {
-            warm->deep = warm->back = none;
-            warm_press(warm, s->x);
-            level = articulated_level_of(rod, s);
-        }
-        warm->contacts->now &= !warm->which;
-        articulated_newton(rod, s, level, warm->which, warm);
-        const mask slips = warm_rub(warm, s->x);
-        mask again = warm->deep;
-        if (k == 0)
-            again |= warm->pressed & slips;
-        if (k == 1)
-            again |= warm->back;
-        warm->which &= again;
+/* Before step k with the contacts of the substep before: one, and a second where something slides, a third
+ * where that was turned back or the second was not enough. Returns whether any lane takes it. */
+static inline int articulated_begins(rod_state* s, uint k, contact_warm* warm) {
+    if (k >= PLAIT_CONTACT_WARM_STEPS || !any_lane(warm->which))
+        return 0;
+    if (k > 0) {
+        warm->deep = warm->back = warm->deep & !warm->deep;
+        warm_press(warm, s->x);
     }
-    if (rod->step->pin)
-        warm->deep |= articulated_unpinned(rod, s);
-    return apart | warm->deep;
+    warm->contacts->now &= !warm->which;
+    return 1;
+}
+
+/* After it: lanes that take another one. */
+static inline void articulated_ends(const rod_state* s, uint k, contact_warm* warm) {
+    const mask slips = warm_rub(warm, s->x);
+    mask again = warm->deep;
+    if (k == 0)
+        again |= warm->pressed & slips;
+    if (k == 1)
+        again |= warm->back;
+    warm->which &= again & !warm->wild;
 }
 
 /* From the start, whose level is known, but for contacts that were found since. Lanes that take no
- * further step are put back off what they are too deep in. `warm`: null, or what contacts begin with. */
+ * further step are put back off what they are too deep in. `warm`: null, or what contacts begin with. All
+ * steps are those of one call: what rests beside a body rests to the bit as it does without. */
 static inline void articulated_solve(const rod_problem* rod, rod_state* s, articulated_level start,
                                      uint iterations, contact_warm* warm) {
-    mask takes = (real)(0.0f) == (real)(0.0f);
-    if (warm) {
-        const mask left = articulated_warm(rod, s, start, warm);
-        takes = iterations > 1u ? takes : left;
-    }
-    const mask loops = takes;
-    mask moved = takes, renews = takes;
-    uint back = 0;
-    for (uint k = 0;; ++k) {
-        if (rod->contacts && any_lane(renews))
-            contact_renew_lanes(rod->contacts, s->x, renews);
-        takes &= articulated_wants(rod, s, iterations, k, moved);
-        if (any_lane(takes)) {
-            const int known = k == 0 && !rod->contacts;
-            const articulated_level level = known ? start : articulated_level_of(rod, s);
-            moved = articulated_newton(rod, s, level, takes, 0);
-            renews = takes;
-        } else {
-            if (!rod_in_contact(rod) || rod->contacts->params->planes > 1u ||
-                back++ == PLAIT_ARTICULATED_PUT_BACK)
-                return;
-            renews = articulated_put_back(rod, s, loops);
-            if (!any_lane(renews))
-                return;
+    const mask all = (real)(0.0f) == (real)(0.0f);
+    const mask apart = warm ? !warm->which : all;
+    mask takes = all, loops = all, moved = all, renews = all;
+    uint back = 0, k = 0;
+    for (;;) {
+        if (warm && !articulated_begins(s, k, warm)) {
+            if (rod->step->pin)
+                warm->deep |= articulated_unpinned(rod, s);
+            if (iterations < 2u)
+                takes = apart | warm->wild | warm->deep;
+            loops = moved = renews = takes;
+            warm = 0;
+            k = 0;
         }
+        if (!warm) {
+            if (rod->contacts && any_lane(renews))
+                contact_renew_lanes(rod->contacts, s->x, renews);
+            takes &= articulated_wants(rod, s, iterations, k, moved);
+            if (!any_lane(takes)) {
+                if (!rod_in_contact(rod) || rod->contacts->params->planes > 1u ||
+                    back++ == PLAIT_ARTICULATED_PUT_BACK)
+                    return;
+                renews = articulated_put_back(rod, s, loops);
+                if (!any_lane(renews))
+                    return;
+                ++k;
+                continue;
+            }
+            renews = takes;
+        }
+        articulated_level level = start;
+        if (warm ? k > 0 : k > 0 || rod->contacts)
+            level = articulated_level_of(rod, s);
+        moved = articulated_newton(rod, s, level, warm ? warm->which : takes, warm);
+        if (warm)
+            articulated_ends(s, k, warm);
+        ++k;
     }
 }
 
@@ -120,12 +129,13 @@ __kernel void plait_articulated(const uint item_count, const plait_lane_params p
     lane_contacts contacts;
     contact_begin(&contacts, &step, &params, collider, lane_plane, lane_x);
     contacts.v = lane_v;
+    contact_aim(&contacts, y);
     const rod_problem rod =
         rod_problem_of(&step, y, lane_rest, contact_may_be(&params) ? &contacts : 0);
     articulated_load(&rod, &s, state, lane_q);
     contact_warm warm;
     const int warms = rod.contacts && params.iterations > 0 &&
-                      warm_begin(&warm, &contacts, y, lane_normal_force, lane_v_before);
+                      warm_begin(&warm, &contacts, lane_normal_force, lane_v_before);
     const articulated_level start = articulated_start(&rod, &s, state, lane_q);
     articulated_solve(&rod, &s, start, params.iterations, warms ? &warm : 0);
     rod_store(&rod, &params, state, &s, w, lane_q, lane_q_before);

@@ -332,6 +332,15 @@ LaneHair make_lane_hair_in_contact(const Size& size, uint32_t seed, float fricti
     return lanes;
 }
 
+// All but at rest, so that what is pressed to a surface stays so.
+LaneHair make_lane_hair_calm(const Size& size, uint32_t seed) {
+    LaneHair lanes = make_lane_hair(size, seed);
+    for (std::vector<float>* values : {&lanes.v, &lanes.v_before})
+        for (float& v : *values)
+            v *= 0.1f;
+    return lanes;
+}
+
 LaneHair make_lane_hair_pressed(const Size& size, uint32_t seed, float friction) {
     LaneHair lanes = make_lane_hair(size, seed);
     Random random(seed + 1);
@@ -597,23 +606,24 @@ void add_rods_in_rooms(Case& result, uint32_t seed) {
 }
 
 // A plane across the way of forces, `gap` (m) below a vertex, carried along a little.
-std::array<double, PLAIT_LANE_PLANE_COMPONENTS>
-plane_under(const LaneHair& lanes, Random& random, size_t row, double gap, float friction) {
+std::array<double, PLAIT_LANE_PLANE_COMPONENTS> plane_under(const LaneHair& lanes, Random& random,
+                                                            size_t row, double gap, double moves,
+                                                            float friction) {
     const size_t root = row / lanes.hair.size.stride * lanes.hair.size.stride;
     const Point normal = direction_of(sum({-20, 40, -30}, random_step(random, 20)));
-    const Point carried = random_step(random, 0.02);
+    const Point carried = random_step(random, moves);
     Point anchor{}; // x_before has the root where the pose puts it
     for (size_t k = 0; k < 3; ++k)
         anchor[k] = double(lanes.x[3 * root + k]) - double(lanes.x_before[3 * root + k]) +
                     double(lanes.x[3 * row + k]) + carried[k];
-    return {normal[0], normal[1], normal[2],   anchor[0],       anchor[1],
-            anchor[2], gap,       gap + 0.001, double(friction)};
+    return {normal[0], normal[1], normal[2],        anchor[0],       anchor[1],
+            anchor[2], gap,       gap + moves / 20, double(friction)};
 }
 
-Setup on_planes(Setup setup, const LaneHair& lanes, float friction, bool bends) {
+Setup on_planes(Setup setup, const LaneHair& lanes, float friction, bool bends, bool pressed) {
     auto params = setup.params_as<plait_lane_params>();
     params.planes = 1;
-    setup.name += ", on planes";
+    setup.name += pressed ? ", pressed to planes" : ", on planes";
     Random random(params.vertex_stride + 7);
     std::vector<float>& planes = setup.buffers[bends ? 8 : 7].floats;
     for (size_t s = 0; s < setup.items; ++s) {
@@ -621,7 +631,9 @@ Setup on_planes(Setup setup, const LaneHair& lanes, float friction, bool bends) 
         for (size_t i = 2; i < lanes.hair.vertex_count[s]; i += 3) {
             const size_t row = s * setup.width + i;
             const auto plane = plane_under(
-                lanes, random, row, s % 3 == 2 ? -0.015 : 0.004,
+                lanes, random, row,
+                pressed ? (s % 3 == 2 ? -1.5e-4 : 1e-4) : (s % 3 == 2 ? -0.015 : 0.004),
+                pressed ? 0.002 : 0.02,
                 friction_for(setup.buffers[3].floats, s, setup.width, s % 2 ? friction : 0.3f));
             std::ranges::transform(plane, &planes[PLAIT_LANE_PLANE_COMPONENTS * row],
                                    [](double value) { return static_cast<float>(value); });
@@ -644,6 +656,9 @@ void add_rods_on_planes(Case& result) {
             const LaneHair lanes = make_lane_hair(size, 32);
             result.setups.push_back(on_planes(
                 lane_setup(size, lanes, lane_params(size, 1, bdf2), true), lanes, 100.0f, true));
+            const LaneHair calm = make_lane_hair_calm(size, 44);
+            result.setups.push_back(on_planes(
+                lane_setup(size, calm, lane_params(size, 1, bdf2), true), calm, 1.0f, true, true));
         }
 }
 

@@ -22,6 +22,7 @@ LaneHair make_lane_hair(const Size& size, uint32_t seed);
 LaneHair make_lane_hair_in_contact(const Size& size, uint32_t seed, float friction);
 // With a wider capsule at the middle of every strand that moves less and that the substep before pressed it to,
 // by a force of the size of its weight.
+LaneHair make_lane_hair_calm(const Size& size, uint32_t seed);
 LaneHair make_lane_hair_pressed(const Size& size, uint32_t seed, float friction);
 // With moving boxes, some of them rounded, capsules, and a plane under all; in some a strand starts
 // inside. Before them in the buffer `far` that no strand meets.
@@ -57,8 +58,9 @@ void add_rods_on_surfaces(Case& result, uint32_t seed = 48);
 void add_rods_on_hulls(Case& result);
 void add_rods_in_rooms(Case& result, uint32_t seed = 53);
 
-// Every third vertex has a plane near it, below which some start.
-Setup on_planes(Setup setup, const LaneHair& hair, float friction, bool bends);
+// Every third vertex has a plane near it, below which some start; or it is pressed to one.
+Setup on_planes(Setup setup, const LaneHair& hair, float friction, bool bends,
+                bool pressed = false);
 void add_rods_on_planes(Case& result); // of friction 0.3 and 100
 
 // The tip of every strand is pinned, and of those of more than five vertices the middle, to places

@@ -279,6 +279,34 @@ double Contacts::excess(size_t vertex, const Vec3& x) const {
     return std::max(at.offset - at.normal.dot(x) - depth_allowed(vertex), 0.0);
 }
 
+void Contacts::aim(std::vector<Vec3> y) {
+    y_ = std::move(y);
+    for (size_t i = 1; i < planes_.size(); ++i)
+        if (planes_[i]) {
+            const Vec3 way = planes_[i]->anchor - (motion_.start[i] - motion_.start[0]);
+            along_ = along_ && way.norm() <= PLAIT_MESH_ROOM;
+        }
+}
+
+Vec3 Contacts::astray(size_t vertex, const Vec3& p) const {
+    const Vec3 from = motion_.start[vertex] - motion_.start[0], way = y_[vertex] - from;
+    const double share = way.dot(p - from) / std::max(way.squaredNorm(), 1e-30);
+    return p - from - std::clamp(share, 0.0, 1.0) * way;
+}
+
+// A mesh that goes along with the root and gave the vertex no plane is farther than PLAIT_MESH_ROOM from all of its
+// way.
+Vec3 Contacts::within(size_t vertex, const Vec3& to) const {
+    if (!along_ || planes_.empty() || y_.empty() || of_strands() || planes_[vertex])
+        return to;
+    const auto next = planes_.begin() + static_cast<std::ptrdiff_t>(vertex) + 1;
+    if (std::none_of(next, planes_.end(), [](const auto& plane) { return plane.has_value(); }))
+        return to;
+    const Vec3 off = astray(vertex, to);
+    const double far = off.norm();
+    return far > PLAIT_MESH_ROOM ? Vec3(to - (1 - PLAIT_MESH_ROOM / far) * off) : to;
+}
+
 // On the surface, but for the depth at which it outweighs what inertia presses the vertex in with.
 Vec3 Contacts::stopped(size_t vertex, const Vec3& to, double inertia) const {
     const Contact& at = at_[vertex];

@@ -36,6 +36,8 @@ class Contacts {
 
     // What slid in the substep before slides on in the first solve; else it begins as if it stuck.
     void slide_on() { slides_on_ = true; }
+    // `y`: inertial targets of all vertices, which planes of meshes were found on the way to.
+    void aim(std::vector<Vec3> y);
     // Look for the contacts of vertices at x again.
     void renew(const std::vector<Vec3>& x);
     // The push of every contact where a solve left the vertices, after the last renewal.
@@ -60,6 +62,12 @@ class Contacts {
 
     // Are strands among what is met? They give way: nothing is stopped by them, or put back.
     bool of_strands() const { return params_.planes > 1; }
+    // m, of p from the way of the vertex, from where it was, as its root sees it, to its target; from the
+    // nearest place on it.
+    Vec3 astray(size_t vertex, const Vec3& p) const;
+    // Where a step leaves the vertex that would carry it to `to`, if it has no plane of a mesh, and one
+    // nearer to the tip has.
+    Vec3 within(size_t vertex, const Vec3& to) const;
     // Where a step that would carry the vertex to `to` leaves it, if its surface did not push in it.
     Vec3 stopped(size_t vertex, const Vec3& to, double inertia) const;
     // Near `solved`, at this length from `leader`, and no deeper than a solve may leave it.
@@ -105,7 +113,9 @@ class Contacts {
     const Motion& motion_;
     std::vector<double> length_, stretch_, mass_, arc_; // arc_[i]: from the root to vertex i
     std::vector<std::optional<MeshPlane>> planes_;
+    std::vector<Vec3> y_;
     std::vector<Contact> at_;
+    bool along_ = true; // meshes go along with the root
     bool solved_ = false, touched_ = false, changed_ = false, slides_on_ = false;
 };
 

@@ -23,35 +23,35 @@ double thin(const Body& body) {
     return INFINITY;
 }
 
-double distance_to_way(const Vec3& p, const Vec3& from, const Vec3& to) {
-    const Vec3 way = to - from;
-    const double share = way.dot(p - from) / std::max(way.squaredNorm(), 1e-30);
-    return (p - from - std::clamp(share, 0.0, 1.0) * way).norm();
-}
-
 bool inside(const Collider& collider, const Vec3& x) {
     return collider.inward ? clearance(collider, x) < 0 : clearance(collider, x) <= 0;
 }
 
 } // namespace
 
-WarmContacts::WarmContacts(Contacts& contacts, std::vector<Vec3> y, std::vector<double> force)
-    : contacts_(contacts), y_(std::move(y)), force_(std::move(force)) {
+WarmContacts::WarmContacts(Contacts& contacts, std::vector<double> force)
+    : contacts_(contacts), force_(std::move(force)) {
     const plait_lane_params& params = contacts_.params_;
-    solves_ = params.collider_count > 0 && params.collider_count <= most_colliders;
+    solves_ = (params.collider_count > 0 || !contacts_.planes_.empty()) &&
+              params.collider_count <= most_colliders;
     for (size_t i = 0; solves_ && i < params.collider_count; ++i)
         colliders_.push_back(collider_at(contacts_.colliders_, params.collider_first + i));
-    for (size_t i = 1; i < y_.size(); ++i) {
-        solves_ = solves_ && (contacts_.planes_.empty() || !contacts_.planes_[i]);
+    for (size_t i = 1; i < force_.size(); ++i) {
+        solves_ = solves_ && !(contacts_.of_strands() && mesh(i));
         for (const Collider& collider : colliders_)
             solves_ = solves_ && !hard(collider, i);
     }
     if (!solves_)
         return;
-    for (size_t i = 1; i < y_.size(); ++i)
+    for (size_t i = 1; i < force_.size(); ++i)
         begin(i);
     contacts_.solved_ = true;
     contacts_.touched_ = pressed_;
+}
+
+const MeshPlane* WarmContacts::mesh(size_t vertex) const {
+    const std::vector<std::optional<MeshPlane>>& planes = contacts_.planes_;
+    return planes.empty() || !planes[vertex] ? nullptr : &*planes[vertex];
 }
 
 double WarmContacts::tolerance(size_t vertex) const {
@@ -69,8 +69,7 @@ double WarmContacts::room(size_t vertex) const {
 // Is p farther than that from the way between where the vertex was, as its root sees it, and where inertia
 // takes it?
 bool WarmContacts::strays(size_t vertex, const Vec3& p) const {
-    const std::vector<Vec3>& start = contacts_.motion_.start;
-    return distance_to_way(p, start[vertex] - start[0], y_[vertex]) >
+    return contacts_.astray(vertex, p).norm() >
            room(vertex) - PLAIT_CONTACT_WARM_REACH * tolerance(vertex);
 }
 
@@ -82,12 +81,13 @@ Vec3 WarmContacts::carried(const Collider& collider, size_t vertex) const {
 // May the vertex meet it on a way that is not looked along?
 bool WarmContacts::hard(const Collider& collider, size_t vertex) const {
     const Vec3 start = contacts_.motion_.start[vertex];
-    const Vec3 to = carried(collider, vertex), head = start - contacts_.motion_.start[0];
+    const Vec3 y = contacts_.y_[vertex], to = carried(collider, vertex),
+               head = start - contacts_.motion_.start[0];
     const double moves = (to - start).norm(), least = std::min(moves, (to - head).norm());
-    if (contacts_.length_[vertex] == 0 || (!collider.inward && least <= thin(collider.body)))
+    if (contacts_.length_[vertex] == 0 || collider.inward || least <= thin(collider.body))
         return false;
-    const double reach = (y_[vertex] - start).norm() / 2 + 1.75 * room(vertex) + moves;
-    return clearance(collider, contacts_.motion_.root + (start + y_[vertex]) / 2) <= reach;
+    const double reach = (y - start).norm() / 2 + 1.75 * room(vertex) + moves;
+    return clearance(collider, contacts_.motion_.root + (start + y) / 2) <= reach;
 }
 
 // Of what need come no farther out of a collider that holds the root.
@@ -122,8 +122,6 @@ void WarmContacts::begin(size_t vertex) {
     const double reach = PLAIT_CONTACT_WARM_REACH * tolerance(vertex);
     double least = reach;
     for (const Collider& collider : colliders_) {
-        if (collider.inward)
-            continue;
         const Vec3 anchor = carried(collider, vertex);
         const Surface surface = collider.surface(contacts_.motion_.root + anchor);
         const double distance = gap(collider, vertex, surface);
@@ -133,6 +131,13 @@ void WarmContacts::begin(size_t vertex) {
         at.normal = surface.normal;
         at.anchor = anchor;
         at.friction = contacts_.motion_.friction * collider.friction;
+        at.stiffness = stiffness(vertex);
+    }
+    if (const MeshPlane* plane = mesh(vertex); plane && plane->start < least) {
+        least = plane->start;
+        at.normal = plane->normal;
+        at.anchor = plane->anchor;
+        at.friction = contacts_.motion_.friction * plane->friction;
         at.stiffness = stiffness(vertex);
     }
     if (at.stiffness == 0)
@@ -148,35 +153,41 @@ void WarmContacts::begin(size_t vertex) {
     pressed_ = true;
 }
 
-// Has it let through a vertex that went, as it sees it, by more than half its radius?
+// What is inside of a body crossed none of its surface. Else: has it let through a vertex that went, as it sees it, by more than half its radius?
 bool WarmContacts::passes(const Collider& collider, size_t vertex, const Vec3& p) const {
     const Vec3 from = carried(collider, vertex), root = contacts_.motion_.root;
     const double way = (p - from).norm();
-    return way > thin(collider.body) / 2 && clearance(collider, root + (from + p) / 2) <= way / 2 &&
+    return !collider.inward && way > thin(collider.body) / 2 &&
+           clearance(collider, root + (from + p) / 2) <= way / 2 &&
            first_crossing(collider, root + from, root + p);
 }
 
 std::optional<WarmContacts::Nearest> WarmContacts::nearest(size_t vertex, const Vec3& p,
-                                                           double reach) {
+                                                           double reach, bool strays) {
     std::optional<Nearest> found;
     for (const Collider& collider : colliders_) {
-        if (collider.inward)
-            continue;
+        if (strays)
+            break;
         deep_ = deep_ || passes(collider, vertex, p);
         if (clearance(collider, contacts_.motion_.root + p) > reach)
             continue;
         const Surface surface = collider.surface(contacts_.motion_.root + p);
         const double distance = gap(collider, vertex, surface);
         if (distance < (found ? found->gap : reach))
-            found = Nearest{distance, surface.normal, &collider};
+            found = Nearest{distance, collider.friction, surface.normal, carried(collider, vertex)};
+    }
+    if (const MeshPlane* plane = mesh(vertex)) {
+        const double height = plane->height + plane->normal.dot(p - plane->anchor);
+        if (height < (found ? found->gap : reach))
+            found = Nearest{height, plane->friction, plane->normal, plane->anchor};
     }
     return found;
 }
 
 void WarmContacts::arrive(size_t vertex, const Nearest& found) {
     Contact& at = contacts_.at_[vertex];
-    at.anchor = carried(*found.collider, vertex);
-    at.friction = contacts_.motion_.friction * found.collider->friction;
+    at.anchor = found.anchor;
+    at.friction = contacts_.motion_.friction * found.friction;
     at.slide.setZero();
     at.push = at.begin = at.level = 0;
     at.grip = contacts_.params_.contact_slip;
@@ -186,19 +197,18 @@ void WarmContacts::arrive(size_t vertex, const Nearest& found) {
 Vec3 WarmContacts::place(size_t vertex, const Vec3& p) {
     Contact& at = contacts_.at_[vertex];
     depth_ = -INFINITY;
+    astray_ = false;
     if (contacts_.length_[vertex] == 0)
         return p;
     const double tolerance = this->tolerance(vertex), near = PLAIT_CONTACT_WARM_REACH * tolerance;
-    if (strays(vertex, p)) {
-        const Vec3 world = contacts_.motion_.root + p;
-        deep_ = deep_ || std::any_of(colliders_.begin(), colliders_.end(),
-                                     [&](const Collider& c) { return inside(c, world); });
+    astray_ = strays(vertex, p); // from what was looked for, but the plane of a mesh has no end
+    if (astray_ && !mesh(vertex))
         return p;
-    }
     const bool was = at.stiffness > 0;
     const double height = was ? at.normal.dot(p) - at.offset : 0;
-    const auto found = nearest(vertex, p, height < 0 ? near : 0);
-    if (!found) {
+    const auto found = nearest(vertex, p, height < 0 ? near : 0, astray_);
+    if (!found ||
+        !(height < 0 || found->gap < -PLAIT_ARTICULATED_STOP * contacts_.length_[vertex])) {
         at.stiffness = 0;
         return p;
     }
@@ -226,14 +236,15 @@ Vec3 WarmContacts::place(size_t vertex, const Vec3& p) {
 
 void WarmContacts::left(size_t vertex, const Vec3& to, const Vec3& x) {
     const Contact& at = contacts_.at_[vertex];
-    deep_ = deep_ ||
+    const auto holds = [&](const Collider& c) { return inside(c, contacts_.motion_.root + x); };
+    deep_ = deep_ || (astray_ && std::any_of(colliders_.begin(), colliders_.end(), holds)) ||
             (at.stiffness > 0 && depth_ + at.normal.dot(to - x) >
                                      PLAIT_CONTACT_MAX_PENETRATION * contacts_.length_[vertex]);
 }
 
 void WarmContacts::placed(double turned) {
     contacts_.touched_ = contacts_.touched_ || contacts_.touching();
-    deep_ = deep_ || (contacts_.touched_ && turned > PLAIT_CONTACT_WARM_TURN);
+    wild_ = contacts_.touched_ && turned > PLAIT_CONTACT_WARM_TURN;
 }
 
 // What slips slides with mu N from now on. Only what its spring has all but stopped is not thrown back by that:

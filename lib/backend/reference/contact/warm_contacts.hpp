@@ -9,11 +9,10 @@ namespace plait::reference {
 
 class WarmContacts {
   public:
-    // `y`: inertial targets of all vertices; `force`: N, of the substep before.
-    WarmContacts(Contacts& contacts, std::vector<Vec3> y, std::vector<double> force);
+    // `force`: N, of all vertices in the substep before.
+    WarmContacts(Contacts& contacts, std::vector<double> force);
 
-    // Does it meet no mesh, no strand, and nothing that moves by more than its radius or that hair stays
-    // inside of?
+    // Does it meet no strand, and nothing that moves by more than its radius?
     bool solves() const { return solves_; }
     // Where a vertex goes that the step would leave at p.
     Vec3 place(size_t vertex, const Vec3& p);
@@ -29,14 +28,14 @@ class WarmContacts {
     bool pressed() const { return pressed_; } // any vertex, at the begin
     bool back() const { return back_; }       // what slid came back
     bool deep() const { return deep_; }       // the step was not enough
+    bool wild() const { return wild_; }       // it was too large to be one: it is not to be taken
     void fail() { deep_ = true; }
 
   private:
     using Contact = Contacts::Contact;
     struct Nearest {
-        double gap;
-        Vec3 normal;
-        const Collider* collider;
+        double gap, friction;
+        Vec3 normal, anchor;
     };
     bool hard(const Collider& collider, size_t vertex) const;
     double room(size_t vertex) const;
@@ -44,19 +43,20 @@ class WarmContacts {
     double gap(const Collider& collider, size_t vertex, const Surface& surface) const;
     Vec3 carried(const Collider& collider, size_t vertex) const; // relative to the root
     void begin(size_t vertex);
+    const MeshPlane* mesh(size_t vertex) const; // null: it has none
     double grip(size_t vertex, const Vec3& normal, const Vec3& anchor) const;
     bool passes(const Collider& collider, size_t vertex, const Vec3& p) const;
-    std::optional<Nearest> nearest(size_t vertex, const Vec3& p, double reach);
+    std::optional<Nearest> nearest(size_t vertex, const Vec3& p, double reach, bool strays);
     void arrive(size_t vertex, const Nearest& found);
     double tolerance(size_t vertex) const;
     double stiffness(size_t vertex) const;
 
     Contacts& contacts_;
     std::vector<Collider> colliders_;
-    std::vector<Vec3> y_;
     std::vector<double> force_;
-    double depth_ = 0; // m, below the surface, of what place() left last
-    bool solves_ = true, pressed_ = false, back_ = false, deep_ = false;
+    double depth_ = 0;    // m, below the surface, of what place() left last
+    bool astray_ = false; // did it leave its range?
+    bool solves_ = true, pressed_ = false, back_ = false, deep_ = false, wild_ = false;
 };
 
 } // namespace plait::reference

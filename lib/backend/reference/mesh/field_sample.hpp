@@ -3,6 +3,9 @@
 
 #include "backend/reference/base/stages.hpp"
 
+#include <plait/constants.h>
+
+#include <algorithm>
 #include <array>
 #include <optional>
 
@@ -29,6 +32,8 @@ class MeshField {
     }
 
     double edge() const { return edge_; }
+    // m: up to which distances are exact, and normals told.
+    double room() const { return std::max(2 * edge_, double(PLAIT_MESH_ROOM)); }
 
     FieldSample at(const Vec3& x) const {
         const Vec3 cells = (x - origin_) / edge_;
@@ -60,7 +65,7 @@ class MeshField {
                                  change.y() * weight.z() * weight.x(),
                                  change.z() * weight.x() * weight.y());
         }
-        if (value > 2 * edge_)
+        if (value > room())
             return {value, {}};
         return {value, Vec3(slope / edge_)};
     }

@@ -67,7 +67,7 @@ std::optional<MeshTouch> touch_of(const Body& body, const MeshWays& ways, size_t
     const Vec3 from = body.motion.pose.invert(anchor);
     const Vec3 to = body.motion.pose.invert(ways.root + ways.end[vertex]);
     const double start = body.field.at(from).distance - offset;
-    if (start > (to - from).norm() + 2 * body.field.edge())
+    if (start > (to - from).norm() + body.field.room())
         return {};
     const auto plane = met(body.field, from, to, offset);
     if (!plane)

@@ -149,7 +149,8 @@ Eigen::VectorXd RodModel::turns() const {
 
 // What would pass a surface that did not push in the step stays there.
 Vec3 RodModel::stopped(size_t vertex, const Vec3& to) const {
-    return contacts_ ? contacts_->stopped(vertex, to, motion_.inertia) : to;
+    return contacts_ ? contacts_->stopped(vertex, contacts_->within(vertex, to), motion_.inertia)
+                     : to;
 }
 
 // Its end goes towards a place; past the tip there is no direction.
@@ -171,7 +172,7 @@ void RodModel::follow_turns(const RodModel& from, const Eigen::VectorXd& w, Warm
         q[i] = turned(from.q[i], turn);
         most = std::max(most, turn.norm());
         Vec3 to = from.x[i + 1] + d;
-        to = warm ? warm->place(i + 1, to) : stopped(i + 1, to);
+        to = warm ? warm->place(i + 1, contacts_->within(i + 1, to)) : stopped(i + 1, to);
         turn_to(i, to);
         if (warm)
             warm->left(i + 1, to, x[i + 1]);
@@ -187,9 +188,13 @@ bool RodModel::turn_segments(WarmContacts* warm) {
     const RodModel from = *this;
     const Eigen::VectorXd w = turns();
     follow_turns(from, w, warm);
+    if (warm && warm->wild()) {
+        *this = from;
+        return false;
+    }
     if (warm && touched()) // what is placed has another potential than the step had
         limit = std::numeric_limits<double>::max();
-    if (warm && !(energy() <= limit))
+    if (warm && touched() && !(energy() <= limit))
         warm->fail();
     double share = 1;
     for (int trial = 0; trial < PLAIT_ARTICULATED_SHORTER_STEPS && !(energy() <= limit); ++trial) {
@@ -229,10 +234,7 @@ bool RodModel::off_pin() const {
 // The steps with the contacts of the substep before: one, a second where something slides, a third where
 // that was turned back or the second was not enough.
 bool RodModel::solve_warm(const std::vector<double>& force) {
-    std::vector<Vec3> y;
-    for (size_t i = 0; i < x.size(); ++i)
-        y.push_back(motion_.goal(i, mass_[i]));
-    WarmContacts warm(*contacts_, y, force);
+    WarmContacts warm(*contacts_, force);
     follow_target();
     if (!warm.solves())
         return false;
@@ -241,6 +243,8 @@ bool RodModel::solve_warm(const std::vector<double>& force) {
             warm.press(x);
         turn_segments(&warm);
         const bool slips = warm.rub(x) && warm.pressed();
+        if (warm.wild())
+            return false;
         if (!warm.deep() && !(k == 0 && slips) && !(k == 1 && warm.back()))
             break;
     }
@@ -249,6 +253,11 @@ bool RodModel::solve_warm(const std::vector<double>& force) {
 
 void RodModel::articulate(uint32_t steps, const std::vector<double>& force) {
     load();
+    std::vector<Vec3> y;
+    for (size_t i = 0; contacts_ && i < x.size(); ++i)
+        y.push_back(motion_.goal(i, mass_[i]));
+    if (contacts_)
+        contacts_->aim(std::move(y));
     bool solved = false;
     if (contacts_ && steps > 0)
         solved = solve_warm(force);
