@@ -216,6 +216,18 @@ TEST(Arguments, NullPointers) {
          [](O& o) {
              return plait_follow_map_read(nullptr, PLAIT_FOLLOW_MAP_FIELD_GUIDES, nullptr, &o.size);
          }},
+        {"map is NULL",
+         [&](O& o) { return plait_follow_map_bind(nullptr, o.groom, &roots, {}, &o.no_map); }},
+        {"groom is NULL",
+         [&](O& o) { return plait_follow_map_bind(o.map, nullptr, &roots, {}, &o.no_map); }},
+        {"roots is NULL",
+         [](O& o) { return plait_follow_map_bind(o.map, o.groom, nullptr, {}, &o.no_map); }},
+        {"positions.data is NULL",
+         [&](O& o) {
+             return plait_follow_map_bind(o.map, o.groom, &roots, {nullptr, 8, 0}, &o.no_map);
+         }},
+        {"out is NULL",
+         [&](O& o) { return plait_follow_map_bind(o.map, o.groom, &roots, {}, nullptr); }},
         {"groom is NULL",
          [](O& o) { return plait_groom_guides(nullptr, 1, 0, &o.no_groom, &o.no_map); }},
         {"out is NULL", [](O& o) { return plait_groom_guides(o.groom, 1, 0, nullptr, &o.no_map); }},

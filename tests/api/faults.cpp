@@ -101,6 +101,28 @@ TEST(Faults, EveryHostAllocationOfGuidesMayFail) {
     EXPECT_EQ(pool.live, 0);
 }
 
+TEST(Faults, EveryHostAllocationOfABoundMapMayFail) {
+    Pool pool;
+    const GroomArrays arrays(tuft(5, 4));
+    auto options = plait_import_options_defaults();
+    options.allocator = pool.allocator();
+    {
+        const plait::Groom groom(arrays.desc(), options);
+        const auto [guides, map] = groom.guides(2);
+        const auto roots = plait_roots_defaults();
+        const int allocations = fail_each_allocation(pool, [&] {
+            plait_follow_map* bound = nullptr;
+            const plait_result result =
+                plait_follow_map_bind(map, groom, &roots, plait::view(arrays.positions, 3), &bound);
+            EXPECT_EQ(!bound, result != PLAIT_OK);
+            plait_follow_map_destroy(bound);
+            return result;
+        });
+        EXPECT_GT(allocations, 5);
+    }
+    EXPECT_EQ(pool.live, 0);
+}
+
 TEST(Faults, EveryHostAllocationOfALearnerMayFail) {
     Pool pool;
     const GroomArrays arrays(tuft(5, 4));

@@ -77,6 +77,9 @@ void add_options(CLI::App& app, CommandLine& line) {
     option<double>(app, keys, "--seconds", "seconds", "S", "length of the motion [4]");
     option<double>(app, keys, "--settle", "settle", "S",
                    "before the motion, the head still [1 for long and curly, else 0]");
+    text("--bind", "bind", "NAME",
+         "follows take their guides' turns since all hair has settled, hung, or since the groom, "
+         "groomed [hung]");
     count("--rate", "rate", "HZ", "steps and frames a second [60]");
     count("--substeps", "substeps", "N", "per step [2]");
     text("--model", "model", "NAME", models.c_str());

@@ -395,6 +395,7 @@ void read_simulation(JsonReader& top, Scene& scene) {
     top.choice("model", scene.sim.model, model_names);
     hang(scene);
     top.number("settle", scene.settle, 0, 60);
+    top.choice("bind", scene.bind, bind_names);
     top.choice("sag_free", scene.sim.sag_free, sag_free_names);
     top.integer("follows_per_guide", scene.sim.follows_per_guide, 0, 64);
     top.number("follow_radius", scene.sim.follow_radius, 0, 1);

@@ -83,6 +83,10 @@ struct PictureChoice {
 // What hair collides with.
 enum class Mannequin { Meshes, Capsules };
 
+// Since when follows take the turns of their guides: the groom, or when all hair has settled.
+enum class Bind { groomed, hung };
+inline constexpr const char* bind_names[] = {"groomed", "hung"};
+
 struct Scene {
     GroomChoice groom;
     HeadChoice head;
@@ -102,7 +106,8 @@ struct Scene {
     std::string motion = "shake_and_turn";    // a name or a file
     float seconds = 4.0f;
     float settle = 0.0f; // s before the motion, with the head as it begins
-    uint32_t rate = 60;  // fixed steps and frames a second
+    Bind bind = Bind::hung;
+    uint32_t rate = 60; // fixed steps and frames a second
     uint32_t substeps = 2;
     uint64_t seed = 1;
     plait::SimDesc sim = default_sim();
