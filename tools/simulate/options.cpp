@@ -50,6 +50,8 @@ void add_options(CLI::App& app, CommandLine& line) {
     count("--vertices", "vertices", "V", "vertices per strand, 2..256 [16, as in the file]");
     count("--guides", "guides", "N",
           "strands that are simulated, the others follow by turns [all]");
+    count("--level", "level", "K",
+          "in place of --guides: of the groom's levels of detail, 0 the finest [none]");
     app.add_option_function<std::string>(
            "--scale",
            [&keys](const std::string& value) {

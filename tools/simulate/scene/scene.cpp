@@ -4,6 +4,8 @@
 #include "common/json_reader.hpp"
 #include "common/params_reader.hpp"
 
+#include <plait/plait_levels.h>
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -89,6 +91,13 @@ void read_groom(JsonReader& top, const Origin& origin, Scene& scene) {
     top.integer("strands", groom.strands, 1, 1000000);
     top.integer("vertices", groom.vertices, 2, 256);
     top.integer("guides", groom.guides, 1, 1000000);
+    uint32_t level = 0;
+    if (top.integer("level", level, 0, PLAIT_LEVELS_MAX - 1))
+        groom.level = level;
+    if (groom.level && groom.guides > 0)
+        top.fail("level", "is given, and guides, too: a level says how many there are");
+    if (groom.level && scene.sim.follows_per_guide > 0)
+        top.fail("level", "is given, and follows_per_guide, too: hair follows in one way");
     if (groom.guides > 0 && scene.sim.follows_per_guide > 0)
         top.fail("guides", "are given, and follows_per_guide, too: hair follows in one way");
     const bool has_program = read_program(top, groom);

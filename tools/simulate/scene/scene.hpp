@@ -43,6 +43,7 @@ struct GroomChoice {
     uint32_t strands = 0;              // 0: 10,000 when generated, all of a file
     uint32_t vertices = 0;             // 0: 16 when generated, as in the file
     uint32_t guides = 0;               // strands that are simulated, the others follow; 0: all
+    std::optional<uint32_t> level;     // of detail, in place of `guides`; absent: none
     float scale = 1.0f;                // file units to metres
     bool scale_by_size = false;        // "auto": the library's likely_scale
     plait_axes axes = PLAIT_AXES_Y_UP; // of a file, as root_end
