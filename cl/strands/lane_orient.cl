@@ -49,8 +49,8 @@ static inline void orient_before(__global const real* lane_x, __global const rea
                                  __global const real* lane_q, __global real* lane_q_before,
                                  lane_place place, int segments) {
     for (int i = 0; i < segments; ++i) {
-        const quat back = quat_between(orient_segment(lane_x, place, i),
-                                       orient_segment(lane_x_before, place, i));
+        const quat back =
+            quat_between(orient_segment(lane_x, place, i), orient_segment(lane_x_before, place, i));
         const quat was = loadq(lane_q_before, place, i);
         const quat q = normalizeq(mulq(back, loadq(lane_q, place, i)));
         const vec3 off = sub3(director(q), director(was));

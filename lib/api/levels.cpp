@@ -22,8 +22,8 @@ namespace {
 Status check_level_count(const plait_levels_desc& desc) {
     if (desc.level_count <= PLAIT_LEVELS_MAX)
         return {};
-    return invalid(format("desc->level_count is %u, range is [0, %d]", desc.level_count,
-                          PLAIT_LEVELS_MAX));
+    return invalid(
+        format("desc->level_count is %u, range is [0, %d]", desc.level_count, PLAIT_LEVELS_MAX));
 }
 
 Status hang(const plait_levels_desc& desc, plait_levels& to) {

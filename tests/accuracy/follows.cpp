@@ -47,15 +47,14 @@ struct Motion {
 
 std::vector<Motion> motions() {
     return {{[](double t) {
-                return head(55 *
-                            (eased(t, 0.3, 0.8) - 2 * eased(t, 1.5, 2.2) + eased(t, 3, 3.5)));
+                return head(55 * (eased(t, 0.3, 0.8) - 2 * eased(t, 1.5, 2.2) + eased(t, 3, 3.5)));
             }},
             {[](double t) { return head(32 * eased(t, 0, 0.4) * wave(1.3, t)); }},
             {[](double t) {
                 const double begun = eased(t, 0, 0.5);
-                return head(4 * begun * wave(1, t), 2 * begun * wave(2, t),
-                            begun * Vector3d(0.02 * wave(1, t),
-                                             0.0125 * (1 - std::cos(4 * pi * t)), 0));
+                return head(
+                    4 * begun * wave(1, t), 2 * begun * wave(2, t),
+                    begun * Vector3d(0.02 * wave(1, t), 0.0125 * (1 - std::cos(4 * pi * t)), 0));
             }},
             {[](double) { return head(0); }, true}};
 }

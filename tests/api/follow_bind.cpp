@@ -166,8 +166,7 @@ TEST(FollowBinds, OfArraysAreThoseOfHangingHair) {
     const plait::Groom follows = make_groom(hung_strands(all, hung, origin, 4, 25));
     const GroomArrays guides(hung_strands(all, hung, origin, 0, 4));
     plait::Sim given(context, groom, with(of_arrays(follows, map, 4, guides.positions)));
-    plait::Sim bound(context, groom,
-                     with(map.bind(all, plait_roots_defaults(), points(hung))));
+    plait::Sim bound(context, groom, with(map.bind(all, plait_roots_defaults(), points(hung))));
     for (plait::Sim* each : {&given, &bound}) {
         each->set_roots(shaken(1));
         each->step(slightly_more);
@@ -221,8 +220,7 @@ struct Input {
     plait::Guides guides = all.guides(2);
     size_t row = all.describe().max_vertices;
     std::vector<float> x = rows_of(strands, row);
-    std::vector<uint32_t> origin =
-        guides.map.read<uint32_t>(PLAIT_FOLLOW_MAP_FIELD_STRANDS);
+    std::vector<uint32_t> origin = guides.map.read<uint32_t>(PLAIT_FOLLOW_MAP_FIELD_STRANDS);
     plait_roots roots = plait_roots_defaults();
     size_t points = 9 * row;
     std::vector<float> bones;
@@ -303,7 +301,8 @@ TEST(FollowBinds, SayWhatIsWrongWithBoundGuides) {
     refused("guides_bound has " + std::to_string(rest.size() / 3 - 1) +
                 " vertices, the 2 guides' groom has " + std::to_string(rest.size() / 3),
             [](auto& x) { x.resize(x.size() - 3); });
-    refused("desc->follow_map, guides_bound: guide 0 has vertex 1 where", [](auto& x) { std::copy_n(&x[0], 3, &x[3]); });
+    refused("desc->follow_map, guides_bound: guide 0 has vertex 1 where",
+            [](auto& x) { std::copy_n(&x[0], 3, &x[3]); });
     refused("guide 0 has its root 1 m from where its groom has it", [](auto& x) { x[1] += 1; });
 }
 

@@ -102,8 +102,8 @@ TEST(Levels, SuitTheGroom) {
     const auto guides = [](size_t strands) {
         Strands hair;
         for (size_t i = 0; i < strands; ++i)
-            hair.push_back({{1e-3f * static_cast<float>(i), 0, 0},
-                            {1e-3f * static_cast<float>(i), -0.1f, 0}});
+            hair.push_back(
+                {{1e-3f * static_cast<float>(i), 0, 0}, {1e-3f * static_cast<float>(i), -0.1f, 0}});
         return guides_of(make(desc_of(make_groom(hair))));
     };
     EXPECT_EQ(guides(2000), (std::vector<uint32_t>{2000, 512, 128, 32, 0}));

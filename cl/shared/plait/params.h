@@ -653,9 +653,9 @@ typedef struct plait_lane_fit_params {
 typedef struct plait_lane_orient_params {
     plait_u32 vertex_stride;
     plait_u32 tile;
-    plait_u32
-        before; /* 1: of the substep before, of which velocities were changed; 0: of both, of strands
-                         that were put elsewhere, and lane_x_before is null */
+    /* 1: of the substep before, of which velocities were changed; 0: of both, of strands that were put
+       elsewhere, and lane_x_before is null */
+    plait_u32 before;
 } plait_lane_orient_params;
 
 /* lane_pack. */

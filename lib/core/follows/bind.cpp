@@ -47,11 +47,12 @@ Status check_roots(const FollowMap& map, std::span<const float> guides,
         const double away = distance(at(map.bound, first), at(guides, first));
         const double most = root_share * length_of(guides, first, vertex_counts[guide]);
         if (!(away <= most))
-            return Error{PLAIT_INVALID_ARGUMENT,
-                         format("%s: guide %zu has its root %g m from where its groom has it, range "
-                                "is [0, %g], 1 %% of its length: bind as if the head were as in "
-                                "the groom",
-                                name, guide, away, most)};
+            return Error{
+                PLAIT_INVALID_ARGUMENT,
+                format("%s: guide %zu has its root %g m from where its groom has it, range "
+                       "is [0, %g], 1 %% of its length: bind as if the head were as in "
+                       "the groom",
+                       name, guide, away, most)};
         first += vertex_counts[guide];
     }
     return {};
@@ -91,8 +92,7 @@ Status bind_map(const Groom& groom, const FollowMap& map, const RootPoses& roots
         for (size_t v = 0; v < groom.strands.vertex_counts[origin[i]]; ++v)
             append(to, pose.undo(Eigen::Vector3d(frame.at(origin[i], v).data())));
     }
-    const Groom guides =
-        take_strands(groom, std::span(origin).first(map.guide_count), memory);
+    const Groom guides = take_strands(groom, std::span(origin).first(map.guide_count), memory);
     PLAIT_TRY(check_bound(out, guides.strands.positions, guides.strands.vertex_counts, name));
     return check_segments(out.strands.positions, out.strands.vertex_counts, name, "follow");
 }

@@ -22,8 +22,7 @@ struct HairFrame {
 
 // INVALID_ARGUMENT names the place in `name`, the value and the range.
 Status check_frame(const RootPoses& roots, const HairFrame& frame,
-                   std::span<const uint32_t> vertex_counts,
-                   const char* name = "positions");
+                   std::span<const uint32_t> vertex_counts, const char* name = "positions");
 
 // Which strands of `groom` the map's guides are, and then its follows.
 std::pmr::vector<uint32_t> origin_of(const FollowMap& map, std::pmr::memory_resource* memory);

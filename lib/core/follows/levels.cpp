@@ -48,7 +48,9 @@ double share_of(double guides, double strands) {
 std::array<uint32_t, 5> default_guides(uint32_t strands) {
     if (strands >= 2000)
         return {strands, 512, 128, 32, 0};
-    const auto share = [&](uint32_t part) { return std::min(strands, std::max(8u, strands / part)); };
+    const auto share = [&](uint32_t part) {
+        return std::min(strands, std::max(8u, strands / part));
+    };
     return {strands, share(8), share(32), share(128), 0};
 }
 
@@ -136,8 +138,8 @@ Status Levels::take(size_t level, Groom& out, FollowMap& map) const {
     if (hung_.empty())
         return follow_nearest(groom_, roots, order.first(guides), order.subspan(guides), out, map);
     FollowMap groomed(memory);
-    PLAIT_TRY(follow_nearest(groom_, roots, order.first(guides), order.subspan(guides), out,
-                             groomed));
+    PLAIT_TRY(
+        follow_nearest(groom_, roots, order.first(guides), order.subspan(guides), out, groomed));
     const HairFrame frame{reinterpret_cast<const unsigned char*>(hung_.data()), 3 * sizeof(float),
                           longest(), 1};
     return bind_map(groom_, groomed, {}, frame, map, "desc->hung");

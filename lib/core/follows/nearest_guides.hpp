@@ -11,7 +11,8 @@ StrandRoots roots_of(const StrandSet& strands, std::pmr::memory_resource* memory
 
 // `guides` and `follows` are strands of `groom`, whose roots are given, in the order in which they
 // come out. `out` and `map` are empty before.
-Status follow_nearest(const Groom& groom, const StrandRoots& roots, std::span<const uint32_t> guides,
-                      std::span<const uint32_t> follows, Groom& out, FollowMap& map);
+Status follow_nearest(const Groom& groom, const StrandRoots& roots,
+                      std::span<const uint32_t> guides, std::span<const uint32_t> follows,
+                      Groom& out, FollowMap& map);
 
 } // namespace plait

@@ -4,8 +4,7 @@ namespace plait::cases {
 
 // A turn is a product of up to 256 rounded quaternions between directions, as in guide_turns.
 Case lane_orient_case() {
-    Case result = {
-        PLAIT_STAGE_lane_orient, {}, {{"lane_q", 1e-5}, {"lane_q_before", 1e-5}}, {}};
+    Case result = {PLAIT_STAGE_lane_orient, {}, {{"lane_q", 1e-5}, {"lane_q_before", 1e-5}}, {}};
     for (const Size& size : sizes()) {
         const LaneHair lanes = make_lane_hair(size, 35), elsewhere = make_lane_hair(size, 36);
         Setup setup;

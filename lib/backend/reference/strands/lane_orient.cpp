@@ -28,8 +28,7 @@ bool is_askew(const lane_orient_args& args, const Lane& lane, uint32_t segments)
 void orient_before(const lane_orient_args& args, const Lane& lane, uint32_t segments) {
     constexpr double otherwise = 1e-8; // in square, of a director: more than a caller's rounding
     for (uint32_t i = 0; i < segments; ++i) {
-        const Quat back =
-            turn(segment(args.lane_x, lane, i), segment(args.lane_x_before, lane, i));
+        const Quat back = turn(segment(args.lane_x, lane, i), segment(args.lane_x_before, lane, i));
         const Quat q = (back * lane.rotation(args.lane_q, i)).normalized();
         if ((director(q) - director(lane.rotation(args.lane_q_before, i))).squaredNorm() >
             otherwise)
