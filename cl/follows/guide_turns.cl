@@ -1,7 +1,7 @@
 /* guide_turns: the rotation that takes every segment of a guide from rest to where it is.
  *
  * Items   guides.
- * Reads   rest, pose, vertex_count, position.
+ * Reads   rest, or where guides hung as their map was bound; pose, vertex_count, position.
  * Writes  guide_turn: of segment i -> i+1; from the tip on a copy of the last.
  * Source  Bergou et al. 2008: parallel transport carries a frame along a curve without twist. Here
  *         Q_i = R(Q_(i-1) r_i -> e_i) Q_(i-1), Q_(-1) the pose of the root, r_i and e_i segment i at

@@ -169,6 +169,14 @@ class FollowMap : public detail::Owner<plait_follow_map, plait_follow_map_destro
         return values;
     }
 
+    // Bound where all strands of `groom` are.
+    FollowMap bind(const Groom& groom, const plait_roots& roots,
+                   const plait_view& positions) const {
+        plait_follow_map* handle = nullptr;
+        check(plait_follow_map_bind(get(), groom.get(), &roots, positions, &handle));
+        return FollowMap(handle);
+    }
+
   private:
     friend class Groom;
     friend class FollowLearner;

@@ -22,6 +22,11 @@ typedef struct plait_follow_map_desc {
     uint32_t guide_count;       /* strands of the guides' groom, at least 1 */
     plait_view guides;  /* uint32_t[4] [follows], each below guide_count; of weight 0 not read */
     plait_view weights; /* float[4] [follows], each [0, 1], of a strand sum 1 within 1e-3 */
+    /* float[3], m, each within 1e6 [vertices of all guides, strand after strand]: where the guides
+       are while `follows` are as given here. Follows take the turns since then. Empty, the default:
+       as their groom has them. plait_sim_create refuses another count, a root that is more than
+       1 % of its guide's length from the groom's, and segments without length. */
+    plait_view guides_bound;
 } plait_follow_map_desc;
 PLAIT_STRUCT(plait_follow_map_desc)
 PLAIT_API plait_result plait_follow_map_create(const plait_follow_map_desc* desc,
@@ -41,6 +46,20 @@ typedef enum plait_follow_map_field {
 PLAIT_API plait_result plait_follow_map_read(const plait_follow_map* map,
                                              plait_follow_map_field field, void* dst, size_t* size);
 
+/* The same guides and weights, bound where hair hangs. Hair settles from its groom, guide and follow
+ * each in its own way; where turns are taken since the groom that difference stays in all motion, and
+ * most of what follows are wrong by is that. `map`: of plait_groom_guides, a learner, or any other;
+ * `groom` has its strands, as plait_follow_learner_create takes them, `roots` and `positions` are as
+ * for plait_follow_learner_add_frame: the PLAIT_FIELD_POSITION of a sim of all strands at rest, its
+ * bodies in place. All are copied. Weights do not change; learn them with a bound map. A sim costs the
+ * same but 16 bytes for each of the guides' vertices.
+ * @errors INVALID_ARGUMENT (also another number of strands than the map's, or of vertices of a
+ *         follow; a root that is more than 1 % of its guide's length from where `roots` put it; a
+ *         segment without length), UNSUPPORTED (bones, mesh_positions) */
+PLAIT_API plait_result plait_follow_map_bind(const plait_follow_map* map, const plait_groom* groom,
+                                             const plait_roots* roots, plait_view positions,
+                                             plait_follow_map** out);
+
 /* Chooses `guides` strands of a groom, [1, all of them], whose roots are spread evenly, as a groom
  * of their own, `out`, and makes all others follow the four nearest to them on their side of a
  * parting (directions within 60 degrees), the nearer the more. The same groom and seed give the
@@ -58,7 +77,8 @@ typedef struct plait_follow_learner plait_follow_learner;
  * guides to which the map gives some weight.
  *
  * `groom` has the map's strands, in the order that PLAIT_FOLLOW_MAP_FIELD_STRANDS says, or, of a
- * map without, its guides and then its follows. Both are copied. Takes 40 bytes a vertex, 160 a
+ * map without, its guides and then its follows. Of a bound map the groom's shapes are not read: turns
+ * are taken since they hung as bound. Both are copied. Takes 40 bytes a vertex, 160 a
  * follow and 32 for each of the guides' vertices, however many the frames. A learner is used by one
  * thread at a time; different ones are independent.
  * @errors INVALID_ARGUMENT (also another number of strands than the map's, or of vertices of a

@@ -1,8 +1,8 @@
 // Weights of follow maps from hair in motion.
 #include "core/follows/follow_learner.hpp"
 
+#include "api/hair_frame.hpp"
 #include "api/objects.hpp"
-#include "api/roots.hpp"
 #include "api/structs.hpp"
 #include "api/view.hpp"
 
@@ -11,22 +11,33 @@
 namespace plait::api {
 namespace {
 
-// Rows as long as PLAIT_FIELD_POSITION has them, or any that hold the longest strand.
-Status read_frame(const plait_view& view, const FollowLearner& learner,
-                  FollowLearner::Frame& frame) {
-    constexpr size_t element = 3 * sizeof(float);
-    PLAIT_TRY(check_view(view, element, "positions"));
-    const size_t strands = learner.strands();
-    if (view.count % strands != 0 || view.count / strands < learner.longest())
-        return invalid(format("positions.count is %zu, range is %zu strands times one number of "
+constexpr size_t element = 3 * sizeof(float);
+
+Status check_rows(const plait_view& positions, size_t strands, uint32_t longest, const char* name) {
+    PLAIT_TRY(check_view(positions, element, name));
+    if (positions.count % strands != 0 || positions.count / strands < longest)
+        return invalid(format("%s.count is %zu, range is %zu strands times one number of "
                               "vertices, at least the longest's %u",
-                              view.count, strands, learner.longest()));
-    frame = {static_cast<const unsigned char*>(view.data), view.stride ? view.stride : element,
-             view.count / strands};
+                              name, positions.count, strands, longest));
     return {};
 }
 
 } // namespace
+
+Status read_hair(const plait_roots* roots, const plait_view& positions, size_t strands,
+                 uint32_t longest, RootsCopy& copy, HairFrame& frame, const char* name) {
+    PLAIT_TRY(read_roots(roots, copy));
+    PLAIT_TRY(check_rows(positions, strands, longest, name));
+    frame = {static_cast<const unsigned char*>(positions.data),
+             positions.stride ? positions.stride : element, positions.count / strands,
+             double(copy.scale)};
+    if (!copy.bones.empty() || !copy.mesh.empty())
+        return Error{PLAIT_UNSUPPORTED,
+                     format("roots->%s are given: give root_poses in their place",
+                            copy.mesh.empty() ? "bones" : "mesh_positions")};
+    return {};
+}
+
 } // namespace plait::api
 
 using namespace plait;
@@ -57,14 +68,9 @@ plait_result plait_follow_learner_add_frame(plait_follow_learner* learner, const
     return api::guard(__func__, [&]() -> Status {
         PLAIT_TRY(api::need(learner, "learner"));
         api::RootsCopy copy(&learner->own);
-        PLAIT_TRY(api::read_roots(roots, copy));
-        FollowLearner::Frame frame;
-        PLAIT_TRY(api::read_frame(positions, learner->learner, frame));
-        frame.scale = double(copy.scale);
-        if (!copy.bones.empty() || !copy.mesh.empty())
-            return Error{PLAIT_UNSUPPORTED,
-                         format("roots->%s are given: give root_poses in their place",
-                                copy.mesh.empty() ? "bones" : "mesh_positions")};
+        HairFrame frame;
+        PLAIT_TRY(api::read_hair(roots, positions, learner->learner.strands(),
+                                 learner->learner.longest(), copy, frame));
         return learner->learner.add(copy.input(), frame);
     });
 }

@@ -1,11 +1,14 @@
 // Strands that follow: what they are and what of.
-#include "core/follows/follow_map.hpp"
+#include "core/follows/bind.hpp"
 
+#include "api/hair_frame.hpp"
 #include "api/objects.hpp"
 #include "api/structs.hpp"
 #include "api/view.hpp"
 
 #include <plait/plait_offline.h>
+
+#include <cmath>
 
 namespace plait::api {
 namespace {
@@ -18,6 +21,17 @@ Status check_count(const plait_view& view, size_t follows, const char* name) {
         format("%s.count is %zu, there are %zu strands that follow", name, view.count, follows));
 }
 
+// Whose guides have how many vertices, the sim knows.
+Status read_bound(const plait_view& view, std::pmr::vector<float>& to) {
+    constexpr float far = 1e6f; // m
+    PLAIT_TRY(copy_view(view, 3, "desc->guides_bound", to));
+    for (size_t i = 0; i < to.size(); ++i)
+        if (!(std::abs(to[i]) <= far))
+            return invalid(format("desc->guides_bound[%zu][%zu] is %g, range is [-1e6, 1e6] m",
+                                  i / 3, i % 3, double(to[i])));
+    return {};
+}
+
 Status fill(FollowMap& map, const plait_follow_map_desc& desc) {
     constexpr size_t width = FollowMap::per_strand;
     const Groom& groom = desc.follows->groom;
@@ -28,6 +42,7 @@ Status fill(FollowMap& map, const plait_follow_map_desc& desc) {
     PLAIT_TRY(check_count(desc.weights, groom.shape.strands, "desc->weights"));
     PLAIT_TRY(copy_view(desc.guides, width, "desc->guides", guides));
     PLAIT_TRY(copy_view(desc.weights, width, "desc->weights", weights));
+    PLAIT_TRY(read_bound(desc.guides_bound, map.bound));
     map.strands.positions.assign(groom.strands.positions.begin(), groom.strands.positions.end());
     map.strands.vertex_counts.assign(groom.strands.vertex_counts.begin(),
                                      groom.strands.vertex_counts.end());
@@ -95,6 +110,26 @@ plait_result plait_groom_guides(const plait_groom* groom, size_t guides, uint64_
         PLAIT_TRY(choose_guides(groom->groom, guides, seed, chosen->groom, follows->map));
         *out = chosen.release();
         *map = follows.release();
+        return {};
+    });
+}
+
+plait_result plait_follow_map_bind(const plait_follow_map* map, const plait_groom* groom,
+                                   const plait_roots* roots, plait_view positions,
+                                   plait_follow_map** out) {
+    return api::guard(__func__, [&]() -> Status {
+        PLAIT_TRY(api::need(map, "map"));
+        PLAIT_TRY(api::need(groom, "groom"));
+        PLAIT_TRY(api::need(out, "out"));
+        const plait_allocator allocator = map->own.allocator();
+        Memory memory(allocator);
+        auto bound = make_in<plait_follow_map>(&memory, allocator);
+        api::RootsCopy copy(&bound->own);
+        HairFrame frame;
+        PLAIT_TRY(api::read_hair(roots, positions, groom->groom.shape.strands,
+                                 groom->groom.shape.max_vertices, copy, frame));
+        PLAIT_TRY(bind_map(groom->groom, map->map, copy.input(), frame, bound->map, "positions"));
+        *out = bound.release();
         return {};
     });
 }

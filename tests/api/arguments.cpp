@@ -3,6 +3,7 @@
 #include "support.hpp"
 
 #include <plait/plait_formats.h>
+#include <plait/plait_levels.h>
 #include <plait/plait_recorder.h>
 
 #ifdef PLAIT_TEST_OPENCL
@@ -24,6 +25,7 @@ struct Objects {
     plait_groom* no_groom = nullptr;
     plait_sim* no_sim = nullptr;
     plait_follow_map* no_map = nullptr;
+    plait_levels* no_levels = nullptr;
     plait::FollowMap map = groom.guides(1).map;
     plait::FollowLearner learner{groom, map};
     plait_follow_learner* no_learner = nullptr;
@@ -50,7 +52,7 @@ std::set<std::string> expect_refused(const std::vector<Bad>& table) {
             << "\"" << bad.sentence << "\" is not in: " << plait_last_error();
         EXPECT_EQ(o.sim.hash(), hash) << bad.sentence;
         EXPECT_TRUE(!o.no_context && !o.no_groom && !o.no_sim && !o.no_map && !o.no_mesh &&
-                    !o.no_learner && !o.no_recorder)
+                    !o.no_levels && !o.no_learner && !o.no_recorder)
             << "written on failure";
         const std::string text = plait_last_error();
         functions.insert(text.substr(0, text.find(':')));
@@ -169,6 +171,7 @@ TEST(Arguments, NullPointers) {
     const plait_pose pose = collider.pose;
     const auto fibre = plait_fibre_defaults();
     const auto map = plait_follow_map_desc_defaults();
+    const auto levels = plait_levels_desc_defaults();
     const auto mesh = plait_mesh_desc_defaults();
     const double one = 1;
     const auto refused = expect_refused({
@@ -216,6 +219,24 @@ TEST(Arguments, NullPointers) {
          [](O& o) {
              return plait_follow_map_read(nullptr, PLAIT_FOLLOW_MAP_FIELD_GUIDES, nullptr, &o.size);
          }},
+        {"map is NULL",
+         [&](O& o) { return plait_follow_map_bind(nullptr, o.groom, &roots, {}, &o.no_map); }},
+        {"groom is NULL",
+         [&](O& o) { return plait_follow_map_bind(o.map, nullptr, &roots, {}, &o.no_map); }},
+        {"roots is NULL",
+         [](O& o) { return plait_follow_map_bind(o.map, o.groom, nullptr, {}, &o.no_map); }},
+        {"positions.data is NULL",
+         [&](O& o) {
+             return plait_follow_map_bind(o.map, o.groom, &roots, {nullptr, 8, 0}, &o.no_map);
+         }},
+        {"out is NULL",
+         [&](O& o) { return plait_follow_map_bind(o.map, o.groom, &roots, {}, nullptr); }},
+        {"desc is NULL", [](O& o) { return plait_levels_create(nullptr, &o.no_levels); }},
+        {"out is NULL", [&](O&) { return plait_levels_create(&levels, nullptr); }},
+        {"desc->groom is NULL", [&](O& o) { return plait_levels_create(&levels, &o.no_levels); }},
+        {"levels is NULL", [](O& o) { return plait_levels_list(nullptr, nullptr, &o.size); }},
+        {"levels is NULL",
+         [](O& o) { return plait_levels_take(nullptr, 0, &o.no_groom, &o.no_map); }},
         {"groom is NULL",
          [](O& o) { return plait_groom_guides(nullptr, 1, 0, &o.no_groom, &o.no_map); }},
         {"out is NULL", [](O& o) { return plait_groom_guides(o.groom, 1, 0, nullptr, &o.no_map); }},
@@ -428,6 +449,7 @@ TEST(Arguments, DestroyingNothingDoesNothing) {
     plait_context_destroy(nullptr);
     plait_groom_destroy(nullptr);
     plait_follow_map_destroy(nullptr);
+    plait_levels_destroy(nullptr);
     plait_follow_learner_destroy(nullptr);
     plait_mesh_destroy(nullptr);
     plait_sim_destroy(nullptr);

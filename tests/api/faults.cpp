@@ -4,6 +4,8 @@
 #include "mesh_shapes.hpp"
 #include "support.hpp"
 
+#include <plait/plait_levels.h>
+
 #include <memory_resource>
 #include <new>
 
@@ -97,6 +99,60 @@ TEST(Faults, EveryHostAllocationOfGuidesMayFail) {
             return result;
         });
         EXPECT_GT(allocations, 5);
+    }
+    EXPECT_EQ(pool.live, 0);
+}
+
+TEST(Faults, EveryHostAllocationOfABoundMapMayFail) {
+    Pool pool;
+    const GroomArrays arrays(tuft(5, 4));
+    auto options = plait_import_options_defaults();
+    options.allocator = pool.allocator();
+    {
+        const plait::Groom groom(arrays.desc(), options);
+        const auto [guides, map] = groom.guides(2);
+        const auto roots = plait_roots_defaults();
+        const int allocations = fail_each_allocation(pool, [&] {
+            plait_follow_map* bound = nullptr;
+            const plait_result result =
+                plait_follow_map_bind(map, groom, &roots, plait::view(arrays.positions, 3), &bound);
+            EXPECT_EQ(!bound, result != PLAIT_OK);
+            plait_follow_map_destroy(bound);
+            return result;
+        });
+        EXPECT_GT(allocations, 5);
+    }
+    EXPECT_EQ(pool.live, 0);
+}
+
+TEST(Faults, EveryHostAllocationOfLevelsMayFail) {
+    Pool pool;
+    const GroomArrays arrays(tuft(5, 4));
+    auto options = plait_import_options_defaults();
+    options.allocator = pool.allocator();
+    {
+        const plait::Groom groom(arrays.desc(), options);
+        auto desc = plait_levels_desc_defaults();
+        desc.groom = groom;
+        desc.hung = plait::view(arrays.positions, 3);
+        desc.level_count = 2;
+        desc.guides[0] = 5;
+        desc.guides[1] = 2;
+        const int allocations = fail_each_allocation(pool, [&] {
+            plait_levels* levels = nullptr;
+            plait_groom* guides = nullptr;
+            plait_follow_map* map = nullptr;
+            plait_result result = plait_levels_create(&desc, &levels);
+            EXPECT_EQ(!levels, result != PLAIT_OK);
+            if (result == PLAIT_OK)
+                result = plait_levels_take(levels, 1, &guides, &map);
+            EXPECT_EQ(!guides || !map, result != PLAIT_OK);
+            plait_levels_destroy(levels);
+            plait_groom_destroy(guides);
+            plait_follow_map_destroy(map);
+            return result;
+        });
+        EXPECT_GT(allocations, 10);
     }
     EXPECT_EQ(pool.live, 0);
 }

@@ -289,10 +289,10 @@ TEST(PrepareOnFaulty, BuildsNoMoreThanWasAskedFor) {
     for (int stage = 0; stage < PLAIT_STAGE_COUNT; ++stage)
         if (faults.prepared[stage])
             names.emplace_back(plait_stage_describe(static_cast<plait_stage>(stage))->name);
-    EXPECT_EQ(names,
-              (std::vector<std::string>{"roots", "articulated", "lane_reset", "lane_teleport",
-                                        "lane_set_off", "lane_unpack", "lane_pack", "output_keep",
-                                        "output", "tangents", "last_frame", "bounds", "stats"}));
+    EXPECT_EQ(names, (std::vector<std::string>{"roots", "articulated", "lane_reset",
+                                               "lane_teleport", "lane_set_off", "lane_unpack",
+                                               "lane_pack", "lane_orient", "output_keep", "output",
+                                               "tangents", "last_frame", "bounds", "stats"}));
 }
 
 struct Progress {
@@ -326,7 +326,7 @@ TEST_P(Prepare, TellsHowFarItIsAndStops) {
     desc.progress_user = &cut;
     EXPECT_EQ(plait_context_prepare(context, &desc), PLAIT_CANCELLED);
     EXPECT_EQ(cut.stages.size(), 4u);
-    EXPECT_NE(std::string(plait_last_error()).find("after 3 of 13 stages"), std::string::npos)
+    EXPECT_NE(std::string(plait_last_error()).find("after 3 of 14 stages"), std::string::npos)
         << plait_last_error();
     desc.progress = nullptr;
     EXPECT_EQ(plait_context_prepare(context, &desc), PLAIT_OK) << plait_last_error();

@@ -292,6 +292,9 @@ void fill(plait_lane_move_params& p, const Shape& shape) {
 void fill(plait_lane_fit_params& p, const Shape& shape) {
     p = {shape.vertices, shape.tile, step};
 }
+void fill(plait_lane_orient_params& p, const Shape& shape) {
+    p = {shape.vertices, shape.tile, 0};
+}
 void fill(plait_lane_history_params& p, const Shape& shape) {
     p = {shape.vertices, shape.tile, shape.vertices, step, 1};
 }

@@ -64,6 +64,7 @@ Setup for_tile(const Setup& setup, uint32_t tile) {
         offsetof(plait_lane_unpack_params, tile) == 4 &&
         offsetof(plait_lane_tile_params, tile) == 4 &&
         offsetof(plait_lane_history_params, tile) == 4 &&
+        offsetof(plait_lane_orient_params, tile) == 4 &&
         offsetof(plait_lane_wind_params, tile) == 4 && offsetof(plait_lane_fit_params, tile) == 4 &&
         offsetof(plait_lane_pin_params, tile) == 4 &&
         offsetof(plait_lane_groom_params, tile) == 4 &&

@@ -148,6 +148,25 @@ TEST_F(Loaded, some_strands_are_simulated_and_the_others_follow) {
     EXPECT_TRUE(figure.of_simulated({}).empty()) << "no materials";
 }
 
+TEST_F(Loaded, a_level_says_how_many_are_simulated) {
+    const std::string file = ball_of_hair(1.0f, "hair.tfx"); // of 40 strands
+    for (const auto& [level, guides] : {std::pair{0u, 40u}, {1u, 8u}}) {
+        Scene scene = scene_of({{"groom", file}, {"level", level}});
+        EXPECT_EQ(make_figure(scene).simulated_strands(), guides);
+    }
+    EXPECT_THAT(refusal_of([&] {
+                    Scene scene = scene_of({{"groom", file}, {"level", 2}});
+                    make_figure(scene);
+                }),
+                HasSubstr("level 2 has no guides"));
+    EXPECT_THAT(refusal_of([] { scene_of({{"level", 6}}); }), HasSubstr("level is 6"));
+    EXPECT_THAT(refusal_of([] { scene_of({{"level", 1}, {"guides", 5}}); }), HasSubstr("guides"));
+    EXPECT_THAT(refusal_of([] {
+                    scene_of({{"level", 1}, {"follows_per_guide", 3}});
+                }),
+                HasSubstr("follows_per_guide"));
+}
+
 TEST_F(Loaded, guides_that_cannot_be_are_refused) {
     const std::string file = ball_of_hair(1.0f, "hair.tfx");
     EXPECT_THAT(refusal_of([&] {

@@ -114,6 +114,23 @@ TEST_F(Program, simulates_guides_and_draws_what_follows) {
     EXPECT_THAT(text(), HasSubstr("of which 20 are simulated"));
 }
 
+TEST_F(Program, binds_follows_where_hair_hangs) {
+    const auto stats_of = [&](const char* bind) {
+        EXPECT_EQ(run({"--strands", "200", "--guides", "20", "--seconds", "0.1", "--settle", "0.3",
+                       "--no-pictures", "--no-compare", "--bind", bind, "--out", path("out")}),
+                  0)
+            << text();
+        return json("out/stats.json");
+    };
+    const Json hung = stats_of("hung"), groomed = stats_of("groomed");
+    EXPECT_EQ(hung.at("bind"), "hung");
+    EXPECT_EQ(groomed.at("bind"), "groomed");
+    const auto bytes = [](const Json& stats) { return stats.at("device_bytes").get<uint64_t>(); };
+    EXPECT_EQ(bytes(hung) - bytes(groomed), 20u * 16 * 16) << "16 vertices of 16 bytes";
+    EXPECT_NE(run({"--bind", "nowhere", "--out", path("out")}), 0);
+    EXPECT_THAT(text(), HasSubstr("nowhere"));
+}
+
 TEST_F(Program, records_a_clip_that_it_can_load) {
     for (const char* name : {"clip.abc", "clip.usda"}) {
         ASSERT_EQ(run({"--groom", "short", "--strands", "200", "--guides", "20", "--seconds", "0.2",

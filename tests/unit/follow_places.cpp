@@ -1,6 +1,8 @@
 // Where on a guide the middles of a follow's segments are.
 #include "core/follows/follow_places.hpp"
 
+#include "core/groom/strand_set.hpp"
+
 #include <gtest/gtest.h>
 
 #include <vector>
@@ -23,7 +25,8 @@ plait::StrandSet strands_of(float at, const std::vector<std::vector<double>>& le
 }
 
 std::vector<float> places(const plait::StrandSet& strands, size_t guide, size_t follow) {
-    const auto middles = plait::middles_of(strands, std::pmr::new_delete_resource());
+    const auto middles = plait::middles_of(strands.positions, strands.vertex_counts,
+                                           std::pmr::new_delete_resource());
     std::vector<float> places;
     for (const double share : middles.of(follow))
         places.push_back(plait::place_in(middles.of(guide), share));

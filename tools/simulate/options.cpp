@@ -50,6 +50,8 @@ void add_options(CLI::App& app, CommandLine& line) {
     count("--vertices", "vertices", "V", "vertices per strand, 2..256 [16, as in the file]");
     count("--guides", "guides", "N",
           "strands that are simulated, the others follow by turns [all]");
+    count("--level", "level", "K",
+          "in place of --guides: of the groom's levels of detail, 0 the finest [none]");
     app.add_option_function<std::string>(
            "--scale",
            [&keys](const std::string& value) {
@@ -77,6 +79,9 @@ void add_options(CLI::App& app, CommandLine& line) {
     option<double>(app, keys, "--seconds", "seconds", "S", "length of the motion [4]");
     option<double>(app, keys, "--settle", "settle", "S",
                    "before the motion, the head still [1 for long and curly, else 0]");
+    text("--bind", "bind", "NAME",
+         "follows take their guides' turns since all hair has settled, hung, or since the groom, "
+         "groomed [hung]");
     count("--rate", "rate", "HZ", "steps and frames a second [60]");
     count("--substeps", "substeps", "N", "per step [2]");
     text("--preset", "preset", "NAME",

@@ -167,6 +167,7 @@ Json to_json(const Report& report) {
     json["substeps"] = scene.substeps;
     json["seed"] = scene.seed;
     json["settle"] = scene.settle;
+    json["bind"] = bind_names[static_cast<size_t>(scene.bind)];
     json["sag_free"] = sag_free_names[scene.sim.sag_free];
     if (scene.sim.sag_free != PLAIT_SAG_FREE_OFF)
         json["sag"] = {{"residual", report.main.info.sag_residual},

@@ -29,26 +29,6 @@ bool pins_hair(const Scene& scene) {
     return !scene.pins.empty() && scene.sim.model != PLAIT_MODEL_TRESSFX;
 }
 
-// Nor materials, in a comparison.
-SimHandle make_sim(plait_context* context, const Figure& figure, const Scene& scene) {
-    plait::SimDesc desc = scene.sim;
-    desc.follow_map = figure.follows.get();
-    const auto of_strands =
-        figure.of_simulated(strand_materials(scene.materials, figure.groom.get(), scene.seed));
-    std::vector<plait_material> materials;
-    for (const MaterialChoice& choice : scene.materials)
-        materials.push_back(choice.material);
-    materials.push_back(desc.material); // of the rest
-    if (!scene.materials.empty() && desc.model != PLAIT_MODEL_TRESSFX) {
-        desc.materials = materials.data();
-        desc.material_count = materials.size();
-        desc.strand_material = {of_strands.data(), of_strands.size(), 0};
-    }
-    plait_sim* sim = nullptr;
-    check(plait::create_sim(context, figure.simulated(), desc, &sim));
-    return SimHandle(sim);
-}
-
 template <typename T> void read_field(plait_sim* sim, plait_field field, std::vector<T>& into) {
     size_t size = 0;
     check(plait_sim_read(sim, field, nullptr, &size));
@@ -67,9 +47,9 @@ double Measurements::median_ms() const {
     return *middle;
 }
 
-Simulation::Simulation(const Scene& scene, const Figure& figure)
-    : scene_(scene), figure_(figure), context_(make_context(scene, said_)),
-      sim_(make_sim(context_.get(), figure, scene)) {
+Simulation::Simulation(const Scene& scene, const Figure& figure, Simulated which)
+    : scene_(scene), figure_(figure), which_(which), context_(make_context(scene, said_)),
+      sim_(make_sim()) {
     row_ = describe().vertices_per_strand;
     read_field(sim_.get(), PLAIT_FIELD_VERTEX_COUNT, vertex_count_);
     read_field(sim_.get(), PLAIT_FIELD_POSITION, rest_);
@@ -82,8 +62,56 @@ Simulation::Simulation(const Scene& scene, const Figure& figure)
         check(plait_sim_set_wind(sim_.get(), &*scene.wind));
     if (!scene.wetness.empty() && scene.sim.model != PLAIT_MODEL_TRESSFX)
         add_wetness();
-    if (scene.detail)
+    if (scene.detail && which == Simulated::guides)
         check(plait_sim_set_detail(sim_.get(), &*scene.detail));
+}
+
+// Materials are not for TressFX, in a comparison.
+SimHandle Simulation::make_sim() {
+    plait::SimDesc desc = scene_.sim;
+    const FollowMapHandle bound = follows() ? bound_map(scene_, figure_) : nullptr;
+    if (follows())
+        desc.follow_map = bound ? bound.get() : figure_.follows.get();
+    const auto of_strands =
+        of_simulated(strand_materials(scene_.materials, figure_.groom.get(), scene_.seed));
+    std::vector<plait_material> materials;
+    for (const MaterialChoice& choice : scene_.materials)
+        materials.push_back(choice.material);
+    materials.push_back(desc.material); // of the rest
+    if (!scene_.materials.empty() && desc.model != PLAIT_MODEL_TRESSFX) {
+        desc.materials = materials.data();
+        desc.material_count = materials.size();
+        desc.strand_material = {of_strands.data(), of_strands.size(), 0};
+    }
+    const plait_groom* const groom = follows() ? figure_.simulated() : figure_.groom.get();
+    plait_sim* sim = nullptr;
+    check(plait::create_sim(context_.get(), groom, desc, &sim));
+    return SimHandle(sim);
+}
+
+std::vector<uint32_t> Simulation::of_simulated(const std::vector<uint32_t>& of_strands) const {
+    return follows() ? figure_.of_simulated(of_strands) : of_strands;
+}
+
+// Roots that a mesh carries have no poses, which a map is bound by.
+FollowMapHandle Simulation::bound_map(const Scene& scene, const Figure& figure) {
+    const bool by_skin = figure.body && figure.body->roots() == Carrier::Skin;
+    if (scene.bind == Bind::groomed || scene.settle == 0 || by_skin)
+        return nullptr;
+    Simulation all(scene, figure, Simulated::all);
+    const plait_pose start = figure.body ? figure.body->head(0) : plait_pose{{0, 0, 0, 1}, {}};
+    all.settle(start);
+    return all.bind(start);
+}
+
+FollowMapHandle Simulation::bind(const plait_pose& start) const {
+    plait_roots roots = plait_roots_defaults();
+    roots.head = start;
+    plait_follow_map* bound = nullptr;
+    check(plait_follow_map_bind(figure_.follows.get(), figure_.groom.get(), &roots,
+                                {positions_.data(), positions_.size() / 4, 4 * sizeof(float)},
+                                &bound));
+    return FollowMapHandle(bound);
 }
 
 plait_sim_measures Simulation::measure() const {
@@ -107,14 +135,14 @@ void Simulation::add_wetness() {
     for (uint32_t i = 0; i < all.size(); ++i)
         all[i] = i;
     std::vector<float> wetness;
-    for (const uint32_t strand : figure_.of_simulated(all))
+    for (const uint32_t strand : of_simulated(all))
         wetness.push_back(scene_.wetness[std::min<size_t>(strand, scene_.wetness.size() - 1)]);
     check(plait_sim_write(sim_.get(), PLAIT_FIELD_WETNESS, wetness.data(),
                           wetness.size() * sizeof wetness[0]));
 }
 
 void Simulation::add_pins() {
-    const uint32_t guides = figure_.simulated_strands();
+    const auto guides = static_cast<uint32_t>(describe().guides);
     std::vector<char> held(rest_.size() / 4, 0); // by a tie before
     std::vector<plait_pin> pins;
     for (size_t i = 0; i < scene_.pins.size(); ++i) {

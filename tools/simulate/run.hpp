@@ -49,9 +49,12 @@ struct Watcher {
     std::function<void(const Shot&)> see;
 };
 
+// Guides alone, whom the others follow, or all as if none did.
+enum class Simulated { guides, all };
+
 class Simulation {
   public:
-    Simulation(const Scene& scene, const Figure& figure);
+    Simulation(const Scene& scene, const Figure& figure, Simulated which = Simulated::guides);
 
     // Ends early, with what there is, when interrupted. A body that moves the head does so in place of
     // `motion`. Throws Failure.
@@ -68,6 +71,11 @@ class Simulation {
     std::vector<std::string> take_warnings() { return std::exchange(said_, {}); }
 
   private:
+    // The figure's, its follows where they hang before the motion; null: they follow as groomed.
+    static FollowMapHandle bound_map(const Scene& scene, const Figure& figure);
+    SimHandle make_sim();
+    bool follows() const { return which_ == Simulated::guides && figure_.follows; }
+    std::vector<uint32_t> of_simulated(const std::vector<uint32_t>& of_strands) const;
     void add_colliders();
     void add_meshes();
     void add_pins();
@@ -80,6 +88,7 @@ class Simulation {
     void pose_roots(const plait_pose& head, float time);
     void pose_colliders(const plait_pose& head, float time);
     void settle(const plait_pose& start);
+    FollowMapHandle bind(const plait_pose& start) const;
     double step_ms(Timeline& timeline, uint32_t frame, const plait_pose& head);
     void take_launches(Timeline& timeline, uint32_t frame);
     void forget_launches();
@@ -92,6 +101,7 @@ class Simulation {
 
     const Scene& scene_;
     const Figure& figure_;
+    const Simulated which_;
     std::vector<std::string> said_;
     ContextHandle context_;
     SimHandle sim_;

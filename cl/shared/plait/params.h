@@ -649,13 +649,24 @@ typedef struct plait_lane_fit_params {
     float h; /* s: the step before is h ago */
 } plait_lane_fit_params;
 
+/* lane_orient. */
+typedef struct plait_lane_orient_params {
+    plait_u32 vertex_stride;
+    plait_u32 tile;
+    /* 1: of the substep before, of which velocities were changed; 0: of both, of strands that were put
+       elsewhere, and lane_x_before is null */
+    plait_u32 before;
+} plait_lane_orient_params;
+
 /* lane_pack. */
 typedef struct plait_lane_history_params {
     plait_u32 vertex_stride;
     plait_u32 tile;
     plait_u32 row_stride;
-    float h;           /* s: the step before is h ago */
-    plait_u32 history; /* 1: BDF2's step before is kept; 0: lane_x_before, lane_v_before are null */
+    float h; /* s: the step before is h ago */
+    /* 0: lane_x_before, lane_v_before are null; 1: BDF2's step before goes along with what is changed;
+       2: of a vertex whose velocity is changed it is that of one that moved so then, too */
+    plait_u32 history;
 } plait_lane_history_params;
 
 /* lane_move. */

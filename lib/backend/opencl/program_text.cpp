@@ -24,7 +24,7 @@ const Group groups[] = {
       PLAIT_STAGE_lane_pack, PLAIT_STAGE_wetness}},
     {"lane_state",
      {PLAIT_STAGE_lane_reset, PLAIT_STAGE_lane_teleport, PLAIT_STAGE_lane_set_off,
-      PLAIT_STAGE_lane_carry}},
+      PLAIT_STAGE_lane_carry, PLAIT_STAGE_lane_orient}},
     {"lane_forces", {PLAIT_STAGE_lane_pin, PLAIT_STAGE_lane_groom, PLAIT_STAGE_lane_accelerate}},
     {"lane_switch", {PLAIT_STAGE_lane_move, PLAIT_STAGE_lane_fit}},
     {"tressfx",

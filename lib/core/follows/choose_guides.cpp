@@ -1,9 +1,8 @@
 // Guides out of a groom's own strands, and what the others follow.
-#include "core/follows/follow_map.hpp"
+#include "core/follows/nearest_guides.hpp"
 
 #include "base/format.hpp"
 #include "core/base/polyline.hpp"
-#include "core/follows/root_spread.hpp"
 
 #include <algorithm>
 #include <array>
@@ -14,21 +13,6 @@ namespace {
 constexpr size_t nearest = FollowMap::per_strand; // guides of a follow
 constexpr double grown = 0.25;     // share of the length over which a strand's direction is taken
 constexpr float same_root = 1e-6f; // m
-
-StrandRoots roots_of(const StrandSet& strands, std::pmr::memory_resource* memory) {
-    StrandRoots roots(memory);
-    Points points(memory);
-    std::pmr::vector<double> arc(memory);
-    const float* p = strands.positions.data();
-    for (const uint32_t count : strands.vertex_counts) {
-        points.clear();
-        for (uint32_t i = 0; i < count; ++i, p += 3)
-            points.push_back({p[0], p[1], p[2]});
-        const Point ahead = point_at(points, arc, grown * measure(points, arc));
-        roots.append(points[0], ahead);
-    }
-    return roots;
-}
 
 std::pmr::vector<uint32_t> others(std::span<const uint32_t> chosen, size_t strands,
                                   std::pmr::memory_resource* memory) {
@@ -63,6 +47,44 @@ std::array<float, FollowMap::per_strand> weights_of(const Nearest& list) {
 
 } // namespace
 
+StrandRoots roots_of(const StrandSet& strands, std::pmr::memory_resource* memory) {
+    StrandRoots roots(memory);
+    Points points(memory);
+    std::pmr::vector<double> arc(memory);
+    const float* p = strands.positions.data();
+    for (const uint32_t count : strands.vertex_counts) {
+        points.clear();
+        for (uint32_t i = 0; i < count; ++i, p += 3)
+            points.push_back({p[0], p[1], p[2]});
+        const Point ahead = point_at(points, arc, grown * measure(points, arc));
+        roots.append(points[0], ahead);
+    }
+    return roots;
+}
+
+Status follow_nearest(const Groom& groom, const StrandRoots& roots,
+                      std::span<const uint32_t> guides, std::span<const uint32_t> follows,
+                      Groom& out, FollowMap& map) {
+    std::pmr::memory_resource* const memory = map.guides.get_allocator().resource();
+    out = take_strands(groom, guides, memory);
+    Groom rest = take_strands(groom, follows, memory);
+    map.strands = std::move(rest.strands);
+    map.max_vertices = rest.shape.max_vertices;
+    map.guide_count = static_cast<uint32_t>(guides.size());
+    map.origin.assign(guides.begin(), guides.end());
+    map.origin.insert(map.origin.end(), follows.begin(), follows.end());
+    std::pmr::vector<uint32_t> of(memory);
+    std::pmr::vector<float> weights(memory);
+    for (const uint32_t strand : follows) {
+        const Nearest list = nearest_roots<nearest + 1>(roots, strand, guides);
+        const auto shares = weights_of(list);
+        for (size_t k = 0; k < FollowMap::per_strand; ++k)
+            of.push_back(list[k].index);
+        weights.insert(weights.end(), shares.begin(), shares.end());
+    }
+    return set_guides(map, of, weights);
+}
+
 Status choose_guides(const Groom& groom, size_t guides, uint64_t seed, Groom& out, FollowMap& map) {
     const size_t strands = groom.shape.strands;
     if (guides < 1 || guides > strands)
@@ -72,24 +94,7 @@ Status choose_guides(const Groom& groom, size_t guides, uint64_t seed, Groom& ou
     std::pmr::memory_resource* const memory = map.guides.get_allocator().resource();
     const StrandRoots roots = roots_of(groom.strands, memory);
     const auto chosen = spread_roots(roots, guides, seed, memory);
-    const auto left = others(chosen, strands, memory);
-    out = take_strands(groom, chosen, memory);
-    Groom follows = take_strands(groom, left, memory);
-    map.strands = std::move(follows.strands);
-    map.max_vertices = follows.shape.max_vertices;
-    map.guide_count = static_cast<uint32_t>(guides);
-    map.origin.assign(chosen.begin(), chosen.end());
-    map.origin.insert(map.origin.end(), left.begin(), left.end());
-    std::pmr::vector<uint32_t> of(memory);
-    std::pmr::vector<float> weights(memory);
-    for (const uint32_t strand : left) {
-        const Nearest list = nearest_roots<nearest + 1>(roots, strand, chosen);
-        const auto shares = weights_of(list);
-        for (size_t k = 0; k < FollowMap::per_strand; ++k)
-            of.push_back(list[k].index);
-        weights.insert(weights.end(), shares.begin(), shares.end());
-    }
-    return set_guides(map, of, weights);
+    return follow_nearest(groom, roots, chosen, others(chosen, strands, memory), out, map);
 }
 
 } // namespace plait

@@ -15,15 +15,15 @@
 #include "core/follows/follow_learner.hpp"
 
 #include "base/format.hpp"
+#include "core/follows/bind.hpp"
 #include "core/follows/follow_places.hpp"
+#include "core/follows/root_pose.hpp"
 #include "core/follows/simplex_fit.hpp"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
-#include <numeric>
 
 namespace plait {
 namespace {
@@ -34,7 +34,6 @@ using Eigen::Vector3d;
 using Eigen::Vector4d;
 
 constexpr size_t most = FollowMap::per_strand;
-constexpr float far = 1e6f; // m
 // m, rms: what guides differ by less decides nothing, and the map's own weights stay.
 constexpr double unseen = 1e-6;
 // Of what the least squares leave: what weights cannot explain in one motion, others will not explain
@@ -47,30 +46,8 @@ Vector3d point(const float* p) {
     return {double(p[0]), double(p[1]), double(p[2])};
 }
 
-Vector3d read(const FollowLearner::Frame& frame, size_t strand, size_t vertex) {
-    float p[3];
-    std::memcpy(p, frame.positions + (strand * frame.row + vertex) * frame.stride, sizeof p);
-    return point(p) / frame.scale;
-}
-
-struct RootPose {
-    Quaterniond q = Quaterniond::Identity();
-    Vector3d t = Vector3d::Zero();
-    Vector3d apply(const Vector3d& p) const { return q * p + t; }
-};
-
-RootPose of(const plait_pose& pose) {
-    const float* q = pose.q;
-    return {Quaterniond(double(q[3]), double(q[0]), double(q[1]), double(q[2])).normalized(),
-            point(pose.t)};
-}
-
-RootPose pose_of(const RootPoses& roots, size_t strand) {
-    const RootPose head = of(in_units(roots.head, roots.scale));
-    if (roots.own.empty())
-        return head;
-    const RootPose own = of(in_units(roots.own[strand], roots.scale));
-    return {head.q * own.q, head.apply(own.t)};
+Vector3d read(const HairFrame& frame, size_t strand, size_t vertex) {
+    return Vector3d(frame.at(strand, vertex).data());
 }
 
 Quaterniond pure(const Vector3d& v) {
@@ -132,27 +109,21 @@ FollowLearner::FollowLearner(std::pmr::memory_resource* memory)
     : map_(memory), rest_(memory), origin_(memory), first_(memory), place_(memory), turns_(memory),
       grams_(memory) {}
 
-Status FollowLearner::check_strands(const Groom& groom, const FollowMap& map) const {
-    const size_t strands = size_t{map.guide_count} + map.count();
-    if (groom.shape.strands != strands)
-        return Error{PLAIT_INVALID_ARGUMENT,
-                     format("the groom has %zu strands, the map is of %u guides and %zu follows",
-                            size_t(groom.shape.strands), map.guide_count, map.count())};
-    for (size_t follow = 0; follow < map.count(); ++follow) {
-        const size_t strand = origin_[map.guide_count + follow];
-        const uint32_t has = groom.strands.vertex_counts[strand];
-        if (has != map.strands.vertex_counts[follow])
-            return Error{PLAIT_INVALID_ARGUMENT,
-                         format("strand %zu of the groom has %u vertices, the map's follow %zu, "
-                                "which should be it, has %u",
-                                strand, has, follow, map.strands.vertex_counts[follow])};
+// Where strands are that have not turned.
+void FollowLearner::bind() {
+    const float *guide = map_.bound.data(), *follow = map_.strands.positions.data();
+    for (size_t i = 0; i < origin_.size(); ++i) {
+        const size_t strand = origin_[i], floats = size_t{3} * rest_.vertex_counts[strand];
+        const float*& from = i < map_.guide_count ? guide : follow;
+        std::copy_n(from, floats, &rest_.positions[3 * first_[strand]]);
+        from += floats;
     }
-    return {};
 }
 
-void FollowLearner::place_follows(const Groom& groom) {
-    const Middles middles = middles_of(groom.strands, place_.get_allocator().resource());
-    place_.resize(groom.shape.vertices);
+void FollowLearner::place_follows() {
+    const Middles middles =
+        middles_of(rest_.positions, rest_.vertex_counts, place_.get_allocator().resource());
+    place_.resize(rest_.positions.size() / 3);
     for (size_t follow = 0; follow < map_.count(); ++follow) {
         const size_t strand = origin_[map_.guide_count + follow];
         const auto own = middles.of(strand);
@@ -165,12 +136,12 @@ void FollowLearner::place_follows(const Groom& groom) {
 }
 
 Status FollowLearner::create(const Groom& groom, const FollowMap& map) {
-    origin_ = map.origin;
-    if (origin_.empty()) {
-        origin_.resize(size_t{map.guide_count} + map.count());
-        std::iota(origin_.begin(), origin_.end(), 0u);
-    }
-    PLAIT_TRY(check_strands(groom, map));
+    std::pmr::memory_resource* const memory = place_.get_allocator().resource();
+    origin_ = origin_of(map, memory);
+    PLAIT_TRY(check_strands(groom, map, origin_));
+    const Groom guides = take_strands(groom, std::span(origin_).first(map.guide_count), memory);
+    PLAIT_TRY(check_bound(map, guides.strands.positions, guides.strands.vertex_counts,
+                          "map, guides_bound"));
     map_ = map;
     rest_ = groom.strands;
     longest_ = groom.shape.max_vertices;
@@ -179,32 +150,16 @@ Status FollowLearner::create(const Groom& groom, const FollowMap& map) {
         first_.push_back(vertices);
         vertices += count;
     }
-    place_follows(groom);
+    if (!map.bound.empty())
+        bind();
+    place_follows();
     turns_.resize(size_t{map.guide_count} * longest_);
     grams_.resize(map.count());
     return {};
 }
 
-Status FollowLearner::check_frame(const RootPoses& roots, const Frame& frame) const {
-    if (!roots.own.empty() && roots.own.size() != strands())
-        return Error{PLAIT_INVALID_ARGUMENT,
-                     format("roots->root_poses.count is %zu, the groom has %zu strands",
-                            roots.own.size(), strands())};
-    for (size_t strand = 0; strand < strands(); ++strand)
-        for (size_t i = 0; i < rest_.vertex_counts[strand]; ++i) {
-            const Vector3d x = read(frame, strand, i) * frame.scale;
-            for (Eigen::Index axis = 0; axis < 3; ++axis)
-                if (!(std::abs(x[axis]) <= far))
-                    return Error{PLAIT_INVALID_ARGUMENT,
-                                 format("positions[%zu][%zu][%zu], of strand, vertex and axis, is "
-                                        "%g, range is [-1e6, 1e6] m",
-                                        strand, i, size_t(axis), x[axis])};
-        }
-    return {};
-}
-
 // As the stage guide_turns does.
-void FollowLearner::turn_guide(const RootPoses& roots, const Frame& frame, size_t guide) {
+void FollowLearner::turn_guide(const RootPoses& roots, const HairFrame& frame, size_t guide) {
     const size_t strand = origin_[guide];
     const uint32_t count = rest_.vertex_counts[strand];
     const float* rest = &rest_.positions[3 * first_[strand]];
@@ -219,7 +174,7 @@ void FollowLearner::turn_guide(const RootPoses& roots, const Frame& frame, size_
     }
 }
 
-void FollowLearner::add_follow(const RootPoses& roots, const Frame& frame, size_t follow) {
+void FollowLearner::add_follow(const RootPoses& roots, const HairFrame& frame, size_t follow) {
     const size_t strand = origin_[map_.guide_count + follow];
     const float* const rest = &rest_.positions[3 * first_[strand]];
     const Vector4d weights = weights_of(map_, follow);
@@ -251,8 +206,8 @@ void FollowLearner::add_follow(const RootPoses& roots, const Frame& frame, size_
     }
 }
 
-Status FollowLearner::add(const RootPoses& roots, const Frame& frame) {
-    PLAIT_TRY(check_frame(roots, frame));
+Status FollowLearner::add(const RootPoses& roots, const HairFrame& frame) {
+    PLAIT_TRY(check_frame(roots, frame, rest_.vertex_counts));
     for (size_t guide = 0; guide < map_.guide_count; ++guide)
         turn_guide(roots, frame, guide);
     for (size_t follow = 0; follow < map_.count(); ++follow)
@@ -281,6 +236,7 @@ Status FollowLearner::learn(FollowMap& out, Fit& fit) const {
     out.strands = map_.strands;
     out.max_vertices = map_.max_vertices;
     out.guide_count = map_.guide_count;
+    out.bound = map_.bound;
     out.origin = map_.origin;
     return set_guides(out, map_.guides, weights);
 }

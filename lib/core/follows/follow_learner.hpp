@@ -1,10 +1,7 @@
 // Weights of a follow map from the motion of all of its strands.
 #pragma once
 
-#include "core/base/pose.hpp"
-#include "core/follows/follow_map.hpp"
-
-#include <span>
+#include "core/follows/hair_frame.hpp"
 
 namespace plait {
 
@@ -15,17 +12,10 @@ class FollowLearner {
     // Once, before all else. INVALID_ARGUMENT: `groom` is not made of the strands of `map`.
     Status create(const Groom& groom, const FollowMap& map);
 
-    // Of every strand of the groom a row of `row` vertices, float[3], `stride` bytes apart.
-    struct Frame {
-        const unsigned char* positions = nullptr;
-        size_t stride = 0;
-        size_t row = 0;
-        double scale = 1; // m, one of the groom's units
-    };
     size_t strands() const { return rest_.vertex_counts.size(); }
     uint32_t longest() const { return longest_; } // vertices
     // INVALID_ARGUMENT names the place, the value and the range, and nothing is added.
-    Status add(const RootPoses& roots, const Frame& frame);
+    Status add(const RootPoses& roots, const HairFrame& frame);
 
     struct Fit {
         double before = 0, after = 0; // m, rms distance of the follows' vertices
@@ -38,14 +28,13 @@ class FollowLearner {
     using Quat = std::array<double, 4>;
     using Gram = std::array<double, FollowMap::per_strand * FollowMap::per_strand>;
 
-    Status check_strands(const Groom& groom, const FollowMap& map) const;
-    void place_follows(const Groom& groom);
-    Status check_frame(const RootPoses& roots, const Frame& frame) const;
-    void turn_guide(const RootPoses& roots, const Frame& frame, size_t guide);
-    void add_follow(const RootPoses& roots, const Frame& frame, size_t follow);
+    void bind();
+    void place_follows();
+    void turn_guide(const RootPoses& roots, const HairFrame& frame, size_t guide);
+    void add_follow(const RootPoses& roots, const HairFrame& frame, size_t follow);
 
     FollowMap map_;
-    StrandSet rest_; // the groom's
+    StrandSet rest_; // the groom's strands, where the map has them bound
     uint32_t longest_ = 0;
     std::pmr::vector<uint32_t> origin_; // strands of the groom: guides, then follows
     std::pmr::vector<size_t> first_;    // vertex of each of the groom's strands

@@ -12,7 +12,7 @@ struct FollowMap {
     static constexpr size_t per_strand = 4; // guides, at most
 
     explicit FollowMap(std::pmr::memory_resource* memory)
-        : strands(memory), guides(memory), weights(memory), origin(memory) {}
+        : strands(memory), guides(memory), weights(memory), bound(memory), origin(memory) {}
 
     size_t count() const { return strands.vertex_counts.size(); }
 
@@ -21,6 +21,8 @@ struct FollowMap {
     uint32_t guide_count = 0;          // strands of the groom that simulates
     std::pmr::vector<uint32_t> guides; // [4*count]; one of weight 0 is the strand's first
     std::pmr::vector<float> weights;   // [4*count], the greatest first; of a strand they sum to 1
+    // [3*vertices of all guides]: where guides are while `strands` are as they are; empty: as groomed.
+    std::pmr::vector<float> bound;
     // [guide_count + count]: which strand of the groom they were chosen from; or empty.
     std::pmr::vector<uint32_t> origin;
 };

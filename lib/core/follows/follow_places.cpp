@@ -29,10 +29,11 @@ void append_middles(const float* strand, uint32_t count, std::pmr::vector<double
 
 } // namespace
 
-Middles middles_of(const StrandSet& strands, std::pmr::memory_resource* memory) {
+Middles middles_of(std::span<const float> positions, std::span<const uint32_t> vertex_counts,
+                   std::pmr::memory_resource* memory) {
     Middles middles{std::pmr::vector<double>(memory), std::pmr::vector<size_t>(memory)};
-    const float* strand = strands.positions.data();
-    for (const uint32_t count : strands.vertex_counts) {
+    const float* strand = positions.data();
+    for (const uint32_t count : vertex_counts) {
         middles.first.push_back(middles.at.size());
         append_middles(strand, count, middles.at);
         strand += size_t{3} * count;

@@ -1,8 +1,7 @@
 // Where on a guide what a follow takes from it is.
 #pragma once
 
-#include "core/groom/strand_set.hpp"
-
+#include <cstdint>
 #include <memory_resource>
 #include <span>
 #include <vector>
@@ -20,7 +19,8 @@ struct Middles {
     }
 };
 
-Middles middles_of(const StrandSet& strands, std::pmr::memory_resource* memory);
+Middles middles_of(std::span<const float> positions, std::span<const uint32_t> vertex_counts,
+                   std::pmr::memory_resource* memory);
 
 // a + t: `share` is t of the way from the middle of segment a to that of a + 1. Beside a middle t is 0.
 float place_in(std::span<const double> middles, double share);

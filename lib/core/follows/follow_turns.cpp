@@ -13,8 +13,9 @@ using Float4 = std::array<float, 4>;
 // Of the segment before each vertex, in each of the strand's guides.
 std::pmr::vector<Float4> places(const Groom& guides, const FollowMap& map, const Layout& layout,
                                 std::pmr::memory_resource* memory) {
-    const Middles of_guides = middles_of(guides.strands, memory);
-    const Middles of_follows = middles_of(map.strands, memory);
+    const auto& at = map.bound.empty() ? guides.strands.positions : map.bound;
+    const Middles of_guides = middles_of(at, guides.strands.vertex_counts, memory);
+    const Middles of_follows = middles_of(map.strands.positions, map.strands.vertex_counts, memory);
     std::pmr::vector<Float4> rows(size_t{layout.follows} * layout.row, Float4{}, memory);
     for (size_t follow = 0; follow < map.count(); ++follow) {
         const auto middles = of_follows.of(follow);
@@ -74,19 +75,24 @@ Result<FollowTurns> FollowTurns::create(Device& device, const Groom& guides, con
                                         std::pmr::memory_resource* memory) {
     FollowTurns turns;
     turns.tile_ = tile;
+    constexpr auto f4 = PLAIT_ELEMENT_FLOAT4, f1 = PLAIT_ELEMENT_FLOAT, word = PLAIT_ELEMENT_UINT;
     const auto make = [&](Buffer& to, plait_element element, const auto& content,
                           const char* name) -> Status {
-        const size_t words = element == PLAIT_ELEMENT_FLOAT4 ? 4 : 1;
-        PLAIT_TRY(device.create(to, element, content.size() / words, name));
+        const size_t bytes = content.size() * sizeof content[0];
+        PLAIT_TRY(device.create(to, element, bytes / (element == f4 ? 16 : 4), name));
         return device.write(to, content.data());
     };
-    constexpr auto f4 = PLAIT_ELEMENT_FLOAT4, f1 = PLAIT_ELEMENT_FLOAT, word = PLAIT_ELEMENT_UINT;
     constexpr size_t most = FollowMap::per_strand;
     const auto order = order_by_root(map.strands.positions, map.strands.vertex_counts, memory);
     const auto rows = [&](const std::pmr::vector<Float4>& of) {
         return in_lanes(turns.lanes(layout), order, of, memory);
     };
     PLAIT_TRY(device.create(turns.turn_, f4, layout.guide_vertices(), "guide_turn"));
+    if (!map.bound.empty())
+        PLAIT_TRY(
+            make(turns.bound_, f4,
+                 pad_rows(map.bound, guides.strands.vertex_counts, layout.row, pinned, memory),
+                 "guides_bound"));
     PLAIT_TRY(make(turns.order_, word, order, "lane_strand"));
     PLAIT_TRY(
         make(turns.guides_, word, in_order(order, most, map.guides, memory), "follow_guides"));
@@ -113,7 +119,7 @@ Status FollowTurns::read_rest(Device& device, const Layout& layout, std::span<fl
 void FollowTurns::append(Schedule& schedule, const Layout& layout, const State& state,
                          const Buffer& pose, const Buffer& position) const {
     schedule.add(PLAIT_STAGE_guide_turns, layout.guides, plait_layout_params{layout.row},
-                 {&state.rest, &pose, &state.vertex_count, &position, &turn_});
+                 {bound_ ? &bound_ : &state.rest, &pose, &state.vertex_count, &position, &turn_});
     schedule.add(PLAIT_STAGE_follow_turns, layout.follows,
                  plait_follow_turns_params{layout.row, tile_, layout.guides},
                  {&order_, &pose, &turn_, &guides_, &weight_, &place_, &rest_, &position},
@@ -122,7 +128,7 @@ void FollowTurns::append(Schedule& schedule, const Layout& layout, const State& 
 
 uint64_t FollowTurns::device_bytes() const {
     uint64_t bytes = 0;
-    for (const Buffer* buffer : {&turn_, &order_, &guides_, &weight_, &place_, &rest_})
+    for (const Buffer* buffer : {&turn_, &bound_, &order_, &guides_, &weight_, &place_, &rest_})
         bytes += buffer->bytes();
     return bytes;
 }

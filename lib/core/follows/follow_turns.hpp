@@ -29,6 +29,7 @@ class FollowTurns {
     LaneLayout lanes(const Layout& layout) const { return {layout.follows, layout.row, tile_}; }
 
     Buffer turn_;   // float4 [guides*V]
+    Buffer bound_;  // float4 [guides*V]: where guides have not turned; none: at rest
     Buffer order_;  // uint [follows]: of each lane
     Buffer guides_; // uint [4*follows], lane by lane
     Buffer weight_; // float4 [follows], lane by lane

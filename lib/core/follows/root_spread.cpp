@@ -11,7 +11,7 @@ void StrandRoots::append(const Point& root, const Point& ahead) {
     way.push_back((Eigen::Vector3f(ahead.data()) - at.back()).normalized());
 }
 
-std::pmr::vector<uint32_t> spread_roots(const StrandRoots& roots, size_t count, uint64_t seed,
+std::pmr::vector<uint32_t> spread_order(const StrandRoots& roots, size_t count, uint64_t seed,
                                         std::pmr::memory_resource* memory) {
     const size_t strands = roots.at.size();
     std::pmr::vector<float> squares(strands, std::numeric_limits<float>::infinity(),
@@ -28,6 +28,12 @@ std::pmr::vector<uint32_t> spread_roots(const StrandRoots& roots, size_t count, 
                 next = i;
         }
     }
+    return chosen;
+}
+
+std::pmr::vector<uint32_t> spread_roots(const StrandRoots& roots, size_t count, uint64_t seed,
+                                        std::pmr::memory_resource* memory) {
+    auto chosen = spread_order(roots, count, seed, memory);
     std::ranges::sort(chosen);
     return chosen;
 }

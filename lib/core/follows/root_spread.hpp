@@ -24,7 +24,10 @@ struct StrandRoots {
 };
 
 // Each is the strand whose root is farthest from those of all before (Gonzalez 1985), so that no
-// other set covers the scalp more than twice as closely; the first is the seed's. Ascending.
+// other set covers the scalp more than twice as closely; the first is the seed's.
+std::pmr::vector<uint32_t> spread_order(const StrandRoots& roots, size_t count, uint64_t seed,
+                                        std::pmr::memory_resource* memory);
+// The same, ascending.
 std::pmr::vector<uint32_t> spread_roots(const StrandRoots& roots, size_t count, uint64_t seed,
                                         std::pmr::memory_resource* memory);
 

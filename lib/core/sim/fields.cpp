@@ -330,13 +330,13 @@ Status Sim::write(plait_field field, const void* src) {
         motion_ = Motion::known;
         PLAIT_TRY(write_velocity(values));
         schedule_.clear();
-        model_->adopt(schedule_, present());
+        model_->adopt(schedule_, present(), Changed::velocities);
         return submit();
     }
-    PLAIT_TRY(field == PLAIT_FIELD_POSITION ? write_positions(values)
-                                            : write_places(state_.position_prev, values));
+    const bool places = field == PLAIT_FIELD_POSITION;
+    PLAIT_TRY(places ? write_positions(values) : write_places(state_.position_prev, values));
     schedule_.clear();
-    model_->adopt(schedule_, present());
+    model_->adopt(schedule_, present(), places ? Changed::places : Changed::velocities);
     append_shown();
     return submit();
 }

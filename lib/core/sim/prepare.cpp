@@ -71,6 +71,7 @@ constexpr Need needs[] = {
     {PLAIT_STAGE_lane_carry, lanes, PLAIT_FEATURE_FRAME},
     {PLAIT_STAGE_lane_unpack, lanes},
     {PLAIT_STAGE_lane_pack, lanes},
+    {PLAIT_STAGE_lane_orient, lanes},
     {PLAIT_STAGE_wind_field, lanes, PLAIT_FEATURE_WIND},
     {PLAIT_STAGE_grid_solid_field, lanes, solids, PLAIT_FEATURE_MESHES},
     {PLAIT_STAGE_grid_solid_cross, lanes, solids, PLAIT_FEATURE_BENDING_MESHES},

@@ -106,6 +106,7 @@ Status Sim::prepare_calls() {
     if (desc_.interpolate_output == 2)
         display_.append_interpolation(schedule_, layout_, state_);
     model_->teleport(schedule_, present(), state_.pose);
+    model_->adopt(schedule_, present(), Changed::places);
     model_->set_off(schedule_, present(), pose_before_.front(), pose_was_, pose_next_, 0);
     skin_.append(schedule_, layout_, state_, state_.pose);
     binding_.append(schedule_, layout_, state_, state_.pose);

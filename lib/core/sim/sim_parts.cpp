@@ -3,6 +3,7 @@
 #include "core/base/clock.hpp"
 #include "core/base/polyline.hpp"
 #include "core/base/units.hpp"
+#include "core/follows/bind.hpp"
 #include "core/sim/sim.hpp"
 
 #include <algorithm>
@@ -24,7 +25,8 @@ Status check_follows(const Groom& groom, const plait_sim_desc& desc, const Follo
                      format("follow_map is of %u guides, the groom has %llu strands",
                             follows->guide_count,
                             static_cast<unsigned long long>(groom.shape.strands))};
-    return {};
+    return check_bound(*follows, groom.strands.positions, groom.strands.vertex_counts,
+                       "desc->follow_map, guides_bound");
 }
 
 uint32_t row_of(const Groom& groom, const FollowMap* follows) {

@@ -427,7 +427,7 @@ void Sim::append_grid(const At& at) {
     if (at.moment != Moment::step_ends || !grid_.is_on() || volume_ || grid_is_over_lanes())
         return;
     grid_.append(schedule_, grid_step(roots_.step_head()));
-    model_->adopt(schedule_, at.substep);
+    model_->adopt(schedule_, at.substep, Changed::by_grid);
 }
 
 // A call without a fixed step leaves what is shown as it is, unless that is between two steps.

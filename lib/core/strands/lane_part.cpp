@@ -320,10 +320,20 @@ void LanePart::publish(Schedule& schedule, const StepInput& at, const Buffer* ta
                  lanes_.row);
 }
 
-void LanePart::adopt(Schedule& schedule, const StepInput& at) const {
-    schedule.add(PLAIT_STAGE_lane_pack, lanes_.strands * lanes_.row, history_params(at),
-                 {&lane_strand_, &at.state.vertex_count, &at.state.position,
-                  &at.state.position_prev, &x_, &v_, &history_.x, &history_.v, &normal_force_});
+// BDF2 goes on from the step before as well. An impulse, which is what the grid gives, was not there
+// then; hair whose velocity a caller gives moved with it.
+void LanePart::adopt(Schedule& schedule, const StepInput& at, Changed by) const {
+    const uint32_t history = !history_.x ? 0 : by == Changed::velocities ? 2 : 1;
+    schedule.add(
+        PLAIT_STAGE_lane_pack, lanes_.strands * lanes_.row,
+        plait_lane_history_params{lanes_.row, lanes_.tile, source_.layout.row, at.h, history},
+        {&lane_strand_, &at.state.vertex_count, &at.state.position, &at.state.position_prev, &x_,
+         &v_, &history_.x, &history_.v, &normal_force_});
+    const uint32_t before = by == Changed::velocities ? 1 : 0;
+    if (by == Changed::places || (before && history_.x))
+        schedule.add(PLAIT_STAGE_lane_orient, lanes_.strands,
+                     plait_lane_orient_params{lanes_.row, lanes_.tile, before},
+                     {&x_, &history_.x, &q_, &q_before_}, lanes_.row);
 }
 
 void LanePart::reset(Schedule& schedule, const StepInput& at) {

@@ -70,7 +70,7 @@ class LanePart {
     Part part(const StepInput& at, float mean_length) const;
     void substep(Schedule& schedule, const StepInput& at, const Part& part, const Doors& doors);
     void publish(Schedule& schedule, const StepInput& at, const Buffer* tangent) const;
-    void adopt(Schedule& schedule, const StepInput& at) const;
+    void adopt(Schedule& schedule, const StepInput& at, Changed by) const;
     void reset(Schedule& schedule, const StepInput& at);
     void teleport(Schedule& schedule, const StepInput& at, const Buffer& pose);
     void set_off(Schedule& schedule, const StepInput& at, const Buffer& before, const Buffer& was,
@@ -139,9 +139,6 @@ class LanePart {
              const LanePart& other) const;
     // The strand of a lane; those that fill up the last tile repeat the last strand.
     uint32_t member(size_t lane) const { return members_[std::min(lane, members_.size() - 1)]; }
-    plait_lane_history_params history_params(const StepInput& at) const {
-        return {lanes_.row, lanes_.tile, source_.layout.row, at.h, history_.x ? 1u : 0u};
-    }
     plait_lane_state_params state_params() const {
         return {lanes_.row, lanes_.tile, source_.layout.row, history_.x ? 1u : 0u};
     }

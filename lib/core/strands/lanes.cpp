@@ -51,7 +51,7 @@ class LaneModel final : public Model {
     void substep(Schedule& schedule, const StepInput& at, const FillDoors& fill) override;
     void publish(Schedule& schedule, const StepInput& at,
                  const Buffer* tangent = nullptr) const override;
-    void adopt(Schedule& schedule, const StepInput& at) const override;
+    void adopt(Schedule& schedule, const StepInput& at, Changed by) const override;
     void reset(Schedule& schedule, const StepInput& at) override;
     void teleport(Schedule& schedule, const StepInput& at, const Buffer& pose) override;
     void set_off(Schedule& schedule, const StepInput& at, const Buffer& before, const Buffer& was,
@@ -214,9 +214,9 @@ void LaneModel::publish(Schedule& schedule, const StepInput& at, const Buffer* t
         part->publish(schedule, at, tangent);
 }
 
-void LaneModel::adopt(Schedule& schedule, const StepInput& at) const {
+void LaneModel::adopt(Schedule& schedule, const StepInput& at, Changed by) const {
     for (const PartPtr& part : parts_)
-        part->adopt(schedule, at);
+        part->adopt(schedule, at, by);
 }
 
 void LaneModel::reset(Schedule& schedule, const StepInput& at) {

@@ -33,6 +33,10 @@ struct StepInput {
     bool first;               // of its substeps
 };
 
+// Of position and its history: by the step between hairs, which changes velocities a little, or by the
+// caller.
+enum class Changed { by_grid, places, velocities };
+
 // State in the lane layout.
 struct LaneBuffer {
     const Buffer* buffer = nullptr;
@@ -96,7 +100,7 @@ class Model {
     // and, if `tangent` is not null, what is shown beside positions: tangents and padding.
     virtual void publish(Schedule&, const StepInput&, const Buffer* /*tangent*/ = nullptr) const {}
     // Appends what takes them back after something else changed them.
-    virtual void adopt(Schedule&, const StepInput&) const {}
+    virtual void adopt(Schedule&, const StepInput&, Changed) const {}
     // Appends putting every vertex at its rest position under state.pose.
     virtual void reset(Schedule& schedule, const StepInput& at) = 0;
     // Appends carrying the state from state.pose to `pose`.

@@ -11,22 +11,6 @@ namespace {
 
 using Float4 = std::array<float, 4>;
 
-// Strands of any length as rows of V; padding copies the tip.
-std::pmr::vector<Float4> pad_rows(const Groom& groom, const Layout& layout, uint32_t pinned,
-                                  std::pmr::memory_resource* memory) {
-    std::pmr::vector<Float4> rows(memory);
-    rows.reserve(layout.guide_vertices());
-    const float* strand = groom.strands.positions.data();
-    for (const uint32_t count : groom.strands.vertex_counts) {
-        for (uint32_t i = 0; i < layout.row; ++i) {
-            const float* p = strand + size_t{3} * std::min(i, count - 1);
-            rows.push_back({p[0], p[1], p[2], i < pinned ? 0.0f : 1.0f});
-        }
-        strand += size_t{3} * count;
-    }
-    return rows;
-}
-
 std::pmr::vector<float> edge_lengths(const Groom& groom, const Layout& layout,
                                      std::pmr::memory_resource* memory) {
     std::pmr::vector<float> lengths(layout.guide_vertices(), 0.0f, memory);
@@ -63,6 +47,22 @@ std::pmr::vector<Float4> identity_poses(const Layout& layout, std::pmr::memory_r
 
 } // namespace
 
+std::pmr::vector<Float4> pad_rows(std::span<const float> positions,
+                                  std::span<const uint32_t> vertex_counts, uint32_t row,
+                                  uint32_t pinned, std::pmr::memory_resource* memory) {
+    std::pmr::vector<Float4> rows(memory);
+    rows.reserve(vertex_counts.size() * row);
+    const float* strand = positions.data();
+    for (const uint32_t count : vertex_counts) {
+        for (uint32_t i = 0; i < row; ++i) {
+            const float* p = strand + size_t{3} * std::min(i, count - 1);
+            rows.push_back({p[0], p[1], p[2], i < pinned ? 0.0f : 1.0f});
+        }
+        strand += size_t{3} * count;
+    }
+    return rows;
+}
+
 Result<State> create_state(Device& device, const Groom& groom, const Layout& layout,
                            const StateNeeds& needs, std::pmr::memory_resource* memory) {
     State state;
@@ -71,7 +71,8 @@ Result<State> create_state(Device& device, const Groom& groom, const Layout& lay
         PLAIT_TRY(device.create(to, element, count, name));
         return device.write(to, 0, content_count, content);
     };
-    const auto rest = pad_rows(groom, layout, needs.pinned, memory);
+    const auto rest = pad_rows(groom.strands.positions, groom.strands.vertex_counts, layout.row,
+                               needs.pinned, memory);
     const size_t guides = rest.size();
     const size_t display = size_t{needs.position_rows} * layout.row;
     const auto lengths = edge_lengths(groom, layout, memory);

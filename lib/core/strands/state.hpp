@@ -7,6 +7,7 @@
 #include <array>
 #include <memory_resource>
 #include <span>
+#include <vector>
 
 namespace plait {
 
@@ -51,6 +52,13 @@ struct StateNeeds {
 // Creates and fills the state with `groom` at rest, its roots at the identity.
 Result<State> create_state(Device& device, const Groom& groom, const Layout& layout,
                            const StateNeeds& needs, std::pmr::memory_resource* memory);
+
+// The groom's vertices as rows of V, padding a copy of the tip; the first `pinned` of a strand have
+// inverse mass 0, others 1. `positions`: xyz of all strands, one after the other.
+std::pmr::vector<std::array<float, 4>> pad_rows(std::span<const float> positions,
+                                                std::span<const uint32_t> vertex_counts,
+                                                uint32_t row, uint32_t pinned,
+                                                std::pmr::memory_resource* memory);
 
 // float4 [guides*V] of zeros. Waits.
 Status make_rows(Device& device, const Layout& layout, Buffer& to, const char* name,

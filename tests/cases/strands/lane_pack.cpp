@@ -25,6 +25,9 @@ Case lane_pack_case() {
                          lane_floats(lanes.normal_force, 1)};
         result.setups.push_back(
             setup.with(plait_lane_history_params{size.stride, 1, size.stride, 1.0f / 60, 1}));
+        setup.name += ", as it moves now";
+        result.setups.push_back(
+            setup.with(plait_lane_history_params{size.stride, 1, size.stride, 1.0f / 60, 2}));
         // all strands but one, in another order
         setup.name += ", reordered";
         setup.items -= size.stride;

@@ -3,6 +3,7 @@
 #include "read_field.hpp"
 
 #include <plait/plait_formats.h>
+#include <plait/plait_levels.h>
 #include <plait/plait_offline.h>
 
 #include <Eigen/Dense>
@@ -260,7 +261,28 @@ void load_groom(Scene& scene, Figure& figure) {
         figure.groom = load(choice, figure.info, figure.notes);
 }
 
+// The groom's own ladder; hair is bound later, where it settles.
+void take_level(const Scene& scene, Figure& figure, uint32_t level) {
+    plait_levels_desc desc = plait_levels_desc_defaults();
+    desc.groom = figure.groom.get();
+    desc.seed = scene.seed;
+    plait_levels* made = nullptr;
+    check(plait_levels_create(&desc, &made));
+    const std::unique_ptr<plait_levels, Destroyer<plait_levels_destroy>> levels(made);
+    plait_groom* guides = nullptr;
+    plait_follow_map* follows = nullptr;
+    check(plait_levels_take(levels.get(), level, &guides, &follows));
+    GroomHandle chosen(guides);
+    FollowMapHandle map(follows);
+    if (describe(chosen.get()).strands == figure.info.strands)
+        return; // none follows
+    figure.guides = std::move(chosen);
+    figure.follows = std::move(map);
+}
+
 void choose_guides(const Scene& scene, Figure& figure) {
+    if (scene.groom.level)
+        return take_level(scene, figure, *scene.groom.level);
     const uint32_t wanted = scene.groom.guides;
     if (wanted == 0 || wanted == figure.info.strands)
         return;

@@ -5,6 +5,8 @@
 #include "common/params_reader.hpp"
 #include "common/presets.hpp"
 
+#include <plait/plait_levels.h>
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -106,6 +108,13 @@ void read_groom(JsonReader& top, const Origin& origin, Scene& scene) {
     top.integer("strands", groom.strands, 1, 1000000);
     top.integer("vertices", groom.vertices, 2, 256);
     top.integer("guides", groom.guides, 1, 1000000);
+    uint32_t level = 0;
+    if (top.integer("level", level, 0, PLAIT_LEVELS_MAX - 1))
+        groom.level = level;
+    if (groom.level && groom.guides > 0)
+        top.fail("level", "is given, and guides, too: a level says how many there are");
+    if (groom.level && scene.sim.follows_per_guide > 0)
+        top.fail("level", "is given, and follows_per_guide, too: hair follows in one way");
     if (groom.guides > 0 && scene.sim.follows_per_guide > 0)
         top.fail("guides", "are given, and follows_per_guide, too: hair follows in one way");
     const bool has_program = read_program(top, groom);
@@ -407,6 +416,7 @@ void read_simulation(JsonReader& top, Scene& scene) {
     top.choice("model", scene.sim.model, model_names);
     hang(top, scene);
     top.number("settle", scene.settle, 0, 60);
+    top.choice("bind", scene.bind, bind_names);
     top.choice("sag_free", scene.sim.sag_free, sag_free_names);
     top.integer("follows_per_guide", scene.sim.follows_per_guide, 0, 64);
     top.number("follow_radius", scene.sim.follow_radius, 0, 1);

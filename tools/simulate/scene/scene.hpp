@@ -43,6 +43,7 @@ struct GroomChoice {
     uint32_t strands = 0;              // 0: 10,000 when generated, all of a file
     uint32_t vertices = 0;             // 0: 16 when generated, as in the file
     uint32_t guides = 0;               // strands that are simulated, the others follow; 0: all
+    std::optional<uint32_t> level;     // of detail, in place of `guides`; absent: none
     float scale = 1.0f;                // file units to metres
     bool scale_by_size = false;        // "auto": the library's likely_scale
     plait_axes axes = PLAIT_AXES_Y_UP; // of a file, as root_end
@@ -83,6 +84,10 @@ struct PictureChoice {
 // What hair collides with.
 enum class Mannequin { Meshes, Capsules };
 
+// Since when follows take the turns of their guides: the groom, or when all hair has settled.
+enum class Bind { groomed, hung };
+inline constexpr const char* bind_names[] = {"groomed", "hung"};
+
 struct Scene {
     GroomChoice groom;
     HeadChoice head;
@@ -102,7 +107,8 @@ struct Scene {
     std::string motion = "shake_and_turn";    // a name or a file
     float seconds = 4.0f;
     float settle = 0.0f; // s before the motion, with the head as it begins
-    uint32_t rate = 60;  // fixed steps and frames a second
+    Bind bind = Bind::hung;
+    uint32_t rate = 60; // fixed steps and frames a second
     uint32_t substeps = 2;
     uint64_t seed = 1;
     std::string preset; // kind of hair; "": none

@@ -41,6 +41,8 @@ class Shape {
             history_ = params.bdf2 != 0;
         if constexpr (requires { params.history; })
             history_ = params.history != 0;
+        if constexpr (requires { params.before; }) // of lane_orient, which else reads none of it
+            history_ = params.before != 0;
         if constexpr (requires { params.accelerates; })
             accelerates_ = params.accelerates != 0;
         if constexpr (requires { params.pins; })

@@ -1,0 +1,18 @@
+// Guides that are strands of a groom, and others of its strands that follow the nearest of them.
+#pragma once
+
+#include "core/follows/follow_map.hpp"
+#include "core/follows/root_spread.hpp"
+
+namespace plait {
+
+// Where strands leave the scalp, and which way they go.
+StrandRoots roots_of(const StrandSet& strands, std::pmr::memory_resource* memory);
+
+// `guides` and `follows` are strands of `groom`, whose roots are given, in the order in which they
+// come out. `out` and `map` are empty before.
+Status follow_nearest(const Groom& groom, const StrandRoots& roots,
+                      std::span<const uint32_t> guides, std::span<const uint32_t> follows,
+                      Groom& out, FollowMap& map);
+
+} // namespace plait
