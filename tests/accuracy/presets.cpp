@@ -99,8 +99,8 @@ class Wearer {
     }
     static plait::SimDesc desc_of(Hairstyle hairstyle, uint32_t follows) {
         plait::SimDesc desc;
-        desc.sag_free = hairstyle == Hairstyle::Dreadlocks ? PLAIT_SAG_FREE_OFF
-                                                           : PLAIT_SAG_FREE_STIFFEN;
+        desc.sag_free =
+            hairstyle == Hairstyle::Dreadlocks ? PLAIT_SAG_FREE_OFF : PLAIT_SAG_FREE_STIFFEN;
         desc.substeps = 2;
         desc.follows_per_guide = follows;
         return desc;

@@ -23,8 +23,9 @@ std::vector<plait_preset_value> values_of(const std::string& preset) {
 
 void put(plait::SimDesc& desc, const plait_preset_value& value) {
     const auto& all = all_params();
-    const auto info = std::ranges::find_if(
-        all, [&](const plait_param_info& each) { return std::string_view(each.name) == value.param; });
+    const auto info = std::ranges::find_if(all, [&](const plait_param_info& each) {
+        return std::string_view(each.name) == value.param;
+    });
     const std::string_view feature = info->feature;
     desc.grid.on |= feature == "grid" || feature == "volume";
     desc.volume.on |= feature == "volume";
@@ -56,7 +57,8 @@ std::string read_preset(JsonReader& in, const std::string& otherwise, plait::Sim
     if (name.empty())
         return name;
     const std::vector<plait_preset_info> all = all_presets();
-    if (std::ranges::none_of(all, [&](const plait_preset_info& info) { return name == info.name; })) {
+    if (std::ranges::none_of(all,
+                             [&](const plait_preset_info& info) { return name == info.name; })) {
         std::string names;
         for (const plait_preset_info& info : all)
             names += (names.empty() ? "" : ", ") + std::string(info.name);
