@@ -36,9 +36,9 @@ PLAIT_STRUCT(plait_preset_value)
  * @errors NOT_FOUND */
 PLAIT_API plait_result plait_preset_read(const char* name, plait_preset_value* dst, size_t* count);
 
-/* From the next step on hair is of that kind. Sets the material, `drag`, `groom` and `air_with_head` of
- * the params, and grid, volume and wetness: to the values of the preset, or, where it has none, to
- * their defaults, and the feature off. Gravity and all else stay. Hair of "wet" is wet at once. Waits as
+/* From the next step on hair is of that kind. Sets the material, `drag` and `groom` of the params, and grid,
+ * volume and wetness: to the values of the preset, or, where it has none, to their defaults, and the
+ * feature off. Gravity and all else stay. Hair of "wet" is wet at once. Waits as
  * plait_sim_set_materials does.
  * @errors NOT_FOUND, INVALID_STATE (model tressfx, or strands of several materials) */
 PLAIT_API plait_result plait_sim_set_preset(plait_sim* sim, const char* name);

@@ -40,7 +40,6 @@ Result<NamedParams> with_preset(const NamedParams& all, const Preset& preset) {
     next.material = default_material();
     next.params.drag = defaults.drag;
     next.params.groom = defaults.groom;
-    next.params.air_with_head = defaults.air_with_head;
     next.params.volume = {default_volume_desc(), has_value_of(preset, "volume")};
     next.params.grid = {default_grid_desc(), has_value_of(preset, "grid") || next.params.volume.on};
     next.params.wetness = {default_wetness_desc(), has_value_of(preset, "wetness")};
