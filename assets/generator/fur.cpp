@@ -41,9 +41,7 @@ Path FurHair::strand(uint32_t i) const {
 }
 
 Uv FurHair::uv(uint32_t i) const {
-    const Vec3 n = normal(i);
-    const double scale = std::sqrt(2 / (1 + std::max(n.y, -0.999))) / 4;
-    return {0.5 + scale * n.x, 0.5 + scale * n.z};
+    return equal_area(normal(i));
 }
 
 double FurHair::own(uint64_t stream, uint32_t i) const {

@@ -111,7 +111,10 @@ std::vector<Vec3> scatter_roots(size_t count, uint64_t seed, bool beard) {
 }
 
 Uv scalp_uv(Vec3 root) {
-    const Vec3 d = unit(root - Vec3{0, 0.02, -0.01});
+    return equal_area(unit(root - Vec3{0, 0.02, -0.01}));
+}
+
+Uv equal_area(Vec3 d) {
     const double scale = std::sqrt(2 / (1 + std::max(d.y, -0.999))) / 4;
     return {0.5 + scale * d.x, 0.5 + scale * d.z};
 }

@@ -21,5 +21,6 @@ struct Uv {
     double u, v; // [0, 1]
 };
 Uv scalp_uv(Vec3 root);
+Uv equal_area(Vec3 direction); // the map itself; `direction`: unit
 
 } // namespace plait_generator

@@ -73,16 +73,10 @@ plait_result plait_levels_create(const plait_levels_desc* desc, plait_levels** o
 plait_result plait_levels_list(const plait_levels* levels, plait_level* dst, size_t* count) {
     return api::guard(__func__, [&]() -> Status {
         PLAIT_TRY(api::need(levels, "levels"));
-        PLAIT_TRY(api::need(count, "count"));
         const auto guides = levels->levels.guides();
-        const size_t number = dst ? std::min(*count, guides.size()) : guides.size();
-        const auto level = [&](size_t i) -> plait_level {
+        return api::write_list(dst, count, guides.size(), [&](size_t i) -> plait_level {
             return {sizeof(plait_level), guides[i], static_cast<float>(levels->levels.share(i))};
-        };
-        if (dst)
-            PLAIT_TRY(api::write_structs(dst, number, "dst", level));
-        *count = number;
-        return {};
+        });
     });
 }
 

@@ -32,11 +32,6 @@ Status set_material(Sim& sim, const plait_material& material) {
     return sim.set_materials(std::move(materials));
 }
 
-Status wet(Sim& sim) {
-    const std::pmr::vector<float> all(sim.guides(), 1.0f, &sim.context().memory);
-    return sim.write(PLAIT_FIELD_WETNESS, all.data());
-}
-
 } // namespace
 } // namespace plait::api
 
@@ -148,13 +143,14 @@ plait_result plait_sim_set_preset(plait_sim* sim, const char* name) {
         const auto next = with_preset(api::named(s), **preset);
         if (!next)
             return next.error();
+        const std::pmr::vector<float> wet(next->params.wetness.on ? s.guides() : 0, 1.0f,
+                                          &s.context().memory);
         PLAIT_TRY(s.set_params(next->params));
-        Status done = api::set_material(s, next->material);
-        if (!done)
-            (void)s.set_params(before); // as it was, but for what could not be got back
-        else if (next->params.wetness.on)
-            done = api::wet(s);
-        return done;
+        if (const Status status = api::set_material(s, next->material); !status) {
+            (void)s.set_params(before);
+            return status;
+        }
+        return next->params.wetness.on ? s.write(PLAIT_FIELD_WETNESS, wet.data()) : Status{};
     });
 }
 }

@@ -12,16 +12,6 @@ ON_EVERY_BACKEND(FollowBind);
 
 constexpr double slightly_more = frame + 1e-9; // so that every call makes one step
 
-// Curls of different lengths, 5 mm apart, that gravity draws down.
-Strands field(size_t side) {
-    Strands strands;
-    for (size_t i = 0; i < side * side; ++i)
-        strands.push_back(
-            curl({0.005f * static_cast<float>(i / side), 0, 0.005f * static_cast<float>(i % side)},
-                 7 + i % 5, 0.02f, 0.3f * static_cast<float>(i)));
-    return strands;
-}
-
 plait_roots shaken(int i) {
     const float angle = 0.4f * std::sin(0.35f * static_cast<float>(i));
     return head_at({0.1f, -0.2f, 0.3f}, {0, std::sin(angle), 0, std::cos(angle)});

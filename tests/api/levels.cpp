@@ -14,16 +14,6 @@ using LevelsHandle = std::unique_ptr<plait_levels, decltype(&plait_levels_destro
 
 constexpr double slightly_more = frame + 1e-9; // so that every call makes one step
 
-// Curls of different lengths, 5 mm apart.
-Strands field(size_t side) {
-    Strands strands;
-    for (size_t i = 0; i < side * side; ++i)
-        strands.push_back(
-            curl({0.005f * static_cast<float>(i / side), 0, 0.005f * static_cast<float>(i % side)},
-                 7 + i % 5, 0.02f, 0.3f * static_cast<float>(i)));
-    return strands;
-}
-
 plait_levels_desc desc_of(const plait::Groom& groom, const std::vector<uint32_t>& guides = {}) {
     auto desc = plait_levels_desc_defaults();
     desc.groom = groom;

@@ -36,6 +36,16 @@ inline Strands tuft(size_t strands, size_t vertices) {
     return tuft;
 }
 
+// Curls of different lengths, 5 mm apart.
+inline Strands field(size_t side) {
+    Strands strands;
+    for (size_t i = 0; i < side * side; ++i)
+        strands.push_back(
+            curl({0.005f * static_cast<float>(i / side), 0, 0.005f * static_cast<float>(i % side)},
+                 7 + i % 5, 0.02f, 0.3f * static_cast<float>(i)));
+    return strands;
+}
+
 struct GroomArrays {
     std::vector<float> positions;
     std::vector<uint32_t> counts;

@@ -20,7 +20,7 @@ struct HeadMesh {
 
 HeadMesh mannequin();
 
-// What the generated style `ball` lies on.
+// What the generated styles `ball` and `fur` lie on; hair covers all of it in the latter.
 HeadMesh ball(bool fur);
 
 // `scalp` of vertices in the mannequin's space.

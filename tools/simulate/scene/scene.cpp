@@ -377,7 +377,9 @@ void hang(JsonReader& top, Scene& scene) {
         return;
     scene.sim.sag_free = hang.sag_free;
     scene.settle = hang.settle;
-    if (scene.groom.name == "dreadlocks") { // a strand is a lock: this many hairs of it are drawn
+    const bool follows_otherwise = top.value("guides") || top.value("level");
+    if (scene.groom.name == "dreadlocks" && !follows_otherwise) {
+        // A strand is a lock: this many hairs of it are drawn.
         scene.sim.follows_per_guide = 64;
         scene.sim.follow_radius = 0.005f;
     }

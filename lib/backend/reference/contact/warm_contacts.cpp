@@ -153,7 +153,8 @@ void WarmContacts::begin(size_t vertex) {
     pressed_ = true;
 }
 
-// What is inside of a body crossed none of its surface. Else: has it let through a vertex that went, as it sees it, by more than half its radius?
+// Has it let through a vertex that went, as it sees it, by more than half its radius? A body that hair stays
+// inside of is convex, and lets nothing through.
 bool WarmContacts::passes(const Collider& collider, size_t vertex, const Vec3& p) const {
     const Vec3 from = carried(collider, vertex), root = contacts_.motion_.root;
     const double way = (p - from).norm();
