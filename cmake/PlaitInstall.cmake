@@ -1,4 +1,4 @@
-# cmake --install: the library, its headers, find_package(plait) and plait.pc.
+# cmake --install: the library, its headers, find_package(plait) and plait.pc; and the programs.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -10,11 +10,13 @@ endif()
 install(FILES ${headers} ${PROJECT_SOURCE_DIR}/cl/shared/plait/params.h
               ${PROJECT_SOURCE_DIR}/cl/shared/plait/constants.h
               ${PROJECT_SOURCE_DIR}/cl/shared/plait/stages.def ${PROJECT_SOURCE_DIR}/cl/shared/plait/buffers.def
-        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/plait)
+        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/plait COMPONENT development)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/plait)
-install(TARGETS plait EXPORT plait)
-install(EXPORT plait NAMESPACE plait:: FILE plaitTargets.cmake DESTINATION ${package_dir})
+install(TARGETS plait EXPORT plait
+        LIBRARY COMPONENT runtime NAMELINK_COMPONENT development
+        RUNTIME COMPONENT runtime ARCHIVE COMPONENT development)
+install(EXPORT plait NAMESPACE plait:: FILE plaitTargets.cmake DESTINATION ${package_dir} COMPONENT development)
 
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/plaitConfig.cmake.in
                               ${PROJECT_BINARY_DIR}/plaitConfig.cmake INSTALL_DESTINATION ${package_dir})
@@ -22,7 +24,7 @@ configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/plaitConfig.cmake.in
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/plaitConfigVersion.cmake
                                  COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/plaitConfig.cmake ${PROJECT_BINARY_DIR}/plaitConfigVersion.cmake
-        DESTINATION ${package_dir})
+        DESTINATION ${package_dir} COMPONENT development)
 
 # The compiler's C++ library, of which a linker of C knows nothing.
 set(runtime ${CMAKE_CXX_IMPLICIT_LINK_LIBRARIES})
@@ -43,4 +45,15 @@ endif()
 file(RELATIVE_PATH pc_prefix ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
 string(REGEX REPLACE "/$" "" pc_prefix ${pc_prefix})
 configure_file(${CMAKE_CURRENT_LIST_DIR}/plait.pc.in ${PROJECT_BINARY_DIR}/plait.pc @ONLY)
-install(FILES ${PROJECT_BINARY_DIR}/plait.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+install(FILES ${PROJECT_BINARY_DIR}/plait.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)
+
+# Debian wants the licence under each package's own name.
+foreach(part runtime:libplait0 development:libplait-dev tools:plait-tools)
+  string(REPLACE ":" ";" part ${part})
+  list(GET part 0 component)
+  list(GET part 1 package)
+  if(NOT component STREQUAL tools OR PLAIT_TOOLS)
+    install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package} RENAME copyright
+            COMPONENT ${component})
+  endif()
+endforeach()

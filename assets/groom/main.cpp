@@ -93,6 +93,7 @@ void add_character(CLI::App& app, std::string& out, std::string& problem) {
 int run(int argc, char** argv) {
     CLI::App app(
         "Hairstyles and a head by formula, the same bytes on every machine. Metres, y up.");
+    app.set_version_flag("--version", "plait-groom " PROGRAM_VERSION);
     app.require_subcommand(1);
     std::string out, problem;
     add_style(app, Hairstyle::Long, "parted hair that falls over the shoulders", out, problem);

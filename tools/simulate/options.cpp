@@ -123,6 +123,7 @@ CommandLine read_command_line(int argc, char** argv) {
     CommandLine line;
     CLI::App app("Simulates hair on a moving head and shows what came of it.", "plait-simulate");
     app.footer(footer);
+    app.set_version_flag("--version", "plait-simulate " PROGRAM_VERSION);
     add_options(app, line);
     try {
         app.parse(argc, argv);
