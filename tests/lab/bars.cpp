@@ -38,7 +38,7 @@ void PrintTo(const Case& c, std::ostream* out) {
 bool quick(const std::string& row, const std::string& backend) {
     static const std::set<std::string> long_on_opencl{"2",   "8",   "16a", "16b", "17b", "17c",
                                                       "18a", "18b", "20",  "29a", "29b", "30a",
-                                                      "30b", "30c", "30d", "36"};
+                                                      "30b", "30c", "30d", "36",  "37a", "37b"};
     static const std::set<std::string> quick_on_reference{"4",   "5",  "6a",  "6b",  "7a",  "7b",
                                                           "9a",  "9b", "9c",  "10",  "12",  "17a",
                                                           "27a", "28", "29c", "34a", "34b", "34c"};
