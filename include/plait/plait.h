@@ -447,15 +447,16 @@ typedef struct plait_sim_desc {
     plait_view strand_material; /* uint32_t [guides], into `materials`; or empty */
     plait_sag_free sag_free;    /* tressfx refuses it. Default OFF */
     plait_sim_params params;
+    const struct plait_levels* levels; /* or NULL, see plait_levels.h: of the groom's strands */
+    uint32_t level_top;                /* of these the finest that is ever stepped; default 0 */
 } plait_sim_desc;
 PLAIT_STRUCT(plait_sim_desc)
 
 /* `desc` NULL: all defaults. Strands are stored [strands][V], V the longest of the groom and its
  * follow map; shorter strands are padded with copies of their tip. Guides, the groom's strands,
  * come first, then follows, guide by guide or as in the map. The head starts at the identity.
- * Waits: the hair is on the device then, at rest. Logs the warnings of plait_groom_info and
- * plait_sim_info and, as plait_sim_set_params does, parameters away from their defaults that the
- * model does not read; the next step logs those whose feature is off.
+ * Waits: the hair is on the device then, at rest. Logs the warnings of groom and sim info, and what
+ * is away from its default and not read: parameters of features that are off in the next step.
  * @errors UNSUPPORTED (also tressfx with V beyond the device's work-group) */
 PLAIT_API plait_result plait_sim_create(plait_context* context, const plait_groom* groom,
                                         const plait_sim_desc* desc, plait_sim** out);
@@ -465,7 +466,7 @@ PLAIT_API void plait_sim_destroy(plait_sim* sim);
  * motion it takes on in the next step; clock and accumulator to 0. */
 PLAIT_API plait_result plait_sim_reset(plait_sim* sim);
 
-/* What a sim is, what it has done, and the result of its sag-free start. */
+/* What a sim is, what it has done, and the result of its sag-free start: from the host alone. */
 typedef struct plait_sim_info {
     uint32_t struct_size;
     plait_model model;
@@ -499,7 +500,6 @@ typedef struct plait_sim_info {
 } plait_sim_info;
 PLAIT_STRUCT(plait_sim_info)
 
-/* From the host; leaves the device alone. */
 PLAIT_API plait_result plait_sim_describe(const plait_sim* sim, plait_sim_info* out);
 
 /* From the next step on. Waits where material, sag or BDF2 change. */

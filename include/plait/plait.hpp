@@ -1,4 +1,4 @@
-// Owning handles over plait.h, plait_offline.h and plait_profile.h, for C++17. The only exceptions of
+// Owning handles over plait.h, plait_levels.h, plait_offline.h and plait_profile.h, for C++17. The only exceptions of
 // plait are thrown here.
 //
 // Each class owns one handle: movable, not copyable, convertible to the C handle, so every function
@@ -8,6 +8,7 @@
 
 #include <plait/plait.h>
 #include <plait/plait_async.h>
+#include <plait/plait_levels.h>
 #include <plait/plait_offline.h>
 #include <plait/plait_presets.h>
 #include <plait/plait_profile.h>
@@ -113,6 +114,7 @@ class Context : public detail::Owner<plait_context, plait_context_destroy> {
 };
 
 class FollowMap;
+class Levels;
 struct Guides;
 
 class Groom : public detail::Owner<plait_groom, plait_groom_destroy> {
@@ -148,6 +150,7 @@ class Groom : public detail::Owner<plait_groom, plait_groom_destroy> {
     inline Guides guides(std::size_t count, std::uint64_t seed = 0) const;
 
   private:
+    friend class Levels;
     explicit Groom(plait_groom* handle) : Owner(handle) {}
     static plait_groom* create(const plait_groom_desc& desc, const plait_import_options& options) {
         plait_groom* handle = nullptr;
@@ -180,6 +183,7 @@ class FollowMap : public detail::Owner<plait_follow_map, plait_follow_map_destro
   private:
     friend class Groom;
     friend class FollowLearner;
+    friend class Levels;
     explicit FollowMap(plait_follow_map* handle) : Owner(handle) {}
     static plait_follow_map* create(const plait_follow_map_desc& desc) {
         plait_follow_map* handle = nullptr;
@@ -217,6 +221,33 @@ class FollowLearner : public detail::Owner<plait_follow_learner, plait_follow_le
     static plait_follow_learner* create(const Groom& groom, const FollowMap& map) {
         plait_follow_learner* handle = nullptr;
         check(plait_follow_learner_create(groom.get(), map.get(), &handle));
+        return handle;
+    }
+};
+
+// Levels of detail of a groom: `desc.levels` of a sim, or guides and map of one level.
+class Levels : public detail::Owner<plait_levels, plait_levels_destroy> {
+  public:
+    explicit Levels(const plait_levels_desc& desc) : Owner(create(desc)) {}
+
+    std::vector<plait_level> list() const {
+        std::size_t count = 0;
+        check(plait_levels_list(get(), nullptr, &count));
+        std::vector<plait_level> list(count, plait_level_defaults());
+        check(plait_levels_list(get(), list.data(), &count));
+        return list;
+    }
+    Guides take(std::size_t level) const {
+        plait_groom* groom = nullptr;
+        plait_follow_map* map = nullptr;
+        check(plait_levels_take(get(), level, &groom, &map));
+        return {Groom(groom), FollowMap(map)};
+    }
+
+  private:
+    static plait_levels* create(const plait_levels_desc& desc) {
+        plait_levels* handle = nullptr;
+        check(plait_levels_create(&desc, &handle));
         return handle;
     }
 };
@@ -447,6 +478,14 @@ class Sim : public detail::Owner<plait_sim, plait_sim_destroy> {
 
     void set_detail(const plait_detail_desc& desc) { check(plait_sim_set_detail(get(), &desc)); }
     void drop_detail() { check(plait_sim_set_detail(get(), nullptr)); }
+
+    // Of desc.levels, from the next step on.
+    void set_level(const plait_level_choice& choice) { check(plait_sim_set_level(get(), &choice)); }
+    plait_level_state level() const {
+        auto state = plait_level_state_defaults();
+        check(plait_sim_get_level(get(), &state));
+        return state;
+    }
 
     // `of`: [guides], into `settings`; empty: the first for all.
     void set_settings(const std::vector<plait_strand_settings>& settings,

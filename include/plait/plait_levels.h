@@ -54,7 +54,57 @@ PLAIT_STRUCT(plait_level)
 PLAIT_API plait_result plait_levels_list(const plait_levels* levels, plait_level* dst,
                                          size_t* count);
 
-/* What a sim of a level is made of: its guides, for plait_sim_create, and what follows them, for
+/* ---- in a sim ------------------------------------------------------------------------------- */
+
+/* A sim with plait_sim_desc.levels changes its level while it runs. Its groom is theirs; it takes
+ * neither follows of its own nor the model tressfx. Its guides are those of level `level_top`, in the
+ * order of PLAIT_FOLLOW_MAP_FIELD_STRANDS of any level. So are rows of POSITION and TANGENT, of all
+ * strands, and whatever else has one for each guide; strand_stiffness and strand_material of
+ * plait_sim_desc have one for each strand of the groom, in its order. The sim begins at `level_top`
+ * and shows all strands. `levels` may go before it. */
+typedef struct plait_level_choice {
+    uint32_t struct_size;
+    uint32_t level; /* [level_top, levels - 1]; default 0 */
+    /* [0, strands]: how many are placed, those that come first; the rows of the others stay as they
+       are. Rounded up to the guides of a level, an eighth, a quarter, a half of all, or all.
+       Default 0: all */
+    uint32_t shown;
+    float blend; /* s, [0, 5], default 0.3: in which what is shown goes over to the new level */
+} plait_level_choice;
+PLAIT_STRUCT(plait_level_choice)
+
+/* The next step is made and shown by the level as it is; what comes after it, by the new one. Does
+ * not wait, and compiles nothing.
+ *
+ * Fewer guides: those that stay have the same bits as without a change. More: strands begin where they
+ * are shown and as fast as what they followed; contacts begin as for a new strand. What is shown goes
+ * on from where it is: what the new level lacks to it, in the frame of the root, fades in `blend`.
+ * Until then lengths are off by as much as that varies along a strand. A level of no guides steps
+ * nothing: all strands go with their roots as they were shown last.
+ *
+ * Of strands that are not stepped VELOCITY is 0, what is written is ignored, and pins wait: they
+ * hold again once the strand is stepped. Detail is of strands that follow at level_top, and where
+ * there is some, all strands are placed. The shelter of a wind counts all hair, the pressure of a
+ * volume only strands that are stepped. Snapshots hold level, shown and blend.
+ * @errors INVALID_ARGUMENT, INVALID_STATE (a sim without levels) */
+PLAIT_API plait_result plait_sim_set_level(plait_sim* sim, const plait_level_choice* choice);
+
+typedef struct plait_level_state {
+    uint32_t struct_size;
+    uint32_t level;
+    uint32_t shown;  /* strands */
+    uint32_t asleep; /* 0: no sim sleeps yet */
+    float blending;  /* s that are left */
+    float swing;     /* m, rms of hair about its mean in the frames of its roots, over about 1 s, as
+                        far as it has come from the device; of a level of no guides, the last one
+                        before. < 0: not known yet */
+} plait_level_state;
+PLAIT_STRUCT(plait_level_state)
+
+/* As of the last step. Does not wait. @errors INVALID_STATE (a sim without levels) */
+PLAIT_API plait_result plait_sim_get_level(plait_sim* sim, plait_level_state* state);
+
+/* What a sim of one level is made of: its guides, for plait_sim_create, and what follows them, for
  * plait_sim_desc.follow_map. The sim's strands, guides first, come in one order whatever the level, which
  * PLAIT_FOLLOW_MAP_FIELD_STRANDS of any of the maps says: what is drawn by strand need not change with the
  * level. Caller owns both.

@@ -1,20 +1,11 @@
 // Levels of detail of a groom.
-#include "core/follows/levels.hpp"
+#include "core/levels/levels.hpp"
 
 #include "api/hair_frame.hpp"
 #include "api/objects.hpp"
 #include "api/structs.hpp"
 #include "api/view.hpp"
-
-#include <plait/plait_levels.h>
-
-struct plait_levels {
-    plait::Memory own;
-    plait::Levels levels;
-
-    explicit plait_levels(const plait_allocator& allocator) : own(allocator), levels(&own) {}
-    plait::Memory& memory() { return own; }
-};
+#include "api/with_sim.hpp"
 
 namespace plait::api {
 namespace {
@@ -96,6 +87,33 @@ plait_result plait_levels_take(const plait_levels* levels, size_t level, plait_g
         PLAIT_TRY(levels->levels.take(level, chosen->groom, follows->map));
         *guides = chosen.release();
         *map = follows.release();
+        return {};
+    });
+}
+
+void plait_level_choice_init(plait_level_choice* choice, size_t size) {
+    api::init_struct(choice, size, default_level_choice());
+}
+
+void plait_level_state_init(plait_level_state* state, size_t size) {
+    api::init_struct(state, size, plait_level_state{});
+}
+
+plait_result plait_sim_set_level(plait_sim* sim, const plait_level_choice* choice) {
+    return api::with_sim(__func__, sim, [&](Sim& s) -> Status {
+        plait_level_choice given = default_level_choice();
+        PLAIT_TRY(api::read_struct(choice, given, "choice"));
+        return s.set_level(given);
+    });
+}
+
+plait_result plait_sim_get_level(plait_sim* sim, plait_level_state* state) {
+    return api::with_sim(__func__, sim, [&](Sim& s) -> Status {
+        PLAIT_TRY(api::check_output(state, "state"));
+        const auto found = s.level_state();
+        if (!found)
+            return found.error();
+        api::write_struct(state, *found);
         return {};
     });
 }

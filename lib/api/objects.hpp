@@ -4,6 +4,7 @@
 #include "base/memory.hpp"
 #include "core/follows/follow_learner.hpp"
 #include "core/follows/follow_map.hpp"
+#include "core/levels/levels.hpp"
 #include "core/mesh/mesh.hpp"
 #include "core/sim/sim.hpp"
 
@@ -44,6 +45,14 @@ struct plait_follow_learner {
 
     explicit plait_follow_learner(const plait_allocator& allocator)
         : own(allocator), learner(&own) {}
+    plait::Memory& memory() { return own; }
+};
+
+struct plait_levels {
+    plait::Memory own;
+    plait::Levels levels;
+
+    explicit plait_levels(const plait_allocator& allocator) : own(allocator), levels(&own) {}
     plait::Memory& memory() { return own; }
 };
 

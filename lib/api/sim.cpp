@@ -6,6 +6,8 @@
 #include "api/with_sim.hpp"
 #include "core/params/params.hpp"
 
+#include <utility>
+
 namespace plait::api {
 namespace {
 
@@ -22,6 +24,58 @@ Status read_desc(const plait_sim_desc* given, plait_sim_desc& desc) {
     desc.params = default_sim_params();
     PLAIT_TRY(read_struct(&inner, desc.params, "desc->params"));
     return check_sim_desc(desc);
+}
+
+Status check_levels(const plait_sim_desc& desc, const Groom& groom) {
+    if (!desc.levels && desc.level_top > 0)
+        return invalid(format("desc->level_top is %u and levels is NULL", desc.level_top));
+    if (!desc.levels)
+        return {};
+    if (desc.follow_map || desc.follows_per_guide > 0)
+        return invalid(format("desc->levels is given with %s, give one",
+                              desc.follow_map ? "follow_map" : "follows_per_guide"));
+    if (desc.model == PLAIT_MODEL_TRESSFX)
+        return invalid("desc->levels: strands of the model tressfx have no levels, those of "
+                       "articulated do");
+    const Levels& levels = desc.levels->levels;
+    if (desc.level_top >= levels.guides().size())
+        return invalid(format("desc->level_top is %u, range is [0, %zu]", desc.level_top,
+                              levels.guides().size() - 1));
+    if (levels.guides()[desc.level_top] == 0)
+        return invalid(format("desc->level_top is %u, a level without guides: nothing would ever "
+                              "be stepped",
+                              desc.level_top));
+    if (fingerprint(levels.groom()) != fingerprint(groom))
+        return invalid("desc->levels are of another groom");
+    return {};
+}
+
+// Those of guides, in their order, of values of each of a groom's strands; none stay none.
+template <typename T>
+void take_guides(const Levels& levels, uint32_t guides, std::pmr::vector<T>& values) {
+    if (values.empty())
+        return;
+    std::pmr::vector<T> taken(values.get_allocator());
+    for (const uint32_t strand : levels.order().first(guides))
+        taken.push_back(values[strand]);
+    values = std::move(taken);
+}
+
+// The sim's guides are those of its finest level, whose map it follows.
+Result<SimParts> leveled_parts(Context& context, const plait_sim_desc& desc, const Levels& levels,
+                               std::pmr::vector<float>& stiffness,
+                               const StrandMaterialsPtr& materials) {
+    std::pmr::memory_resource* const memory = &context.memory;
+    Groom guides{StrandSet(memory), {}, {}};
+    FollowMap map(memory);
+    PLAIT_TRY(levels.take(desc.level_top, guides, map));
+    const auto count = static_cast<uint32_t>(guides.shape.strands);
+    take_guides(levels, count, stiffness);
+    auto own = std::allocate_shared<StrandMaterials>(
+        std::pmr::polymorphic_allocator<StrandMaterials>(memory), *materials);
+    take_guides(levels, count, own->of);
+    return make_sim_parts(context, guides, desc,
+                          {stiffness, std::move(own), &map, &levels, desc.level_top});
 }
 
 } // namespace
@@ -51,6 +105,7 @@ plait_result plait_sim_create(plait_context* context, const plait_groom* groom,
         PLAIT_TRY(api::need(out, "out"));
         plait_sim_desc given;
         PLAIT_TRY(api::read_desc(desc, given));
+        PLAIT_TRY(api::check_levels(given, groom->groom));
         std::pmr::vector<float> stiffness(&context->context.memory);
         PLAIT_TRY(api::copy_view(given.strand_stiffness, 1, "desc->strand_stiffness", stiffness));
         PLAIT_TRY(check_strand_stiffness(stiffness, groom->groom.shape.strands));
@@ -63,8 +118,11 @@ plait_result plait_sim_create(plait_context* context, const plait_groom* groom,
         given.strand_stiffness = given.strand_material = {}; // the caller's
         given.materials = nullptr;
         given.follow_map = nullptr;
-        auto parts =
-            make_sim_parts(context->context, groom->groom, given, {stiffness, *materials, follows});
+        const plait_levels* const levels = std::exchange(given.levels, nullptr);
+        auto parts = levels ? api::leveled_parts(context->context, given, levels->levels, stiffness,
+                                                 *materials)
+                            : make_sim_parts(context->context, groom->groom, given,
+                                             {stiffness, *materials, follows});
         if (!parts)
             return parts.error();
         auto handle = make_in<plait_sim>(&context->context.memory, *context, std::move(*parts));

@@ -393,6 +393,16 @@ TEST(Arguments, NullPointers) {
         {"sim is NULL", [](O&) { return plait_sim_set_acceleration(nullptr, nullptr); }},
         {"sim is NULL", [](O&) { return plait_sim_find_balance(nullptr); }},
         {"sim is NULL", [](O&) { return plait_sim_set_detail(nullptr, nullptr); }},
+        {"sim is NULL", [](O&) { return plait_sim_set_level(nullptr, nullptr); }},
+        {"the sim has no levels",
+         [](O& o) {
+             const auto choice = plait_level_choice_defaults();
+             return plait_sim_set_level(o.sim, &choice);
+         },
+         PLAIT_INVALID_STATE},
+        {"choice is NULL", [](O& o) { return plait_sim_set_level(o.sim, nullptr); }},
+        {"sim is NULL", [](O&) { return plait_sim_get_level(nullptr, nullptr); }},
+        {"state is NULL", [](O& o) { return plait_sim_get_level(o.sim, nullptr); }},
         {"sim is NULL", [](O&) { return plait_sim_set_settings(nullptr, nullptr, 1, {}); }},
         {"settings is NULL", [](O& o) { return plait_sim_set_settings(o.sim, nullptr, 1, {}); }},
         {"sim is NULL", [](O& o) { return plait_sim_get_settings(nullptr, nullptr, &o.size); }},

@@ -422,6 +422,14 @@ std::vector<Call> calls() {
         {"detail_off",
          {"plait_sim_set_detail"},
          [](Ride& r) { (void)plait_sim_set_detail(r.sim().get(), nullptr); }},
+        {"no_levels", // what they do to hair on its way is in levels_in_sim.cpp
+         {"plait_sim_set_level", "plait_sim_get_level"},
+         [](Ride& r) {
+             const auto choice = plait_level_choice_defaults();
+             auto state = plait_level_state_defaults();
+             (void)plait_sim_set_level(r.sim().get(), &choice);
+             (void)plait_sim_get_level(r.sim().get(), &state);
+         }},
         {"colliders",
          {"plait_collider_create", "plait_collider_destroy", "plait_collider_set_shape",
           "plait_collider_describe", "plait_colliders_list"},

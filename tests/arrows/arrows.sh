@@ -39,12 +39,13 @@ strand_contact     base strands
 grid               base groom contact mesh strands
 roots              base groom mesh strands
 follows            base groom contact mesh strands
+levels             base groom follows strands
 tressfx            base contact push strands
 params             base groom strands
 wind               base contact grid push
 volume             base contact grid strands
-output             base follows groom roots strands
-sim                base groom push mesh contact strands pins wetness strand_contact grid roots follows tressfx params wind volume output
+output             base follows groom levels roots strands
+sim                base groom push mesh contact strands pins wetness strand_contact grid roots follows levels tressfx params wind volume output
 snapshot           base strands params sim
 '
 

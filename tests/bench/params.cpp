@@ -292,6 +292,12 @@ void fill(plait_lane_move_params& p, const Shape& shape) {
 void fill(plait_lane_fit_params& p, const Shape& shape) {
     p = {shape.vertices, shape.tile, step};
 }
+void fill(plait_level_wake_params& p, const Shape& shape) {
+    p = {shape.vertices, shape.tile, shape.vertices, 0, 0, step, step};
+}
+void fill(plait_level_params& p, const Shape& shape) {
+    p = {shape.vertices, 0, 0.5f};
+}
 void fill(plait_lane_orient_params& p, const Shape& shape) {
     p = {shape.vertices, shape.tile, 0};
 }

@@ -23,7 +23,7 @@ constexpr std::string_view choices[] = {
     "per_root",   "accelerates", "pins",      "planes", "history",      "bdf2",
     "shock_form", "form",        "slot_hash", "tent",   "diffuse_rule", "field",
     "pressure",   "moves",       "carried",   "colour", "reversed",     "turbulent",
-    "meshes",     "wet",         "soaked",    "shown",  "others"};
+    "meshes",     "wet",         "soaked",    "shown",  "others",       "whole"};
 // float4 of which w is not used
 constexpr std::string_view vectors[] = {"head_from_t", "head_to_t", "t", "wind", "corner"};
 

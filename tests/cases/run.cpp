@@ -72,6 +72,7 @@ Setup for_tile(const Setup& setup, uint32_t tile) {
         offsetof(plait_lane_grid_params, tile) == 4 &&
         offsetof(plait_lane_volume_params, tile) == 4 &&
         offsetof(plait_strand_contact_params, tile) == 4 &&
+        offsetof(plait_level_wake_params, tile) == 4 &&
         offsetof(plait_follow_turns_params, tile) == 4);
     if (lanes)
         std::memcpy(result.params.data() + 4, &tile, sizeof tile);

@@ -52,6 +52,8 @@ void add_options(CLI::App& app, CommandLine& line) {
           "strands that are simulated, the others follow by turns [all]");
     count("--level", "level", "K",
           "in place of --guides: of the groom's levels of detail, 0 the finest [none]");
+    text("--switch", "switch", "S:K,...",
+         "at second S of the motion go over to level K; begins with --level, or with all [none]");
     app.add_option_function<std::string>(
            "--scale",
            [&keys](const std::string& value) {

@@ -49,7 +49,7 @@ double Measurements::median_ms() const {
 
 Simulation::Simulation(const Scene& scene, const Figure& figure, Simulated which)
     : scene_(scene), figure_(figure), which_(which), context_(make_context(scene, said_)),
-      sim_(make_sim()) {
+      levels_(make_levels()), sim_(make_sim()) {
     row_ = describe().vertices_per_strand;
     read_field(sim_.get(), PLAIT_FIELD_VERTEX_COUNT, vertex_count_);
     read_field(sim_.get(), PLAIT_FIELD_POSITION, rest_);
@@ -64,6 +64,8 @@ Simulation::Simulation(const Scene& scene, const Figure& figure, Simulated which
         add_wetness();
     if (scene.detail && which == Simulated::guides)
         check(plait_sim_set_detail(sim_.get(), &*scene.detail));
+    if (switches())
+        begin_level();
 }
 
 // Materials are not for TressFX, in a comparison.
@@ -72,6 +74,8 @@ SimHandle Simulation::make_sim() {
     const FollowMapHandle bound = follows() ? bound_map(scene_, figure_) : nullptr;
     if (follows())
         desc.follow_map = bound ? bound.get() : figure_.follows.get();
+    if (levels_)
+        desc.levels = levels_.get();
     const auto of_strands =
         of_simulated(strand_materials(scene_.materials, figure_.groom.get(), scene_.seed));
     std::vector<plait_material> materials;
@@ -93,10 +97,14 @@ std::vector<uint32_t> Simulation::of_simulated(const std::vector<uint32_t>& of_s
     return follows() ? figure_.of_simulated(of_strands) : of_strands;
 }
 
-// Roots that a mesh carries have no poses, which a map is bound by.
-FollowMapHandle Simulation::bound_map(const Scene& scene, const Figure& figure) {
+// Roots that a mesh carries have no poses, which hair is bound by.
+bool Simulation::binds(const Scene& scene, const Figure& figure) {
     const bool by_skin = figure.body && figure.body->roots() == Carrier::Skin;
-    if (scene.bind == Bind::groomed || scene.settle == 0 || by_skin)
+    return scene.bind != Bind::groomed && scene.settle > 0 && !by_skin;
+}
+
+FollowMapHandle Simulation::bound_map(const Scene& scene, const Figure& figure) {
+    if (!binds(scene, figure))
         return nullptr;
     Simulation all(scene, figure, Simulated::all);
     const plait_pose start = figure.body ? figure.body->head(0) : plait_pose{{0, 0, 0, 1}, {}};
@@ -112,6 +120,45 @@ FollowMapHandle Simulation::bind(const plait_pose& start) const {
                                 {positions_.data(), positions_.size() / 4, 4 * sizeof(float)},
                                 &bound));
     return FollowMapHandle(bound);
+}
+
+LevelsHandle Simulation::make_levels() const {
+    if (!switches())
+        return nullptr;
+    plait_levels_desc desc = plait_levels_desc_defaults();
+    desc.groom = figure_.groom.get();
+    desc.seed = scene_.seed;
+    plait_roots roots = plait_roots_defaults();
+    std::unique_ptr<Simulation> all;
+    if (binds(scene_, figure_)) {
+        all = std::make_unique<Simulation>(scene_, figure_, Simulated::all);
+        roots.head = figure_.body ? figure_.body->head(0) : plait_pose{{0, 0, 0, 1}, {}};
+        all->settle(roots.head);
+        desc.hung = {all->positions_.data(), all->positions_.size() / 4, 4 * sizeof(float)};
+        desc.roots = &roots;
+    }
+    plait_levels* levels = nullptr;
+    check(plait_levels_create(&desc, &levels));
+    return LevelsHandle(levels);
+}
+
+void Simulation::begin_level() const {
+    plait_level_choice choice = plait_level_choice_defaults();
+    choice.level = scene_.groom.level.value_or(0);
+    choice.blend = 0;
+    check(plait_sim_set_level(sim_.get(), &choice));
+}
+
+// Before the step that ends with the frame.
+void Simulation::switch_level(uint32_t frame) {
+    const auto& list = scene_.groom.switches;
+    const float time = static_cast<float>(frame) / static_cast<float>(scene_.rate);
+    for (; switches() && next_switch_ < list.size() && list[next_switch_].second <= time;
+         ++next_switch_) {
+        plait_level_choice choice = plait_level_choice_defaults();
+        choice.level = list[next_switch_].level;
+        check(plait_sim_set_level(sim_.get(), &choice));
+    }
 }
 
 plait_sim_measures Simulation::measure() const {
@@ -131,6 +178,8 @@ void Simulation::add_wetness() {
     if (scene_.wetness.size() > 1 && scene_.wetness.size() != strands)
         throw Failure("wetness has " + std::to_string(scene_.wetness.size()) +
                       " numbers, the groom has " + std::to_string(strands) + " strands");
+    if (levels_ && scene_.wetness.size() > 1)
+        throw Failure("wetness has a number for each strand, and level is switched, too");
     std::vector<uint32_t> all(strands);
     for (uint32_t i = 0; i < all.size(); ++i)
         all[i] = i;
@@ -280,6 +329,7 @@ double Simulation::step_ms(Timeline& timeline, uint32_t frame, const plait_pose&
     const auto call = [&](const char* name, bool enqueues, const auto& work) {
         timed(timeline, {name, frame, enqueues, true, 0, 0}, work);
     };
+    switch_level(frame);
     const auto start = std::chrono::steady_clock::now();
     call("set_roots", true, [&] { pose_roots(head, time); });
     call("set_colliders", false, [&] { pose_colliders(head, time); });

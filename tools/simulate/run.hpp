@@ -74,6 +74,13 @@ class Simulation {
     // The figure's, its follows where they hang before the motion; null: they follow as groomed.
     static FollowMapHandle bound_map(const Scene& scene, const Figure& figure);
     SimHandle make_sim();
+    LevelsHandle make_levels() const;
+    bool switches() const { return which_ == Simulated::guides && !scene_.groom.switches.empty(); }
+    void begin_level() const;
+    void switch_level(uint32_t frame);
+    // Whether follows are bound where all strands hang before the motion.
+    static bool binds(const Scene& scene, const Figure& figure);
+
     bool follows() const { return which_ == Simulated::guides && figure_.follows; }
     std::vector<uint32_t> of_simulated(const std::vector<uint32_t>& of_strands) const;
     void add_colliders();
@@ -104,6 +111,8 @@ class Simulation {
     const Simulated which_;
     std::vector<std::string> said_;
     ContextHandle context_;
+    LevelsHandle levels_; // null but with switches
+    size_t next_switch_ = 0;
     SimHandle sim_;
     struct Moving {
         plait_collider_id collider;

@@ -649,6 +649,24 @@ typedef struct plait_lane_fit_params {
     float h; /* s: the step before is h ago */
 } plait_lane_fit_params;
 
+/* level_wake: lanes from strand_first on. */
+typedef struct plait_level_wake_params {
+    plait_u32 vertex_stride; /* V of the lanes */
+    plait_u32 tile;
+    plait_u32 row_stride; /* V of `rest` and of positions */
+    plait_u32 strand_first;
+    plait_u32 history; /* 1: BDF2's step before is kept; 0: lane_x_before, lane_v_before are null */
+    float h;           /* s, the substep */
+    float step;        /* s, the fixed one */
+} plait_level_wake_params;
+
+/* level_keep, level_show. */
+typedef struct plait_level_params {
+    plait_u32 vertex_stride;
+    plait_u32 whole; /* 1: places in the frame of the root; 0: what is lacking to them */
+    float share;     /* of that, [0, 1]; level_show */
+} plait_level_params;
+
 /* lane_orient. */
 typedef struct plait_lane_orient_params {
     plait_u32 vertex_stride;

@@ -48,6 +48,7 @@ const Group groups[] = {
      {PLAIT_STAGE_contact_pair_count, PLAIT_STAGE_contact_pair_scan,
       PLAIT_STAGE_contact_pair_fill}},
     {"follows", {PLAIT_STAGE_guide_turns, PLAIT_STAGE_follow_clump}},
+    {"levels", {PLAIT_STAGE_level_wake, PLAIT_STAGE_level_keep, PLAIT_STAGE_level_show}},
     {"offsets", {PLAIT_STAGE_tressfx_follow, PLAIT_STAGE_follow_curl}},
 };
 

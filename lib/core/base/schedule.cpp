@@ -13,6 +13,8 @@ constexpr size_t more = 16; // dispatches; a substep takes about ten
 
 void Schedule::add(plait_stage stage, uint32_t items, uint32_t width, const void* params,
                    size_t size, std::initializer_list<const Buffer*> buffers) {
+    if (items == 0)
+        return;
     assert(buffers.size() <= most_arguments);
     assert(buffers.size() == plait_stage_describe(stage)->buffer_count);
     if (size_ == dispatches_.size()) {

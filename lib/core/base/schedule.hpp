@@ -31,6 +31,7 @@ class Schedule {
     Schedule(const Schedule&) = delete;
     Schedule& operator=(const Schedule&) = delete;
 
+    // Of no items: nothing is added.
     template <typename Params>
     void add(plait_stage stage, uint32_t items, const Params& params,
              std::initializer_list<const Buffer*> buffers, uint32_t width = 1) {

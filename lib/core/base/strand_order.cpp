@@ -64,4 +64,22 @@ std::pmr::vector<uint32_t> order_by_root(std::span<const float> positions,
     return order;
 }
 
+std::pmr::vector<uint32_t> order_by_root(std::span<const float> positions,
+                                         std::span<const uint32_t> counts,
+                                         std::span<const uint32_t> ends,
+                                         std::pmr::memory_resource* memory) {
+    if (ends.empty())
+        return order_by_root(positions, counts, memory);
+    std::pmr::vector<uint32_t> order(memory);
+    size_t vertex = 0;
+    for (const uint32_t end : ends) {
+        const auto first = static_cast<uint32_t>(order.size());
+        const auto block = counts.subspan(first, end - first);
+        for (const uint32_t strand : order_by_root(positions.subspan(3 * vertex), block, memory))
+            order.push_back(first + strand);
+        vertex = std::accumulate(block.begin(), block.end(), vertex);
+    }
+    return order;
+}
+
 } // namespace plait

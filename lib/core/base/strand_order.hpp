@@ -15,5 +15,11 @@ namespace plait {
 std::pmr::vector<uint32_t> order_by_root(std::span<const float> positions,
                                          std::span<const uint32_t> counts,
                                          std::pmr::memory_resource* memory);
+// The same block by block, so that each of `ends`, ascending and the last of all strands, is that many
+// lanes, too; empty: one block.
+std::pmr::vector<uint32_t> order_by_root(std::span<const float> positions,
+                                         std::span<const uint32_t> counts,
+                                         std::span<const uint32_t> ends,
+                                         std::pmr::memory_resource* memory);
 
 } // namespace plait

@@ -71,10 +71,14 @@ std::pmr::vector<T> in_order(std::span<const uint32_t> order, size_t per_strand,
 } // namespace
 
 Result<FollowTurns> FollowTurns::create(Device& device, const Groom& guides, const FollowMap& map,
-                                        const Layout& layout, uint32_t pinned, uint32_t tile,
+                                        const Layout& layout, const Rules& rules,
                                         std::pmr::memory_resource* memory) {
     FollowTurns turns;
-    turns.tile_ = tile;
+    turns.tile_ = rules.tile;
+    std::pmr::vector<uint32_t> ends(memory); // of follows
+    for (const uint32_t end : rules.ends)
+        if (end > layout.guides)
+            ends.push_back(end - layout.guides);
     constexpr auto f4 = PLAIT_ELEMENT_FLOAT4, f1 = PLAIT_ELEMENT_FLOAT, word = PLAIT_ELEMENT_UINT;
     const auto make = [&](Buffer& to, plait_element element, const auto& content,
                           const char* name) -> Status {
@@ -83,22 +87,24 @@ Result<FollowTurns> FollowTurns::create(Device& device, const Groom& guides, con
         return device.write(to, content.data());
     };
     constexpr size_t most = FollowMap::per_strand;
-    const auto order = order_by_root(map.strands.positions, map.strands.vertex_counts, memory);
+    const auto order =
+        order_by_root(map.strands.positions, map.strands.vertex_counts, ends, memory);
     const auto rows = [&](const std::pmr::vector<Float4>& of) {
         return in_lanes(turns.lanes(layout), order, of, memory);
     };
     PLAIT_TRY(device.create(turns.turn_, f4, layout.guide_vertices(), "guide_turn"));
     if (!map.bound.empty())
-        PLAIT_TRY(
-            make(turns.bound_, f4,
-                 pad_rows(map.bound, guides.strands.vertex_counts, layout.row, pinned, memory),
-                 "guides_bound"));
+        PLAIT_TRY(make(
+            turns.bound_, f4,
+            pad_rows(map.bound, guides.strands.vertex_counts, layout.row, rules.pinned, memory),
+            "guides_bound"));
     PLAIT_TRY(make(turns.order_, word, order, "lane_strand"));
     PLAIT_TRY(
         make(turns.guides_, word, in_order(order, most, map.guides, memory), "follow_guides"));
     PLAIT_TRY(make(turns.weight_, f4, in_order(order, most, map.weights, memory), "follow_weight"));
     PLAIT_TRY(make(turns.place_, f1, rows(places(guides, map, layout, memory)), "follow_place"));
-    PLAIT_TRY(make(turns.rest_, f1, rows(segments(map, layout, pinned, memory)), "follow_rest"));
+    PLAIT_TRY(
+        make(turns.rest_, f1, rows(segments(map, layout, rules.pinned, memory)), "follow_rest"));
     return turns;
 }
 
@@ -117,9 +123,11 @@ Status FollowTurns::read_rest(Device& device, const Layout& layout, std::span<fl
 }
 
 void FollowTurns::append(Schedule& schedule, const Layout& layout, const State& state,
-                         const Buffer& pose, const Buffer& position) const {
+                         const Buffer& pose, const Buffer& guides, const Buffer& position) const {
+    if (layout.follows == 0)
+        return;
     schedule.add(PLAIT_STAGE_guide_turns, layout.guides, plait_layout_params{layout.row},
-                 {bound_ ? &bound_ : &state.rest, &pose, &state.vertex_count, &position, &turn_});
+                 {bound_ ? &bound_ : &state.rest, &pose, &state.vertex_count, &guides, &turn_});
     schedule.add(PLAIT_STAGE_follow_turns, layout.follows,
                  plait_follow_turns_params{layout.row, tile_, layout.guides},
                  {&order_, &pose, &turn_, &guides_, &weight_, &place_, &rest_, &position},

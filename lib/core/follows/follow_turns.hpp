@@ -10,15 +10,21 @@ namespace plait {
 
 class FollowTurns {
   public:
-    // The first `pinned` vertices of a strand have inverse mass 0, as those of guides.
+    struct Rules {
+        uint32_t pinned; // vertices of a strand, of inverse mass 0, as those of guides
+        uint32_t tile;   // strands, of the lane layout
+        // Strands, guides among them, after which those that are placed may end; empty: all are.
+        std::span<const uint32_t> ends;
+    };
     static Result<FollowTurns> create(Device& device, const Groom& guides, const FollowMap& map,
-                                      const Layout& layout, uint32_t pinned, uint32_t tile,
+                                      const Layout& layout, const Rules& rules,
                                       std::pmr::memory_resource* memory);
 
     explicit operator bool() const { return static_cast<bool>(turn_); }
-    // `pose` and the guides' rows of `position` are of the same moment.
+    // `pose` and the guides' rows of `guides` are of the same moment. Of follows so many as `layout`
+    // has are placed, in `position`.
     void append(Schedule& schedule, const Layout& layout, const State& state, const Buffer& pose,
-                const Buffer& position) const;
+                const Buffer& guides, const Buffer& position) const;
     // [4*follows*V]: roots, then segments. Waits.
     Status read_rest(Device& device, const Layout& layout, std::span<float> rest,
                      std::pmr::memory_resource* memory) const;

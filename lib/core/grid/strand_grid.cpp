@@ -169,7 +169,7 @@ void StrandGrid::append_density(Schedule& schedule, const plait_grid_params& par
                                 const Model* lanes, const StepInput& at) const {
     clear(schedule, outside_, 0);
     if (!lanes)
-        return append_exact(schedule, at.layout, at.state, params);
+        return append_exact(schedule, at.stepped, at.state, params);
     clear(schedule, sums_, 0);
     for (size_t i = 0; i < lanes->parts(); ++i)
         splat(schedule, lanes->part(i, at), params);

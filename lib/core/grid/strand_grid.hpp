@@ -23,7 +23,7 @@ class StrandGrid {
     static uint32_t group_width(const plait_device_info& device, uint32_t capacity);
 
     struct Step {
-        const Layout& layout;
+        Layout layout; // of strands that are stepped
         const State& state;
         const Params& params;
         const GridCube& cube;

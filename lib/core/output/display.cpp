@@ -41,10 +41,11 @@ Result<Display> Display::create(Device& device, const Groom& groom, const Layout
     PLAIT_TRY(device.create(display.tangent_, f4, layout.vertices(), "tangent"));
     if (rules.keeps_last_frame)
         PLAIT_TRY(device.create(display.last_frame_, f4, layout.vertices(), "position_last_frame"));
-    if (rules.interpolates) {
+    display.levels_ = rules.levels;
+    if (rules.interpolates || rules.levels)
         PLAIT_TRY(device.create(display.position_out_, f4, layout.vertices(), "position_out"));
+    if (rules.interpolates)
         PLAIT_TRY(display.make_between(device, layout));
-    }
     if (layout.follows > 0 && follows.map)
         PLAIT_TRY(display.make_turns(device, groom, layout, follows, memory));
     else if (layout.follows > 0)
@@ -60,6 +61,11 @@ Status Display::make_between(Device& device, const Layout& layout) {
 
 Status Display::interpolate(Device& device, Schedule& schedule, const Layout& layout,
                             State& state) {
+    if (position_out_) {
+        PLAIT_TRY(make_between(device, layout));
+        append_step_before(schedule, layout, state);
+        return {};
+    }
     Buffer position;
     PLAIT_TRY(device.create(position, PLAIT_ELEMENT_FLOAT4, layout.guide_vertices(), "position"));
     PLAIT_TRY(make_between(device, layout));
@@ -73,7 +79,7 @@ Status Display::interpolate(Device& device, Schedule& schedule, const Layout& la
 Status Display::open_scale(Device& device, Schedule& schedule, const Layout& layout, State& state) {
     Buffer position;
     PLAIT_TRY(device.create(position, PLAIT_ELEMENT_FLOAT4, layout.vertices(), "position"));
-    position.swap(interpolates() ? position_out_ : state.position);
+    position.swap(position_out_ ? position_out_ : state.position);
     scaled_ = std::move(position);
     append_copy(schedule, layout.vertices(), {layout.row, 1}, scaled_, this->position(state));
     return {};
@@ -112,8 +118,7 @@ Status Display::make_follows(Device& device, const Groom& groom, const Layout& l
 // As its guide, a strand's first: that with the greatest weight.
 Status Display::make_turns(Device& device, const Groom& groom, const Layout& layout,
                            const FollowRules& rules, std::pmr::memory_resource* memory) {
-    auto turns =
-        FollowTurns::create(device, groom, *rules.map, layout, rules.pinned, rules.tile, memory);
+    auto turns = FollowTurns::create(device, groom, *rules.map, layout, rules.turns, memory);
     if (!turns)
         return turns.error();
     turns_ = std::move(*turns);
@@ -199,32 +204,70 @@ void Display::append_frame_before(Schedule& schedule, const Layout& layout,
         append_copy(schedule, layout.vertices(), {layout.row, 1}, shown(state), last_frame_);
 }
 
-void Display::append(Schedule& schedule, const StepInput& at, const Roots& roots, float remainder,
-                     Tangents tangents) const {
-    const Layout& layout = at.layout;
+void Display::append_guides(Schedule& schedule, const Layout& layout, const State& state) const {
+    if (position_out_)
+        append_copy(schedule, layout.guide_vertices(), {layout.row, 1}, state.position,
+                    position_out_);
+}
+
+void Display::append_out(Schedule& schedule, const StepInput& at, const LevelRows& rows) const {
+    if (meets_colliders(at.params) && rows.turns)
+        append_out_of_bodies(schedule, rows.layout, at.bodies, rows.turns->order(),
+                             position(at.state));
+}
+
+void Display::append_step(Schedule& schedule, const StepInput& at, const SimLevels& levels,
+                          const LevelRows& rows) const {
+    append_guides(schedule, rows.layout, at.state);
+    levels.append(schedule, rows, at.state, at.state.pose, at.state.position, position(at.state));
+    append_out(schedule, at, rows);
+}
+
+void Display::append_rows(Schedule& schedule, const StepInput& at, const Roots& roots,
+                          float remainder, const LevelRows& rows, const SimLevels* levels) const {
+    const Layout& layout = rows.layout;
     const State& state = at.state;
-    const Buffer& shown = position(state); // at the groom's size until the end
-    const Buffer& pose = interpolates() ? pose_now_ : state.pose;
+    const Buffer& shown = position(state);
+    const Buffer& pose = this->pose(state);
     if (interpolates()) {
         roots.append_poses_now(schedule, pose_now_);
         schedule.add(PLAIT_STAGE_output, layout.guide_vertices(),
                      plait_output_params{layout.row, remainder},
                      {&position_local_, &state.position, &state.pose, &pose_now_, &position_out_});
+    } else {
+        append_guides(schedule, layout, state);
     }
-    if (turns_)
-        turns_.append(schedule, layout, state, pose, shown);
+    if (levels)
+        levels->append(schedule, rows, state, pose, shown, shown);
+    else if (rows.turns)
+        rows.turns->append(schedule, layout, state, pose, shown, shown);
     else if (layout.follows > 0)
         schedule.add(
             PLAIT_STAGE_tressfx_follow, layout.follows * layout.row,
             plait_tressfx_follow_params{layout.row, layout.guides, at.params.tip_separation,
                                         of_kernels(at.params.follow_form)},
             {&state.rest, &pose, &state.vertex_count, &follow_guide_, &follow_offset_, &shown});
+}
+
+// Detail is of strands that follow at every level, and of them all: a clump's centre has to be there.
+LevelRows Display::rows_of(const Layout& layout, const SimLevels* levels) const {
+    return levels ? levels->rows(turns_, detail_ || wet_)
+                  : LevelRows{layout, turns_ ? &turns_ : nullptr};
+}
+
+void Display::append(Schedule& schedule, const StepInput& at, const Roots& roots, float remainder,
+                     Tangents tangents, const SimLevels* levels) const {
+    const LevelRows rows = rows_of(at.layout, levels);
+    const Layout& layout = rows.layout;
+    const State& state = at.state;
+    const Buffer& shown = position(state); // at the groom's size until the end
+    const Buffer& pose = this->pose(state);
+    append_rows(schedule, at, roots, remainder, rows, levels);
     if (detail_)
-        detail_.append(schedule, layout, pose, follow_guide_, shown);
+        detail_.append(schedule, at.layout, pose, follow_guide_, shown);
     if (wet_ && state.wetness) // of all that sets them apart, curl and frizz, too
-        wet_.append(schedule, layout, pose, follow_guide_, shown, &state.wetness);
-    if (meets_colliders(at.params))
-        append_out_of_bodies(schedule, at.layout, at.bodies, turns_.order(), shown);
+        wet_.append(schedule, at.layout, pose, follow_guide_, shown, &state.wetness);
+    append_out(schedule, at, rows);
     const uint32_t first = tangents == Tangents::of_all ? 0 : layout.guides;
     if (first < layout.strands())
         schedule.add(PLAIT_STAGE_tangents, (layout.strands() - first) * layout.row,

@@ -3,6 +3,7 @@
 
 #include "core/follows/detail.hpp"
 #include "core/follows/follow_turns.hpp"
+#include "core/levels/sim_levels.hpp"
 #include "core/roots/roots.hpp"
 #include "core/strands/model.hpp"
 #include "core/strands/state.hpp"
@@ -18,13 +19,13 @@ struct FollowRules {
     float radius = 0; // m
     uint64_t seed = 0;
     const FollowMap* map = nullptr;
-    uint32_t pinned = 0; // vertices of a strand
-    uint32_t tile = 1;   // strands, of the lane layout
+    FollowTurns::Rules turns{0, 1, {}}; // with a map
 };
 
 struct DisplayRules {
     bool interpolates = false;
     bool keeps_last_frame = false;
+    bool levels = false;
 };
 
 // Where the model has written those of guides, with their positions, only follows are left.
@@ -36,7 +37,7 @@ class Display {
                                   const FollowRules& follows, const DisplayRules& rules,
                                   std::pmr::memory_resource* memory);
 
-    bool interpolates() const { return static_cast<bool>(position_out_); }
+    bool interpolates() const { return static_cast<bool>(pose_now_); }
     // From now on it does: what was shown stays the buffer that is shown, and the state gets one of its
     // own. Fails without an effect.
     Status interpolate(Device& device, Schedule& schedule, const Layout& layout, State& state);
@@ -52,12 +53,23 @@ class Display {
     // What keeps what is shown as the frame before, if that is asked for.
     void append_frame_before(Schedule& schedule, const Layout& layout, const State& state) const;
     // What fills position and tangent; `remainder`: share of a step since the last one.
-    // Colliders are where they are at the end of `at`.
+    // Colliders are where they are at the end of `at`. `levels`: null without.
     void append(Schedule& schedule, const StepInput& at, const Roots& roots, float remainder,
-                Tangents tangents) const;
+                Tangents tangents, const SimLevels* levels) const;
+    // With levels: what places `rows` in what is shown, without detail, as the last step has left them or
+    // where they are shown; and turns follows out of bodies.
+    void append_step(Schedule& schedule, const StepInput& at, const SimLevels& levels,
+                     const LevelRows& rows) const;
+    void append_rows(Schedule& schedule, const StepInput& at, const Roots& roots, float remainder,
+                     const LevelRows& rows, const SimLevels* levels) const;
+    void append_out(Schedule& schedule, const StepInput& at, const LevelRows& rows) const;
+    // With which rows are placed where they are shown.
+    const Buffer& pose(const State& state) const { return interpolates() ? pose_now_ : state.pose; }
+    const Buffer& before_scale(const State& state) const { return position(state); }
+    const FollowTurns& turns() const { return turns_; }
     // Follow strands are kept out of colliders.
     bool meets_colliders(const Params& params) const {
-        return turns_ && params.follow_contact != 0;
+        return (turns_ || levels_) && params.follow_contact != 0;
     }
 
     // Of the follows, from the next time on that they are shown. Waits. INVALID_STATE: there are none.
@@ -81,8 +93,10 @@ class Display {
   private:
     // The same at the groom's size.
     const Buffer& position(const State& state) const {
-        return interpolates() ? position_out_ : state.position;
+        return position_out_ ? position_out_ : state.position;
     }
+    LevelRows rows_of(const Layout& layout, const SimLevels* levels) const;
+    void append_guides(Schedule& schedule, const Layout& layout, const State& state) const;
     Status make_between(Device& device, const Layout& layout);
     Status make_follows(Device& device, const Groom& groom, const Layout& layout,
                         const FollowRules& rules, std::pmr::memory_resource* memory);
@@ -102,9 +116,10 @@ class Display {
     Detail wet_;           // where strands may be wet only
     Buffer last_frame_;    // float4 [strands*V]
     Buffer scaled_;        // float4 [strands*V], from the first scale on
+    bool levels_ = false;
+    Buffer position_out_; // float4 [strands*V]; with interpolation or levels only
     // With interpolation only.
     Buffer position_local_; // float4 [guides*V]: the step before the last, in its root frames
-    Buffer position_out_;   // float4 [strands*V]
     Buffer pose_now_;       // float4 [2*guides]
 };
 

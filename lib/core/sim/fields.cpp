@@ -107,7 +107,9 @@ Status Sim::make_bounds() {
 }
 
 void Sim::add_bounds() {
-    const uint32_t count = layout_.vertices(), share = (count - 1) / runs + 1;
+    const uint32_t shown =
+        levels_ ? std::max(levels_->shown(), levels_->stepped()) : layout_.strands();
+    const uint32_t count = shown * layout_.row, share = (count - 1) / runs + 1;
     const uint32_t used = (count - 1) / share + 1;
     schedule_.add(PLAIT_STAGE_bounds, used, plait_bounds_params{count, share, 0},
                   {&display_.shown(state_), &boxes_});
@@ -183,14 +185,16 @@ Result<uint64_t> Sim::read_later(plait_field field, void* dst) {
     return fence;
 }
 
-// Verlet velocity over the last substep; padding has that of its strand's history, at rest 0.
+// Verlet velocity over the last substep; padding has that of its strand's history, at rest 0. Strands
+// that are not stepped have none.
 Status Sim::read_velocity(std::span<float> dst) {
     std::pmr::vector<float> before(dst.size(), &context_.memory);
     PLAIT_TRY(device().read(state_.position_prev, before.data()));
     PLAIT_TRY(device().read(state_.position, 0, layout_.guide_vertices(), dst.data()));
     const float rate = scale_ / substep_length();
+    const size_t stepped = size_t{4} * this->stepped().guide_vertices();
     for (size_t i = 0; i < dst.size(); ++i)
-        dst[i] = i % 4 == 3 ? 0 : (dst[i] - before[i]) * rate;
+        dst[i] = i % 4 == 3 || i >= stepped ? 0 : (dst[i] - before[i]) * rate;
     return {};
 }
 

@@ -8,52 +8,22 @@
 #include "core/grid/strand_grid.hpp"
 #include "core/mesh/bending_meshes.hpp"
 #include "core/mesh/mesh_colliders.hpp"
-#include "core/output/display.hpp"
 #include "core/params/param_table.hpp"
-#include "core/params/params.hpp"
 #include "core/pins/pins.hpp"
 #include "core/roots/root_binding.hpp"
 #include "core/roots/roots.hpp"
 #include "core/roots/roots_input.hpp"
-#include "core/roots/skin.hpp"
-#include "core/sim/context.hpp"
+#include "core/sim/moments.hpp"
+#include "core/sim/sim_parts.hpp"
 #include "core/strand_contact/pairs.hpp"
-#include "core/strands/model.hpp"
 #include "core/volume/volume.hpp"
 #include "core/wetness/wetness.hpp"
-#include "core/wind/wind.hpp"
 
 #include <plait/plait_profile.h>
 
 #include <memory>
 
 namespace plait {
-
-// Everything on the host that a sim is made of; moved into the Sim once all of it is there.
-struct SimParts {
-    Layout layout;
-    plait_sim_desc desc;
-    Params params;
-    StrandMaterialsPtr materials;
-    std::string size_warning;
-    HairSizes hair;
-    std::string groom_warning;
-    uint64_t fingerprint; // of the groom's strands
-    GridCube cube;
-    float longest_segment; // m
-    Skin skin;
-    std::unique_ptr<Model> model;
-    State state;
-    Display display;
-};
-// What of a descriptor belongs to single guides, checked.
-struct StrandInput {
-    std::span<const float> stiffness; // what scales each guide's, or empty
-    StrandMaterialsPtr materials;
-    const FollowMap* follows = nullptr;
-};
-Result<SimParts> make_sim_parts(Context& context, const Groom& groom, const plait_sim_desc& desc,
-                                const StrandInput& strands);
 
 // snapshot/
 enum class BlockKind : uint32_t;
@@ -98,6 +68,9 @@ class Sim {
     Status set_wind(const plait_wind_desc* desc);
     // Null: none. INVALID_STATE: there are no follows. What fails changes nothing.
     Status set_detail(const plait_detail_desc* desc, std::span<const uint32_t> centres);
+    // From the next step on. INVALID_STATE: there are no levels.
+    Status set_level(const plait_level_choice& choice);
+    Result<plait_level_state> level_state() const;
     Status step(double dt);
     Status wait() { return device().wait(); }
 
@@ -171,11 +144,6 @@ class Sim {
     struct Measured;
     Status take_measured(Measured& out) const;
     Status begin_measuring();
-    // A number of substeps that some strands take.
-    struct Group {
-        uint32_t substeps;
-        uint32_t first; // those of the groups before
-    };
     // Those that take one number of substeps take all of them before those that take another: what
     // strands know of each other's motion within a fixed step (strand_contact) is then that old.
     template <typename Visit> Status for_each_group(const Visit& visit) const {
@@ -195,13 +163,6 @@ class Sim {
     }
 
     // sim_step.cpp
-    enum class Moment { call_begins, step_begins, substep, step_ends, call_ends };
-    struct At {
-        Moment moment;
-        StepInput substep;
-        uint32_t step = 0, steps = 0; // which fixed step of how many in the call
-        float end = 1;                // share of the call at which that step ends
-    };
     using Phase = void (Sim::*)(const At&); // appends what it does at a moment, if anything
     static const Phase phases[];
     void append_phases(const At& at);
@@ -233,6 +194,18 @@ class Sim {
     void append_dry_step();
     bool model_shows_guides() const;
     void append_shown(Tangents tangents = Tangents::of_all);
+    // sim_levels.cpp
+    // Of strands that are stepped.
+    Layout stepped() const {
+        return {levels_ ? levels_->stepped() : layout_.guides, 0, layout_.row};
+    }
+    bool is_rigid() const { return levels_ && levels_->is_rigid(); }
+    void append_level_before(uint32_t step, uint32_t steps);
+    void append_switch();
+    void append_level_stages();
+    void append_dry_step_of_finest();
+    void append_level_reset();
+    Status submit_and_probe();
     StrandGrid::Step grid_step(const plait_pose& head) const;
     VolumeGrid volume_grid(const plait_pose& head) const;
     bool grid_is_over_lanes() const;
@@ -297,24 +270,7 @@ class Sim {
     Status open_wetness(); // of all that needs it, or of nothing
     void close_wetness();
     void dry();
-    // A run of floats that a snapshot holds.
-    struct Run {
-        enum class Of {
-            vertices,
-            histories,
-            poses,
-            motion,
-            turns,
-            pushes,
-            pressures,
-            wetness
-        };              // what its values may be
-        BlockKind kind; // of which block
-        const Buffer* buffer;
-        size_t floats;
-        Of of;
-        LaneBuffer lanes; // no buffer: saved as it lies
-    };
+    struct Run; // snapshot/snapshot_format.hpp
     std::pmr::vector<Run> list_runs(const Saved& saved);
     std::pmr::vector<Run> saved_runs(const Saved& saved, std::span<const Settings> strands);
     Saved saved_now();
@@ -322,8 +278,9 @@ class Sim {
     Status write_bodies(SnapshotWriter& to);
     Status write_bending(SnapshotWriter& to, size_t index);
     Status save_run(const Run& run, unsigned char* out);
-    using BlockBytes = std::array<std::span<const unsigned char>, 12>; // by BlockKind
+    using BlockBytes = std::array<std::span<const unsigned char>, 13>; // by BlockKind
     Status check_fits(const Saved& saved) const;
+    Status check_levels(const Saved& saved) const;
     Result<SettingsList> saved_settings(std::span<const unsigned char> from) const;
     Status check_run(const Run& run, const unsigned char* from, float scale) const;
     Status check_runs(std::span<const Run> list, const BlockBytes& from, float scale) const;
@@ -351,6 +308,7 @@ class Sim {
     Volume volume_; // where it is on, over the grid's sums
     Pairs pairs_;
     Display display_;
+    std::unique_ptr<SimLevels> levels_; // null: without
     // What is known of the head's motion, that hair goes along with: after a teleport, how it moved
     // before; after a reset, or a step without an aim after either, nothing; of a frame whose share has
     // changed, all but that the step before had another part of it.

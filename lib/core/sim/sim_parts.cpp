@@ -81,6 +81,11 @@ HairSizes hair_sizes(const Groom& groom, const Layout& layout) {
             static_cast<float>(double(layout.strands()) / double(layout.guides))};
 }
 
+// Of all strands, after which those that are stepped or shown may end; empty: all are.
+std::pmr::vector<uint32_t> ends_of(const StrandInput& strands, std::pmr::memory_resource* memory) {
+    return strands.levels ? strands.levels->ends() : std::pmr::vector<uint32_t>(memory);
+}
+
 } // namespace
 
 Result<SimParts> make_sim_parts(Context& context, const Groom& groom, const plait_sim_desc& desc,
@@ -89,10 +94,14 @@ Result<SimParts> make_sim_parts(Context& context, const Groom& groom, const plai
     PLAIT_TRY(check_size(context, groom, desc, strands.follows));
     const Layout layout = make_layout(groom, desc, strands.follows);
     Device& device = context.device;
+    const auto ends = ends_of(strands, &context.memory);
+    std::span<const uint32_t> guide_ends = ends;
+    while (!guide_ends.empty() && guide_ends.back() > layout.guides)
+        guide_ends = guide_ends.first(guide_ends.size() - 1);
     auto model = make_model(desc.model, {desc.substeps},
                             {layout, groom, strands.stiffness, strands.materials, context.info.tile,
                              Clock(desc.step, 1).step(), desc.sag_free,
-                             std::to_array(desc.params.gravity), &context.memory});
+                             std::to_array(desc.params.gravity), &context.memory, guide_ends});
     if (!model)
         return model.error();
     Params params = default_params(); // every feature is off
@@ -105,7 +114,7 @@ Result<SimParts> make_sim_parts(Context& context, const Groom& groom, const plai
     std::span<const uint32_t> follow_counts;
     if (strands.follows)
         follow_counts = strands.follows->strands.vertex_counts;
-    const StateNeeds needs{interpolate ? layout.guides : layout.strands(),
+    const StateNeeds needs{interpolate || strands.levels ? layout.guides : layout.strands(),
                            (*model)->pinned_vertices(), (*model)->keeps_two_steps(), follow_counts};
     auto state = create_state(device, groom, layout, needs, &context.memory);
     if (!state)
@@ -113,13 +122,21 @@ Result<SimParts> make_sim_parts(Context& context, const Groom& groom, const plai
     auto skin = Skin::create(device, groom);
     if (!skin)
         return skin.error();
-    auto display =
-        Display::create(device, groom, layout,
-                        {desc.follows_per_guide, desc.follow_radius, desc.seed, strands.follows,
-                         (*model)->pinned_vertices(), context.info.tile},
-                        {interpolate, desc.keep_last_frame != 0}, &context.memory);
+    const FollowTurns::Rules turns{(*model)->pinned_vertices(), context.info.tile, ends};
+    auto display = Display::create(
+        device, groom, layout,
+        {desc.follows_per_guide, desc.follow_radius, desc.seed, strands.follows, turns},
+        {interpolate, desc.keep_last_frame != 0, strands.levels != nullptr}, &context.memory);
     if (!display)
         return display.error();
+    std::unique_ptr<SimLevels> levels;
+    if (strands.levels) {
+        auto made = SimLevels::create(device, *strands.levels, strands.level_top, *strands.follows,
+                                      layout, turns, &context.memory);
+        if (!made)
+            return made.error();
+        levels = std::move(*made);
+    }
     return SimParts{layout,
                     desc,
                     params,
@@ -133,7 +150,8 @@ Result<SimParts> make_sim_parts(Context& context, const Groom& groom, const plai
                     std::move(*skin),
                     std::move(*model),
                     std::move(*state),
-                    std::move(*display)};
+                    std::move(*display),
+                    std::move(levels)};
 }
 
 } // namespace plait

@@ -1,30 +1,8 @@
-// A call of plait_sim_step: its moments, and at each of them the phases that have something to do.
-//
-//                     call begins      fixed step begins     substep     fixed step ends   call ends
-//   roots                              poses of their own    poses
-//   meshes that bend                   vertices, boxes
-//   pins                               targets                                             targets
-//   wetness                            dries; material
-//   air                                eddies, shelter
-//   volume                             pressure at rest                  pressure, velocities
-//   accelerations                      of single vertices
-//   pairs of strands                     which may meet
-//   solve                                                    the model
-//   grid over lanes                                                      brakes velocities
-//   publish                                                              positions,
-//                                                                        tangents
-//   grid                                                                 brakes velocities
-//   display           frame before     step before                                         follows,
-//                                                                                          tangents
-//
-// A phase appends dispatches and changes nothing else, so that the same list says which kernels a
-// sim needs before its first step. What the host keeps (paths of roots, pins and colliders, the
-// wind's grid and time, how much of the wetness is left) moves on by advance() and place(), once a
-// fixed step, and by arrive(), at the end of a call.
+// A call of plait_sim_step. What the host keeps (paths of roots, pins and colliders, the wind's grid and
+// time, how much of the wetness is left) moves on by advance() and place(), once a fixed step, and by
+// arrive(), at the end of a call. What the device does is in sim_phases.cpp.
 #include "base/format.hpp"
-#include "core/pins/lane_springs.hpp"
 #include "core/pins/pins.hpp"
-#include "core/push/lane_push.hpp"
 #include "core/sim/sim.hpp"
 
 #include <plait/constants.h>
@@ -41,21 +19,6 @@ namespace {
 constexpr float least_jump = 0.9f;
 
 } // namespace
-
-// In the order in which they act at one moment.
-constexpr Sim::Phase Sim::phases[] = {
-    &Sim::append_roots,           &Sim::append_meshes,  &Sim::append_pins,
-    &Sim::append_wetness,         &Sim::append_air,
-    &Sim::append_volume, // whose pressure is an acceleration
-    &Sim::append_accelerations,   &Sim::append_pairs,   &Sim::append_solve,
-    &Sim::append_grid_over_lanes, &Sim::append_publish, &Sim::append_grid,
-    &Sim::append_display,
-};
-
-void Sim::append_phases(const At& at) {
-    for (const Phase phase : phases)
-        (this->*phase)(at);
-}
 
 // A head that moves in no time has been put elsewhere.
 Status Sim::step(double dt) {
@@ -77,6 +40,12 @@ Status Sim::step(double dt) {
         PLAIT_TRY(skip(tick.end_of_dropped()));
     for (uint32_t k = 0; k < tick.steps; ++k)
         PLAIT_TRY(fixed_step(tick.end_of(k), k, tick.steps));
+    if (levels_ && tick.steps > 0) {
+        levels_->pass(tick.steps * clock_.step());
+        levels_->swing.pass(tick.steps * clock_.step());
+        if (levels_->is_due())
+            append_switch();
+    }
     roots_.arrive();
     frame_.arrive();
     colliders_.arrive();
@@ -85,7 +54,7 @@ Status Sim::step(double dt) {
     if ((jumps || (dt == 0 && resized_)) && !display_.interpolates())
         append_shown();
     resized_ = resized_ && dt > 0 && tick.steps == 0;
-    return submit();
+    return submit_and_probe();
 }
 
 // A head speeds up by some m/s in a frame when it is hit. Said once.
@@ -151,8 +120,11 @@ Status Sim::fixed_step(double end, uint32_t step, uint32_t steps) {
     advance_pins(state_);
     dry();
     wind_.place(cube_, roots_.step_begin());
+    if (levels_ && !levels_->is_rigid())
+        wind_.crowd = static_cast<float>(layout_.guides) / static_cast<float>(levels_->stepped());
     PLAIT_TRY(colliders_.advance(device(), end, roots_.bends()));
     bending_.advance(end);
+    append_level_before(step, steps);
     append_phases({Moment::step_begins, present(), step, steps, static_cast<float>(end)});
     const auto substeps = [&](const Group& group) -> Status {
         for (uint32_t i = 0; i < group.substeps; ++i) {
@@ -164,7 +136,7 @@ Status Sim::fixed_step(double end, uint32_t step, uint32_t steps) {
     PLAIT_TRY(for_each_group(substeps));
     append_phases({Moment::step_ends, present(), step, steps});
     PLAIT_TRY(submit());
-    if (volume_)
+    if (volume_ && !is_rigid())
         volume_.carry();
     if (wind_.blows())
         wind_.advance(clock_.step());
@@ -273,178 +245,6 @@ void Sim::append_dry_step() {
     append_shown();
 }
 
-void Sim::append_roots(const At& at) {
-    if (at.moment == Moment::step_begins)
-        roots_.append_path(schedule_);
-    if (at.moment == Moment::substep)
-        roots_.append_poses(schedule_, at.substep.share, state_.pose);
-}
-
-// A dry step, which is of none, has all that any may take.
-void Sim::append_meshes(const At& at) {
-    if (at.moment == Moment::step_begins)
-        bending_.append(schedule_, at.steps == 0);
-}
-
-void Sim::append_pins(const At& at) {
-    if (at.moment == Moment::step_begins)
-        append_pin_targets(schedule_, layout_, state_, at.end, scale_);
-    if (at.moment == Moment::call_ends)
-        append_pins_arrived(schedule_, layout_, state_, scale_);
-}
-
-// What it is at the end of a fixed step is what all of it is taken with.
-void Sim::append_wetness(const At& at) {
-    if (at.moment != Moment::step_begins || !state_.wetness)
-        return;
-    wetness_.append(schedule_, layout_, state_);
-    for (size_t i = 0; i < model_->parts(); ++i)
-        Wetness::append_material(schedule_, model_->part(i, at.substep), state_);
-}
-
-void Sim::dry() {
-    if (!state_.wetness)
-        return;
-    wetness_.pass(clock_.step(), double(params_.wetness.drying_time));
-    if (wetness_.is_dry())
-        close_wetness();
-}
-
-void Sim::append_air(const At& at) {
-    if (at.moment != Moment::step_begins || !wind_.blows())
-        return;
-    wind_.append(schedule_, {hair_is_over_lanes() ? model_.get() : nullptr, at.substep}, air(),
-                 head_velocity(), clock_.step());
-}
-
-// What pulls at single vertices in all substeps of a fixed step, where they are at its begin.
-void Sim::append_accelerations(const At& at) {
-    if (at.moment != Moment::step_begins || !state_.acceleration)
-        return;
-    if (context_.replaced[PLAIT_STAGE_accelerate]) {
-        plait_accelerate_params params{};
-        params.vertex_stride = layout_.row;
-        params.h = substep_length();
-        params.time = static_cast<float>(clock_.time());
-        std::ranges::copy(params_.acceleration.values, params.value);
-        schedule_.add(
-            PLAIT_STAGE_accelerate, layout_.guide_vertices(), params,
-            {&state_.vertex_count, &state_.position, &state_.position_prev, &state_.acceleration});
-    }
-    if (!wind_.blows())
-        for (size_t i = 0; i < model_->parts(); ++i)
-            plait::append_accelerations(schedule_, model_->part(i, at.substep));
-}
-
-// Positions are those of the last step's end, and lie as far from those before as its strands moved
-// in one of the sim's own substeps.
-void Sim::append_pairs(const At& at) {
-    if (at.moment == Moment::step_begins && pairs_.buffers())
-        pairs_.append(schedule_, {layout_, state_, params_, desc_.substeps, context_.info});
-}
-
-// The features that reach the solve by its doors, in this order: springs are known to what pushes along
-// them, and both to what looks for bodies in the way.
-Doors Sim::fill_doors(const StepInput& at, const Part& part) {
-    Doors doors;
-    fill_springs(schedule_, part, state_, at.params.groom, doors);
-    if (wind_.blows())
-        wind_.fill(schedule_, part, at.air, at.first, at.step, doors);
-    meshes_.fill(schedule_, part, at.bodies.fields, doors);
-    bending_.fill(schedule_, part, at.bodies.nearest, doors);
-    pairs_.fill(schedule_, part, state_, at.params.strand_contact.friction, doors);
-    return doors;
-}
-
-// Where strands meet, each sees the others where all are at the substep's begin.
-void Sim::append_solve(const At& at) {
-    if (at.moment != Moment::substep)
-        return;
-    if (pairs_.buffers())
-        model_->publish(schedule_, at.substep);
-    model_->substep(schedule_, at.substep,
-                    [&](const Part& part) { return fill_doors(at.substep, part); });
-}
-
-StrandGrid::Step Sim::grid_step(const plait_pose& head) const {
-    return {layout_,          state_,       params_,    cube_,        head,
-            substep_length(), clock_.steps, desc_.seed, context_.info};
-}
-
-// Where lanes fill a CPU's registers; elsewhere the grids see the positions that were published.
-bool Sim::hair_is_over_lanes() const {
-    return model_->parts() > 0 && context_.info.lanes > 1 &&
-           context_.device.supports(PLAIT_STAGE_lane_splat);
-}
-
-// Not where the caller has kernels of his own for it.
-bool Sim::grid_is_over_lanes() const {
-    const auto& replaced = context_.replaced;
-    return grid_.is_exact() && !volume_ && hair_is_over_lanes() &&
-           !replaced[PLAIT_STAGE_grid_splat] && !replaced[PLAIT_STAGE_grid_diffuse] &&
-           context_.device.supports(PLAIT_STAGE_lane_diffuse);
-}
-
-void Sim::append_grid_over_lanes(const At& at) {
-    if (at.moment == Moment::step_ends && grid_is_over_lanes())
-        grid_.append_over_lanes(schedule_, grid_step(roots_.step_head()), *model_, at.substep);
-}
-
-VolumeGrid Sim::volume_grid(const plait_pose& head) const {
-    return {grid_params(grid_step(head)),
-            static_cast<float>(clock_.step()),
-            grid_.sums(),
-            grid_.outside(),
-            grid_.density(),
-            grid_.velocity(),
-            state_.wetness ? &state_.wetness : nullptr};
-}
-
-// In place of the brake. The pressure goes on from step to step; where it cannot, it is sought first.
-void Sim::append_volume(const At& at) {
-    if (!volume_)
-        return;
-    if (at.moment == Moment::step_begins && !volume_.carries)
-        volume_.append_start(schedule_, volume_grid(roots_.step_begin()), *model_, first_group());
-    if (at.moment == Moment::step_ends)
-        volume_.append_step(schedule_, volume_grid(roots_.step_head()), *model_, first_group());
-}
-
-// What is shown of guides is what the last step of a call leaves, unless output is interpolated.
-bool Sim::model_shows_guides() const {
-    return model_->parts() > 0 && !display_.interpolates() &&
-           !context_.replaced[PLAIT_STAGE_tangents];
-}
-
-void Sim::append_publish(const At& at) {
-    if (at.moment != Moment::step_ends)
-        return;
-    const bool shows = at.step + 1 == at.steps && model_shows_guides();
-    model_->publish(schedule_, at.substep, shows ? &display_.tangent() : nullptr);
-}
-
-void Sim::append_grid(const At& at) {
-    if (at.moment != Moment::step_ends || !grid_.is_on() || volume_ || grid_is_over_lanes())
-        return;
-    grid_.append(schedule_, grid_step(roots_.step_head()));
-    model_->adopt(schedule_, at.substep, Changed::by_grid);
-}
-
-// A call without a fixed step leaves what is shown as it is, unless that is between two steps.
-void Sim::append_display(const At& at) {
-    if (at.moment == Moment::call_begins)
-        display_.append_frame_before(schedule_, layout_, state_);
-    if (at.moment == Moment::step_begins && at.step + 1 == at.steps)
-        display_.append_step_before(schedule_, layout_, state_);
-    if (at.moment == Moment::call_ends && (at.steps > 0 || display_.interpolates()))
-        append_shown(model_shows_guides() ? Tangents::of_follows : Tangents::of_all);
-}
-
-void Sim::append_shown(Tangents tangents) {
-    display_.append(schedule_, first_group(), roots_, static_cast<float>(clock_.remainder()),
-                    tangents);
-}
-
 Bodies Sim::bodies(uint32_t substep) const {
     const Buffer& rows = colliders_.buffer();
     const uint32_t first = substep * colliders_.count();
@@ -460,6 +260,7 @@ Bodies Sim::bodies(uint32_t substep) const {
 
 StepInput Sim::at(const Group& group, uint32_t substep) const {
     return {layout_,
+            stepped(),
             state_,
             params_,
             bodies(group.first + substep),

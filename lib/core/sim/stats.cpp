@@ -34,7 +34,7 @@ bool is_allowed(const Float4& acceleration) {
 } // namespace
 
 void Sim::add_stats() {
-    schedule_.add(PLAIT_STAGE_stats, layout_.guides, plait_layout_params{layout_.row},
+    schedule_.add(PLAIT_STAGE_stats, stepped().guides, plait_layout_params{layout_.row},
                   {&state_.rest_length, &state_.vertex_count, &state_.position,
                    &state_.position_prev, &strand_stats_});
 }
@@ -47,9 +47,11 @@ Status Sim::measure(plait_sim_measures& out) {
     schedule_.clear();
     add_stats();
     PLAIT_TRY(submit());
-    std::pmr::vector<Float4> strands(layout_.guides, &context_.memory);
-    PLAIT_TRY(device().read(strand_stats_, strands.data()));
-    reduce(strands, out);
+    std::pmr::vector<Float4> strands(stepped().guides, &context_.memory);
+    if (!strands.empty()) {
+        PLAIT_TRY(device().read(strand_stats_, 0, strands.size(), strands.data()));
+        reduce(strands, out);
+    }
     const auto ignored = accelerations_ignored();
     PLAIT_TRY(ignored);
     out.nonfinite += *ignored;
@@ -86,7 +88,7 @@ uint64_t Sim::device_bytes() const {
                      display_.device_bytes() + skin_.device_bytes() + binding_.device_bytes() +
                      (3 + pose_before_.size()) * pose_spare_.bytes() + strand_stats_.bytes() +
                      boxes_.bytes() + box_.bytes() + wind_.device_bytes() +
-                     colliders_.buffer().bytes();
+                     (levels_ ? levels_->device_bytes() : 0) + colliders_.buffer().bytes();
     if (const MeshBuffers* meshes = meshes_.buffers())
         bytes += meshes->bytes();
     bytes += bending_.device_bytes() + taken_.bytes();

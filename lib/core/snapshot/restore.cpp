@@ -15,6 +15,23 @@ namespace {
 
 constexpr float most_potential = 1e30f;
 
+// The model has as many strands as a snapshot is of; after it, as many as the sim's level steps.
+struct Stepped {
+    Stepped(Model& of, const SimLevels* its, uint32_t level) : model(of), levels(its) {
+        if (levels)
+            model.step_first(levels->stepped_of(level));
+    }
+    Stepped(const Stepped&) = delete;
+    Stepped& operator=(const Stepped&) = delete;
+    ~Stepped() { take(); }
+    void take() const {
+        if (levels)
+            model.step_first(levels->stepped());
+    }
+    Model& model;
+    const SimLevels* levels;
+};
+
 } // namespace
 
 // The runs of a snapshot whose strands may have other settings than the sim's have now: those of the
@@ -89,6 +106,14 @@ Status Sim::check_fits(const Saved& from) const {
                      format("the snapshot has steps of %g s in %u substeps, the sim %g s in %u",
                             double(sim.step), sim.substeps, double(desc_.step), desc_.substeps)};
     return {};
+}
+
+Status Sim::check_levels(const Saved& from) const {
+    if (from.is(BlockKind::levels) != bool(levels_))
+        return Error{PLAIT_INVALID_ARGUMENT,
+                     format("the snapshot is of a sim with%s levels, this one has %s",
+                            levels_ ? "out" : "", levels_ ? "some" : "none")};
+    return levels_ ? levels_->check(from.levels) : Status{};
 }
 
 // What a kernel can take: positions and velocities at hand, turns that are turns, masses as they
@@ -216,6 +241,8 @@ Status Sim::restore(std::span<const unsigned char> src) {
     if (!strands)
         return strands.error();
     own = {};
+    PLAIT_TRY(check_levels(*saved));
+    const Stepped stepped{*model_, levels_.get(), saved->levels.level};
     PLAIT_TRY(check_runs(saved_runs(*saved, *strands), *blocks, scale));
     if (*strands != settings())
         PLAIT_TRY(set_settings(*strands));
@@ -233,6 +260,9 @@ Status Sim::restore(std::span<const unsigned char> src) {
         PLAIT_TRY(display_.interpolate(device(), schedule_, layout_, state_));
         PLAIT_TRY(submit());
     }
+    if (levels_)
+        levels_->restore(saved->levels);
+    stepped.take();
     const auto list = list_runs(*saved);
     PLAIT_TRY(take_meshes(std::move(*meshes), std::move(*bending)));
     PLAIT_TRY(colliders_.assign(device(), *slots, std::move(*faces), scale));

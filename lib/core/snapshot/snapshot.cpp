@@ -64,6 +64,8 @@ std::pmr::vector<Sim::Run> Sim::list_runs(const Saved& now) {
             add(BlockKind::contact, *lanes.buffer, size_t{lanes.layout.strands} * lanes.layout.row,
                 Run::Of::pushes, lanes);
     }
+    if (now.is(BlockKind::levels) && levels_->holds_rows(now.levels))
+        add(BlockKind::levels, levels_->held(), size_t{4} * layout_.vertices(), Run::Of::histories);
     return list;
 }
 
@@ -109,6 +111,8 @@ Saved Sim::saved_now() {
     has(BlockKind::volume, volume_.carries);
     has(BlockKind::contact, model_->parts() > 0);
     now.volume.nodes = params_.grid.edge_count;
+    has(BlockKind::levels, levels_ != nullptr);
+    now.levels = levels_ ? levels_->kept() : SimLevels::Kept{};
     return now;
 }
 
@@ -216,7 +220,8 @@ Status Sim::write_snapshot(SnapshotWriter& to) {
     PLAIT_TRY(write(BlockKind::wind, now.wind));
     PLAIT_TRY(write(BlockKind::wetness, now.wetness));
     PLAIT_TRY(write(BlockKind::volume, now.volume));
-    return write(BlockKind::contact);
+    PLAIT_TRY(write(BlockKind::contact));
+    return write(BlockKind::levels, now.levels);
 }
 
 size_t Sim::snapshot_size() {

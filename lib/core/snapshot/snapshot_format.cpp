@@ -149,6 +149,7 @@ constexpr Kind kinds[block_kinds] = {
     {"wetness", "wetn", 1, false, sizeof(SavedWetness)},
     {"volume", "volu", 1, false, sizeof(SavedVolume)},
     {"contact", "cont", 1, false, 0},
+    {"levels", "levl", 1, false, sizeof(SimLevels::Kept)},
 };
 
 uint32_t tag_of(const Kind& kind) {
@@ -308,6 +309,7 @@ Result<Saved> take_saved(BlockBytes& blocks) {
     take(of(BlockKind::wind), saved.wind);
     take(of(BlockKind::wetness), saved.wetness);
     take(of(BlockKind::volume), saved.volume);
+    take(of(BlockKind::levels), saved.levels);
     const SavedSim& sim = saved.sim;
     if (const auto status = plait::check_range("scale", double(sim.scale), 1e-3f, 1e3); !status)
         return malformed(status.error().message);
@@ -320,6 +322,10 @@ Result<Saved> take_saved(BlockBytes& blocks) {
         return malformed(format("dried is %g, range is [0, 1e12]", saved.wetness.dried));
     if (saved.is(BlockKind::volume) && (saved.volume.nodes < 1 || saved.volume.nodes > 64))
         return malformed(format("volume.nodes is %u, range is [1, 64]", saved.volume.nodes));
+    if (!(saved.levels.blend >= 0 && saved.levels.blend <= 5 && saved.levels.since >= 0 &&
+          saved.levels.since <= 1e12))
+        return malformed(format("levels blend for %g s since %g s, ranges are [0, 5] and [0, 1e12]",
+                                double(saved.levels.blend), saved.levels.since));
     return saved;
 }
 

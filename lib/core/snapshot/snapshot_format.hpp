@@ -35,8 +35,9 @@ enum class BlockKind : uint32_t {
     wetness, // SavedWetness, then that of strands
     volume,  // SavedVolume, then the pressure of strands and of nodes
     contact, // normal forces of the last substep, of strands over lanes
+    levels,  // SimLevels::Kept, then what is kept of strands that are shown
 };
-constexpr size_t block_kinds = 12;
+constexpr size_t block_kinds = 13;
 
 struct SavedSim {
     uint64_t groom; // its fingerprint
@@ -71,7 +72,7 @@ struct SavedVolume {
     uint32_t nodes; // per edge of the grid whose pressure is carried
 };
 static_assert(sizeof(SavedSim) == 56 && sizeof(SavedRoots) == 240 && sizeof(Frame::State) == 156 &&
-                  sizeof(SavedWind) == 48,
+                  sizeof(SavedWind) == 48 && sizeof(SimLevels::Kept) == 24,
               "no padding: they are saved as bytes");
 
 // Of a collider that is a mesh, in the order of their slots; then come the values of its nodes, and
@@ -99,9 +100,29 @@ struct Saved {
     SavedWind wind;
     SavedWetness wetness;
     SavedVolume volume;
+    SimLevels::Kept levels;
     std::array<bool, block_kinds> has{};
 
     bool is(BlockKind kind) const { return has[static_cast<size_t>(kind)]; }
+};
+
+// A run of floats that a snapshot holds.
+struct Sim::Run {
+    enum class Of {
+        vertices,
+        histories,
+        poses,
+        motion,
+        turns,
+        pushes,
+        pressures,
+        wetness
+    };              // what its values may be
+    BlockKind kind; // of which block
+    const Buffer* buffer;
+    size_t floats;
+    Of of;
+    LaneBuffer lanes; // no buffer: saved as it lies
 };
 
 namespace snapshots {

@@ -43,7 +43,7 @@ class Pairs {
     // Appends the search. `substeps`: of the fixed step, in one of which strands move by position -
     // position_prev.
     struct Step {
-        const Layout& layout;
+        Layout layout; // of strands that are stepped
         const State& state;
         const Params& params;
         uint32_t substeps;

@@ -55,6 +55,10 @@ class LanePart {
 
     const Settings& settings() const { return settings_; }
     const Members& members() const { return members_; }
+    // Only strands before this one are stepped: members lie so that these are the first lanes.
+    void step_first(uint32_t strands) { stepped_ = members_before(strands); }
+    uint32_t members_before(uint32_t strand) const;
+    void wake(Schedule& schedule, const StepInput& at, const Waking& waking) const;
 
     // Makes the buffers that do not depend on parameters.
     Status open(Device& device);
@@ -84,8 +88,8 @@ class LanePart {
 
     const SagReport& sag() const { return fill_.sag; }
     void add_dynamic(std::pmr::vector<LaneBuffer>& to) const;
-    LaneBuffer pressure() const { return {&volume_.pressure, 3, lanes_}; }
-    LaneBuffer normal_force() const { return {&normal_force_, 1, lanes_}; }
+    LaneBuffer pressure() const { return {&volume_.pressure, 3, stepped_lanes()}; }
+    LaneBuffer normal_force() const { return {&normal_force_, 1, stepped_lanes()}; }
     Status clear_normal_force(Device& device) const;
     uint64_t device_bytes() const;
 
@@ -139,6 +143,7 @@ class LanePart {
              const LanePart& other) const;
     // The strand of a lane; those that fill up the last tile repeat the last strand.
     uint32_t member(size_t lane) const { return members_[std::min(lane, members_.size() - 1)]; }
+    LaneLayout stepped_lanes() const { return {stepped_, lanes_.row, lanes_.tile}; }
     plait_lane_state_params state_params() const {
         return {lanes_.row, lanes_.tile, source_.layout.row, history_.x ? 1u : 0u};
     }
@@ -147,6 +152,7 @@ class LanePart {
     Settings settings_;
     Members members_;
     LaneLayout lanes_;
+    uint32_t stepped_; // of the members, the first
     Fill fill_, next_fill_;
     bool has_next_fill_ = false, has_next_history_ = false, has_next_volume_ = false;
     Buffer x_, v_, q_, q_before_;

@@ -24,7 +24,8 @@ SettingsList kinds_of(std::span<const Settings> settings, std::pmr::memory_resou
 LanePart::Members order_of(const ModelInput& input) {
     const StrandSet& strands = input.groom.strands;
     return order_by_root(strands.positions,
-                         std::span(strands.vertex_counts).first(input.layout.guides), input.memory);
+                         std::span(strands.vertex_counts).first(input.layout.guides), input.ends,
+                         input.memory);
 }
 
 class LaneModel final : public Model {
@@ -44,6 +45,8 @@ class LaneModel final : public Model {
     void swap() noexcept override;
     void discard() override;
     Status open(Device& device, const PartNeeds& needs) override;
+    void step_first(uint32_t strands) override;
+    void wake(Schedule& schedule, const StepInput& at, const Waking& waking) const override;
     size_t parts() const override { return parts_.size(); }
     Part part(size_t index, const StepInput& at) const override {
         return parts_[index]->part(at, length_);
@@ -80,7 +83,8 @@ class LaneModel final : public Model {
     LaneSource source_;
     LanePart::Members order_; // of all strands
     LengthClasses classes_;
-    float length_; // m, of the mean strand
+    float length_;     // m, of the mean strand
+    uint32_t stepped_; // strands
     bool opened_ = false, switches_ = false;
     std::pmr::vector<PartPtr> parts_, next_parts_; // as for_each_part has them; none is empty
 };
@@ -88,7 +92,7 @@ class LaneModel final : public Model {
 LaneModel::LaneModel(const Settings& settings, const ModelInput& input)
     : source_(input), order_(order_of(input)), classes_(source_.strands.counts, input.memory),
       length_(std::max(static_cast<float>(input.groom.shape.mean_length), 1e-6f)),
-      parts_(input.memory), next_parts_(input.memory) {
+      stepped_(input.layout.guides), parts_(input.memory), next_parts_(input.memory) {
     const SettingsList all(order_.size(), settings, input.memory);
     (void)for_each_part(all, [&](const Settings& own, uint32_t row, LanePart::Members&& members) {
         parts_.push_back(make_part(own, row, std::move(members)));
@@ -113,8 +117,22 @@ Status LaneModel::for_each_part(std::span<const Settings> settings, const Visit&
 
 LaneModel::PartPtr LaneModel::make_part(const Settings& settings, uint32_t row,
                                         LanePart::Members&& members) const {
-    return std::allocate_shared<LanePart>(std::pmr::polymorphic_allocator<LanePart>(source_.memory),
-                                          source_, settings, row, std::move(members));
+    auto part =
+        std::allocate_shared<LanePart>(std::pmr::polymorphic_allocator<LanePart>(source_.memory),
+                                       source_, settings, row, std::move(members));
+    part->step_first(stepped_);
+    return part;
+}
+
+void LaneModel::step_first(uint32_t strands) {
+    stepped_ = strands;
+    for (const PartPtr& part : parts_)
+        part->step_first(strands);
+}
+
+void LaneModel::wake(Schedule& schedule, const StepInput& at, const Waking& waking) const {
+    for (const PartPtr& part : parts_)
+        part->wake(schedule, at, waking);
 }
 
 LaneModel::PartPtr LaneModel::find_part(const Settings& settings,
@@ -165,11 +183,12 @@ Status LaneModel::prepare_settings(Device& device, Schedule& schedule, const Ste
 
 void LaneModel::list_parts(std::span<const Settings> settings,
                            std::pmr::vector<PartShape>& to) const {
-    (void)for_each_part(settings,
-                        [&](const Settings& own, uint32_t row, LanePart::Members&& members) {
-                            to.push_back({own, static_cast<uint32_t>(members.size()), row});
-                            return Status{};
-                        });
+    (void)for_each_part(settings, [&](const Settings& own, uint32_t row,
+                                      LanePart::Members&& members) {
+        const auto is_stepped = [&](uint32_t strand) { return strand < stepped_; };
+        to.push_back({own, static_cast<uint32_t>(std::ranges::count_if(members, is_stepped)), row});
+        return Status{};
+    });
 }
 
 void LaneModel::swap() noexcept {

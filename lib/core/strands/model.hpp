@@ -21,6 +21,7 @@ namespace plait {
 // What is read by all that write down a substep.
 struct StepInput {
     const Layout& layout;
+    Layout stepped; // strands that are, of the guides
     const State& state;
     const Params& params;
     Bodies bodies;            // at the substep's end
@@ -58,6 +59,15 @@ struct PartNeeds {
     bool wet = false;                                 // material that wetness scales
 };
 
+// Strands that followed and are stepped from now on, and where they were shown; positions are float4
+// [guides*V].
+struct Waking {
+    uint32_t first, last;      // strands first to last - 1
+    const Buffer& pose_before; // at the begin of the fixed step that is over
+    const Buffer &from, &to;   // where their guides alone put them, at its begin and end
+    const Buffer& position;    // where they begin
+};
+
 // Fills the doors of a part for the substep that comes next.
 using FillDoors = std::function<Doors(const Part&)>;
 
@@ -89,6 +99,12 @@ class Model {
     // Makes what parts need and gives back what they no longer do; where it fails it changes nothing.
     virtual Status open(Device&, const PartNeeds&) { return {}; }
 
+    // From now on strands before this one are stepped and known to every other call, and no others: all
+    // at first. Their state does not change.
+    virtual void step_first(uint32_t /*strands*/) {}
+    // Appends filling the state of strands that are not stepped yet; state.pose is that of the end.
+    virtual void wake(Schedule&, const StepInput&, const Waking&) const {}
+
     // Strands over lanes: none where the model keeps them in state.position alone.
     virtual size_t parts() const { return 0; }
     virtual Part part(size_t, const StepInput&) const { std::abort(); }
@@ -117,7 +133,7 @@ class Model {
 
     // The settings of every guide strand, where strands have some of their own.
     virtual void read_settings(std::span<Settings>) const {}
-    // Adds the parts in which strands of these settings lie, in the order of add_dynamic().
+    // Adds the parts in which strands of these settings lie, those that are stepped, in the order of add_dynamic().
     virtual void list_parts(std::span<const Settings>, std::pmr::vector<PartShape>&) const {}
     // Adds the model's own buffers that carry state from step to step.
     virtual void add_dynamic(std::pmr::vector<LaneBuffer>&) const {}
@@ -140,6 +156,8 @@ struct ModelInput {
     plait_sag_free sag_free;
     std::array<float, 3> gravity; // m/s^2, in which a sag-free groom is in balance
     std::pmr::memory_resource* memory;
+    // Strands after which those that are stepped may end, ascending, all of them last; empty: all are.
+    std::span<const uint32_t> ends;
 };
 
 // `settings`: of every strand.

@@ -155,7 +155,8 @@ float Wind::extinction(double speed) const {
     const double reynolds = std::max(speed, slowest) * d / double(desc_.viscosity);
     const double coefficient = 1 + 10 * std::pow(reynolds, -2.0 / 3);
     constexpr double directions = 0.7853981633974483;
-    return static_cast<float>(0.5 * coefficient * d * directions * double(vertex_length_));
+    return static_cast<float>(0.5 * coefficient * d * directions * double(vertex_length_) *
+                              (desc_.hairs_per_strand > 0 ? 1 : double(crowd)));
 }
 
 void Wind::append(Schedule& schedule, const HairNow& hair, const std::array<float, 3>& air,

@@ -34,6 +34,7 @@ class Wind {
         std::array<float, 3> jump{}; // m/s, by which the caller has changed it since the last step
     };
     Moving moving;
+    float crowd = 1; // guides, for each that is stepped
 
     // `from`: the wind that it takes the place of. Fails without an effect.
     Status begin(Device& device, const Wind& from, const plait_wind_desc& desc,

@@ -70,7 +70,8 @@ class SimDesc(Versioned):
                 ("max_steps_per_call", c_uint32), ("interpolate_output", c_uint32), ("keep_last_frame", c_uint32),
                 ("follows_per_guide", c_uint32), ("follow_radius", c_float), ("seed", c_uint64), ("follow_map", c_void_p),
                 ("strand_stiffness", View), ("materials", c_void_p), ("material_count", c_size_t),
-                ("strand_material", View), ("sag_free", c_int), ("params", SimParams)]
+                ("strand_material", View), ("sag_free", c_int), ("params", SimParams), ("levels", c_void_p),
+                ("level_top", c_uint32)]
 
 
 class Roots(Versioned):

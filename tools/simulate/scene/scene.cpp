@@ -11,6 +11,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 
 namespace simulate {
 
@@ -103,6 +104,32 @@ bool read_program(JsonReader& top, GroomChoice& groom) {
     return true;
 }
 
+// "1:0,2:3": at second 1 level 0, at second 2 level 3.
+std::vector<LevelSwitch> read_switches(JsonReader& top, const std::string& text) {
+    std::vector<LevelSwitch> list;
+    std::istringstream in(text);
+    for (std::string item; std::getline(in, item, ',');) {
+        LevelSwitch next;
+        char colon = 0, rest = 0;
+        std::istringstream one(item);
+        if (!(one >> next.second >> colon >> next.level) || colon != ':' || one >> rest ||
+            !(next.second >= 0) || next.level >= PLAIT_LEVELS_MAX)
+            top.fail("switch", "has \"" + item + "\", not SECOND:LEVEL");
+        if (!list.empty() && next.second < list.back().second)
+            top.fail("switch", "goes back to second " + item.substr(0, item.find(':')));
+        list.push_back(next);
+    }
+    return list;
+}
+
+void refuse_with_switches(JsonReader& top, const Scene& scene) {
+    for (const char* other : {"guides", "cache", "follows_per_guide", "detail"})
+        if (top.value(other))
+            top.fail("switch", std::string("is given, and ") + other + ", too");
+    if (scene.sim.model == PLAIT_MODEL_TRESSFX)
+        top.fail("switch", "is given, and strands of the model tressfx have no levels");
+}
+
 void read_groom(JsonReader& top, const Origin& origin, Scene& scene) {
     GroomChoice& groom = scene.groom;
     top.integer("strands", groom.strands, 1, 1000000);
@@ -111,6 +138,10 @@ void read_groom(JsonReader& top, const Origin& origin, Scene& scene) {
     uint32_t level = 0;
     if (top.integer("level", level, 0, PLAIT_LEVELS_MAX - 1))
         groom.level = level;
+    if (std::string switches; top.text("switch", switches)) {
+        groom.switches = read_switches(top, switches);
+        refuse_with_switches(top, scene);
+    }
     if (groom.level && groom.guides > 0)
         top.fail("level", "is given, and guides, too: a level says how many there are");
     if (groom.level && scene.sim.follows_per_guide > 0)
@@ -377,7 +408,7 @@ void hang(JsonReader& top, Scene& scene) {
         return;
     scene.sim.sag_free = hang.sag_free;
     scene.settle = hang.settle;
-    const bool follows_otherwise = top.value("guides") || top.value("level");
+    const bool follows_otherwise = top.value("guides") || top.value("level") || top.value("switch");
     if (scene.groom.name == "dreadlocks" && !follows_otherwise) {
         // A strand is a lock: this many hairs of it are drawn.
         scene.sim.follows_per_guide = 64;

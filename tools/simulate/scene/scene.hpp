@@ -37,6 +37,12 @@ struct Tie {
     bool moves_with_head = true;
 };
 
+// From a moment of the motion on.
+struct LevelSwitch {
+    float second = 0.0f;
+    uint32_t level = 0; // of the groom's levels of detail
+};
+
 struct GroomChoice {
     std::string name = "long";         // a generated style, or a file
     plait_generator::Style style;      // when generated
@@ -44,6 +50,7 @@ struct GroomChoice {
     uint32_t vertices = 0;             // 0: 16 when generated, as in the file
     uint32_t guides = 0;               // strands that are simulated, the others follow; 0: all
     std::optional<uint32_t> level;     // of detail, in place of `guides`; absent: none
+    std::vector<LevelSwitch> switches; // in the order of time; from `level`, or the finest, on
     float scale = 1.0f;                // file units to metres
     bool scale_by_size = false;        // "auto": the library's likely_scale
     plait_axes axes = PLAIT_AXES_Y_UP; // of a file, as root_end

@@ -1,12 +1,14 @@
-#include "core/follows/levels.hpp"
+#include "core/levels/levels.hpp"
 
 #include "base/format.hpp"
+#include "core/base/strand_order.hpp"
 #include "core/follows/bind.hpp"
 #include "core/follows/nearest_guides.hpp"
 #include "core/follows/root_pose.hpp"
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <numeric>
 
@@ -66,7 +68,22 @@ Status check_guides(std::span<const uint32_t> guides, size_t strands) {
     return {};
 }
 
-// Farthest roots first, as many as are ever guides of a part of the hair; the rest as in the groom.
+// Those of `sorted` that are farthest apart in it come first: every part from the begin is spread over all.
+void append_spread(std::span<const uint32_t> sorted, std::pmr::vector<uint32_t>& to) {
+    const size_t places = std::bit_ceil(sorted.size());
+    size_t at = 0; // i, its bits from the last to the first
+    for (size_t i = 0; i < places; ++i) {
+        if (at < sorted.size())
+            to.push_back(sorted[at]);
+        size_t bit = places >> 1;
+        for (; (at & bit) != 0; bit >>= 1)
+            at ^= bit;
+        at |= bit;
+    }
+}
+
+// Farthest roots first, as many as are ever guides of a part of the hair; the rest along a curve through
+// the roots, every second, every fourth, ...
 std::pmr::vector<uint32_t> order_of(const Groom& groom, std::span<const uint32_t> guides,
                                     uint64_t seed, std::pmr::memory_resource* memory) {
     const size_t strands = groom.shape.strands;
@@ -78,9 +95,9 @@ std::pmr::vector<uint32_t> order_of(const Groom& groom, std::span<const uint32_t
     std::pmr::vector<unsigned char> taken(strands, memory);
     for (const uint32_t strand : order)
         taken[strand] = 1;
-    for (uint32_t strand = 0; strand < strands; ++strand)
-        if (!taken[strand])
-            order.push_back(strand);
+    auto rest = order_by_root(groom.strands.positions, groom.strands.vertex_counts, memory);
+    std::erase_if(rest, [&](uint32_t strand) { return taken[strand] != 0; });
+    append_spread(rest, order);
     return order;
 }
 
@@ -123,6 +140,16 @@ Status Levels::hang(const RootPoses& roots, const HairFrame& frame) {
 
 double Levels::share(size_t level) const {
     return share_of(guides_[level], static_cast<double>(strands()));
+}
+
+std::pmr::vector<uint32_t> Levels::ends() const {
+    const auto all = static_cast<uint32_t>(strands());
+    std::pmr::vector<uint32_t> ends(guides_, order_.get_allocator().resource());
+    ends.insert(ends.end(), {all / 8, all / 4, all / 2, all});
+    std::ranges::sort(ends);
+    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+    std::erase(ends, 0u);
+    return ends;
 }
 
 Status Levels::take(size_t level, Groom& out, FollowMap& map) const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/follows/hair_frame.hpp"
+#include "core/groom/groom.hpp"
 
 namespace plait {
 
@@ -22,6 +23,11 @@ class Levels {
     std::span<const uint32_t> guides() const { return guides_; }
     size_t strands() const { return groom_.shape.strands; }
     uint32_t longest() const { return groom_.shape.max_vertices; } // vertices
+    const Groom& groom() const { return groom_; }
+    std::span<const uint32_t> order() const { return order_; } // of the groom's strands
+    // Strands of the order after which strands may end that are stepped or shown, ascending: guides of
+    // each level, an eighth, a quarter and a half of all, and all.
+    std::pmr::vector<uint32_t> ends() const;
     // rms distance of its hair from where all of it is in short steps, over how far hair swings.
     double share(size_t level) const;
     // What a sim of a level is made of; `out` and `map` are empty before. INVALID_ARGUMENT: the level
@@ -30,7 +36,7 @@ class Levels {
 
   private:
     Groom groom_;
-    std::pmr::vector<uint32_t> order_;  // of strands
+    std::pmr::vector<uint32_t> order_;  // guides first; any part of it is spread over the head
     std::pmr::vector<uint32_t> guides_; // of each level
     // [3*strands*longest]: rows of all strands where they hang, in the groom's space; empty: as groomed.
     std::pmr::vector<float> hung_;

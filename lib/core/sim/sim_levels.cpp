@@ -1,0 +1,137 @@
+// A sim whose level changes. A step is made and shown by the level that ends with it; then strands that
+// are stepped from now on begin where they were shown, and what the next level would show otherwise is
+// kept, and fades.
+#include "core/sim/sim.hpp"
+
+#include <utility>
+
+namespace plait {
+namespace {
+
+Error has_none() {
+    return {PLAIT_INVALID_STATE,
+            "the sim has no levels: it was created without plait_sim_desc.levels"};
+}
+
+} // namespace
+
+Status Sim::set_level(const plait_level_choice& choice) {
+    return levels_ ? levels_->choose(choice) : has_none();
+}
+
+Result<plait_level_state> Sim::level_state() const {
+    if (!levels_)
+        return has_none();
+    return plait_level_state{sizeof(plait_level_state),
+                             levels_->level(),
+                             levels_->shown(),
+                             0,
+                             static_cast<float>(levels_->blending()),
+                             levels_->swing.rms()};
+}
+
+// Between two steps of the last call of a level strands that it does not step have a place, too, which
+// interpolated output needs of those that it wakes.
+void Sim::append_level_before(uint32_t step, uint32_t steps) {
+    if (!levels_ || !levels_->wakes() || step + 1 != steps)
+        return;
+    levels_->append_before(schedule_, state_);
+    if (display_.interpolates())
+        schedule_.add(PLAIT_STAGE_output_keep, levels_->next_stepped() * layout_.row,
+                      plait_layout_params{layout_.row},
+                      {&state_.pose, &levels_->before(), &display_.kept()});
+}
+
+// Where strands are woken a blend that has not ended is not, but in what is shown it is.
+void Sim::append_switch() {
+    const Buffer& shown = display_.before_scale(state_);
+    const StepInput at = first_group();
+    const auto remainder = static_cast<float>(clock_.remainder());
+    const bool wakes = levels_->wakes(), freezes = levels_->next_stepped() == 0;
+    levels_->ahead = display_.interpolates() ? clock_.remainder() * clock_.step() : 0;
+    LevelRows rows = levels_->rows(display_.turns(), freezes);
+    if (wakes) {
+        LevelRows plain = rows;
+        plain.share = 0;
+        display_.append_step(schedule_, at, *levels_, plain);
+        levels_->append_after(schedule_, state_);
+        model_->wake(schedule_, present(), levels_->waking(shown));
+    }
+    display_.append_rows(schedule_, at, roots_, remainder, rows, levels_.get());
+    display_.append_out(schedule_, at, rows);
+    if (freezes)
+        levels_->append_freeze(schedule_, display_.pose(state_), shown);
+    else
+        levels_->append_shown(schedule_, shown);
+    levels_->take();
+    model_->step_first(levels_->stepped());
+    if (wakes) {
+        model_->publish(schedule_, present());
+        volume_.carries = false; // theirs is of when they were stepped last
+    }
+    if (freezes || levels_->blending() == 0)
+        return;
+    rows = levels_->rows(display_.turns());
+    rows.share = 0;
+    display_.append_rows(schedule_, at, roots_, remainder, rows, levels_.get());
+    levels_->append_lacking(schedule_, display_.pose(state_), shown);
+}
+
+// Appends as if all strands were stepped: of any level there are no other stages, but its own.
+void Sim::append_dry_step_of_finest() {
+    if (!levels_) {
+        append_dry_step();
+        return;
+    }
+    const uint32_t level = levels_->exchange_level(levels_->top());
+    model_->step_first(layout_.guides);
+    append_dry_step();
+    (void)levels_->exchange_level(level);
+    model_->step_first(levels_->stepped());
+}
+
+// Strands that go with their roots do not swing: what they did last is the best guess.
+Status Sim::submit_and_probe() {
+    if (!levels_ || levels_->is_rigid())
+        return submit();
+    PLAIT_TRY(levels_->swing.take(device(), scale_));
+    const bool due = levels_->swing.is_due();
+    if (due)
+        levels_->append_probes(schedule_, state_, display_.before_scale(state_));
+    PLAIT_TRY(submit());
+    if (!due)
+        return {};
+    const auto fence = levels_->swing.ask(device());
+    if (fence)
+        read_fence_ = *fence;
+    return fence ? Status{} : fence.error();
+}
+
+// All that a switch may take, for when kernels are built.
+void Sim::append_level_stages() {
+    if (!levels_)
+        return;
+    const Buffer& shown = display_.before_scale(state_);
+    model_->wake(schedule_, present(),
+                 {0, layout_.guides, pose_was_, levels_->before(), levels_->before(), shown});
+    levels_->append_freeze(schedule_, state_.pose, shown);
+    levels_->append_shown(schedule_, shown);
+    schedule_.add(PLAIT_STAGE_level_show, layout_.vertices(), plait_level_params{layout_.row, 1, 1},
+                  {&levels_->roots(), &state_.pose, &levels_->held(), &shown});
+}
+
+// Where no strand is stepped all of them are put at rest once, and kept.
+void Sim::append_level_reset() {
+    levels_->end_blend();
+    if (!levels_->is_rigid()) {
+        model_->reset(schedule_, present());
+        return;
+    }
+    model_->step_first(layout_.guides);
+    model_->reset(schedule_, present());
+    display_.append_step(schedule_, first_group(), *levels_, levels_->finest(display_.turns()));
+    levels_->append_freeze(schedule_, state_.pose, display_.before_scale(state_));
+    model_->step_first(0);
+}
+
+} // namespace plait
