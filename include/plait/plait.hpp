@@ -104,6 +104,13 @@ class Context : public detail::Owner<plait_context, plait_context_destroy> {
     void step(const std::vector<plait_sim*>& sims, double dt) const {
         check(plait_context_step(get(), sims.data(), sims.size(), dt));
     }
+    // Once a frame, before.
+    plait_director_info direct(const std::vector<plait_character>& characters,
+                               const plait_director_desc& desc, double dt) const {
+        auto info = plait_director_info_defaults();
+        check(plait_context_direct(get(), characters.data(), characters.size(), &desc, dt, &info));
+        return info;
+    }
 
   private:
     static plait_context* create(const plait_context_desc& desc) {

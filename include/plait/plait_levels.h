@@ -1,6 +1,6 @@
 /* Levels of detail: how many of a groom's strands are simulated, while the others follow them. Hair that is far
- * away, or one of many, needs few. This runs on the host and needs no context. The conventions are
- * those of plait.h. See docs/levels.md.
+ * away, or one of many, needs few. And who of many heads gets which level. Levels are made on the host, without
+ * a context. The conventions are those of plait.h. See docs/levels.md.
  */
 #ifndef PLAIT_LEVELS_H
 #define PLAIT_LEVELS_H
@@ -111,6 +111,60 @@ PLAIT_API plait_result plait_sim_get_level(plait_sim* sim, plait_level_state* st
  * @errors INVALID_ARGUMENT (no such level, or one without guides) */
 PLAIT_API plait_result plait_levels_take(const plait_levels* levels, size_t level,
                                          plait_groom** guides, plait_follow_map** map);
+
+/* ---- who gets which ---------------------------------------------------------------------------- */
+
+/* A head of hair, in this frame. */
+typedef struct plait_character {
+    uint32_t struct_size;
+    plait_sim* sim; /* one without levels is passed over */
+    /* Pixels that a metre has in the picture, where the head is, [0, 1e6]: the picture's height over
+       2 tan(half the vertical view) times the distance. 0: nobody sees it. After a second it goes rigid
+       where its levels have that. */
+    float pixels_per_metre;
+    float importance; /* [0, 1e3]; its errors count so much. Default 1 */
+    /* m, [0, 1e3]: all its hairs side by side. What is shown of it must cover the head. Default 6.5, a
+       head of 100,000 hairs; a beard has about 1, brows 0.1. */
+    float width;
+} plait_character;
+PLAIT_STRUCT(plait_character)
+
+typedef struct plait_director_desc {
+    uint32_t struct_size;
+    float budget_ms;    /* [0, 1e4], for the hair of all; 0, the default: none */
+    float tolerance_px; /* [0.05, 100]; an error below it is not worth work. Default 2 */
+    float hair_px;      /* [0.25, 8]; as wide as a hair may be drawn, default 1 */
+    /* ms, [0, 1e4]: what all of the hair took in the last frame, by the caller's clock. 0, the default:
+       not known. Without it prices are those of two cores. One frame that stumbles is passed over. */
+    float last_ms;
+    float hold_s; /* [0, 60]; as long a choice stands at least, but over budget. Default 0.5 */
+} plait_director_desc;
+PLAIT_STRUCT(plait_director_desc)
+
+typedef struct plait_director_info {
+    uint32_t struct_size;
+    uint32_t passed_over; /* sims without levels */
+    uint32_t changed;     /* choices, in this call */
+    float predicted_ms;   /* what the hair should take now, by last_ms so far */
+    float worst_px;       /* the greatest error of a character that is seen, without importance */
+} plait_director_info;
+PLAIT_STRUCT(plait_director_info)
+
+/* Chooses level and shown strands of `count` different sims of `context`, and gives them to
+ * plait_sim_set_level: from the next step on. To be called once a frame, before the sims are stepped; dt is
+ * the frame's time, s, [0, 1e9]. `info` may be NULL.
+ *
+ * A choice's error, px: 1.5 times the level's share of the hair's swing, and twice what shown strands are
+ * drawn too wide, the root of their squares, times importance. Where the budget is short it goes to who
+ * gains most by it. So that nobody sees it at work, a choice stands for hold_s, what is taken is preferred
+ * by a quarter, and an eighth of the characters changes in a frame, two of them to a finer level; but who is
+ * new or was unseen gets his at once, and what is over the budget is saved at once. A
+ * choice depends on nothing but the arguments of the calls so far and the swing of each sim.
+ * @errors INVALID_ARGUMENT (a sim is NULL, of another context or in the list twice) */
+PLAIT_API plait_result plait_context_direct(plait_context* context,
+                                            const plait_character* characters, size_t count,
+                                            const plait_director_desc* desc, double dt,
+                                            plait_director_info* info);
 
 #ifdef __cplusplus
 }

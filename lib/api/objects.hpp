@@ -8,6 +8,7 @@
 #include "core/mesh/mesh.hpp"
 #include "core/sim/sim.hpp"
 
+#include <limits>
 #include <string>
 
 struct plait_context {
@@ -69,6 +70,9 @@ struct plait_sim {
     plait_context& owner;
     uint64_t list = 0; // the last one that it was in, and where
     size_t place = 0;
+    // s, for the director: since its choice; for which nobody has seen the hair
+    double chosen_since = std::numeric_limits<double>::infinity();
+    double unseen = 0;
 
     plait_sim(plait_context& context, plait::SimParts parts)
         : sim(context.context, std::move(parts)), owner(context) {

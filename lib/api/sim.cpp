@@ -206,7 +206,10 @@ plait_result plait_sim_teleport(plait_sim* sim, const plait_roots* roots) {
 plait_result plait_sim_step(plait_sim* sim, double dt) {
     return api::with_sim(__func__, sim, [&](Sim& s) -> Status {
         const auto time = api::checked_dt(dt);
-        return time ? s.step(*time) : Status(time.error());
+        if (!time)
+            return time.error();
+        PLAIT_TRY(s.step(*time));
+        return s.ask_for_probes();
     });
 }
 

@@ -16,6 +16,7 @@ void register_stages(uint32_t device, Results& results);
 void register_steps(uint32_t device, Results& results);
 void register_characters(uint32_t device, Results& results);
 void register_extras(uint32_t device, Results& results);
+void register_levels(uint32_t device, Results& results);
 
 // Prints what the solves over strands take while each work-group holds so much idle local memory.
 void sweep_local_memory(const Results& results);

@@ -5,8 +5,6 @@
 #include "bench.hpp"
 #include "sim.hpp"
 
-#include <generator/generator.hpp>
-
 #include <map>
 #include <vector>
 
@@ -24,57 +22,11 @@ struct Crowd {
 };
 constexpr Crowd crowds[] = {{100, 500, true}, {100, 500, false}, {1, 50000, true}};
 
-plait_collider_desc desc_of(const plait_generator::Capsule& capsule) {
-    plait_collider_desc desc = plait_collider_desc_defaults();
-    desc.friction = 0;
-    for (int i = 0; i < 3; ++i) {
-        desc.capsule.a[i] = capsule.a[i];
-        desc.capsule.b[i] = capsule.b[i];
-    }
-    desc.capsule.radius_a = capsule.radius_a;
-    desc.capsule.radius_b = capsule.radius_b;
-    return desc;
-}
-
 plait::SimDesc desc_of(plait_model model, Scene scene) {
     plait::SimDesc desc;
     desc.model = model;
     desc.grid.on = scene == Scene::everything;
     return desc;
-}
-
-class Character {
-  public:
-    Character(plait_context* context, plait_groom* groom, plait_model model, Scene scene);
-
-    void aim(); // at where the next frame ends
-    plait_sim* sim() const { return sim_.get(); }
-
-  private:
-    Sim sim_;
-    std::vector<plait_collider_id> on_head_;
-    uint32_t number_ = 0;
-};
-
-Character::Character(plait_context* context, plait_groom* groom, plait_model model, Scene scene)
-    : sim_(make_sim(context, groom, desc_of(model, scene))) {
-    if (scene == Scene::alone)
-        return;
-    for (const auto& capsule : plait_generator::head_colliders()) {
-        const plait_collider_desc desc = desc_of(capsule);
-        plait_collider_id id{};
-        check(plait_collider_create(sim_.get(), &desc, &id));
-        if (capsule.moves_with_head)
-            on_head_.push_back(id);
-    }
-}
-
-void Character::aim() {
-    plait_roots roots = plait_roots_defaults();
-    roots.head = turned_head(number_++);
-    check(plait_sim_set_roots(sim_.get(), &roots));
-    for (const plait_collider_id collider : on_head_)
-        check(plait_collider_set_pose(sim_.get(), collider, &roots.head));
 }
 
 // All characters of one context.
@@ -84,7 +36,8 @@ class Stage {
           const Crowd& crowd)
         : context_(make_context(device)), together_(crowd.together) {
         for (uint32_t i = 0; i < crowd.sims; ++i) {
-            characters_.emplace_back(context_.get(), groom, model, scene);
+            characters_.emplace_back(context_.get(), groom, desc_of(model, scene),
+                                     scene != Scene::alone);
             sims_.push_back(characters_.back().sim());
         }
     }

@@ -106,6 +106,7 @@ int run(int argc, char** argv) {
         register_steps(index, results);
         register_characters(index, results);
         register_extras(index, results);
+        register_levels(index, results);
     }
     if (!results.options.local_memory.empty()) {
         sweep_local_memory(results);

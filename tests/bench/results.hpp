@@ -58,6 +58,12 @@ struct CrowdKey {
     auto operator<=>(const CrowdKey&) const = default;
 };
 
+// A frame of a hero and twenty others, by the budget of the director.
+struct LevelsRow {
+    double median = 0, slow = 0; // s; 95 of 100 frames take no longer than `slow`
+    double worst_px = 0;         // that the director expects
+};
+
 struct DeviceResults {
     plait_device_info device{};
     std::map<int, StageRow> stages;                                   // by plait_stage
@@ -66,8 +72,9 @@ struct DeviceResults {
     std::map<SceneKey, double> character_seconds;
     std::map<CrowdKey, double> crowd_seconds;                       // of a frame of all of them
     std::map<std::pair<std::string, size_t>, double> extra_seconds; // by model and Extra
-    double copy_rate = 0; // bytes/s, read and written; 0: not measured
-    double flop_rate = 0; // of multiply-adds, two each
+    std::map<uint32_t, LevelsRow> levels; // by the budget, ms; 0: all strands of all
+    double copy_rate = 0;                 // bytes/s, read and written; 0: not measured
+    double flop_rate = 0;                 // of multiply-adds, two each
 };
 
 struct Results {

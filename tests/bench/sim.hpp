@@ -4,6 +4,7 @@
 #include <plait/plait.hpp>
 
 #include <memory>
+#include <vector>
 
 namespace bench {
 
@@ -23,6 +24,20 @@ Groom long_hair(uint32_t strands); // of model_vertices, on the mannequin
 
 constexpr uint32_t frames_of_turn = 60;  // there and back
 plait_pose turned_head(uint32_t number); // where that frame ends
+
+// Hair on the mannequin, whose head turns; `bodies`: and its 14 capsules.
+class Character {
+  public:
+    Character(plait_context* context, plait_groom* groom, const plait::SimDesc& desc, bool bodies);
+
+    void aim(); // at where the next frame ends
+    plait_sim* sim() const { return sim_.get(); }
+
+  private:
+    Sim sim_;
+    std::vector<plait_collider_id> on_head_;
+    uint32_t number_ = 0;
+};
 
 struct NamedModel {
     plait_model model;

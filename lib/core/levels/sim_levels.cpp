@@ -4,6 +4,7 @@
 #include "core/base/ranges.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace plait {
 
@@ -36,6 +37,20 @@ static std::pmr::vector<uint32_t> counts_of(const Levels& levels,
     return counts;
 }
 
+static double mean_length(const StrandSet& strands) {
+    const auto& x = strands.positions;
+    double total = 0;
+    size_t vertex = 0;
+    for (const uint32_t count : strands.vertex_counts) {
+        for (size_t i = vertex + 1; i < vertex + count; ++i)
+            total += std::hypot(double(x[3 * i]) - double(x[3 * i - 3]),
+                                double(x[3 * i + 1]) - double(x[3 * i - 2]),
+                                double(x[3 * i + 2]) - double(x[3 * i - 1]));
+        vertex += count;
+    }
+    return total / static_cast<double>(strands.vertex_counts.size());
+}
+
 Result<std::unique_ptr<SimLevels>> SimLevels::create(Device& device, const Levels& levels,
                                                      uint32_t top, const FollowMap& map,
                                                      const Layout& layout,
@@ -44,6 +59,9 @@ Result<std::unique_ptr<SimLevels>> SimLevels::create(Device& device, const Level
     auto made = std::make_unique<SimLevels>(memory);
     made->guides_.assign(levels.guides().begin(), levels.guides().end());
     made->ends_ = levels.ends();
+    for (size_t level = 0; level < levels.guides().size(); ++level)
+        made->shares_[level] = levels.share(level);
+    made->length_ = mean_length(levels.groom().strands);
     made->all_ = layout;
     made->top_ = made->level_ = top;
     made->shown_ = layout.strands();
@@ -67,6 +85,24 @@ Result<std::unique_ptr<SimLevels>> SimLevels::create(Device& device, const Level
 
 uint32_t SimLevels::shown_of(uint32_t asked) const {
     return asked == 0 ? all_.strands() : *std::ranges::lower_bound(ends_, asked);
+}
+
+void SimLevels::describe(double scale, DirectedHair& out) const {
+    // Hair that is still now may swing in the next frame: by a fortieth of its length, as in a walk; and
+    // what nobody has seen yet, by twice that.
+    constexpr double least = 1.0 / 40, unknown = 1.0 / 20;
+    const double rms = double(swing.rms()), length = scale * length_;
+    out.swing = rms < 0 ? unknown * length : std::max(rms, least * length);
+    std::ranges::copy(guides_, out.guides.begin());
+    out.share = shares_;
+    out.first_level = top_;
+    out.level_count = static_cast<uint32_t>(guides_.size());
+    // Fewer than an eighth no longer cover a head.
+    for (const uint32_t end : ends_)
+        if (end >= all_.strands() / 8)
+            out.shown[out.shown_count++] = end;
+    out.vertices = all_.row;
+    out.now = due_ ? LevelChoice{next_.level, next_.shown} : LevelChoice{level_, shown_};
 }
 
 Status SimLevels::check_choice(const plait_level_choice& choice) const {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/follows/follow_turns.hpp"
+#include "core/levels/director.hpp"
 #include "core/levels/levels.hpp"
 #include "core/levels/swing.hpp"
 #include "core/strands/model.hpp"
@@ -45,6 +46,8 @@ class SimLevels {
 
     // INVALID_ARGUMENT names the field, its value and its range; then nothing changes.
     Status choose(const plait_level_choice& choice);
+    // What the director asks of it, but for substeps and bodies. `scale`: m, one unit of the groom.
+    void describe(double scale, DirectedHair& out) const;
     bool is_due() const { return due_; } // what was chosen waits for the end of the next step
     uint32_t next_stepped() const { return guides_[next_.level]; }
     bool wakes() const { return due_ && next_stepped() > stepped(); }
@@ -113,9 +116,11 @@ class SimLevels {
     void append_level(Schedule& schedule, plait_stage stage, uint32_t strands, bool whole,
                       float share, const Buffer& pose, const Buffer& position) const;
 
-    std::pmr::vector<uint32_t> guides_;   // strands that are stepped, of each level
-    std::pmr::vector<uint32_t> ends_;     // after which those shown may end
-    std::pmr::vector<FollowTurns> turns_; // of each level; of the first none
+    std::pmr::vector<uint32_t> guides_;         // strands that are stepped, of each level
+    std::pmr::vector<uint32_t> ends_;           // after which those shown may end
+    std::pmr::vector<FollowTurns> turns_;       // of each level; of the first none
+    std::array<double, Levels::most> shares_{}; // error over swing, of each level
+    double length_ = 0;                         // of a strand, in the mean, units of the groom
     Layout all_;
     uint32_t top_ = 0, level_ = 0, shown_ = 0;
     plait_level_choice next_{};

@@ -4,6 +4,7 @@
 #include "backend/device.hpp"
 #include "base/log.hpp"
 #include "base/memory.hpp"
+#include "core/levels/director.hpp"
 
 #include <bitset>
 #include <optional>
@@ -44,7 +45,8 @@ std::bitset<PLAIT_STAGE_COUNT> replaced_stages(const ContextRules& rules);
 struct Context {
     Context(const ContextRules& rules, Device opened, const plait_device_info& described)
         : memory(rules.allocator), log(rules.log), profile(rules.profile),
-          device(std::move(opened)), info(described), replaced(replaced_stages(rules)) {}
+          device(std::move(opened)), info(described), replaced(replaced_stages(rules)),
+          director(&memory) {}
 
     Memory memory;
     Log log;
@@ -52,6 +54,7 @@ struct Context {
     Device device;
     plait_device_info info;
     std::bitset<PLAIT_STAGE_COUNT> replaced; // stages whose kernel is the caller's
+    Director director;                       // of all sims with levels
     // Whose work the device's clock measures at present (profile only).
     Sim* measured = nullptr;
 };

@@ -71,7 +71,9 @@ class Sim {
     // From the next step on. INVALID_STATE: there are no levels.
     Status set_level(const plait_level_choice& choice);
     Result<plait_level_state> level_state() const;
-    Status step(double dt);
+    bool describe_levels(DirectedHair& out) const; // for the director; false: there are none
+    Status step(double dt);                        // then, once no steps overlap:
+    Status ask_for_probes();
     Status wait() { return device().wait(); }
 
     Result<plait_collider_id> create_collider(const plait_collider_desc& desc) {
@@ -205,7 +207,7 @@ class Sim {
     void append_level_stages();
     void append_dry_step_of_finest();
     void append_level_reset();
-    Status submit_and_probe();
+    Status submit_with_probes();
     StrandGrid::Step grid_step(const plait_pose& head) const;
     VolumeGrid volume_grid(const plait_pose& head) const;
     bool grid_is_over_lanes() const;
@@ -341,7 +343,8 @@ class Sim {
     Buffer pose_was_;
     std::pmr::vector<Buffer> pose_before_; // [substeps_]
     Buffer strand_stats_;                  // float4 [guides], from the first measurement on
-    Buffer boxes_, box_; // float4 [2*runs], [2], from the first time on that bounds are asked for
+    Buffer boxes_, box_;  // float4 [2*runs], [2], from the first time on that bounds are asked for
+    bool probed_ = false; // probes were taken that have not been asked for
     uint64_t read_fence_ = 0; // before which the last read lies that did not wait; 0: none
     std::array<plait_stage_cost, PLAIT_STAGE_COUNT> costs_{};
     Launches launches_;

@@ -30,6 +30,15 @@ Result<plait_level_state> Sim::level_state() const {
                              levels_->swing.rms()};
 }
 
+bool Sim::describe_levels(DirectedHair& out) const {
+    if (!levels_)
+        return false;
+    levels_->describe(double(scale_), out);
+    out.substeps = substeps();
+    out.meets_bodies = colliders().count() > 0;
+    return true;
+}
+
 // Between two steps of the last call of a level strands that it does not step have a place, too, which
 // interpolated output needs of those that it wakes.
 void Sim::append_level_before(uint32_t step, uint32_t steps) {
@@ -91,7 +100,7 @@ void Sim::append_dry_step_of_finest() {
 }
 
 // Strands that go with their roots do not swing: what they did last is the best guess.
-Status Sim::submit_and_probe() {
+Status Sim::submit_with_probes() {
     if (!levels_ || levels_->is_rigid())
         return submit();
     PLAIT_TRY(levels_->swing.take(device(), scale_));
@@ -99,7 +108,13 @@ Status Sim::submit_and_probe() {
     if (due)
         levels_->append_probes(schedule_, state_, display_.before_scale(state_));
     PLAIT_TRY(submit());
-    if (!due)
+    probed_ = probed_ || due;
+    return {};
+}
+
+// Not where steps of several sims overlap: there a read is in no order with them.
+Status Sim::ask_for_probes() {
+    if (!std::exchange(probed_, false))
         return {};
     const auto fence = levels_->swing.ask(device());
     if (fence)

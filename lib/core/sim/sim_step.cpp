@@ -54,7 +54,7 @@ Status Sim::step(double dt) {
     if ((jumps || (dt == 0 && resized_)) && !display_.interpolates())
         append_shown();
     resized_ = resized_ && dt > 0 && tick.steps == 0;
-    return submit_and_probe();
+    return submit_with_probes();
 }
 
 // A head speeds up by some m/s in a frame when it is hit. Said once.

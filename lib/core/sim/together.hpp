@@ -42,7 +42,10 @@ Status step_together(Context& context, size_t count, const SimAt& sim_at, double
             return Error{status.error().code,
                          format("sims[%zu]: %s", i, status.error().message.c_str())};
     }
-    return overlap.end();
+    PLAIT_TRY(overlap.end());
+    for (size_t i = 0; i < count; ++i)
+        PLAIT_TRY(sim_at(i).ask_for_probes());
+    return {};
 }
 
 } // namespace plait
