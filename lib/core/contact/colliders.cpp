@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstring>
 #include <numeric>
 
@@ -327,6 +328,17 @@ Status Colliders::destroy(plait_collider_id id) {
     return {};
 }
 
+void Colliders::undo(plait_collider_id id) {
+    const auto index = find(id);
+    if (!index)
+        return;
+    (void)destroy(id);
+    if (--slots_[*index].generation == 0 && *index + 1 == slots_.size()) {
+        slots_.pop_back();
+        faces_.pop_back();
+    }
+}
+
 plait_pose Colliders::on_path(const Slot& slot, double share) const {
     return bends_ ? on_parabola(slot.before, slot.from, slot.to, share)
                   : interpolate(slot.from, slot.to, share);
@@ -435,6 +447,7 @@ Status Colliders::assign(Device& device, std::span<const Slot> slots, FacesOf&& 
     size_t face_count = 0;
     for (const Faces& each : faces)
         face_count += each.size();
+    slots_.reserve(slots.size());
     PLAIT_TRY(reserve(device, alive, face_count));
     slots_.assign(slots.begin(), slots.end());
     faces_ = std::move(faces);
@@ -445,6 +458,22 @@ Status Colliders::assign(Device& device, std::span<const Slot> slots, FacesOf&& 
     scale_ = scale;
     uploaded_ = false;
     return {};
+}
+
+Status Colliders::take(Device& device, const Colliders& from) {
+    std::pmr::vector<Slot> slots(from.slots_, slots_.get_allocator());
+    for (Slot& slot : slots)
+        if (slot.alive)
+            slot.at = slot.before = slot.from = slot.to = goal(slot);
+    FacesOf faces(from.faces_, faces_.get_allocator());
+    return assign(device, slots, std::move(faces), scale_);
+}
+
+bool Colliders::are(std::span<const Slot> slots, const FacesOf& faces) const {
+    const auto same = [](const Slot& a, const Slot& b) {
+        return std::memcmp(&a, &b, offsetof(Slot, target)) == 0;
+    };
+    return std::ranges::equal(slots_, slots, same) && faces_ == faces;
 }
 
 } // namespace plait

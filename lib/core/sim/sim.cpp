@@ -60,6 +60,7 @@ Sim::Sim(Context& context, SimParts parts)
       pin_table_(&context.memory), pose_before_(&context.memory) {}
 
 Sim::~Sim() {
+    leave();
     if (context_.measured == this)
         context_.measured = nullptr;
     if (read_fence_ != 0) // the caller's memory may go with the sim
@@ -500,7 +501,7 @@ Status Sim::place_colliders() {
 Status Sim::forget_sides_of_left(const plait_pose& before, const plait_pose& after) {
     for (const BendingMeshes::Entry& mesh : bending_.entries()) {
         const Colliders::Slot& slot = colliders_.slots()[mesh.slot];
-        if (mesh.two_sided && !goes_along(before, slot.to, after, colliders_.goal(slot)))
+        if (mesh.two_sided() && !goes_along(before, slot.to, after, colliders_.goal(slot)))
             PLAIT_TRY(bending_.forget_sides(device(), mesh.slot));
     }
     return {};

@@ -2,6 +2,7 @@
 
 #include "base/format.hpp"
 #include "base/hash.hpp"
+#include "base/memory.hpp"
 #include "core/base/ranges.hpp"
 #include "core/params/params.hpp"
 
@@ -80,6 +81,16 @@ Status check_slot(const Colliders::Slot& slot, size_t index, float scale) {
     return {};
 }
 
+Status check_rules(const ClearanceRules& rules, uint32_t slot) {
+    plait_collider_mesh_desc desc{};
+    desc.cells = 8;
+    desc.margin = rules.margin;
+    desc.clearance = rules.keeps_rest;
+    if (const auto status = check_mesh_collider(desc); !status)
+        return malformed(format("collider %u: %s", slot, status.error().message.c_str()));
+    return {};
+}
+
 // One mesh from `from` on, which it moves on; `vertices`: [guides][V].
 Result<MeshColliders::Entry> saved_mesh(uint32_t slot, size_t vertices,
                                         std::span<const unsigned char>& from,
@@ -89,6 +100,7 @@ Result<MeshColliders::Entry> saved_mesh(uint32_t slot, size_t vertices,
         return malformed(format("collider %u: it ends before its mesh", slot));
     std::memcpy(&saved, from.data(), sizeof saved);
     from = from.subspan(sizeof saved);
+    PLAIT_TRY(check_rules(saved.rules, slot));
     uint64_t count = 1;
     for (const uint32_t nodes : saved.nodes) {
         if (nodes < 2 || nodes > 1024)
@@ -107,14 +119,15 @@ Result<MeshColliders::Entry> saved_mesh(uint32_t slot, size_t vertices,
     for (const float size : {saved.edge, saved.band})
         if (!(size > 0 && size <= largest))
             return outside("mesh edge", slot, double(size), "(0, 4e6]");
-    MeshColliders::Entry entry{slot, MeshField(memory), std::pmr::vector<float>(vertices, memory)};
-    std::copy_n(saved.origin, 3, entry.field.origin.begin());
-    std::copy_n(saved.nodes, 3, entry.field.nodes.begin());
-    entry.field.edge = saved.edge;
-    entry.field.band = saved.band;
-    entry.field.value.resize(count);
-    std::memcpy(entry.field.value.data(), from.data(), count * sizeof(float));
+    const auto field = share_in<MeshField>(memory, memory);
+    std::copy_n(saved.origin, 3, field->origin.begin());
+    std::copy_n(saved.nodes, 3, field->nodes.begin());
+    field->edge = saved.edge;
+    field->band = saved.band;
+    field->value.resize(count);
+    std::memcpy(field->value.data(), from.data(), count * sizeof(float));
     from = from.subspan(count * sizeof(float));
+    MeshColliders::Entry entry{slot, field, saved.rules, std::pmr::vector<float>(vertices, memory)};
     std::memcpy(entry.clearance.data(), from.data(), vertices * sizeof(float));
     from = from.subspan(vertices * sizeof(float));
     return entry;
@@ -140,7 +153,7 @@ constexpr Kind kinds[block_kinds] = {
     {"sim", "sim ", 1, true, sizeof(SavedSim)},
     {"roots", "root", 1, true, sizeof(SavedRoots)},
     {"frame", "fram", 1, true, sizeof(Frame::State)},
-    {"bodies", "body", 1, true, 0},
+    {"bodies", "body", 2, true, 0},
     {"settings", "sett", 1, false, 0},
     {"hair", "hair", 1, true, 0},
     {"output", "outp", 1, false, 0},
@@ -446,25 +459,29 @@ Result<BendingMeshes::Entry> saved_bending_mesh(uint32_t slot, size_t vertices,
     std::memcpy(&saved, from.data(), sizeof saved);
     from = from.subspan(sizeof saved);
     PLAIT_TRY(check_bending(saved, slot, vertices, from.size()));
-    BendingMeshes::Entry entry(slot, saved.two_sided != 0, memory);
+    PLAIT_TRY(check_rules(saved.rules, slot));
+    const auto surface = share_in<BendingSurface>(memory, saved.two_sided != 0, memory);
+    PLAIT_TRY(take_points(from, saved.vertices, surface->set.positions));
+    BendingMeshes::Entry entry(slot, surface, memory);
     entry.posed = saved.posed != 0;
-    PLAIT_TRY(take_points(from, saved.vertices, entry.surface.positions));
+    entry.rules = saved.rules;
     BendingMeshes::Places& p = entry.places;
     for (auto* places : {&p.at, &p.target, &p.from, &p.to})
         if (entry.posed)
             PLAIT_TRY(take_points(from, saved.vertices, *places));
-    take_rows(from, saved.triangles, entry.surface.triangles);
-    for (const Triangle& triangle : entry.surface.triangles)
+    take_rows(from, saved.triangles, surface->set.triangles);
+    for (const Triangle& triangle : surface->set.triangles)
         for (const uint32_t corner : triangle)
             if (corner >= saved.vertices)
                 return malformed(format("collider %u: a corner is %u, range is [0, %u)", slot,
                                         corner, saved.vertices));
-    const size_t numbers = vertices * (entry.two_sided ? 5 : 1);
+    const size_t numbers = vertices * (entry.two_sided() ? 5 : 1);
     for (size_t i = 0; i < numbers; ++i)
         PLAIT_TRY(check_range(from.data(), i, "mesh"));
+    surface->tree.build(surface->set);
     entry.begin();
     take_rows(from, vertices, entry.clearance);
-    if (entry.two_sided)
+    if (entry.two_sided())
         take_rows(from, 4 * vertices, entry.sides);
     return entry;
 }

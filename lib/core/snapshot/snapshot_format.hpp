@@ -80,6 +80,7 @@ struct SavedMesh {
     float origin[3], edge;
     uint32_t nodes[3];
     float band;
+    ClearanceRules rules;
 };
 
 // The same of one of form NEAREST; then come its vertices as it was made, where they have been moved
@@ -87,7 +88,9 @@ struct SavedMesh {
 // triangles, the clearance, and of a sheet four numbers of every vertex, PLAIT_MESH_SIDE_....
 struct SavedBendingMesh {
     uint32_t vertices, triangles, two_sided, posed;
+    ClearanceRules rules;
 };
+static_assert(sizeof(SavedMesh) == 40 && sizeof(SavedBendingMesh) == 24);
 static_assert(sizeof(Colliders::Slot) == sizeof(float) * (2 + 22 + 36),
               "no padding: slots are saved as bytes");
 
