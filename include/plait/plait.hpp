@@ -627,6 +627,8 @@ class Sim : public detail::Owner<plait_sim, plait_sim_destroy> {
         return ids;
     }
     void destroy_collider(plait_collider_id id) { check(plait_collider_destroy(get(), id)); }
+    // NULL: with none from now on.
+    void share_colliders(plait_sim* with) { check(plait_sim_share_colliders(get(), with)); }
 
   private:
     static plait_sim* create(plait_context* context, const plait_groom* groom,

@@ -1,5 +1,5 @@
-/* Meshes: bodies that hair collides with, and scalps that its roots are bound to. C99; plait.h
- * includes it.
+/* Meshes: bodies that hair collides with, and scalps that its roots are bound to; bodies that sims
+ * share. C99; plait.h includes it.
  */
 #ifndef PLAIT_MESH_H
 #define PLAIT_MESH_H
@@ -175,6 +175,35 @@ PLAIT_API plait_result plait_collider_create_hull(plait_sim* sim, const plait_me
  * @errors INVALID_STATE (no mesh, or of form FIELD) */
 PLAIT_API plait_result plait_collider_set_positions(plait_sim* sim, plait_collider_id collider,
                                                     const plait_view* positions);
+
+/* ---- bodies that sims share --------------------------------------------------------------------- */
+
+/* From now on `sim` has the colliders of `with`, under the same ids, and a plait_collider_ call on
+ * any of the sims that share is a call on all of them: a character's hair, brows, lashes and beard
+ * meet one head, which is made once and moved once per frame. What meshes have on the device is
+ * held once. No sim owns them: one that is destroyed leaves, and the others keep them.
+ *
+ * Each sim moves as with colliders of its own, to the bit, whenever and however often it steps: a
+ * body comes from where it was at the end of the sim's own last step to where it was last sent.
+ * plait_collider_place puts it elsewhere in all of them, without a way; plait_sim_teleport and
+ * plait_sim_reset end ways in their sim alone. A sim's own are the sides of sheets,
+ * friction_scale, the clearance, measured with its roots where they are when it joins or the mesh
+ * is made, and the scale of its roots: give all of them the same. Bodies are made and destroyed in
+ * all or in none; if another call fails on the device, some of the sims may have had it.
+ *
+ * A sim without colliders gets those of `with` where they were last sent, without a way: set its
+ * roots first. A sim that has the same already, by ids, shapes and meshes, as after
+ * plait_sim_restore, keeps where they are for it. If it shares with `with` already, nothing
+ * changes. `with` NULL: `sim` shares no longer, and keeps the colliders as its own.
+ *
+ * A snapshot holds the colliders as its sim sees them, as if they were its own. plait_sim_restore
+ * puts them back for that sim alone; if the snapshot has other colliders than the sim shares, it
+ * is INVALID_STATE.
+ *
+ * Waits. @errors INVALID_ARGUMENT (`with` is `sim`, or of another context), INVALID_STATE (`sim`
+ *         has other colliders, or shares those of others; model tressfx, and one is a mesh) */
+PLAIT_API plait_result plait_sim_share_colliders(plait_sim* sim, plait_sim* with);
+
 /* ---- roots -------------------------------------------------------------------------------------- */
 
 /* Where on a mesh a root is bound. */

@@ -218,4 +218,14 @@ plait_result plait_collider_destroy(plait_sim* sim, plait_collider_id collider) 
         return sim->sim.destroy_collider(collider);
     });
 }
+plait_result plait_sim_share_colliders(plait_sim* sim, plait_sim* with) {
+    return api::guard(__func__, [&]() -> Status {
+        PLAIT_TRY(api::need(sim, "sim"));
+        if (with == sim)
+            return api::invalid("with is the sim itself");
+        if (with && &with->owner != &sim->owner)
+            return api::invalid("with is of another context");
+        return sim->sim.share_colliders(with ? &with->sim : nullptr);
+    });
+}
 }

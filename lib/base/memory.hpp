@@ -60,4 +60,11 @@ PointerIn<T> make_in(std::pmr::memory_resource* memory, Arguments&&... arguments
     }
 }
 
+// The same of one that several hold, in whose memory their number is, too.
+template <typename T, typename... Arguments>
+std::shared_ptr<T> share_in(std::pmr::memory_resource* memory, Arguments&&... arguments) {
+    return std::allocate_shared<T>(std::pmr::polymorphic_allocator<T>(memory),
+                                   std::forward<Arguments>(arguments)...);
+}
+
 } // namespace plait

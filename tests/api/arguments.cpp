@@ -359,6 +359,7 @@ TEST(Arguments, NullPointers) {
         {"out is NULL", [](O& o) { return plait_collider_describe(o.sim, {1}, nullptr); }},
         {"sim is NULL", [](O& o) { return plait_colliders_list(nullptr, nullptr, &o.size); }},
         {"count is NULL", [](O& o) { return plait_colliders_list(o.sim, nullptr, nullptr); }},
+        {"sim is NULL", [](O&) { return plait_sim_share_colliders(nullptr, nullptr); }},
         {"sim is NULL", [](O&) { return plait_sim_describe(nullptr, nullptr); }},
         {"out is NULL", [](O& o) { return plait_sim_describe(o.sim, nullptr); }},
         {"count is NULL", [](O&) { return plait_params_list(nullptr, nullptr); }},

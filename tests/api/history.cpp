@@ -454,6 +454,14 @@ std::vector<Call> calls() {
              if (r.body().value)
                  plait::check(plait_collider_place(r.sim().get(), r.body(), &pose));
          }},
+        {"share_colliders",
+         {"plait_sim_share_colliders"},
+         [](Ride& r) {
+             auto other = r.make();
+             other.share_colliders(r.sim());
+             r.step();
+             r.sim().share_colliders(nullptr);
+         }},
         {"groom",
          {"plait_sim_set_params", "plait_sim_find_balance"},
          [](Ride& r) {

@@ -21,6 +21,8 @@ plant cl/wind/wind_field.cl 350
 must_pass "a file of 350 lines"
 plant cl/wind/wind_field.cl 351
 must_name cl/wind/wind_field.cl
+plant lib/core/contact/colliders.cpp 351
+must_name lib/core/contact/colliders.cpp
 plant cl/contact/contact.clh 351
 must_pass "an exception"
 plant cl/contact/contact.clh 350

@@ -211,6 +211,26 @@ TEST_P(DevicePositions, do_what_the_same_from_the_host_do_to_the_bit) {
     }
 }
 
+// Given once, in all sims that share the cloth.
+TEST_P(DevicePositions, are_those_of_all_sims_that_share) {
+    const OwnContext context = adopt();
+    const OnCloth first(context.get()), second(context.get()), alone(context.get());
+    ASSERT_EQ(plait_sim_share_colliders(second.sim.get(), first.sim.get()), PLAIT_OK)
+        << plait_last_error();
+    const Memory own = buffer(size_t{16} * cloth_vertices);
+    const plait_opencl_positions there{own.get(), cloth_vertices, 0, 16};
+    for (int frame = 1; frame <= 10; ++frame) {
+        wave(own, 4, 0, static_cast<float>(frame) / 60, 0);
+        for (const OnCloth* on : {&first, &alone})
+            set(*on, there);
+        EXPECT_EQ(plait_opencl_sim_set_roots(second.sim.get(), nullptr, &there), PLAIT_OK);
+        for (const OnCloth* on : {&first, &second, &alone})
+            on->step(1.7 / 60);
+    }
+    EXPECT_EQ(first.hash(), alone.hash());
+    EXPECT_EQ(second.hash(), alone.hash());
+}
+
 // Vertices that are put nowhere stay where they are, and so do the roots on them.
 TEST_P(DevicePositions, that_are_none_move_nothing) {
     const OwnContext context = adopt();

@@ -30,6 +30,8 @@ class Colliders {
     // Shape and friction of `desc`, its pose not.
     Status set_shape(plait_collider_id id, const plait_collider_desc& desc);
     Status destroy(plait_collider_id id);
+    // One that create() made last and nobody knows of: as if it had not been.
+    void undo(plait_collider_id id);
 
     Result<plait_collider_desc> describe(plait_collider_id id) const; // at its target
     size_t list(std::span<plait_collider_id> dst) const; // as many as fit; their number
@@ -99,7 +101,12 @@ class Colliders {
     using Faces = std::pmr::vector<HullFace>;
     using FacesOf = std::pmr::vector<Faces>; // [slots], of what is no hull none
     const FacesOf& faces() const { return faces_; }
+    // What fails changes nothing.
     Status assign(Device& device, std::span<const Slot> slots, FacesOf&& faces, float scale);
+    // Those of another sim, each where it was sent last, on no way.
+    Status take(Device& device, const Colliders& from);
+    // Whether ids and shapes are these.
+    bool are(std::span<const Slot> slots, const FacesOf& faces) const;
 
   private:
     Slot& take_slot(const plait_pose& pose);

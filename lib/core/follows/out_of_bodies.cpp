@@ -17,11 +17,14 @@ void append_out_of_bodies(Schedule& schedule, const Layout& layout, const Bodies
                      {&order, &colliders, &position}, row);
     if (const MeshBuffers* const m = bodies.field_buffers)
         schedule.add(PLAIT_STAGE_follow_field, follows, params(bodies.fields),
-                     {&order, &colliders, &m->grid, &m->nodes, &m->values, &position}, row);
+                     {&order, &colliders, &m->fields->grid, &m->fields->nodes, &m->fields->values,
+                      &position},
+                     row);
     if (const BendingBuffers* const m = bodies.nearest_buffers)
         schedule.add(PLAIT_STAGE_follow_nearest, follows, params(bodies.nearest),
-                     {&order, &colliders, &m->first, &m->box, &m->tree, &m->triangle, &m->ring,
-                      &m->from, &m->to, &m->bends, &position},
+                     {&order, &colliders, &m->surfaces->first, &m->box, &m->surfaces->tree,
+                      &m->surfaces->triangle, &m->surfaces->ring, &m->from, &m->to, &m->bends,
+                      &position},
                      row);
 }
 

@@ -38,11 +38,12 @@ const Buffer* MeshSolid::append(Schedule& schedule, const NodeGridPlace& grid, c
         params.collider_first = bodies.fields.first;
         params.h = h;
         schedule.add(PLAIT_STAGE_grid_solid_field, grid.edge_count * grid.edge_count, params,
-                     {&bodies.fields.buffer, &m->grid, &m->nodes, &m->values, &solid_});
+                     {&bodies.fields.buffer, &m->fields->grid, &m->fields->nodes,
+                      &m->fields->values, &solid_});
         any = true;
     }
     for (uint32_t mesh = 0; mesh < bodies.nearest.count; ++mesh)
-        if (bodies.nearest_buffers->insides[mesh] > 0) {
+        if (bodies.nearest_buffers->surfaces->insides[mesh] > 0) {
             append_bending(schedule, grid, bodies, h, mesh, any);
             any = true;
         }
@@ -52,6 +53,7 @@ const Buffer* MeshSolid::append(Schedule& schedule, const NodeGridPlace& grid, c
 void MeshSolid::append_bending(Schedule& schedule, const NodeGridPlace& grid, const Bodies& bodies,
                                float h, uint32_t mesh, bool others) const {
     const BendingBuffers& b = *bodies.nearest_buffers;
+    const SurfaceGeometry& g = *b.surfaces;
     for (const Buffer* words : {&passed_, &met_})
         schedule.add(PLAIT_STAGE_grid_clear, static_cast<uint32_t>(words->count()),
                      plait_grid_clear_params{0}, {words});
@@ -61,8 +63,8 @@ void MeshSolid::append_bending(Schedule& schedule, const NodeGridPlace& grid, co
     cross.mesh = mesh;
     cross.collider_count = 1;
     cross.collider_first = row;
-    schedule.add(PLAIT_STAGE_grid_solid_cross, b.insides[mesh], cross,
-                 {&bodies.nearest.buffer, &b.first, &b.triangle, &b.from, &b.to, &passed_, &met_});
+    schedule.add(PLAIT_STAGE_grid_solid_cross, g.insides[mesh], cross,
+                 {&bodies.nearest.buffer, &g.first, &g.triangle, &b.from, &b.to, &passed_, &met_});
     plait_grid_solid_fill_params fill{};
     put_grid(fill, grid);
     fill.mesh = mesh;
@@ -72,7 +74,7 @@ void MeshSolid::append_bending(Schedule& schedule, const NodeGridPlace& grid, co
     fill.others = others ? 1 : 0;
     schedule.add(
         PLAIT_STAGE_grid_solid_fill, grid.edge_count * grid.edge_count, fill,
-        {&bodies.nearest.buffer, &b.first, &b.triangle, &b.from, &b.to, &passed_, &met_, &solid_});
+        {&bodies.nearest.buffer, &g.first, &g.triangle, &b.from, &b.to, &passed_, &met_, &solid_});
 }
 
 } // namespace plait

@@ -5,35 +5,58 @@
 
 #include "core/base/part.hpp"
 #include "core/base/schedule.hpp"
+#include "core/mesh/mesh_colliders.hpp"
 #include "core/mesh/mesh_tree.hpp"
 
+#include <memory>
 #include <memory_resource>
 #include <span>
 #include <vector>
 
 namespace plait {
 
-// Of all of them, in the order of their slots.
-struct BendingBuffers {
-    explicit BendingBuffers(std::pmr::memory_resource* memory) : insides(memory) {}
+// A mesh as it was made.
+struct BendingSurface {
+    BendingSurface(bool sheet, std::pmr::memory_resource* memory)
+        : two_sided(sheet), set(memory), tree(memory) {}
+    size_t vertices() const { return set.positions.size(); }
 
-    Buffer first;     // uint [PLAIT_MESH_FIRST_STRIDE*meshes]
+    bool two_sided;
+    TriangleSet set;
+    MeshTree tree;
+};
+
+// Of all of them, in the order of their slots: what does not change while they are there, and is the same
+// for all hair, so that sims that share bodies hold it once.
+struct SurfaceGeometry {
+    explicit SurfaceGeometry(std::pmr::memory_resource* memory) : insides(memory) {}
+
+    Buffer first;                       // uint [PLAIT_MESH_FIRST_STRIDE*meshes]
+    Buffer tree;                        // uint [2*nodes]
+    Buffer under;                       // uint [PLAIT_MESH_UNDER_STRIDE*nodes]
+    Buffer triangle;                    // uint [PLAIT_MESH_TRIANGLE_STRIDE*triangles]
+    Buffer ring;                        // uint, per mesh [vertices + 1 + 3*triangles]
+    std::pmr::vector<uint32_t> insides; // triangles of each; 0 of a sheet, which has no inside
+
+    uint64_t bytes() const {
+        return first.bytes() + tree.bytes() + under.bytes() + triangle.bytes() + ring.bytes();
+    }
+};
+
+// And what steps change, each sim in its own time.
+struct BendingBuffers {
+    std::shared_ptr<const SurfaceGeometry> surfaces;
     Buffer box;       // float4 [2*nodes]
     Buffer way;       // float [nodes], m
-    Buffer tree;      // uint [2*nodes]
-    Buffer under;     // uint [PLAIT_MESH_UNDER_STRIDE*nodes]
-    Buffer triangle;  // uint [PLAIT_MESH_TRIANGLE_STRIDE*triangles]
-    Buffer ring;      // uint, per mesh [vertices + 1 + 3*triangles]
     Buffer from, to;  // float4 [vertices], m
     Buffer bends;     // float [meshes], m
     Buffer clearance; // float [vertices of the hair][meshes], m
     Buffer side;      // float4 [vertices of the hair][meshes]; 1 where none is a sheet
-    std::pmr::vector<uint32_t> insides; // triangles of each; 0 of a sheet, which has no inside
 
+    // Of `surfaces` the part of one of those that hold it.
     uint64_t bytes() const {
-        uint64_t sum = 0;
-        for (const Buffer* each : {&first, &box, &way, &tree, &under, &triangle, &ring, &from, &to,
-                                   &bends, &clearance, &side})
+        uint64_t sum = surfaces->bytes() / static_cast<uint64_t>(surfaces.use_count());
+        for (const Buffer* each : {&box, &way, &from, &to, &bends, &clearance, &side})
             sum += each->bytes();
         return sum;
     }
@@ -49,22 +72,23 @@ class BendingMeshes {
     };
 
     struct Entry {
-        Entry(uint32_t slot, bool two_sided, std::pmr::memory_resource* memory);
-        // Once the surface is there; places, where they are not filled, are its.
+        Entry(uint32_t slot, std::shared_ptr<const BendingSurface> surface,
+              std::pmr::memory_resource* memory);
+        // Places, where they are not filled, are those of the surface.
         void begin();
-        size_t vertices() const { return surface.positions.size(); }
+        size_t vertices() const { return surface->vertices(); }
+        bool two_sided() const { return surface->two_sided; }
 
         uint32_t slot;
-        bool two_sided;
-        bool posed = false;                // its vertices have been moved
-        TriangleSet surface;               // as it was made
+        bool posed = false; // its vertices have been moved
+        std::shared_ptr<const BendingSurface> surface;
+        ClearanceRules rules{};
         std::pmr::vector<float> clearance; // [guides][V]
-        MeshTree tree;
         // Of a sheet, [guides][V][4], on the way to the device: which side each vertex is on; else empty.
         std::pmr::vector<float> sides;
-        Places places;      // on the way to the device, and from one set of buffers to the next
-        Buffer at, target;  // float4 [vertices]; target in metres
-        float at_scale = 1; // times `at`: in the groom's units
+        Places places; // on the way to the device, and from one set of buffers to the next
+        std::shared_ptr<Buffer> at, target; // float4 [vertices]; target in metres
+        float at_scale = 1;                 // times `at`: in the groom's units
 
         bool aimed = false;               // the target is not where they are
         bool there = true, still = true;  // the step's end is `at`; its begin its end
@@ -73,19 +97,29 @@ class BendingMeshes {
         float part = 1;                   // of the call's way, where the step ends
     };
     using Entries = std::pmr::vector<Entry>;
+    struct Set {
+        explicit Set(Entries&& list) : entries(std::move(list)) {}
+        Entries entries; // by slot
+        BendingBuffers buffers;
+    };
 
-    explicit BendingMeshes(std::pmr::memory_resource* memory)
-        : entries_(memory), buffers_(memory) {}
+    explicit BendingMeshes(std::pmr::memory_resource* memory) : set_(Entries(memory)) {}
 
     // Null: there are none.
-    const BendingBuffers* buffers() const { return entries_.empty() ? nullptr : &buffers_; }
-    std::span<const Entry> entries() const { return entries_; }
+    const BendingBuffers* buffers() const { return set_.entries.empty() ? nullptr : &set_.buffers; }
+    std::span<const Entry> entries() const { return set_.entries; }
+    const Set& set() const { return set_; }
     uint64_t device_bytes() const;
 
-    // Each waits for the device, and changes nothing if it fails.
-    Status add(Device& device, Entry&& entry);
-    Status remove(Device& device, uint32_t slot);
-    Status assign(Device& device, Entries&& entries);
+    // The entries with one more, or without one, where they are now. Waits.
+    Result<Entries> with(Device& device, Entry&& entry) const;
+    Result<Entries> without(Device& device, uint32_t slot) const;
+    // One of them for other hair, of whose units one is `scale` metres: where it was sent last. stop() puts
+    // it there.
+    Result<Entry> for_other_hair(Device& device, size_t index, float scale) const;
+    // Made aside; the geometry of `like` where it has the same surfaces. Waits.
+    Result<Set> make(Device& device, Entries&& entries, const Set& like) const;
+    void swap(Set& set) { std::swap(set_, set); }
     // Where vertices are; of these the target, where there is one, in metres. Waits.
     Result<Places> read(Device& device, size_t index) const;
 
@@ -102,8 +136,10 @@ class BendingMeshes {
     void rescale(float scale) { target_scale_ = 1 / scale; }
     // INVALID_ARGUMENT: not as many as the mesh has.
     Status check_count(uint32_t slot, size_t count) const;
-    // m, of all of a mesh: where its vertices will be.
-    Status set_positions(Device& device, uint32_t slot, std::span<const float> positions);
+    // m, of all of a mesh, as float4. INVALID_ARGUMENT: a coordinate out of range.
+    Result<std::pmr::vector<float>> rows_of(uint32_t slot, std::span<const float> positions) const;
+    // Where its vertices will be: what rows_of() gives.
+    Status set_positions(Device& device, uint32_t slot, std::span<const float> rows);
     // The same from a buffer on the device, `words` from one vertex to the next.
     void take_positions(Schedule& schedule, uint32_t slot, const Buffer& taken, uint32_t words);
     // As Colliders: the step's path ends at share `end` of the call's. append() is due.
@@ -121,8 +157,6 @@ class BendingMeshes {
 
   private:
     Entry& of(uint32_t slot);
-    Status make(Device& device, std::span<Entry> entries, BendingBuffers& to) const;
-    Status pull(Device& device);
     template <typename Forgets> Status forget_where(Device& device, const Forgets& forgets);
     // `aimed`: to its target; else to where it is.
     void append_pose(Schedule& schedule, const Entry& entry, size_t first, bool aimed,
@@ -132,9 +166,8 @@ class BendingMeshes {
     // It is where it was to be.
     void take_target(Entry& entry) const;
 
-    Entries entries_;        // by slot
+    Set set_;
     float target_scale_ = 1; // times targets: in the groom's units
-    BendingBuffers buffers_;
 };
 
 } // namespace plait

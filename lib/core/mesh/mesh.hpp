@@ -19,6 +19,7 @@ using MeshPoint = std::array<float, 3>;
 struct TriangleSet {
     explicit TriangleSet(std::pmr::memory_resource* memory)
         : positions(memory), triangles(memory) {}
+    bool operator==(const TriangleSet&) const = default;
 
     std::pmr::vector<MeshPoint> positions; // m
     std::pmr::vector<Triangle> triangles;  // counter-clockwise, seen from outside

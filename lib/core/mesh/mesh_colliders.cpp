@@ -1,5 +1,6 @@
 #include "core/mesh/mesh_colliders.hpp"
 
+#include "base/memory.hpp"
 #include "core/base/pose.hpp"
 
 #include <plait/params.h>
@@ -35,72 +36,74 @@ Status put(Device& device, Buffer& to, plait_element element, const char* name, 
     return device.write(to, list.data());
 }
 
-Status make_buffers(Device& device, std::span<const MeshColliders::Entry> entries,
-                    std::pmr::memory_resource* memory, MeshBuffers& to) {
-    if (entries.empty())
-        return {};
-    std::pmr::vector<float> grid(memory), values(memory), clearance(memory);
+Status make_geometry(Device& device, std::span<const MeshColliders::Entry> entries,
+                     std::pmr::memory_resource* memory, FieldGeometry& to) {
+    std::pmr::vector<float> grid(memory), values(memory);
     std::pmr::vector<uint32_t> nodes(memory);
-    const size_t vertices = entries.front().clearance.size();
-    clearance.resize(vertices * entries.size());
-    for (size_t m = 0; m < entries.size(); ++m) {
-        const MeshField& field = entries[m].field;
+    for (const MeshColliders::Entry& entry : entries) {
+        const MeshField& field = *entry.field;
         grid.insert(grid.end(), field.origin.begin(), field.origin.end());
         grid.push_back(field.edge);
         nodes.insert(nodes.end(), field.nodes.begin(), field.nodes.end());
         nodes.push_back(static_cast<uint32_t>(values.size()));
         values.insert(values.end(), field.value.begin(), field.value.end());
-        for (size_t i = 0; i < vertices; ++i)
-            clearance[i * entries.size() + m] = entries[m].clearance[i];
     }
     PLAIT_TRY(put(device, to.grid, PLAIT_ELEMENT_FLOAT4, "mesh_grid", grid, 4));
     PLAIT_TRY(put(device, to.nodes, PLAIT_ELEMENT_UINT, "mesh_nodes", nodes, 1));
-    PLAIT_TRY(put(device, to.values, PLAIT_ELEMENT_FLOAT, "mesh_values", values, 1));
-    return put(device, to.clearance, PLAIT_ELEMENT_FLOAT, "mesh_clearance", clearance, 1);
+    return put(device, to.values, PLAIT_ELEMENT_FLOAT, "mesh_values", values, 1);
+}
+
+Status make_clearance(Device& device, std::span<const MeshColliders::Entry> entries,
+                      std::pmr::memory_resource* memory, Buffer& to) {
+    const size_t vertices = entries.front().clearance.size();
+    std::pmr::vector<float> clearance(vertices * entries.size(), memory);
+    for (size_t m = 0; m < entries.size(); ++m)
+        for (size_t i = 0; i < vertices; ++i)
+            clearance[i * entries.size() + m] = entries[m].clearance[i];
+    return put(device, to, PLAIT_ELEMENT_FLOAT, "mesh_clearance", clearance, 1);
 }
 
 } // namespace
 
-Status MeshColliders::add(Device& device, Entry&& entry) {
-    const auto after = std::ranges::upper_bound(entries_, entry.slot, {}, &Entry::slot);
-    const auto place = entries_.insert(after, std::move(entry));
-    MeshBuffers made;
-    Status status = make_buffers(device, entries_, entries_.get_allocator().resource(), made);
-    if (status)
-        buffers_ = std::move(made);
-    else
-        entries_.erase(place);
-    return status;
+MeshColliders::Entries MeshColliders::without(uint32_t slot) const {
+    Entries list(set_.entries.get_allocator());
+    for (const Entry& entry : set_.entries)
+        if (entry.slot != slot)
+            list.push_back({entry.slot,
+                            entry.field,
+                            entry.rules,
+                            {entry.clearance, list.get_allocator().resource()}});
+    return list;
 }
 
-Status MeshColliders::remove(Device& device, uint32_t slot) {
-    const auto place = std::ranges::find(entries_, slot, &Entry::slot);
-    if (place == entries_.end())
-        return {};
-    Entry entry = std::move(*place);
-    entries_.erase(place);
-    MeshBuffers made;
-    Status status = make_buffers(device, entries_, entries_.get_allocator().resource(), made);
-    if (status)
-        buffers_ = std::move(made);
-    else
-        entries_.insert(std::ranges::upper_bound(entries_, slot, {}, &Entry::slot),
-                        std::move(entry));
-    return status;
+MeshColliders::Entries MeshColliders::with(Entry&& entry) const {
+    Entries list = without(entry.slot);
+    const auto after = std::ranges::upper_bound(list, entry.slot, {}, &Entry::slot);
+    list.insert(after, std::move(entry));
+    return list;
 }
 
-Status MeshColliders::assign(Device& device, Entries&& entries) {
-    MeshBuffers made;
-    PLAIT_TRY(make_buffers(device, entries, entries_.get_allocator().resource(), made));
-    entries_ = std::move(entries);
-    buffers_ = std::move(made);
-    return {};
+Result<MeshColliders::Set> MeshColliders::make(Device& device, Entries&& entries,
+                                               const Set& like) const {
+    Set made(std::move(entries));
+    if (made.entries.empty())
+        return made;
+    std::pmr::memory_resource* const memory = set_.entries.get_allocator().resource();
+    if (std::ranges::equal(made.entries, like.entries, {}, &Entry::field, &Entry::field)) {
+        made.buffers.fields = like.buffers.fields;
+    } else {
+        const auto geometry = share_in<FieldGeometry>(memory);
+        PLAIT_TRY(make_geometry(device, made.entries, memory, *geometry));
+        made.buffers.fields = geometry;
+    }
+    PLAIT_TRY(make_clearance(device, made.entries, memory, made.buffers.clearance));
+    return made;
 }
 
 std::pmr::vector<float> measure_clearance(const ClearanceInput& input,
                                           std::pmr::memory_resource* memory) {
-    std::pmr::vector<float> list(input.rest.size() / 4, input.margin, memory);
-    if (!input.keeps_rest)
+    std::pmr::vector<float> list(input.rest.size() / 4, input.rules.margin, memory);
+    if (input.rules.keeps_rest == 0)
         return list;
     for (size_t i = 0; i < list.size(); ++i) {
         const float* root = input.roots.data() + i / input.row * PLAIT_POSE_STRIDE * 4;
@@ -114,7 +117,7 @@ std::pmr::vector<float> measure_clearance(const ClearanceInput& input,
         for (size_t k = 0; k < 3; ++k)
             largest = std::max({largest, std::abs(double(world[k])), std::abs(own[k])});
         const double distance = input.distance(own) - rounding * largest - trembling;
-        list[i] = static_cast<float>(std::min(double(input.margin), distance));
+        list[i] = static_cast<float>(std::min(double(input.rules.margin), distance));
     }
     return list;
 }
@@ -123,11 +126,11 @@ void MeshColliders::fill(Schedule& schedule, const Part& part, const ColliderRow
                          Doors& doors) const {
     if (!buffers() || !part.plane)
         return;
+    const FieldGeometry& g = *set_.buffers.fields;
     schedule.add(PLAIT_STAGE_mesh_field, part.lanes.strands, solve_params(part, doors, rows),
-                 {&part.strand, &part.rest, &part.pose, &part.material, &rows.buffer,
-                  &buffers_.grid, &buffers_.nodes, &buffers_.values, &buffers_.clearance,
-                  &part.pushed(), &part.spring, &part.x, &part.v, &part.x_before, &part.v_before,
-                  &part.plane},
+                 {&part.strand, &part.rest, &part.pose, &part.material, &rows.buffer, &g.grid,
+                  &g.nodes, &g.values, &set_.buffers.clearance, &part.pushed(), &part.spring,
+                  &part.x, &part.v, &part.x_before, &part.v_before, &part.plane},
                  part.lanes.row);
     doors.plane = true;
 }

@@ -8,50 +8,73 @@
 #include "core/mesh/mesh_field.hpp"
 
 #include <functional>
+#include <memory>
 #include <memory_resource>
 #include <span>
 #include <vector>
 
 namespace plait {
 
-// Of all meshes, in the order of their slots.
+// Of all meshes, in the order of their slots. It is the same for all hair, so that sims that share bodies
+// hold it once.
+struct FieldGeometry {
+    Buffer grid;   // float4 [meshes]: origin, edge of a cell
+    Buffer nodes;  // uint [4*meshes]: along x, y, z; where in `values` they begin
+    Buffer values; // float, m
+
+    uint64_t bytes() const { return grid.bytes() + nodes.bytes() + values.bytes(); }
+};
 struct MeshBuffers {
-    Buffer grid;      // float4 [meshes]: origin, edge of a cell
-    Buffer nodes;     // uint [4*meshes]: along x, y, z; where in `values` they begin
-    Buffer values;    // float, m
+    std::shared_ptr<const FieldGeometry> fields;
     Buffer clearance; // float [vertices][meshes], m
 
+    // Of `fields` the part of one of those that hold it.
     uint64_t bytes() const {
-        return grid.bytes() + nodes.bytes() + values.bytes() + clearance.bytes();
+        return fields->bytes() / static_cast<uint64_t>(fields.use_count()) + clearance.bytes();
     }
+};
+
+// How far outside of a mesh hair is held.
+struct ClearanceRules {
+    float margin = 0;        // m
+    uint32_t keeps_rest = 0; // 1: no vertex is farther out than it is at rest
+    bool operator==(const ClearanceRules&) const = default;
 };
 
 class MeshColliders {
   public:
     struct Entry {
         uint32_t slot;
-        MeshField field;
+        std::shared_ptr<const MeshField> field;
+        ClearanceRules rules;
         std::pmr::vector<float> clearance; // [guides][V]
     };
     using Entries = std::pmr::vector<Entry>;
+    struct Set {
+        explicit Set(Entries&& list) : entries(std::move(list)) {}
+        Entries entries; // by slot
+        MeshBuffers buffers;
+    };
 
-    explicit MeshColliders(std::pmr::memory_resource* memory) : entries_(memory) {}
+    explicit MeshColliders(std::pmr::memory_resource* memory) : set_(Entries(memory)) {}
 
     // Null: there are none.
-    const MeshBuffers* buffers() const { return entries_.empty() ? nullptr : &buffers_; }
-    std::span<const Entry> entries() const { return entries_; }
+    const MeshBuffers* buffers() const { return set_.entries.empty() ? nullptr : &set_.buffers; }
+    std::span<const Entry> entries() const { return set_.entries; }
+    const Set& set() const { return set_; }
 
-    // Each waits for the device, and changes nothing if it fails.
-    Status add(Device& device, Entry&& entry);
-    Status remove(Device& device, uint32_t slot);
-    Status assign(Device& device, Entries&& entries);
+    // The entries with one more, or without one.
+    Entries with(Entry&& entry) const;
+    Entries without(uint32_t slot) const;
+    // Made aside; the geometry of `like` where it has the same fields. Waits.
+    Result<Set> make(Device& device, Entries&& entries, const Set& like) const;
+    void swap(Set& set) { std::swap(set_, set); }
 
     // Appends the planes of all of them, whose colliders are `rows`.
     void fill(Schedule& schedule, const Part& part, const ColliderRows& rows, Doors& doors) const;
 
   private:
-    Entries entries_; // by slot
-    MeshBuffers buffers_;
+    Set set_;
 };
 
 // Where vertices are at rest, in the world, and the mesh.
@@ -62,8 +85,7 @@ struct ClearanceInput {
     std::span<const float> rest;  // float4 [guides][V], in the groom's space
     std::span<const float> roots; // poses [guides][PLAIT_POSE_STRIDE] float4
     uint32_t row;                 // V
-    float margin;                 // m
-    bool keeps_rest;              // no vertex is farther out than it is at rest
+    ClearanceRules rules;
 };
 
 // m outside of the surface, by vertex: the margin, or less.

@@ -19,6 +19,7 @@ struct MeshField {
     float band = 0;                  // m
     std::pmr::vector<float> value;   // m, x fastest, then y, then z; positive outside
 
+    bool operator==(const MeshField&) const = default;
     size_t count() const { return size_t{nodes[0]} * nodes[1] * nodes[2]; }
     // Of a node.
     std::array<double, 3> place(size_t x, size_t y, size_t z) const;

@@ -2,11 +2,12 @@
 // k: a point is the business of the cone that holds it deepest, so one that sticks out of the mesh
 // costs as much as one that does not reach it.
 //
-// Sources: the largest ball inside that touches a point: Ma, Bae & Choi 2012 (shrinking ball), from
-// which cones start; damped Gauss-Newton (Levenberg 1944, Marquardt 1963), alternating with the
-// choice of cones as in Lloyd 1982. Where that has come to rest, the cone that is missed least is tried
+// Sources: damped Gauss-Newton (Levenberg 1944, Marquardt 1963), alternating with the choice of cones as
+// in Lloyd 1982; cones start from the largest balls inside (mesh_balls.hpp). Where that has come to rest, the cone that is missed least is tried
 // in the worst place: ours.
 #include "core/mesh/mesh_fit.hpp"
+
+#include "core/mesh/mesh_balls.hpp"
 
 #include <Eigen/Dense>
 
@@ -17,7 +18,6 @@
 namespace plait {
 namespace {
 
-using Vec3 = Eigen::Vector3d;
 using Vec8 = Eigen::Matrix<double, 8, 1>;
 using Mat8 = Eigen::Matrix<double, 8, 8>;
 
@@ -41,67 +41,6 @@ struct RoundedCone {
         return (x - a - share * axis).norm() - (radius_a - share * narrows);
     }
 };
-
-// A point of the surface, and the largest ball inside that touches it.
-struct Sample {
-    Vec3 x, outward;
-    Vec3 middle;
-    double radius;
-};
-using Samples = std::pmr::vector<Sample>;
-
-struct Corners {
-    Vec3 a, b, c;
-
-    Vec3 across() const { return (b - a).cross(c - a); }
-};
-
-Corners corners_of(const TriangleSet& surface, size_t triangle) {
-    const auto at = [&](size_t k) -> Vec3 {
-        const MeshPoint& p = surface.positions[surface.triangles[triangle][k]];
-        return Vec3(double(p[0]), double(p[1]), double(p[2]));
-    };
-    return {at(0), at(1), at(2)};
-}
-
-// Evenly over the area. Where in a triangle: the R2 sequence of Roberts 2018, folded.
-Samples spread(const TriangleSet& surface, size_t number, std::pmr::memory_resource* memory) {
-    std::pmr::vector<double> area(memory); // of all triangles so far
-    double sum = 0;
-    for (size_t i = 0; i < surface.triangles.size(); ++i)
-        area.push_back(sum += 0.5 * corners_of(surface, i).across().norm());
-    Samples samples(memory);
-    for (size_t i = 0; i < number; ++i) {
-        const double at = (double(i) + 0.5) / double(number) * sum;
-        const auto triangle = std::ranges::lower_bound(area, at) - area.begin();
-        const Corners corners = corners_of(surface, static_cast<size_t>(triangle));
-        double u = std::fmod(double(i + 1) * 0.7548776662466927, 1);
-        double v = std::fmod(double(i + 1) * 0.5698402909980532, 1);
-        if (u + v > 1) {
-            u = 1 - u;
-            v = 1 - v;
-        }
-        const Vec3 x = corners.a + u * (corners.b - corners.a) + v * (corners.c - corners.a);
-        samples.push_back({x, corners.across().normalized(), x, 0});
-    }
-    return samples;
-}
-
-// A ball behind the point shrinks until no other point is inside.
-void measure_ball(Sample& own, const Samples& samples, double size) {
-    own.radius = size;
-    for (int i = 0; i < 30; ++i) {
-        own.middle = own.x - own.radius * own.outward;
-        const auto nearest = std::ranges::min_element(
-            samples, {}, [&](const Sample& other) { return (other.x - own.middle).squaredNorm(); });
-        const Vec3 way = own.x - nearest->x;
-        const double depth = 2 * own.outward.dot(way);
-        if ((nearest->x - own.middle).norm() >= own.radius * (1 - 1e-3) || depth <= 0)
-            return;
-        own.radius = way.squaredNorm() / depth;
-    }
-    own.middle = own.x - own.radius * own.outward;
-}
 
 Vec8 values_of(const RoundedCone& cone) {
     Vec8 values;
@@ -344,8 +283,7 @@ FitError fit_cones(const Mesh& mesh, std::span<FittedCone> fitted) {
     const size_t number = 2000 + 50 * fitted.size();
     const double size = size_of(mesh.shape);
     Samples samples = spread(mesh.surface, number, memory);
-    for (Sample& sample : samples)
-        measure_ball(sample, samples, size);
+    measure_balls(samples, size);
     std::pmr::vector<RoundedCone> cones(fitted.size(), memory);
     Fit(samples, cones, size).run();
     for (size_t k = 0; k < cones.size(); ++k)

@@ -19,6 +19,7 @@ Sim::Sim(Context& context, SimParts parts)
       schedule_(&context.memory), pin_table_(&context.memory), pose_before_(&context.memory) {}
 
 Sim::~Sim() {
+    leave();
     if (context_.measured == this)
         context_.measured = nullptr;
     if (read_fence_ != 0) // the caller's memory may go with the sim

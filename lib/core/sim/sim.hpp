@@ -22,8 +22,11 @@
 #include <plait/plait_profile.h>
 
 #include <memory>
+#include <optional>
 
 namespace plait {
+
+class MeshDistance;
 
 // snapshot/
 enum class BlockKind : uint32_t;
@@ -76,18 +79,12 @@ class Sim {
     Status ask_for_probes();
     Status wait() { return device().wait(); }
 
-    Result<plait_collider_id> create_collider(const plait_collider_desc& desc) {
-        return if_built(colliders_.create(device(), desc));
-    }
-    Status set_collider_pose(plait_collider_id id, const plait_pose& pose) {
-        return colliders_.set_pose(id, pose);
-    }
-    Status place_collider(plait_collider_id id, const plait_pose& pose); // sim_meshes.cpp
-    Status set_collider_shape(plait_collider_id id, const plait_collider_desc& desc) {
-        return colliders_.set_shape(id, desc);
-    }
+    // sim_bodies.cpp: each is done in all sims that share them, and creating and destroying in all or none.
+    Result<plait_collider_id> create_collider(const plait_collider_desc& desc);
+    Status set_collider_pose(plait_collider_id id, const plait_pose& pose);
+    Status place_collider(plait_collider_id id, const plait_pose& pose);
+    Status set_collider_shape(plait_collider_id id, const plait_collider_desc& desc);
     const Colliders& colliders() const { return colliders_; }
-    // sim_meshes.cpp
     Result<plait_collider_id> create_mesh_collider(const Mesh& mesh,
                                                    const plait_collider_mesh_desc& desc);
     Result<plait_collider_id> create_hull_collider(const Mesh& mesh,
@@ -100,6 +97,8 @@ class Sim {
     Result<const Buffer*> room_for_root_positions(size_t count, size_t words);
     Status take_root_positions(const plait_pose& head, uint32_t words);
     Status destroy_collider(plait_collider_id id);
+    // Null: with none from now on.
+    Status share_colliders(Sim* with);
 
     // fields.cpp
     Result<size_t> field_bytes(plait_field field) const;
@@ -231,8 +230,6 @@ class Sim {
     void append_last_motion();
     Status forget_sides_of_left(const plait_pose& before, const plait_pose& after);
     Status place_colliders();
-    // What was made, once its stages are built; else it is destroyed.
-    Result<plait_collider_id> if_built(Result<plait_collider_id> made);
     Status check_stages(); // and builds them
     Status check_schedule();
     Status prepare_calls();
@@ -242,10 +239,35 @@ class Sim {
     Status check_settings(std::span<const Settings> settings) const;
     using MeshDistanceOf = std::function<double(const std::array<double, 3>&)>;
     Result<std::pmr::vector<float>> clearance_of(const MeshDistanceOf& distance,
-                                                 const plait_collider_mesh_desc& desc);
-    Status add_field(uint32_t slot, const Mesh& mesh, const plait_collider_mesh_desc& desc);
-    Status add_bending(uint32_t slot, const Mesh& mesh, const plait_collider_mesh_desc& desc);
+                                                 ClearanceRules rules, const plait_pose& pose);
+    Status measure(MeshColliders::Entry& entry, const plait_pose& pose);
+    Status measure(BendingMeshes::Entry& entry, const MeshDistance& distance,
+                   const plait_pose& pose);
     Result<uint32_t> bending_slot(plait_collider_id id) const;
+    // sim_bodies.cpp
+    struct MeshSets { // those of one form, or of both
+        std::optional<MeshColliders::Set> fields;
+        std::optional<BendingMeshes::Set> nearest;
+    };
+    void swap(MeshSets& sets);
+    struct Change;
+    struct Changes;
+    template <typename Visit> Status for_each_sharer(const Visit& visit);
+    template <typename Make> Result<plait_collider_id> create_in_all(const Make& make);
+    Result<plait_collider_id> create_field(const Mesh& mesh, const plait_collider_mesh_desc& desc);
+    Result<plait_collider_id> create_bending(const Mesh& mesh,
+                                             const plait_collider_mesh_desc& desc);
+    Status open_planes();
+    Status check_meets_meshes() const;
+    // shared_bodies.cpp
+    bool shares_with(const Sim& other) const;
+    void leave();
+    Status take_bodies(Sim& from);
+    Result<MeshSets> measure_meshes_of(Sim& from);
+    Status take_same_bodies(Sim& from);
+    // Whether colliders are those of this sim; meshes then have its geometry.
+    bool are_bodies(std::span<const Colliders::Slot> slots, const Colliders::FacesOf& faces,
+                    MeshColliders::Entries& fields, BendingMeshes::Entries& nearest) const;
     Result<const Buffer*> room_for(size_t count, size_t words);
     Status take_meshes(MeshColliders::Entries&& meshes, BendingMeshes::Entries&& bending);
     // Of features as they are.
@@ -328,6 +350,7 @@ class Sim {
     bool said_uneven_ = false; // of bones
     Roots roots_;
     Frame frame_;
+    Sim* sharer_ = this; // the next of those that share its colliders, in a ring
     Colliders colliders_;
     MeshColliders meshes_; // of those colliders that are, by form
     BendingMeshes bending_;

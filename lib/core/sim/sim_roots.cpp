@@ -154,7 +154,7 @@ Status Sim::place_colliders() {
 Status Sim::forget_sides_of_left(const plait_pose& before, const plait_pose& after) {
     for (const BendingMeshes::Entry& mesh : bending_.entries()) {
         const Colliders::Slot& slot = colliders_.slots()[mesh.slot];
-        if (mesh.two_sided && !goes_along(before, slot.to, after, colliders_.goal(slot)))
+        if (mesh.two_sided() && !goes_along(before, slot.to, after, colliders_.goal(slot)))
             PLAIT_TRY(bending_.forget_sides(device(), mesh.slot));
     }
     return {};

@@ -236,6 +236,10 @@ Status Sim::restore(std::span<const unsigned char> src) {
         return bending.error();
     if ((!meshes->empty() || !bending->empty()) && desc_.model == PLAIT_MODEL_TRESSFX)
         return malformed("colliders are meshes, which strands of model 0 do not meet");
+    if (sharer_ != this && !are_bodies(*slots, *faces, *meshes, *bending))
+        return Error{PLAIT_INVALID_STATE,
+                     "the snapshot has other colliders than the sim, which shares its: "
+                     "plait_sim_share_colliders with NULL ends that"};
     auto& own = (*blocks)[static_cast<size_t>(BlockKind::settings)];
     const auto strands = saved_settings(own);
     if (!strands)

@@ -141,13 +141,14 @@ Status Sim::write_bodies(SnapshotWriter& to) {
         to.put(&of_hull, sizeof of_hull);
         to.put_list(faces);
     }
-    for (const auto& [slot, field, clearance] : meshes_.entries()) {
-        SavedMesh saved{{}, field.edge, {}, field.band};
+    for (const MeshColliders::Entry& entry : meshes_.entries()) {
+        const MeshField& field = *entry.field;
+        SavedMesh saved{{}, field.edge, {}, field.band, entry.rules};
         std::ranges::copy(field.origin, saved.origin);
         std::ranges::copy(field.nodes, saved.nodes);
         to.put(&saved, sizeof saved);
         to.put(field.value.data(), field.count() * sizeof(float));
-        to.put_list(clearance);
+        to.put_list(entry.clearance);
     }
     for (size_t m = 0; m < bending_.entries().size(); ++m)
         PLAIT_TRY(write_bending(to, m));
@@ -156,11 +157,12 @@ Status Sim::write_bodies(SnapshotWriter& to) {
 
 Status Sim::write_bending(SnapshotWriter& to, size_t index) {
     const BendingMeshes::Entry& mesh = bending_.entries()[index];
-    const SavedBendingMesh saved = {static_cast<uint32_t>(mesh.surface.positions.size()),
-                                    static_cast<uint32_t>(mesh.surface.triangles.size()),
-                                    mesh.two_sided ? 1u : 0u, mesh.posed ? 1u : 0u};
+    const TriangleSet& surface = mesh.surface->set;
+    const SavedBendingMesh saved = {static_cast<uint32_t>(surface.positions.size()),
+                                    static_cast<uint32_t>(surface.triangles.size()),
+                                    mesh.two_sided() ? 1u : 0u, mesh.posed ? 1u : 0u, mesh.rules};
     to.put(&saved, sizeof saved);
-    to.put_list(mesh.surface.positions);
+    to.put_list(surface.positions);
     if (mesh.posed) {
         const size_t bytes = saved.vertices * sizeof(MeshPoint);
         if (unsigned char* out = to.room(4 * bytes)) {
@@ -173,9 +175,9 @@ Status Sim::write_bending(SnapshotWriter& to, size_t index) {
             }
         }
     }
-    to.put_list(mesh.surface.triangles);
+    to.put_list(surface.triangles);
     to.put_list(mesh.clearance);
-    const size_t sides = mesh.two_sided ? 4 * mesh.clearance.size() * sizeof(float) : 0;
+    const size_t sides = mesh.two_sided() ? 4 * mesh.clearance.size() * sizeof(float) : 0;
     if (unsigned char* out = to.room(sides); out && sides > 0) {
         const auto read = bending_.read_sides(device(), index);
         if (!read)

@@ -4,6 +4,7 @@
 #include "core/sim/sim.hpp"
 
 #include <array>
+#include <cstring>
 #include <span>
 
 namespace plait {
@@ -81,6 +82,7 @@ struct SavedMesh {
     float origin[3], edge;
     uint32_t nodes[3];
     float band;
+    ClearanceRules rules;
 };
 
 // The same of one of form NEAREST; then come its vertices as it was made, where they have been moved
@@ -88,7 +90,9 @@ struct SavedMesh {
 // triangles, the clearance, and of a sheet four numbers of every vertex, PLAIT_MESH_SIDE_....
 struct SavedBendingMesh {
     uint32_t vertices, triangles, two_sided, posed;
+    ClearanceRules rules;
 };
+static_assert(sizeof(SavedMesh) == 40 && sizeof(SavedBendingMesh) == 24);
 static_assert(sizeof(Colliders::Slot) == sizeof(float) * (2 + 22 + 36),
               "no padding: slots are saved as bytes");
 
@@ -148,7 +152,7 @@ Result<BlockBytes> split(std::span<const unsigned char> bytes);
 // Takes what Saved holds from the begin of each block, and checks it.
 Result<Saved> take_saved(BlockBytes& blocks);
 
-// Colliders, from the block of bodies, which each moves on; `vertices`: [guides][V].
+// saved_bodies.cpp: colliders, from the block of bodies, which each moves on; `vertices`: [guides][V].
 Result<std::pmr::vector<Colliders::Slot>>
 saved_slots(std::span<const unsigned char>& from, float scale, std::pmr::memory_resource* memory);
 Result<Colliders::FacesOf> saved_faces(std::span<const Colliders::Slot> slots,
@@ -161,6 +165,20 @@ Result<BendingMeshes::Entries> saved_bending(std::span<const Colliders::Slot> sl
                                              size_t vertices, std::span<const unsigned char>& from,
                                              std::pmr::memory_resource* memory);
 
+// Its head from `from` on, which it moves on; false: that is too short.
+template <typename Head> bool take(std::span<const unsigned char>& from, Head& to) {
+    if (from.size() < sizeof to)
+        return false;
+    std::memcpy(&to, from.data(), sizeof to);
+    from = from.subspan(sizeof to);
+    return true;
+}
+
+// A place in the groom's units, of which each is `scale` metres.
+Status check_pose(plait_pose pose, const char* name, float scale);
+
+// Of a position (m) or a velocity (m/s): a head and a groom may be 1e6 m away each.
+constexpr float largest = 4e6f;
 // Of a run of floats.
 float float_at(const unsigned char* bytes, size_t index);
 // +-4e6 m, of which `scale` are one of the groom's units.
