@@ -13,10 +13,11 @@ watch() {
     cat "$log.part" >>"$log"
 }
 
-# Perturbed runs take the same paths through the kernels, so those are left to the real devices. The
-# longest kernels are walked through with strands of up to 16 vertices.
+# Perturbed runs, and the hundreds of substeps of which none may give energy, take the same paths through
+# the kernels, so those are left to the real devices. The longest kernels are walked through with strands of
+# up to 16 vertices.
 program=$1
-watch '-*_notices:*.articulated'
+watch '-*_notices:*.articulated*'
 export PLAIT_TEST_MAX_VERTICES=16
 watch '*.articulated'
 
