@@ -92,10 +92,9 @@ PLAIT_API plait_result plait_sim_set_level(plait_sim* sim, const plait_level_cho
 typedef struct plait_level_state {
     uint32_t struct_size;
     uint32_t level;
-    uint32_t shown;  /* strands */
-    uint32_t asleep; /* 0: no sim sleeps yet */
-    float blending;  /* s that are left */
-    float swing;     /* m, rms of hair about its mean in the frames of its roots, over about 1 s, as
+    uint32_t shown; /* strands */
+    float blending; /* s that are left */
+    float swing;    /* m, rms of hair about its mean in the frames of its roots, over about 1 s, as
                         far as it has come from the device; of a level of no guides, the last one
                         before. < 0: not known yet */
 } plait_level_state;
@@ -152,7 +151,7 @@ PLAIT_STRUCT(plait_director_info)
 
 /* Chooses level and shown strands of `count` different sims of `context`, and gives them to
  * plait_sim_set_level: from the next step on. To be called once a frame, before the sims are stepped; dt is
- * the frame's time, s, [0, 1e9]. `info` may be NULL.
+ * the frame's time, s, [0, 1e9]. `desc` NULL: the defaults. `info` may be NULL.
  *
  * A choice's error, px: 1.5 times the level's share of the hair's swing, and twice what shown strands are
  * drawn too wide, the root of their squares, times importance. Where the budget is short it goes to who

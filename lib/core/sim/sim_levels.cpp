@@ -22,12 +22,8 @@ Status Sim::set_level(const plait_level_choice& choice) {
 Result<plait_level_state> Sim::level_state() const {
     if (!levels_)
         return has_none();
-    return plait_level_state{sizeof(plait_level_state),
-                             levels_->level(),
-                             levels_->shown(),
-                             0,
-                             static_cast<float>(levels_->blending()),
-                             levels_->swing.rms()};
+    return plait_level_state{sizeof(plait_level_state), levels_->level(), levels_->shown(),
+                             static_cast<float>(levels_->blending()), levels_->swing.rms()};
 }
 
 bool Sim::describe_levels(DirectedHair& out) const {
