@@ -1,8 +1,8 @@
 // The caller's own kernel in the place of one that plait has, through the C API: with work-group
 // memory and the headers that plait's kernels share.
-#include <plait/plait.hpp>
+#include "support.hpp"
 
-#include <gtest/gtest.h>
+#include <plait/plait.hpp>
 
 #include <array>
 #include <vector>
@@ -31,9 +31,10 @@ __kernel void plait_tressfx_wind(const uint item_count, const plait_tressfx_wind
 
 constexpr size_t strands = 16, vertices = 16;
 
-plait::Context make_context(const plait_stage_source* own) {
+plait::Context make_context(const std::string& device, const plait_stage_source* own) {
     plait_context_desc desc = plait_context_desc_defaults();
     desc.backend = "opencl";
+    desc.device = device.c_str();
     desc.stage_sources = own;
     desc.stage_source_count = own ? 1 : 0;
     return plait::Context(desc);
@@ -66,9 +67,14 @@ double drift(const plait::Context& context, float gravity) {
     return sum / strands;
 }
 
-TEST(OwnWind, TakesThePlaceOfPlaits) {
+class OwnWind : public plait::opencl::OnDevice {};
+INSTANTIATE_TEST_SUITE_P(Devices, OwnWind, ::testing::ValuesIn(plait::opencl::device_indices()),
+                         plait::opencl::test_name);
+
+TEST_P(OwnWind, TakesThePlaceOfPlaits) {
+    const std::string device = plait::opencl::find_devices().usable[GetParam()].info.name;
     const plait_stage_source own = {"tressfx_wind", boundary_layer, "boundary_layer.cl"};
-    const plait::Context ours = make_context(&own), usual = make_context(nullptr);
+    const plait::Context ours = make_context(device, &own), usual = make_context(device, nullptr);
     EXPECT_NEAR(drift(ours, -9.81f), 0, 1e-3); // it hangs, below the wind
     EXPECT_GT(drift(ours, 9.81f), 0.01);
     EXPECT_GT(drift(usual, -9.81f), 0.01);
