@@ -699,4 +699,47 @@ TEST_P(LevelsInASim, SayWhatTheyDoNotGoWith) {
     refused(other, "desc->levels are of another groom", [](auto&) {});
 }
 
+TEST_P(LevelsInASim, WakeStrandsThatWereNotShownWhereTheyWouldHaveBeen) {
+    const Scene scene = hair();
+    for (const uint32_t level : {2u, 3u}) {
+        plait::Sim few = scene.sim(context), all = scene.sim(context);
+        few.set_level(choice_of(level, 0, 8));
+        all.set_level(choice_of(level, 0));
+        for (int step = 0; step < 60; ++step) {
+            move(few, step);
+            move(all, step);
+        }
+        few.set_level(choice_of(0, 0));
+        all.set_level(choice_of(0, 0));
+        for (int step = 60; step < 63; ++step) {
+            move(few, step);
+            move(all, step);
+        }
+        EXPECT_EQ(shown(few), shown(all)) << "from level " << level;
+    }
+}
+
+TEST_P(LevelsInASim, GoRigidWithTheirDetailAndOnBodies) {
+    const Scene scene = hair();
+    plait::Sim sim = scene.sim(context, 1);
+    auto detail = plait_detail_desc_defaults();
+    for (int i = 1; i < 4; ++i)
+        detail.clump[i] = 0.8f;
+    sim.set_detail(detail);
+    auto body = smooth_collider();
+    body.capsule.radius_a = body.capsule.radius_b = 0.05f;
+    body.pose.t[0] = body.pose.t[2] = 0.04f;
+    body.pose.t[1] = -0.1f;
+    sim.create_collider(body);
+    for (int step = 0; step < 240; ++step)
+        move(sim, 0, 0);
+    for (const uint32_t level : {3u, 1u}) {
+        const auto before = shown(sim);
+        sim.set_level(choice_of(level));
+        for (int step = 0; step < 3; ++step)
+            move(sim, 0, 0);
+        EXPECT_LT(rms(before, shown(sim), scene.row, 0, scene.strands), 3e-4) << level;
+    }
+}
+
 } // namespace

@@ -18,6 +18,8 @@ constexpr double keeps_budget = 1.05;       // for what is taken now
 constexpr double adds_budget = 0.95;        // for what is added
 constexpr double out_of_sight = 1;          // s until hair that nobody sees goes rigid
 constexpr double rises = 0.05, falls = 0.5; // s, in which the price follows what is measured
+constexpr double most_rise = 2;             // of what it is, so far at once
+constexpr double remembers = 2;             // s, of how time goes with work
 
 double square(double x) {
     return x * x;
@@ -134,7 +136,7 @@ void Director::climb(const DirectorGoal& goal) {
         Climber& climber = climbers_[heap_.back()];
         Ladder& ladder = climber.best();
         const double more = ladder.next().work - ladder.here().work;
-        const double most = goal.budget * (ladder.keeps() ? keeps_budget : adds_budget);
+        const double most = goal.budget * (ladder.keeps() ? keeps_budget : adds_budget) - fixed_;
         if (goal.budget > 0 && (work + more) * price_ > most) {
             ladder.count = ladder.at + 1; // a smaller step of somebody else's may fit
         } else {
@@ -148,20 +150,35 @@ void Director::climb(const DirectorGoal& goal) {
     }
 }
 
+// What frames take is a line over their work. Its beginning is found where work has changed lately; else
+// what was found before holds.
+void Director::fit_fixed(double ms, double dt) {
+    if (ms > 3 * (fixed_ + price_ * work_)) // something else took it
+        return;
+    const double keep = std::exp(-dt / remembers);
+    means_ = {keep * means_.weight + 1, keep * means_.work + work_, keep * means_.ms + ms,
+              keep * means_.work2 + work_ * work_, keep * means_.product + work_ * ms};
+    const double n = means_.weight, work = means_.work / n, mean = means_.ms / n;
+    const double spread = means_.work2 / n - work * work;
+    if (spread < square(0.2 * work))
+        return;
+    const double slope = (means_.product / n - work * mean) / spread;
+    if (slope > 0)
+        fixed_ = std::clamp(mean - slope * work, 0.0, 0.8 * mean);
+}
+
 void Director::took(double ms, double dt) {
     if (!(ms > 0) || !(work_ > 0))
         return;
-    prices_[measured_ % prices_.size()] = ms / work_;
-    if (++measured_ == 1) {
-        price_ = prices_[0];
-        return;
-    }
-    std::array<double, 3> sorted = prices_;
+    took_[measured_++ % took_.size()] = ms;
+    std::array<double, 5> sorted = took_;
     const size_t count = std::min<size_t>(measured_, sorted.size());
     std::sort(sorted.begin(), sorted.begin() + count);
-    const double usual = sorted[(count - 1) / 2]; // one frame that stumbled says nothing
-    const double share = 1 - std::exp(-dt / (usual > price_ ? rises : falls));
-    price_ += share * (usual - price_);
+    const double usual = sorted[(count - 1) / 2]; // two frames that stumbled say nothing
+    fit_fixed(usual, dt);
+    const double price = std::max(usual - fixed_, 0.2 * usual) / work_;
+    const double share = 1 - std::exp(-dt / (price > price_ ? rises : falls));
+    price_ += share * (std::min(price, most_rise * price_) - price_);
 }
 
 void Director::list_changes(std::span<const DirectedHair> hair, const DirectorGoal& goal,
@@ -197,7 +214,7 @@ DirectorReport Director::choose(std::span<const DirectedHair> hair, const Direct
         work += work_of(of, of.now);
     }
     climb(goal);
-    const bool over = goal.budget > 0 && work * price_ > keeps_budget * goal.budget;
+    const bool over = goal.budget > 0 && fixed_ + work * price_ > keeps_budget * goal.budget;
     list_changes(hair, goal, over);
 
     DirectorReport report;
@@ -208,7 +225,7 @@ DirectorReport Director::choose(std::span<const DirectedHair> hair, const Direct
         const bool first = std::isinf(hair[change.index].since);
         const bool saves = over && change.work < 0;
         const bool fits = goal.budget == 0 || change.work <= 0 ||
-                          (work + change.work) * price_ <= keeps_budget * goal.budget;
+                          fixed_ + (work + change.work) * price_ <= keeps_budget * goal.budget;
         if (!fits || (!first && !saves && (left == 0 || (change.wakes && wakings == 0))))
             continue;
         if (!first && !saves) {
@@ -223,7 +240,7 @@ DirectorReport Director::choose(std::span<const DirectedHair> hair, const Direct
     for (size_t i = 0; i < hair.size(); ++i)
         report.worst = std::max(report.worst, error_of(hair[i], goal, out[i]));
     work_ = work;
-    report.predicted = work * price_;
+    report.predicted = fixed_ + work * price_;
     return report;
 }
 

@@ -101,6 +101,7 @@ class Director {
         bool wakes;
     };
 
+    void fit_fixed(double ms, double dt);
     static Climber climber_of(const DirectedHair& hair, const DirectorGoal& goal);
     void climb(const DirectorGoal& goal);
     void list_changes(std::span<const DirectedHair> hair, const DirectorGoal& goal, bool over);
@@ -108,10 +109,14 @@ class Director {
     std::pmr::vector<Climber> climbers_;
     std::pmr::vector<uint32_t> heap_; // of climbers
     std::pmr::vector<Change> changes_;
-    double price_ = 0.5; // two cores that share the work evenly; what is measured first replaces it
-    double work_ = 0;    // of what was chosen last
-    std::array<double, 3> prices_{}; // the last that were measured
+    double price_ = 0.5;           // two cores that share the work evenly
+    double fixed_ = 0;             // ms, whatever the work
+    double work_ = 0;              // of what was chosen last
+    std::array<double, 5> took_{}; // ms; the last that were measured
     uint32_t measured_ = 0;
+    struct Means { // over some seconds, of work and of ms, and of their squares and product
+        double weight, work, ms, work2, product;
+    } means_{};
 };
 
 } // namespace plait

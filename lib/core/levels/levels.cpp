@@ -59,6 +59,11 @@ std::array<uint32_t, 5> default_guides(uint32_t strands) {
 Status check_guides(std::span<const uint32_t> guides, size_t strands) {
     for (size_t level = 0; level < guides.size(); ++level) {
         const size_t below = level > 0 ? size_t{guides[level - 1]} : strands + 1;
+        if (below == 0)
+            return Error{PLAIT_INVALID_ARGUMENT,
+                         format("desc->guides[%zu] is %u, but level %zu has none already: "
+                                "level_count is at most %zu here",
+                                level, guides[level], level - 1, level)};
         if (guides[level] >= below)
             return Error{PLAIT_INVALID_ARGUMENT,
                          format("desc->guides[%zu] is %u, range is [0, %zu], %s", level,

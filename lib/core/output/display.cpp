@@ -216,6 +216,18 @@ void Display::append_out(Schedule& schedule, const StepInput& at, const LevelRow
                              position(at.state));
 }
 
+// Hair of which nothing is stepped was kept with its detail.
+void Display::append_detail(Schedule& schedule, const StepInput& at, const LevelRows& rows) const {
+    if (rows.layout.guides == 0)
+        return;
+    const Buffer& pose = this->pose(at.state);
+    const Buffer& shown = position(at.state);
+    if (detail_)
+        detail_.append(schedule, at.layout, pose, follow_guide_, shown);
+    if (wet_ && at.state.wetness) // of all that sets them apart, curl and frizz, too
+        wet_.append(schedule, at.layout, pose, follow_guide_, shown, &at.state.wetness);
+}
+
 void Display::append_step(Schedule& schedule, const StepInput& at, const SimLevels& levels,
                           const LevelRows& rows) const {
     append_guides(schedule, rows.layout, at.state);
@@ -261,12 +273,8 @@ void Display::append(Schedule& schedule, const StepInput& at, const Roots& roots
     const Layout& layout = rows.layout;
     const State& state = at.state;
     const Buffer& shown = position(state); // at the groom's size until the end
-    const Buffer& pose = this->pose(state);
     append_rows(schedule, at, roots, remainder, rows, levels);
-    if (detail_)
-        detail_.append(schedule, at.layout, pose, follow_guide_, shown);
-    if (wet_ && state.wetness) // of all that sets them apart, curl and frizz, too
-        wet_.append(schedule, at.layout, pose, follow_guide_, shown, &state.wetness);
+    append_detail(schedule, at, rows);
     append_out(schedule, at, rows);
     const uint32_t first = tangents == Tangents::of_all ? 0 : layout.guides;
     if (first < layout.strands())

@@ -62,6 +62,7 @@ class Display {
                      const LevelRows& rows) const;
     void append_rows(Schedule& schedule, const StepInput& at, const Roots& roots, float remainder,
                      const LevelRows& rows, const SimLevels* levels) const;
+    void append_detail(Schedule& schedule, const StepInput& at, const LevelRows& rows) const;
     void append_out(Schedule& schedule, const StepInput& at, const LevelRows& rows) const;
     // With which rows are placed where they are shown.
     const Buffer& pose(const State& state) const { return interpolates() ? pose_now_ : state.pose; }

@@ -137,7 +137,7 @@ Status Sim::take_same_bodies(Sim& from) {
     if (!from.are_bodies(colliders_.slots(), colliders_.faces(), fields, *nearest))
         return Error{PLAIT_INVALID_STATE,
                      format("the sim has %u colliders of its own, which are not those of `with` by "
-                            "id and shape: destroy them first",
+                            "id and shape, those included that were destroyed: destroy them first",
                             colliders_.count())};
     auto of_fields = meshes_.make(device(), std::move(fields), from.meshes_.set());
     if (!of_fields)

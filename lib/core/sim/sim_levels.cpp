@@ -53,8 +53,10 @@ void Sim::append_switch() {
     const StepInput at = first_group();
     const auto remainder = static_cast<float>(clock_.remainder());
     const bool wakes = levels_->wakes(), freezes = levels_->next_stepped() == 0;
+    const bool thaws = levels_->is_rigid();
     levels_->ahead = display_.interpolates() ? clock_.remainder() * clock_.step() : 0;
-    LevelRows rows = levels_->rows(display_.turns(), freezes);
+    // Strands are woken and kept that may not be shown.
+    LevelRows rows = levels_->rows(display_.turns(), freezes || wakes);
     if (wakes) {
         LevelRows plain = rows;
         plain.share = 0;
@@ -63,6 +65,8 @@ void Sim::append_switch() {
         model_->wake(schedule_, present(), levels_->waking(shown));
     }
     display_.append_rows(schedule_, at, roots_, remainder, rows, levels_.get());
+    if (freezes)
+        display_.append_detail(schedule_, at, rows);
     display_.append_out(schedule_, at, rows);
     if (freezes)
         levels_->append_freeze(schedule_, display_.pose(state_), shown);
@@ -76,9 +80,13 @@ void Sim::append_switch() {
     }
     if (freezes || levels_->blending() == 0)
         return;
-    rows = levels_->rows(display_.turns());
+    rows = levels_->rows(display_.turns(), thaws);
     rows.share = 0;
     display_.append_rows(schedule_, at, roots_, remainder, rows, levels_.get());
+    if (thaws) { // what was kept has its detail, and lies on bodies
+        display_.append_detail(schedule_, at, rows);
+        display_.append_out(schedule_, at, rows);
+    }
     levels_->append_lacking(schedule_, display_.pose(state_), shown);
 }
 
