@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <numeric>
 
@@ -157,22 +158,51 @@ Status Colliders::upload(Device& device) {
     for (const uint32_t substeps : substeps_)
         for (uint32_t i = 0; i < substeps; ++i) // as the roots go
             pack_all(double(i) / substeps, double(i + 1) / substeps);
-    pack_faces(out);
+    pack_faces(packed_, rows(count_));
     PLAIT_TRY(device.upload(buffer_, 0, packed_.size() / 4, packed_.data()));
     uploaded_ = true;
     return {};
 }
 
+// Meshes that bend are as at the step's end.
+Status Colliders::show(Device& device) {
+    if (count_ == 0)
+        return {};
+    packed_.resize(count_ * collider_floats + 4 * face_count_);
+    float* out = packed_.data();
+    for (const int order : {0, 1, 2})
+        for (const Slot& slot : slots_)
+            if (slot.alive && order_of(slot) == order)
+                out = pack(resized(slot, size(slot)), slot.at, slot.at, {0, 1}, out);
+    pack_faces(packed_, count_);
+    const size_t need = packed_.size() / 4;
+    if (shown_.count() < need) {
+        packed_shown_.clear();
+        PLAIT_TRY(device.create(shown_, PLAIT_ELEMENT_FLOAT4, std::max(need, 2 * shown_.count()),
+                                "collider_shown"));
+    }
+    const auto same = [](float a, float b) {
+        return std::bit_cast<uint32_t>(a) == std::bit_cast<uint32_t>(b);
+    };
+    if (std::ranges::equal(packed_, packed_shown_, same))
+        return {};
+    packed_shown_.clear(); // an upload that fails may have left anything
+    PLAIT_TRY(device.upload(shown_, 0, need, packed_.data()));
+    packed_shown_ = packed_;
+    return {};
+}
+
 // Behind all rows, which are told where their own lie.
-void Colliders::pack_faces(float* out) {
+void Colliders::pack_faces(std::span<float> packed, size_t rows) const {
+    float* out = packed.data() + rows * collider_floats;
     const size_t per_substep = count_;
     size_t row = 0; // of the first substep
     for (const int order : {0, 1, 2})
         for (size_t i = 0; i < slots_.size(); ++i) {
             if (!slots_[i].alive || order_of(slots_[i]) != order)
                 continue;
-            for (size_t at = row; at < rows(count_) && is_hull(slots_[i]); at += per_substep) {
-                float* const first = packed_.data() + at * collider_floats;
+            for (size_t at = row; at < rows && is_hull(slots_[i]); at += per_substep) {
+                float* const first = packed.data() + at * collider_floats;
                 float* const last = first + size_t{4} * PLAIT_COLLIDER_FRICTION;
                 last[2] = static_cast<float>((out - first) / 4);
                 last[3] = static_cast<float>(faces_[i].size());

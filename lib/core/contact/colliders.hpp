@@ -13,7 +13,8 @@ namespace plait {
 class Colliders {
   public:
     Colliders(uint32_t substeps, std::pmr::memory_resource* memory)
-        : substeps_(1, substeps, memory), slots_(memory), faces_(memory), packed_(memory) {}
+        : substeps_(1, substeps, memory), slots_(memory), faces_(memory), packed_(memory),
+          packed_shown_(memory) {}
 
     // The numbers of substeps in which a fixed step is taken, by some strands or others.
     Status set_substeps(Device& device, std::span<const uint32_t> numbers);
@@ -42,12 +43,19 @@ class Colliders {
     // float4 [all substeps, one number of them after the other][count][PLAIT_COLLIDER_STRIDE], the
     // meshes last, and of these those of form NEAREST; then the faces of all hulls
     const Buffer& buffer() const { return buffer_; }
+    // The same of one substep at whose end, as at its begin, each is where show() had it: that of the
+    // step's path until it has been called.
+    const Buffer& shown() const { return shown_ ? shown_ : buffer_; }
+    uint64_t device_bytes() const { return buffer_.bytes() + shown_.bytes(); }
 
     // As Roots: the step's path ends at share `end` of the call's, and `bends` if theirs does. Uploads
     // what moved.
     Status advance(Device& device, double end, bool bends);
     // The path as it is, where the device does not have it yet.
     Status upload(Device& device);
+    // Where each is now, as Roots::append_poses_now() has the head; uploads what differs from the last
+    // time. The step's path stays as it is.
+    Status show(Device& device);
     void arrive();
     void stop();   // no path: every collider is where it is now
     void place() { // at once where it was aimed at
@@ -114,19 +122,20 @@ class Colliders {
     plait_pose on_path(const Slot& slot, double share) const;
     // Lengths of its shape are so many of the groom's units for each that it says.
     float size(const Slot& slot) const { return slot.scale == 0 ? 1 : slot.scale / scale_; }
-    void pack_faces(float* out);
+    void pack_faces(std::span<float> packed, size_t rows) const;
     size_t rows(size_t count) const; // of their paths
 
     std::pmr::vector<uint32_t> substeps_;
     std::pmr::vector<Slot> slots_;
     FacesOf faces_;
-    std::pmr::vector<float> packed_; // scratch for uploads
+    std::pmr::vector<float> packed_;       // scratch for uploads
+    std::pmr::vector<float> packed_shown_; // what shown_ holds
     uint32_t count_ = 0, meshes_ = 0, bending_ = 0;
     size_t face_count_ = 0; // of all hulls
     float scale_ = 1;       // m, one of the groom's units
     bool bends_ = false;    // the step's path, as that of the roots
     bool uploaded_ = false; // the buffer holds the step's path
-    Buffer buffer_;
+    Buffer buffer_, shown_; // the latter from the first show() on
 };
 
 } // namespace plait

@@ -95,6 +95,7 @@ Status Sim::submit() {
 
 // What jumped has moved on no way: the frame before is where it is now.
 Status Sim::show_at_once() {
+    PLAIT_TRY(place_colliders());
     append_shown();
     PLAIT_TRY(submit());
     display_.append_frame_before(schedule_, layout_, state_);

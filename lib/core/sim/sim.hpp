@@ -156,10 +156,11 @@ class Sim {
         return {};
     }
     StepInput at(const Group& group, uint32_t substep) const;
-    Bodies bodies(uint32_t substep) const;      // of all substeps of a fixed step
-    std::array<float, 3> air() const;           // m/s, in this fixed step
-    std::array<float, 3> head_velocity() const; // m/s, of its middle, in the same
-    StepInput present() const {                 // between steps
+    StepInput at(const Group& group, uint32_t substep, const Bodies& bodies) const;
+    Bodies bodies(const Buffer& rows, uint32_t substep) const; // of all substeps that `rows` are of
+    std::array<float, 3> air() const;                          // m/s, in this fixed step
+    std::array<float, 3> head_velocity() const;                // m/s, of its middle, in the same
+    StepInput present() const {                                // between steps
         return at({desc_.substeps, 0}, desc_.substeps - 1);
     }
 
@@ -183,6 +184,7 @@ class Sim {
     void append_display(const At& at);
     // The last substep of some strands: colliders are there at the end of the step.
     StepInput first_group() const { return at({substeps_.front(), 0}, substeps_.front() - 1); }
+    StepInput at_shown() const;
     Status fixed_step(double end, uint32_t step, uint32_t steps);
     void append_carried(double end);
     void append_set_off();
@@ -202,7 +204,7 @@ class Sim {
     }
     bool is_rigid() const { return levels_ && levels_->is_rigid(); }
     void append_level_before(uint32_t step, uint32_t steps);
-    void append_switch();
+    Status switch_level();
     void append_level_stages();
     void append_dry_step_of_finest();
     void append_level_reset();

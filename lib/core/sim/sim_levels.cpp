@@ -47,10 +47,12 @@ void Sim::append_level_before(uint32_t step, uint32_t steps) {
                       {&state_.pose, &levels_->before(), &display_.kept()});
 }
 
-// Where strands are woken a blend that has not ended is not, but in what is shown it is.
-void Sim::append_switch() {
+// Where strands are woken a blend that has not ended is not, but in what is shown it is. That is where the
+// call before sent the head and bodies; where this one does is shown next, so that it is submitted.
+Status Sim::switch_level() {
+    PLAIT_TRY(place_colliders());
     const Buffer& shown = display_.before_scale(state_);
-    const StepInput at = first_group();
+    const StepInput at = at_shown();
     const auto remainder = static_cast<float>(clock_.remainder());
     const bool wakes = levels_->wakes(), freezes = levels_->next_stepped() == 0;
     const bool thaws = levels_->is_rigid();
@@ -60,7 +62,7 @@ void Sim::append_switch() {
     if (wakes) {
         LevelRows plain = rows;
         plain.share = 0;
-        display_.append_step(schedule_, at, *levels_, plain);
+        display_.append_step(schedule_, first_group(), *levels_, plain);
         levels_->append_after(schedule_, state_);
         model_->wake(schedule_, present(), levels_->waking(shown));
     }
@@ -79,7 +81,7 @@ void Sim::append_switch() {
         volume_.carries = false; // theirs is of when they were stepped last
     }
     if (freezes || levels_->blending() == 0)
-        return;
+        return submit();
     rows = levels_->rows(display_.turns(), thaws);
     rows.share = 0;
     display_.append_rows(schedule_, at, roots_, remainder, rows, levels_.get());
@@ -88,6 +90,7 @@ void Sim::append_switch() {
         display_.append_out(schedule_, at, rows);
     }
     levels_->append_lacking(schedule_, display_.pose(state_), shown);
+    return submit();
 }
 
 // Appends as if all strands were stepped: of any level there are no other stages, but its own.

@@ -222,8 +222,8 @@ void Sim::append_display(const At& at) {
 void Sim::append_shown(Tangents tangents) {
     if (levels_)
         levels_->ahead = display_.interpolates() ? clock_.remainder() * clock_.step() : 0;
-    display_.append(schedule_, first_group(), roots_, static_cast<float>(clock_.remainder()),
-                    tangents, levels_.get());
+    display_.append(schedule_, at_shown(), roots_, static_cast<float>(clock_.remainder()), tangents,
+                    levels_.get());
 }
 
 } // namespace plait

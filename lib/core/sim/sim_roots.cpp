@@ -141,13 +141,15 @@ Status Sim::make_poses(Buffer& to, const char* name) {
     return device().create(to, PLAIT_ELEMENT_FLOAT4, size_t{2} * layout_.guides, name);
 }
 
-// Where the last step left them, for strands that follow and are shown before the next one. Nothing moves
-// on: the next step's path begins where that one ended, however many calls lie between.
+// Where the last step left them and, if hair is shown between steps, where they are now, for strands that
+// follow. Nothing moves on: the next step's path begins where that one ended, however many calls lie
+// between.
 Status Sim::place_colliders() {
     if (!display_.meets_colliders(params_))
         return {};
     bending_.fit_new(schedule_);
-    return colliders_.upload(device());
+    PLAIT_TRY(colliders_.upload(device()));
+    return display_.interpolates() ? colliders_.show(device()) : Status{};
 }
 
 // Of sheets that do not come along with the head.
@@ -194,7 +196,6 @@ Status Sim::place() {
     bending_.arrive();
     bending_.stop(schedule_);
     roots_.append_poses_now(schedule_, pose_spare_);
-    PLAIT_TRY(place_colliders());
     append_stopped_pins(schedule_, layout_, state_, scale_);
     append_placed();
     return {};

@@ -34,8 +34,6 @@ Status Sim::step(double dt) {
     const bool jumps = dt == 0 && roots_.moves();
     if (jumps)
         PLAIT_TRY(place());
-    else if (tick.steps == 0)
-        PLAIT_TRY(place_colliders());
     if (tick.dropped > 0)
         PLAIT_TRY(skip(tick.end_of_dropped()));
     for (uint32_t k = 0; k < tick.steps; ++k)
@@ -44,12 +42,13 @@ Status Sim::step(double dt) {
         levels_->pass(tick.steps * clock_.step());
         levels_->swing.pass(tick.steps * clock_.step());
         if (levels_->is_due())
-            append_switch();
+            PLAIT_TRY(switch_level());
     }
     roots_.arrive();
     frame_.arrive();
     colliders_.arrive();
     bending_.arrive();
+    PLAIT_TRY(place_colliders());
     append_phases({Moment::call_ends, present(), tick.steps, tick.steps});
     if ((jumps || (dt == 0 && resized_)) && !display_.interpolates())
         append_shown();
@@ -245,8 +244,7 @@ void Sim::append_dry_step() {
     append_shown();
 }
 
-Bodies Sim::bodies(uint32_t substep) const {
-    const Buffer& rows = colliders_.buffer();
+Bodies Sim::bodies(const Buffer& rows, uint32_t substep) const {
     const uint32_t first = substep * colliders_.count();
     const uint32_t solids = colliders_.count() - colliders_.meshes();
     const uint32_t nearest = bending_.buffers() ? colliders_.bending() : 0;
@@ -259,11 +257,23 @@ Bodies Sim::bodies(uint32_t substep) const {
 }
 
 StepInput Sim::at(const Group& group, uint32_t substep) const {
+    return at(group, substep, bodies(colliders_.buffer(), group.first + substep));
+}
+
+// Between two steps bodies are, as the head is, where the last call sent them.
+StepInput Sim::at_shown() const {
+    if (!display_.interpolates())
+        return first_group();
+    const uint32_t substeps = substeps_.front();
+    return at({substeps, 0}, substeps - 1, bodies(colliders_.shown(), 0));
+}
+
+StepInput Sim::at(const Group& group, uint32_t substep, const Bodies& bodies) const {
     return {layout_,
             stepped(),
             state_,
             params_,
-            bodies(group.first + substep),
+            bodies,
             clock_.step(),
             group.substeps,
             length_of(group.substeps),

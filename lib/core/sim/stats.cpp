@@ -88,7 +88,7 @@ uint64_t Sim::device_bytes() const {
                      display_.device_bytes() + skin_.device_bytes() + binding_.device_bytes() +
                      (3 + pose_before_.size()) * pose_spare_.bytes() + strand_stats_.bytes() +
                      boxes_.bytes() + box_.bytes() + wind_.device_bytes() +
-                     (levels_ ? levels_->device_bytes() : 0) + colliders_.buffer().bytes();
+                     (levels_ ? levels_->device_bytes() : 0) + colliders_.device_bytes();
     if (const MeshBuffers* meshes = meshes_.buffers())
         bytes += meshes->bytes();
     bytes += bending_.device_bytes() + taken_.bytes();

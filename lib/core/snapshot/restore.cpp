@@ -294,6 +294,7 @@ Status Sim::restore(std::span<const unsigned char> src) {
     append_motion_of_substeps(pose_before_[0], {substeps_.data(), 1});
     if (!kept)
         display_.append_step_before(schedule_, layout_, state_);
+    PLAIT_TRY(place_colliders());
     append_shown();
     return submit();
 }
