@@ -18,27 +18,25 @@ typedef struct {
     float way;        /* m^2 */
 } fit_box;
 
-static inline fit_box fit_cover(fit_box box, float3 low, float3 high, float way) {
-    const fit_box both = {fmin(box.low, low), fmax(box.high, high), fmax(box.way, way)};
-    return both;
+static inline void fit_cover(fit_box* box, float3 low, float3 high, float way) {
+    box->low = fmin(box->low, low);
+    box->high = fmax(box->high, high);
+    box->way = fmax(box->way, way);
 }
 
-static inline fit_box fit_triangles(fit_box begin, __global const uint* triangle, uint number,
-                                    __global const float4* from, __global const float4* to) {
-    fit_box box = begin;
+static inline void fit_triangles(fit_box* box, __global const uint* triangle, uint number,
+                                 __global const float4* from, __global const float4* to) {
     for (uint i = 0; i < number; ++i)
         for (uint k = 0; k < 3; ++k) {
             const uint corner = triangle[PLAIT_MESH_TRIANGLE_STRIDE * (size_t)i + k];
             const float3 a = from[corner].xyz, b = to[corner].xyz, way = b - a;
-            box = fit_cover(box, fmin(a, b), fmax(a, b),
-                            way.x * way.x + way.y * way.y + way.z * way.z);
+            fit_cover(box, fmin(a, b), fmax(a, b), way.x * way.x + way.y * way.y + way.z * way.z);
         }
     /* what a place between the two may be off, rounded */
-    const float3 far = fmax(fabs(box.low), fabs(box.high));
+    const float3 far = fmax(fabs(box->low), fabs(box->high));
     const float more = 4.0f * FLT_EPSILON * fmax(far.x, fmax(far.y, far.z));
-    box.low -= more;
-    box.high += more;
-    return box;
+    box->low -= more;
+    box->high += more;
 }
 
 __kernel void plait_mesh_refit(const uint item_count, const plait_mesh_refit_params params,
@@ -62,8 +60,8 @@ __kernel void plait_mesh_refit(const uint item_count, const plait_mesh_refit_par
     if (params.least == 0) {
         const size_t triangle = (size_t)first[PLAIT_MESH_FIRST_TRIANGLE] + own[0];
         const size_t vertex = first[PLAIT_MESH_FIRST_VERTEX];
-        box = fit_triangles(box, mesh_triangle + PLAIT_MESH_TRIANGLE_STRIDE * triangle, own[1],
-                            mesh_from + vertex, mesh_to + vertex);
+        fit_triangles(&box, mesh_triangle + PLAIT_MESH_TRIANGLE_STRIDE * triangle, own[1],
+                      mesh_from + vertex, mesh_to + vertex);
     } else {
         const uint end = item + own[2];
         for (uint node = item + 1; node < end;) {
@@ -73,8 +71,8 @@ __kernel void plait_mesh_refit(const uint item_count, const plait_mesh_refit_par
                 continue;
             }
             const size_t there = begin + node;
-            box = fit_cover(box, mesh_box[2 * there].xyz, mesh_box[2 * there + 1].xyz,
-                            mesh_way[there] * mesh_way[there]);
+            fit_cover(&box, mesh_box[2 * there].xyz, mesh_box[2 * there + 1].xyz,
+                      mesh_way[there] * mesh_way[there]);
             node += at[2];
         }
     }
