@@ -1,5 +1,5 @@
 /* Levels of detail: how many of a groom's strands are simulated, while the others follow them. Hair that is far
- * away, or one of many, needs few. And who of many heads gets which level. Levels are made on the host, without
+ * away, or one of many, needs few. A director says which of many heads gets which level. Levels are made on the host, without
  * a context. The conventions are those of plait.h. See docs/levels.md.
  */
 #ifndef PLAIT_LEVELS_H
@@ -85,7 +85,8 @@ PLAIT_STRUCT(plait_level_choice)
  * Of strands that are not stepped VELOCITY is 0, what is written is ignored, and pins wait: they
  * hold again once the strand is stepped. Detail is of strands that follow at level_top, and where
  * there is some, all strands are placed. The shelter of a wind counts all hair, the pressure of a
- * volume only strands that are stepped. Snapshots hold level, shown and blend.
+ * volume only strands that are stepped. Snapshots hold level, shown and blend,
+ * but not a choice that waits for its step.
  * @errors INVALID_ARGUMENT, INVALID_STATE (a sim without levels) */
 PLAIT_API plait_result plait_sim_set_level(plait_sim* sim, const plait_level_choice* choice);
 
@@ -134,9 +135,9 @@ typedef struct plait_director_desc {
     float tolerance_px; /* [0.05, 100]; an error below it is not worth work. Default 2 */
     float hair_px;      /* [0.25, 8]; as wide as a hair may be drawn, default 1 */
     /* ms, [0, 1e4]: what all of the hair took in the last frame, by the caller's clock. 0, the default:
-       not known. Without it prices are those of two cores. One frame that stumbles is passed over. */
+       not known. Without it prices are those of two cores. Two long frames in a row change nothing. */
     float last_ms;
-    float hold_s; /* [0, 60]; as long a choice stands at least, but over budget. Default 0.5 */
+    float hold_s; /* [0, 60]; a choice stands so long, unless all is over the budget. Default 0.5 */
 } plait_director_desc;
 PLAIT_STRUCT(plait_director_desc)
 
@@ -157,7 +158,7 @@ PLAIT_STRUCT(plait_director_info)
  * drawn too wide, the root of their squares, times importance. Where the budget is short it goes to who
  * gains most by it. So that nobody sees it at work, a choice stands for hold_s, what is taken is preferred
  * by a quarter, and an eighth of the characters changes in a frame, two of them to a finer level; but who is
- * new or was unseen gets his at once, and what is over the budget is saved at once. A
+ * new or was unseen gets a choice at once, and what is over the budget is saved at once. A
  * choice depends on nothing but the arguments of the calls so far and the swing of each sim.
  * @errors INVALID_ARGUMENT (a sim is NULL, of another context or in the list twice) */
 PLAIT_API plait_result plait_context_direct(plait_context* context,

@@ -18,8 +18,11 @@ for package in libplait-dev plait-tools; do
     fi
 done
 field libplait0 Depends | grep -q ocl-icd-libopencl1
+dpkg-deb --ctrl-tarfile "$prefix"/packages/libplait0_*.deb | tar -xO ./shlibs | grep -F "libplait 0 libplait0"
+tree=$(dirname "${BASH_SOURCE[0]}")/../..
+grep -qF "\"version\": \"$version\"" "$tree/cmake/packages/vcpkg/plait/vcpkg.json"
 for package in libplait0 libplait-dev plait-tools; do
-    cmp "$prefix/root/usr/share/doc/$package/copyright" "$(dirname "${BASH_SOURCE[0]}")/../../LICENSE"
+    cmp "$prefix/root/usr/share/doc/$package/copyright" "$tree/LICENSE"
 done
 
 libraries=$prefix/root/usr/lib

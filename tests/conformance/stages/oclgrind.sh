@@ -13,13 +13,13 @@ watch() {
     cat "$log.part" >>"$log"
 }
 
-# Perturbed runs, and the hundreds of substeps of which none may give energy, take the same paths through
-# the kernels, so those are left to the real devices. The longest kernels are walked through with strands of
-# up to 16 vertices.
+# Perturbed runs take the same paths through the kernels, so those are left to the real devices. The
+# longest kernels are walked through with strands of up to 16 vertices, and last come their hundreds of substeps.
 program=$1
 watch '-*_notices:*.articulated*'
 export PLAIT_TEST_MAX_VERTICES=16
 watch '*.articulated'
+watch '*.articulated_*-*_notices'
 
 # A complaint is a line of its own followed by the kernel's name.
 awk '
