@@ -114,7 +114,9 @@ std::vector<LevelSwitch> read_switches(JsonReader& top, const std::string& text)
         std::istringstream one(item);
         if (!(one >> next.second >> colon >> next.level) || colon != ':' || one >> rest ||
             !(next.second >= 0) || next.level >= PLAIT_LEVELS_MAX)
-            top.fail("switch", "has \"" + item + "\", not SECOND:LEVEL");
+            top.fail("switch", "has \"" + item + "\", not SECOND:LEVEL, of which " +
+                                   "neither is below 0 and the level at most " +
+                                   std::to_string(PLAIT_LEVELS_MAX - 1));
         if (!list.empty() && next.second < list.back().second)
             top.fail("switch", "goes back to second " + item.substr(0, item.find(':')));
         list.push_back(next);
