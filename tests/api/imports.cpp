@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <numbers>
+#include <random>
 
 namespace {
 
@@ -187,6 +188,28 @@ TEST(Imports, ARootThatTheOtherStrandsContradictIsWarnedOf) {
         const auto info = make_groom(partly_reversed(right, share)).describe();
         EXPECT_NEAR(double(info.roots_contradicted), reversed, 0.2 * reversed) << share;
         EXPECT_TRUE(has(info.warning, "stored from tip to root")) << info.warning;
+    }
+}
+
+// Tips of short fur that is combed flat lie among the roots of others.
+TEST(Imports, ShortFurIsNotCalledStoredFromTipToRoot) {
+    for (const float length : {0.005f, 0.01f, 0.02f}) {
+        std::mt19937 dice(7);
+        std::normal_distribution<float> normal;
+        Strands combed(3000, Strand(4));
+        for (Strand& strand : combed) {
+            Point n = {normal(dice), normal(dice), normal(dice)};
+            const float size = std::hypot(n[0], n[1], n[2]);
+            for (float& of : n)
+                of /= size;
+            const Point along = {n[0], n[1] - 2, n[2]};
+            const float stretch = std::hypot(along[0], along[1], along[2]);
+            for (size_t k = 0; k < strand.size(); ++k)
+                for (size_t i = 0; i < 3; ++i)
+                    strand[k][i] =
+                        0.1f * n[i] + length / 3 * static_cast<float>(k) * along[i] / stretch;
+        }
+        EXPECT_EQ(make_groom(combed).describe().roots_contradicted, 0u) << length << " m";
     }
 }
 

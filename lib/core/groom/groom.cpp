@@ -120,7 +120,7 @@ void judge_roots(Groom& groom, plait_root_end wanted, std::pmr::memory_resource*
     auto list = contradicted_roots(groom.strands, memory);
     for (int k = 0; k < passes && wanted == PLAIT_ROOT_END_AGREED && !list.empty(); ++k) {
         turn_around(groom.strands, list);
-        list = contradicted_roots(groom.strands, memory);
+        list = contradicted_roots(groom.strands, memory, true);
     }
     groom.roots_contradicted = list.size();
     groom.first_contradicted = list.empty() ? 0 : list.front();

@@ -18,8 +18,9 @@ constexpr size_t neighbours = 12; // ends of other strands that an end is compar
 constexpr size_t fewest = 3;      // and without which it tells nothing
 // Of 2 x neighbours: a strand is contradicted from this on,
 constexpr int contradicted = 6;
-// where strands on the whole agree by this much; roots and tips that lie mixed tell nothing.
-constexpr double agreed = -1;
+// where half of the strands agree by twice this; roots and tips that lie mixed tell nothing.
+constexpr int agreed = 2;
+constexpr size_t fading = 3;
 
 double square(const Point& a, const Point& b) {
     const double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
@@ -125,10 +126,28 @@ int others_near(const Cells& cells, uint32_t end, std::pmr::vector<Cells::Near>&
     return sum;
 }
 
+// What the ends of a strand say: how many more around each are of the other kind than of its own.
+struct Votes {
+    int root, tip;
+    int sum() const { return root + tip; }
+};
+
+int median_of(const std::pmr::vector<Votes>& votes, std::pmr::memory_resource* memory) {
+    std::pmr::vector<int> sums(memory);
+    for (const Votes& v : votes)
+        sums.push_back(v.sum());
+    const auto middle = sums.begin() + static_cast<std::ptrdiff_t>(sums.size() / 2);
+    std::nth_element(sums.begin(), middle, sums.end());
+    return *middle;
+}
+
 } // namespace
 
+// Strands that are stored the other way round are a crowd of their own, about the others' votes with the
+// other sign. In short fur, whose tips lie among roots here and there, votes fade out towards there
+// instead: more of them are between than beyond half the way.
 std::pmr::vector<uint32_t> contradicted_roots(const StrandSet& strands,
-                                              std::pmr::memory_resource* memory) {
+                                              std::pmr::memory_resource* memory, bool some_are) {
     std::pmr::vector<uint32_t> list(memory);
     const std::pmr::vector<Point> ends = ends_of(strands, memory);
     const double edge = edge_for(ends, memory);
@@ -136,14 +155,22 @@ std::pmr::vector<uint32_t> contradicted_roots(const StrandSet& strands,
         return list;
     const Cells cells(ends, edge, memory);
     std::pmr::vector<Cells::Near> near(memory);
-    double mean = 0;
-    for (uint32_t i = 0; i < ends.size() / 2; ++i) {
-        const int root = others_near(cells, 2 * i, near), tip = others_near(cells, 2 * i + 1, near);
-        mean += double(root + tip) / double(ends.size() / 2);
-        if (root > 0 && tip > 0 && root + tip >= contradicted)
+    std::pmr::vector<Votes> votes(memory);
+    for (uint32_t i = 0; i < ends.size() / 2; ++i)
+        votes.push_back({others_near(cells, 2 * i, near), others_near(cells, 2 * i + 1, near)});
+    const int half = -median_of(votes, memory) / 2;
+    if (half < agreed)
+        return list;
+    size_t between = 0, beyond = 0;
+    for (uint32_t i = 0; i < votes.size(); ++i) {
+        const Votes& v = votes[i];
+        between += v.sum() >= 0 && v.sum() < half;
+        if (v.root > 0 && v.tip > 0 && v.sum() >= contradicted) {
             list.push_back(i);
+            beyond += v.sum() >= half;
+        }
     }
-    if (mean > agreed)
+    if (!some_are && between > fading * beyond)
         list.clear();
     return list;
 }

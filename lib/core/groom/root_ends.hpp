@@ -11,8 +11,10 @@ namespace plait {
 // Roots lie side by side on a skin, and tips among tips. A strand whose first vertex has the last
 // vertices of others around it, and its last vertex their first, is contradicted: likely it is stored
 // from tip to root. Ascending; none where roots and tips lie mixed, as in fur that is combed flat.
+// `some_are`: that some are stored so is known, and single ones count.
 std::pmr::vector<uint32_t> contradicted_roots(const StrandSet& strands,
-                                              std::pmr::memory_resource* memory);
+                                              std::pmr::memory_resource* memory,
+                                              bool some_are = false);
 
 // Turns these strands around; their other values stay.
 void turn_around(StrandSet& strands, const std::pmr::vector<uint32_t>& which);
