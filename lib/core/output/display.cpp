@@ -159,9 +159,11 @@ Result<Detail> Display::make_detail(Device& device, const Layout& layout, const 
                                     std::span<const uint32_t> centres,
                                     std::pmr::memory_resource* memory) const {
     if (layout.follows == 0)
-        return Error{PLAIT_INVALID_STATE,
-                     "the sim has no follow strands, which detail is of: it was created with "
-                     "neither follow_map nor follows_per_guide"};
+        return Error{
+            PLAIT_INVALID_STATE,
+            "the sim has no follow strands, which detail is of: it was created with "
+            "neither follow_map nor follows_per_guide, nor with levels whose finest has fewer "
+            "guides than the groom strands"};
     std::pmr::vector<uint32_t> guides(layout.follows, memory), counts(layout.strands(), memory);
     PLAIT_TRY(device.read(follow_guide_, guides.data()));
     PLAIT_TRY(device.read(state.vertex_count, counts.data()));

@@ -33,7 +33,7 @@ Status Sim::share_colliders(Sim* with) {
         return Error{PLAIT_INVALID_STATE, "the sim shares the colliders of others already: end "
                                           "that first, by with = NULL"};
     if (with->colliders_.meshes() > 0)
-        PLAIT_TRY(check_meets_meshes());
+        PLAIT_TRY(check_meets_meshes(*this));
     PLAIT_TRY(colliders_.count() > 0 ? take_same_bodies(*with) : take_bodies(*with));
     sharer_ = with->sharer_;
     with->sharer_ = this;

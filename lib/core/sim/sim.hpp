@@ -188,6 +188,7 @@ class Sim {
     Status fixed_step(double end, uint32_t step, uint32_t steps);
     void append_carried(double end);
     void append_set_off();
+    plait_pose unfelt_then() const;
     void append_reframed();
     plait_pose next_as_before(double part) const;
     bool goes_on_as_before() const;
@@ -260,7 +261,7 @@ class Sim {
     Result<plait_collider_id> create_bending(const Mesh& mesh,
                                              const plait_collider_mesh_desc& desc);
     Status open_planes();
-    Status check_meets_meshes() const;
+    Status check_meets_meshes(const Sim& asked) const;
     // shared_bodies.cpp
     bool shares_with(const Sim& other) const;
     void leave();

@@ -1,6 +1,7 @@
 // Colliders, of one sim or of several that share them. Each sim keeps its own of what depends on its
 // hair, its clock and its scale: paths, clearance, sides; only the geometry of meshes is held once. So a
 // call is made in all of them, and each does what it would do if the body were its own, to the bit.
+#include "base/format.hpp"
 #include "base/memory.hpp"
 #include "core/mesh/mesh_distance.hpp"
 #include "core/sim/sim.hpp"
@@ -93,12 +94,14 @@ Result<plait_collider_id> Sim::create_hull_collider(const Mesh& mesh,
     });
 }
 
-Status Sim::check_meets_meshes() const {
+// `asked`: the sim that was to have one.
+Status Sim::check_meets_meshes(const Sim& asked) const {
     if (desc_.model != PLAIT_MODEL_TRESSFX)
         return {};
     return Error{PLAIT_INVALID_STATE,
-                 "the sim is of model 0 (tressfx), whose strands do not meet meshes; those of "
-                 "articulated do"};
+                 format("%s of model 0 (tressfx), whose strands do not meet meshes; those of "
+                        "articulated do",
+                        &asked == this ? "the sim is" : "one of the sims that share colliders is")};
 }
 
 Status Sim::open_planes() {
@@ -109,7 +112,7 @@ Status Sim::open_planes() {
 
 Result<plait_collider_id> Sim::create_mesh_collider(const Mesh& mesh,
                                                     const plait_collider_mesh_desc& desc) {
-    PLAIT_TRY(for_each_sharer([](Sim& sim) { return sim.check_meets_meshes(); }));
+    PLAIT_TRY(for_each_sharer([this](Sim& sim) { return sim.check_meets_meshes(*this); }));
     return desc.form == PLAIT_MESH_FORM_NEAREST ? create_bending(mesh, desc)
                                                 : create_field(mesh, desc);
 }

@@ -125,9 +125,13 @@ std::vector<LevelSwitch> read_switches(JsonReader& top, const std::string& text)
 }
 
 void refuse_with_switches(JsonReader& top, const Scene& scene) {
-    for (const char* other : {"guides", "cache", "follows_per_guide", "detail"})
+    for (const char* other : {"guides", "follows_per_guide", "detail"})
         if (top.value(other))
-            top.fail("switch", std::string("is given, and ") + other + ", too");
+            top.fail("switch", std::string("is given, and ") + other +
+                                   ", too: which strands are guides is what levels say");
+    if (top.value("cache"))
+        top.fail("switch", "is given, and cache, too, whose frames all have the same strands: keep "
+                           "one level with level");
     if (scene.sim.model == PLAIT_MODEL_TRESSFX)
         top.fail("switch", "is given, and strands of the model tressfx have no levels");
 }
