@@ -69,8 +69,8 @@ static inline void set_off_vertex(const plait_set_off_params* params, lane_place
         return;
     const vec3 x_before = load3(lane_x_before, place, i);
     if (i == 0) {
-        const vec3 now = load3(lane_x, place, 0);
-        store3(lane_x_before, place, 0, pick3(jumps, sub3(now, is.step), x_before));
+        const vec3 shift = sub3(was.step, is.step); /* its path need not be straight */
+        store3(lane_x_before, place, 0, pick3(jumps, add3(x_before, shift), x_before));
         return;
     }
     const vec3 turned = rotate3(change, x_before);

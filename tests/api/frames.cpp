@@ -27,19 +27,26 @@ struct Journey {
     bool framed = true;
     uint32_t substeps = 1;
     plait_pose (*vehicle)(int) = nullptr;
+    int begins = 0;         // the frame of the call that is the first with a frame of reference
+    int unfelt_from = 1000; // likewise the first in which none of it is felt
+    float drag = 2;
+    bool alone = false; // no body
 };
 
 std::vector<float> ridden(const plait::Context& context, const Journey& journey, int frames = 90) {
     plait::SimDesc desc;
     desc.substeps = journey.substeps;
     plait::Sim sim(context, make_groom(tuft(6, 12)), desc);
+    auto params = sim.params();
+    params.drag = journey.drag;
+    sim.set_params(params);
     auto body = smooth_collider();
     body.capsule.a[1] = body.capsule.b[1] = -0.08f;
     body.capsule.a[0] = body.capsule.b[0] = 0.08f;
     body.capsule.a[2] = -0.2f;
     body.capsule.b[2] = 0.2f;
     body.capsule.radius_a = body.capsule.radius_b = 0.03f;
-    const auto id = sim.create_collider(body);
+    const plait_collider_id id = journey.alone ? plait_collider_id{} : sim.create_collider(body);
     plait_pose vehicle = pose_at({0, 0, 0});
     for (int f = 0; f < frames; ++f) {
         if (journey.vehicle)
@@ -50,11 +57,13 @@ std::vector<float> ridden(const plait::Context& context, const Journey& journey,
         sim.set_roots(roots);
         if (f == 0)
             sim.teleport(roots);
-        sim.set_collider_pose(id, roots.head);
-        if (journey.framed && journey.vehicle) {
+        if (!journey.alone)
+            sim.set_collider_pose(id, roots.head);
+        if (journey.framed && journey.vehicle && f >= journey.begins) {
             auto frame_of = plait_frame_desc_defaults();
             frame_of.pose = vehicle;
-            frame_of.felt_translation = frame_of.felt_rotation = journey.felt;
+            frame_of.felt_translation = frame_of.felt_rotation =
+                f < journey.unfelt_from ? journey.felt : 0.0f;
             frame_of.air = journey.air;
             sim.set_frame(frame_of);
         }
@@ -100,6 +109,62 @@ TEST_P(Frames, HairInAVehicleThatIsNotFeltMovesAsInOneThatStands) {
                 ridden(context, {.framed = false, .substeps = substeps, .vehicle = braking}, 20),
                 ridden(context, {.substeps = substeps}, 20)),
             1e-2f);
+    }
+}
+
+// Car and head drive on and the frame begins, or they set off, in frame 10.
+TEST_P(Frames, AFrameThatBeginsThrowsNoHair) {
+    using Vehicle = plait_pose (*)(int);
+    const auto standing = [](int) { return pose_at({0, 0, 0}); };
+    const Vehicle driving = [](int f) { return pose_at({static_cast<float>(f) / 2, 0, 0}); };
+    const Vehicle starting = [](int f) {
+        return pose_at({static_cast<float>(std::max(f - 10, 0)) / 2, 0, 0});
+    };
+    const Vehicle speeding = [](int f) { // 30 m/s^2
+        const float t = static_cast<float>(std::max(f - 10, 0)) / 60;
+        return pose_at({15 * t * t, 0, 0});
+    };
+    const Vehicle turning = [](int f) { return pose_at({0, 0, 0}, std::max(f - 10, 0) / 30.0); };
+    for (const uint32_t substeps : {1u, 2u, 4u}) {
+        const Journey still{.substeps = substeps, .vehicle = standing, .drag = 0, .alone = true};
+        for (const Vehicle vehicle : {driving, starting, speeding, turning}) {
+            auto journey = still;
+            journey.vehicle = vehicle;
+            journey.begins = 10;
+            auto other = still;
+            if (vehicle == driving) { // without drag it is all the same
+                other.vehicle = driving;
+                other.framed = false;
+            }
+            EXPECT_LE(largest_difference(ridden(context, journey, 40), ridden(context, other, 40)),
+                      1e-5f)
+                << substeps << " substeps, at last at " << vehicle(39).t[0];
+        }
+    }
+}
+
+// The share changes in the step in which the car sets off, or while it drives.
+TEST_P(Frames, AShareThatChangesThrowsNoHair) {
+    for (const uint32_t substeps : {1u, 3u}) {
+        Journey driven{.framed = false, .substeps = substeps, .drag = 0, .alone = true};
+        driven.vehicle = [](int f) { return pose_at({static_cast<float>(f) / 2, 0, 0}); };
+        auto changed = driven;
+        changed.framed = true;
+        changed.felt = 1;
+        changed.unfelt_from = 11;
+        EXPECT_LE(largest_difference(ridden(context, changed, 40), ridden(context, driven, 40)),
+                  1e-5f)
+            << substeps << " substeps";
+        const Journey still{.substeps = substeps};
+        auto journey = still;
+        journey.vehicle = [](int f) {
+            return pose_at({static_cast<float>(std::max(f - 10, 0)) / 2, 0, 0});
+        };
+        journey.felt = 1; // of a car that stands
+        journey.unfelt_from = 11;
+        EXPECT_LE(largest_difference(ridden(context, journey, 40), ridden(context, still, 40)),
+                  1e-5f)
+            << substeps << " substeps";
     }
 }
 

@@ -274,6 +274,15 @@ std::vector<Call> calls() {
              r.take(r.make());
              r.sim().restore(bytes);
          }},
+        {"restore_into_another_integrator",
+         {"plait_sim_restore"},
+         [](Ride& r) {
+             const auto bytes = r.sim().save();
+             with_params(r, [](auto& p) { p.bdf2 = p.bdf2 == 0 ? 1 : 0; });
+             r.step();
+             r.sim().restore(bytes);
+         },
+         true},
         {"begin_in_motion",
          {"plait_sim_create", "plait_sim_set_roots"},
          [](Ride& r) {

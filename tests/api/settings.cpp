@@ -275,6 +275,45 @@ TEST_P(Settings, AreSavedAndRestoredWithTheState) {
     EXPECT_EQ(b.save(), of_the_sim);
 }
 
+// Whether strands have a history hangs on parameters, which a snapshot does not set.
+TEST_P(Settings, AreRestoredWhateverTheIntegratorIs) {
+    const auto groom = make_groom(ragged());
+    const auto contact = plait_strand_contact_desc_defaults();
+    struct Sims {
+        bool bdf2, contact, own; // strands with settings of their own
+    };
+    const Sims kinds[] = {{true, false, false}, {false, false, false}, {true, true, false},
+                          {true, false, true},  {false, false, true},  {true, true, true}};
+    const auto make = [&](const Sims& kind) {
+        auto sim = std::make_unique<plait::Sim>(context, groom, desc_of(2));
+        auto params = sim->params();
+        params.bdf2 = kind.bdf2 ? PLAIT_BDF2_OF_MODEL : 0u;
+        sim->set_params(params);
+        if (kind.contact)
+            sim->set_strand_contact(&contact);
+        if (kind.own)
+            sim->set_settings(levels(), scattered(levels().size()));
+        run(*sim, 4);
+        return sim;
+    };
+    for (const Sims& from : kinds) {
+        const auto saved = make(from);
+        const auto bytes = saved->save();
+        for (const Sims& to : kinds) {
+            const auto sim = make(to);
+            ASSERT_EQ(plait_sim_restore(*sim, bytes.data(), bytes.size()), PLAIT_OK)
+                << plait_last_error();
+            for (const auto field : {PLAIT_FIELD_POSITION, PLAIT_FIELD_VELOCITY})
+                EXPECT_LE(largest_difference(sim->read(field), saved->read(field)), 1e-6f);
+            EXPECT_EQ(sim->params().bdf2, to.bdf2 ? PLAIT_BDF2_OF_MODEL : 0u);
+            run(*sim, 2);
+            EXPECT_LE(largest_difference(sim->read(PLAIT_FIELD_POSITION),
+                                         saved->read(PLAIT_FIELD_POSITION)),
+                      0.05f);
+        }
+    }
+}
+
 TEST_P(Settings, OfASnapshotThatCannotBeAreRefused) {
     plait::Sim sim(context, make_groom(tuft(6, 5)), desc_of(2));
     sim.set_settings(levels(), scattered(levels().size(), 6));

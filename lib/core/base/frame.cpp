@@ -37,7 +37,7 @@ Result<plait_frame_desc> checked_frame(const plait_frame_desc& desc) {
 
 bool Frame::aim(const plait_frame_desc* desc) {
     if (!desc) {
-        const bool carried = aims_ == 2;
+        const bool carried = known_ >= its_way;
         const plait_pose unfelt = unfelt_;
         *this = {};
         unfelt_ = unfelt; // of the step that was
@@ -46,10 +46,10 @@ bool Frame::aim(const plait_frame_desc* desc) {
     const bool otherwise =
         felt_translation_ != desc->felt_translation || felt_rotation_ != desc->felt_rotation;
     target_ = desc->pose;
-    if (aims_ == 0)
+    if (known_ == no_frame)
         at_ = from_ = to_ = target_;
-    const bool changes = aims_ == 1 || (aims_ == 2 && otherwise);
-    aims_ = std::min(aims_ + 1, 2u);
+    const bool changes = known_ == its_place || (known_ >= its_way && otherwise);
+    known_ = std::max(known_, std::min<uint32_t>(known_ + 1, its_way));
     air_ = desc->air;
     felt_translation_ = desc->felt_translation;
     felt_rotation_ = desc->felt_rotation;
@@ -57,10 +57,14 @@ bool Frame::aim(const plait_frame_desc* desc) {
 }
 
 void Frame::advance(double end) {
+    knows_then_ = known_ == way_before;
+    unfelt_then_ = knows_then_ ? unfelt_part() : identity_pose;
     from_ = to_;
     to_ = interpolate(at_, target_, end);
     unfelt_before_ = unfelt_;
-    unfelt_ = part(1.0 - double(felt_translation_), 1.0 - double(felt_rotation_));
+    unfelt_ = unfelt_part();
+    if (known_ == its_way)
+        known_ = way_before;
 }
 
 void Frame::jump(double end) {
@@ -69,13 +73,14 @@ void Frame::jump(double end) {
 }
 
 void Frame::rescale(double ratio) {
-    for (plait_pose* pose : {&at_, &target_, &from_, &to_, &unfelt_before_, &unfelt_})
+    for (plait_pose* pose :
+         {&at_, &target_, &from_, &to_, &unfelt_before_, &unfelt_, &unfelt_then_})
         plait::rescale(*pose, ratio);
 }
 
 // About the frame's origin.
 plait_pose Frame::part(double translation, double rotation) const {
-    if (aims_ == 0)
+    if (!is_on())
         return identity_pose;
     plait_pose motion = identity_pose;
     turn(from_, to_, motion.q);
@@ -88,9 +93,13 @@ plait_pose Frame::part(double translation, double rotation) const {
     return motion;
 }
 
+plait_pose Frame::unfelt_part() const {
+    return part(1.0 - double(felt_translation_), 1.0 - double(felt_rotation_));
+}
+
 std::array<float, 3> Frame::air(const float p[3], double step) const {
     std::array<float, 3> velocity{};
-    if (aims_ == 0 || air_ == PLAIT_FRAME_AIR_UNFELT)
+    if (!is_on() || air_ == PLAIT_FRAME_AIR_UNFELT)
         return velocity;
     const plait_pose air = air_ == PLAIT_FRAME_AIR_FRAME ? part(1, 1) : identity_pose;
     float with_air[3], with_hair[3];
@@ -103,12 +112,12 @@ std::array<float, 3> Frame::air(const float p[3], double step) const {
 
 Frame::State Frame::state() const {
     return {
-        aims_, static_cast<uint32_t>(air_), felt_translation_, felt_rotation_, at_, target_, from_,
+        known_, static_cast<uint32_t>(air_), felt_translation_, felt_rotation_, at_, target_, from_,
         to_};
 }
 
 void Frame::restore(const State& state) {
-    aims_ = state.aims;
+    known_ = state.known;
     air_ = static_cast<plait_frame_air>(state.air);
     felt_translation_ = state.felt_translation;
     felt_rotation_ = state.felt_rotation;

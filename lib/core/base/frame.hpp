@@ -17,7 +17,7 @@ class Frame {
     // Where it will be at the end of the next call; a frame that is new is there at once. Null: none.
     // True: what hair feels of the head's motion is not what it felt in the step before.
     bool aim(const plait_frame_desc* desc);
-    bool is_on() const { return aims_ > 0; }
+    bool is_on() const { return known_ > no_frame; }
     // As Roots.
     void advance(double end);
     void arrive() { at_ = target_; }
@@ -30,13 +30,19 @@ class Frame {
     // identity without a frame.
     const plait_pose& unfelt() const { return unfelt_; }
     const plait_pose& unfelt_before() const { return unfelt_before_; }
+    // The whole motion of the step.
+    plait_pose motion() const { return part(1, 1); }
+    // The part of the step before that hair would not have felt by the shares of now; the identity where
+    // the frame's motion in it is not known.
+    const plait_pose& unfelt_then() const { return unfelt_then_; }
+    bool knows_then() const { return knows_then_; }
     // m/s by which the wind's air moves at the point `p` of the world, in the step of `step` s, relative
     // to what is carried along unfelt.
     std::array<float, 3> air(const float p[3], double step) const;
 
     // What snapshots hold.
     struct State {
-        uint32_t aims = 0; // Frame::aims_
+        uint32_t known = 0; // Frame::known_
         uint32_t air = 0;
         float felt_translation = 1, felt_rotation = 1;
         plait_pose at = identity_pose, target = identity_pose;
@@ -47,13 +53,17 @@ class Frame {
 
   private:
     plait_pose part(double translation, double rotation) const;
+    plait_pose unfelt_part() const;
 
-    uint32_t aims_ = 0; // up to 2, since there is a frame: its way is known from the second on
+    enum Known : uint32_t { no_frame, its_place, its_way, way_before }; // in the last step, too
+    uint32_t known_ = no_frame;
+    bool knows_then_ = false;
     plait_frame_air air_ = PLAIT_FRAME_AIR_UNFELT;
     float felt_translation_ = 1, felt_rotation_ = 1;
     plait_pose at_ = identity_pose, target_ = identity_pose;
     plait_pose from_ = identity_pose, to_ = identity_pose;
     plait_pose unfelt_before_ = identity_pose, unfelt_ = identity_pose;
+    plait_pose unfelt_then_ = identity_pose;
 };
 
 } // namespace plait

@@ -46,6 +46,8 @@ class Roots {
     // The head at share `share` of the step before, and poses where it is `head` and what roots have of
     // their own is as at the step's begin.
     plait_pose before(double share) const { return interpolate(before_.head, from_.head, share); }
+    // As if the head had been there at the begin of the step before.
+    void come_from(const plait_pose& head) { before_.head = head; }
     void append_poses_of(Schedule& schedule, const plait_pose& head, const Buffer& pose) const;
     // On the straight path between poses of all roots; a share below 0 lies before it.
     void append_between(Schedule& schedule, const Buffer& from, const Buffer& to, float share,

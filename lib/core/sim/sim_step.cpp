@@ -18,6 +18,20 @@ namespace {
 // none does so by more in a step, and hair goes along with it.
 constexpr float least_jump = 0.9f;
 
+// m, what hair about `middle` goes from one pose to the other, turns and all.
+double way_between(const plait_pose& from, const plait_pose& to, const float middle[3]) {
+    float begin[3], end[3], turned[4];
+    transform(from, middle, begin);
+    transform(to, middle, end);
+    turn(from, to, turned);
+    double square = 0;
+    for (size_t i = 0; i < 3; ++i) {
+        const double arc = 2 * PLAIT_SET_OFF_REACH * double(turned[i]);
+        square += (double(end[i]) - begin[i]) * (double(end[i]) - begin[i]) + arc * arc;
+    }
+    return std::sqrt(square);
+}
+
 } // namespace
 
 // A head that moves in no time has been put elsewhere.
@@ -200,34 +214,40 @@ bool Sim::goes_on_as_before() const {
     if (roots_.have_own())
         return false;
     const auto middle = cube_.middle();
-    const plait_pose next = next_as_before(1);
-    float expected[3], found[3], turned[4];
-    transform(next, middle.data(), expected);
-    transform(roots_.step_head(), middle.data(), found);
-    turn(next, roots_.step_head(), turned);
-    double square = 0;
-    for (size_t i = 0; i < 3; ++i) {
-        const double arc = 2 * PLAIT_SET_OFF_REACH * double(turned[i]);
-        square += (double(found[i]) - expected[i]) * (double(found[i]) - expected[i]) + arc * arc;
-    }
-    return std::sqrt(square) < double(least_jump) * clock_.step();
+    return way_between(next_as_before(1), roots_.step_head(), middle.data()) <
+           double(least_jump) * clock_.step();
+}
+
+// The frame's motion in the step before that is not felt by the shares of now. Of a frame that is new
+// nobody knows it: it drove on as now or stood, whichever is more like what the head did.
+plait_pose Sim::unfelt_then() const {
+    if (frame_.knows_then() || !frame_.is_on())
+        return frame_.unfelt_then();
+    const plait_pose &was = roots_.before(0), &now = roots_.step_begin();
+    const auto middle = cube_.middle();
+    const plait_pose driven = carried(was, identity_pose, frame_.motion());
+    const bool drove =
+        way_between(driven, now, middle.data()) < way_between(was, now, middle.data());
+    return drove ? frame_.unfelt() : identity_pose;
 }
 
 // Hair has had the head's motion of the step before less what was not felt then, and gets it less what
-// is not felt now.
+// is not felt from now on.
 void Sim::append_reframed() {
     const plait_pose& now = roots_.step_begin();
+    const plait_pose felt_from = carried(roots_.before(0), frame_.unfelt_before(), unfelt_then());
     roots_.append_poses_of(schedule_, now, pose_was_);
     size_t before = 0;
     (void)for_each_group([&](const Group& group) {
-        const plait_pose was = roots_.before(1 - 1.0 / group.substeps);
-        const plait_pose is = carried(was, frame_.unfelt_before(), frame_.unfelt());
+        const double share = 1 - 1.0 / group.substeps;
+        const plait_pose is = interpolate(felt_from, now, share);
         const Buffer& pose_before = pose_before_[before++];
-        roots_.append_poses_of(schedule_, was, pose_before);
+        roots_.append_poses_of(schedule_, roots_.before(share), pose_before);
         roots_.append_poses_of(schedule_, carried(now, is, now), pose_next_);
         model_->set_off(schedule_, at(group, 0), pose_before, pose_was_, pose_next_, 0);
         return Status{};
     });
+    roots_.come_from(felt_from);
     motion_ = Motion::known;
 }
 

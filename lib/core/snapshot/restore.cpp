@@ -15,6 +15,14 @@ namespace {
 
 constexpr float most_potential = 1e30f;
 
+// Those of the sim, but for what decides whether strands had a history when they were saved.
+Params params_then(const Params& now, const SavedSim& saved) {
+    Params params = now;
+    params.bdf2 = saved.bdf2;
+    params.strand_contact.on = saved.strand_contact != 0;
+    return params;
+}
+
 // The model has as many strands as a snapshot is of; after it, as many as the sim's level steps.
 struct Stepped {
     Stepped(Model& of, const SimLevels* its, uint32_t level) : model(of), levels(its) {
@@ -34,27 +42,30 @@ struct Stepped {
 
 } // namespace
 
-// The runs of a snapshot whose strands may have other settings than the sim's have now: those of the
-// lanes come part by part; first those that every model has, x, v, q and q before, then BDF2's x
-// and v where the part steps by it.
+// The runs of a snapshot whose strands may have other settings than the sim's have now, and a history
+// where these have none or the other way round: those of the lanes come part by part; first those that
+// every model has, x, v, q and q before, then BDF2's x and v where the part steps by it.
 std::pmr::vector<Sim::Run> Sim::saved_runs(const Saved& now, std::span<const Settings> strands) {
-    auto list = list_runs(now);
-    if (std::ranges::equal(strands, settings()))
-        return list;
+    const auto list = list_runs(now);
     const auto is_lane = [](const Run& run) {
         return run.lanes.buffer != nullptr && run.of != Run::Of::pushes;
     };
-    const auto first = std::ranges::find_if(list, is_lane);
-    const auto last = std::find_if_not(first, list.end(), is_lane);
-    std::pmr::vector<Run> saved(list.begin(), first, &context_.memory);
+    auto own = std::ranges::find_if(list, is_lane); // of the part, where there are such parts now
+    const auto last = std::find_if_not(own, list.end(), is_lane);
+    std::pmr::vector<Run> saved(list.begin(), own, &context_.memory);
     std::pmr::vector<PartShape> parts(&context_.memory);
     model_->list_parts(strands, parts);
+    const bool same_parts = std::ranges::equal(strands, settings());
+    const Params then = params_then(params_, now.sim);
     for (const PartShape& part : parts) {
-        const std::ptrdiff_t own = part.settings.bdf2_of(params_) ? 6 : 4;
-        for (std::ptrdiff_t i = 0; i < own; ++i) {
-            saved.push_back(first[i % 4]);
+        const std::ptrdiff_t had = part.settings.bdf2_of(then) ? 6 : 4;
+        const std::ptrdiff_t has = part.settings.bdf2_of(params_) ? 6 : 4;
+        for (std::ptrdiff_t i = 0; i < had; ++i) {
+            saved.push_back(own[same_parts && has == had ? i : i % 4]);
             saved.back().floats = size_t{part.strands} * part.row * saved.back().lanes.components;
+            saved.back().taken = same_parts && i < has;
         }
+        own += same_parts ? has : 0;
     }
     saved.insert(saved.end(), last, list.end());
     return saved;
@@ -205,7 +216,7 @@ Status Sim::restore_runs(std::span<const Run> list, BlockBytes from) {
     for (const Run& run : list) {
         auto& bytes = from[static_cast<size_t>(run.kind)];
         const bool fits = run.of != Run::Of::pressures || run.buffer->count() == run.floats;
-        if (*run.buffer && fits) // this sim may do without
+        if (run.taken && *run.buffer && fits) // this sim may do without
             PLAIT_TRY(restore_run(run, bytes.data()));
         bytes = bytes.subspan(run.floats * sizeof(float));
     }
@@ -267,7 +278,7 @@ Status Sim::restore(std::span<const unsigned char> src) {
     if (levels_)
         levels_->restore(saved->levels);
     stepped.take();
-    const auto list = list_runs(*saved);
+    const auto list = saved_runs(*saved, *strands);
     PLAIT_TRY(take_meshes(std::move(*meshes), std::move(*bending)));
     PLAIT_TRY(colliders_.assign(device(), *slots, std::move(*faces), scale));
     scale_ = display_.scale = scale;
@@ -279,6 +290,7 @@ Status Sim::restore(std::span<const unsigned char> src) {
     if (!saved->is(BlockKind::contact))
         PLAIT_TRY(model_->clear_normal_force(device()));
     PLAIT_TRY(restore_runs(list, *blocks));
+    PLAIT_TRY(model_->begin_history(device(), params_then(params_, saved->sim)));
     if (wet)
         PLAIT_TRY(wetness_.resume(device(), state_, saved->wetness.dried, &context_.memory));
     clock_.waiting = saved->sim.waiting;

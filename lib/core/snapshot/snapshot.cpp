@@ -81,7 +81,8 @@ Saved Sim::saved_now() {
                layout_.guides, layout_.row,
                desc_.substeps, desc_.step,
                scale_,         clock_.waiting,
-               clock_.steps,   clock_.dropped};
+               clock_.steps,   clock_.dropped,
+               params_.bdf2,   uint32_t{params_.strand_contact.on}};
     const auto all = roots_.all_poses();
     for (size_t i = 0; i < all.size(); ++i) {
         const bool meant = all[i] != all[1] || roots_.aimed; // no target: nothing to keep

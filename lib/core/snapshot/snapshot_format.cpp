@@ -31,9 +31,9 @@ struct Kind {
 };
 // In the order of BlockKind.
 constexpr Kind kinds[block_kinds] = {
-    {"sim", "sim ", 1, true, sizeof(SavedSim)},
+    {"sim", "sim ", 2, true, sizeof(SavedSim)},
     {"roots", "root", 1, true, sizeof(SavedRoots)},
-    {"frame", "fram", 1, true, sizeof(Frame::State)},
+    {"frame", "fram", 2, true, sizeof(Frame::State)},
     {"bodies", "body", 2, true, 0},
     {"settings", "sett", 1, false, 0},
     {"hair", "hair", 1, true, 0},
@@ -142,9 +142,10 @@ Result<BlockBytes> split(std::span<const unsigned char> bytes) {
 static Status check_frame(const Frame::State& frame, float scale) {
     for (const plait_pose* pose : {&frame.at, &frame.target, &frame.from, &frame.to, &frame.unfelt})
         PLAIT_TRY(check_pose(*pose, "frame", scale));
-    if (frame.aims > 2 || frame.air > PLAIT_FRAME_AIR_WORLD)
+    if (frame.known > 3 || frame.air > PLAIT_FRAME_AIR_WORLD)
         return malformed(
-            format("frame.aims is %u, frame.air is %u, range is [0, 2]", frame.aims, frame.air));
+            format("frame.known is %u, range is [0, 3], frame.air is %u, range is [0, 2]",
+                   frame.known, frame.air));
     for (const float share : {frame.felt_translation, frame.felt_rotation})
         if (!(share >= 0 && share <= 1))
             return malformed(format("the frame is felt by %g, range is [0, 1]", double(share)));
@@ -201,6 +202,11 @@ Result<Saved> take_saved(BlockBytes& blocks) {
         return malformed(status.error().message);
     if (!(std::abs(sim.waiting) <= 2))
         return malformed(format("%g s wait for a step, range is [-2, 2]", sim.waiting));
+    if ((sim.bdf2 > 1 && sim.bdf2 != PLAIT_BDF2_OF_MODEL) || sim.strand_contact > 1)
+        return malformed(
+            format("bdf2 is %u, range is [0, 1] or the model's own, strand_contact is %u, "
+                   "range is [0, 1]",
+                   sim.bdf2, sim.strand_contact));
     PLAIT_TRY(check_roots(saved.roots, sim.scale));
     PLAIT_TRY(check_frame(saved.frame, sim.scale));
     PLAIT_TRY(snapshots::check_wind(saved.wind));

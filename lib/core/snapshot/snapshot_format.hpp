@@ -46,6 +46,8 @@ struct SavedSim {
     float step, scale; // s; m, one of the groom's units
     double waiting;    // s
     uint64_t steps, dropped;
+    uint32_t bdf2,
+        strand_contact; // Params::bdf2 and whether it was on: whether strands have a history
 };
 struct SavedRoots {
     plait_pose heads[5]; // at, target, from, to, before
@@ -72,7 +74,7 @@ struct SavedWetness {
 struct SavedVolume {
     uint32_t nodes; // per edge of the grid whose pressure is carried
 };
-static_assert(sizeof(SavedSim) == 56 && sizeof(SavedRoots) == 240 && sizeof(Frame::State) == 156 &&
+static_assert(sizeof(SavedSim) == 64 && sizeof(SavedRoots) == 240 && sizeof(Frame::State) == 156 &&
                   sizeof(SavedWind) == 48 && sizeof(SimLevels::Kept) == 24,
               "no padding: they are saved as bytes");
 
@@ -126,7 +128,8 @@ struct Sim::Run {
     const Buffer* buffer;
     size_t floats;
     Of of;
-    LaneBuffer lanes; // no buffer: saved as it lies
+    LaneBuffer lanes;  // no buffer: saved as it lies
+    bool taken = true; // by a sim that is restored, which may have no history
 };
 
 namespace snapshots {

@@ -141,8 +141,7 @@ Status LanePart::make_wet(Device& device, Fill& fill) const {
     return device.write(fill.wet, unknown.data());
 }
 
-// As if strands had moved as they move now: x - h v, relative to the root, whose own are row 0. At
-// creation, where the state is not filled yet, reset fills both.
+// At creation, where the state is not filled yet, reset fills both.
 Status LanePart::prepare_history(Device& device, const Params& params) {
     const bool needed = settings_.bdf2_of(params) != 0;
     has_next_history_ = bool(history_.x) != needed;
@@ -150,6 +149,11 @@ Status LanePart::prepare_history(Device& device, const Params& params) {
         return {};
     PLAIT_TRY(make(device, next_history_.x, 3, "lane_x_before"));
     PLAIT_TRY(make(device, next_history_.v, 3, "lane_v_before"));
+    return fill_history(device, next_history_);
+}
+
+// As if strands had moved as they move now: x - h v, relative to the root, whose own are row 0.
+Status LanePart::fill_history(Device& device, const History& history) const {
     std::pmr::vector<float> x(x_.count(), source_.memory), v(v_.count(), source_.memory);
     PLAIT_TRY(device.read(x_, x.data()));
     PLAIT_TRY(device.read(v_, v.data()));
@@ -162,8 +166,12 @@ Status LanePart::prepare_history(Device& device, const Params& params) {
                 x[i] -= h * (row > 0 ? v[i] - root : root);
             }
         }
-    PLAIT_TRY(device.write(next_history_.x, x.data()));
-    return device.write(next_history_.v, v.data());
+    PLAIT_TRY(device.write(history.x, x.data()));
+    return device.write(history.v, v.data());
+}
+
+Status LanePart::begin_history(Device& device, const Params& then) const {
+    return history_.x && !settings_.bdf2_of(then) ? fill_history(device, history_) : Status{};
 }
 
 // Lanes past the last strand repeat it, as lane_strand has them; rows past a tip hold no hair.

@@ -91,6 +91,7 @@ class LanePart {
     LaneBuffer pressure() const { return {&volume_.pressure, 3, stepped_lanes()}; }
     LaneBuffer normal_force() const { return {&normal_force_, 1, stepped_lanes()}; }
     Status clear_normal_force(Device& device) const;
+    Status begin_history(Device& device, const Params& then) const;
     uint64_t device_bytes() const;
 
   private:
@@ -129,6 +130,7 @@ class LanePart {
     // That strands are stepped with.
     const Buffer& material() const { return fill_.wet ? fill_.wet : fill_.material; }
     Status prepare_history(Device& device, const Params& params);
+    Status fill_history(Device& device, const History& history) const;
     Status prepare_volume(Device& device, const Params& params);
     Status make_pressed(Device& device, Pressed& to, const RestGrid& grid) const;
     bool keeps_fill() const;

@@ -68,6 +68,7 @@ class LaneModel final : public Model {
     void add_pressure(std::pmr::vector<LaneBuffer>& to) const override;
     void add_normal_force(std::pmr::vector<LaneBuffer>& to) const override;
     Status clear_normal_force(Device& device) override;
+    Status begin_history(Device& device, const Params& then) override;
     uint64_t device_bytes() const override;
 
   private:
@@ -294,6 +295,12 @@ void LaneModel::add_normal_force(std::pmr::vector<LaneBuffer>& to) const {
 Status LaneModel::clear_normal_force(Device& device) {
     for (const PartPtr& part : parts_)
         PLAIT_TRY(part->clear_normal_force(device));
+    return {};
+}
+
+Status LaneModel::begin_history(Device& device, const Params& then) {
+    for (const PartPtr& part : parts_)
+        PLAIT_TRY(part->begin_history(device, then));
     return {};
 }
 

@@ -142,6 +142,8 @@ class Model {
     // The same of what contact goes on with, and as if nothing had touched.
     virtual void add_normal_force(std::pmr::vector<LaneBuffer>&) const {}
     virtual Status clear_normal_force(Device&) { return {}; }
+    // Strands that had no history under the parameters `then` get one, as if they had moved as they do.
+    virtual Status begin_history(Device&, const Params& /*then*/) { return {}; }
     virtual uint64_t device_bytes() const { return 0; }
 };
 

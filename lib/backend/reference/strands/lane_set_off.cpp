@@ -39,9 +39,9 @@ void lane_set_off(uint32_t item_count, const plait_set_off_params& params,
             lane.store(args.lane_q_before, i, change * lane.rotation(args.lane_q_before, i));
             if (!params.history)
                 continue;
-            if (i == 0) {
+            if (i == 0) { // its path need not be straight
                 lane.store(args.lane_x_before, 0,
-                           Vec3(lane.vector(args.lane_x, 0) + (root_is - root)));
+                           Vec3(lane.vector(args.lane_x_before, 0) + (root_is - root_was)));
                 continue;
             }
             const Vec3 offset = lane.vector(args.lane_x_before, i), turned = change * offset;
