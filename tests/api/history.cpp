@@ -279,7 +279,6 @@ std::vector<Call> calls() {
          [](Ride& r) {
              const auto bytes = r.sim().save();
              with_params(r, [](auto& p) { p.bdf2 = p.bdf2 == 0 ? 1 : 0; });
-             r.step();
              r.sim().restore(bytes);
          },
          true},
