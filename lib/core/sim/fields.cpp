@@ -330,8 +330,7 @@ Status Sim::write(plait_field field, const void* src) {
     PLAIT_TRY(check_vectors(values, 4 * vertices, velocity ? "velocity" : "position",
                             velocity ? fastest : farthest));
     if (velocity) { // in the world: nothing of the head's motion is to be added
-        begun_ = true;
-        motion_ = Motion::known;
+        motion_.give();
         PLAIT_TRY(write_velocity(values));
         schedule_.clear();
         model_->adopt(schedule_, present(), Changed::velocities);

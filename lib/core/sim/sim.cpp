@@ -107,11 +107,10 @@ Status Sim::reset() {
     clock_.reset();
     wind_.reset();
     volume_.carries = false;
-    motion_ = roots_.stands() ? Motion::as_before : Motion::unknown;
-    told_ = waited_ = false;
+    const bool stands = roots_.stands();
     roots_.stop(schedule_);
     roots_.forget();
-    placed_from_ = placed_to_ = roots_.step_head();
+    motion_.reset(stands, roots_.step_head());
     frame_.stop();
     colliders_.stop();
     bending_.stop(schedule_);

@@ -10,6 +10,7 @@
 #include "core/mesh/mesh_colliders.hpp"
 #include "core/params/param_table.hpp"
 #include "core/pins/pins.hpp"
+#include "core/roots/head_motion.hpp"
 #include "core/roots/root_binding.hpp"
 #include "core/roots/roots.hpp"
 #include "core/roots/roots_input.hpp"
@@ -190,8 +191,7 @@ class Sim {
     void append_set_off();
     plait_pose unfelt_then() const;
     void append_reframed();
-    plait_pose next_as_before(double part) const;
-    bool goes_on_as_before() const;
+    bool goes_on_as_put() const;
     Status skip(double end);
     bool ends_between_steps(double dt) const;
     void warn_of_jump(double dt);
@@ -336,18 +336,8 @@ class Sim {
     Pairs pairs_;
     Display display_;
     std::unique_ptr<SimLevels> levels_; // null: without
-    // What is known of the head's motion, that hair goes along with: after a teleport, how it moved
-    // before; after a reset, or a step without an aim after either, nothing; of a frame whose share has
-    // changed, all but that the step before had another part of it.
-    enum class Motion : uint32_t { known, as_before, unknown, framed };
-    Motion motion_ = Motion::as_before;
-    plait_pose placed_from_ = identity_pose, placed_to_ = identity_pose; // how it moved
-    bool told_ = false;                     // since then, where the head goes
-    bool waited_ = false;                   // since then, for a step without an aim
-    bool begun_ = false;                    // roots have been set, or time has passed
-    std::array<double, 3> call_velocity_{}; // m/s, of the head in the last call
-    bool knows_velocity_ = false, said_jump_ = false;
-    bool first_aim_ = false;   // it has placed the head, and no step has been since
+    HeadMotion motion_;
+    bool said_jump_ = false;
     float scale_ = 1;          // m, one of the groom's units
     bool resized_ = false;     // and another than what is shown has
     bool said_uneven_ = false; // of bones

@@ -68,14 +68,9 @@ Status Sim::aim(const RootsInput& input) {
     return rescale(*scale);
 }
 
-// The first aim is where the hair is. An aim at the present place says nothing of the head's motion: a
-// game aims in every frame, in that of a teleport, too.
+// The first aim is where the hair is.
 Status Sim::aimed() {
-    told_ = begun_ && roots_.moves();
-    if (std::exchange(begun_, true))
-        return {};
-    first_aim_ = true;
-    return place_head();
+    return motion_.aim(roots_.moves()) ? place_head() : Status{};
 }
 
 Status Sim::set_roots(const RootsInput& input) {
@@ -94,8 +89,8 @@ Status Sim::set_frame(const plait_frame_desc* desc) {
         own = *desc;
         own.pose = in_units(desc->pose);
     }
-    if (frame_.aim(desc ? &own : nullptr) && motion_ == Motion::known)
-        motion_ = Motion::framed;
+    if (frame_.aim(desc ? &own : nullptr))
+        motion_.reframe();
     return {};
 }
 
@@ -117,7 +112,7 @@ void Sim::append_no_motion() {
 // A head that was placed and has not set off since has moved in the last of other substeps as it did in
 // that of the `known` ones; `first`: where it was before the first of these.
 void Sim::append_motion_of_substeps(const Buffer& first, std::span<const uint32_t> known) {
-    if (motion_ == Motion::known || motion_ == Motion::framed)
+    if (motion_.is_on_its_way())
         return; // the next step says it
     for (size_t g = 0; g < substeps_.size(); ++g) {
         if (std::ranges::find(known, substeps_[g]) != known.end())
@@ -130,7 +125,7 @@ void Sim::append_motion_of_substeps(const Buffer& first, std::span<const uint32_
 // How the head has moved in the last substep; where it was placed before and has not set off since, that
 // is known already.
 void Sim::append_last_motion() {
-    if (motion_ != Motion::known && motion_ != Motion::framed)
+    if (!motion_.is_on_its_way())
         return;
     roots_.append_poses(schedule_, 1, pose_was_);
     for (size_t g = 0; g < substeps_.size(); ++g)
@@ -177,10 +172,7 @@ void Sim::append_placed() {
     volume_.carries = false;
     model_->teleport(schedule_, present(), pose_spare_);
     std::swap(state_.pose, pose_spare_);
-    motion_ = Motion::as_before;
-    placed_from_ = roots_.step_begin();
-    placed_to_ = roots_.step_head();
-    told_ = waited_ = knows_velocity_ = false;
+    motion_.put(roots_.step_begin(), roots_.step_head());
 }
 
 // The same with all that goes along with the head, which has come no way either.
@@ -204,7 +196,7 @@ Status Sim::place() {
 Status Sim::teleport(const RootsInput& input) {
     PLAIT_TRY(aim(input));
     schedule_.clear();
-    begun_ = true;
+    motion_.begin();
     PLAIT_TRY(place());
     return show_at_once();
 }

@@ -49,7 +49,7 @@ Status Sim::rescale(float scale) {
     if (scale == scale_)
         return {};
     const double ratio = double(scale_) / double(scale);
-    const bool moves = (motion_ == Motion::known || motion_ == Motion::framed) && !roots_.rest();
+    const bool moves = motion_.is_on_its_way() && !roots_.rest();
     schedule_.clear();
     if (moves)
         append_last_motion();
@@ -59,11 +59,10 @@ Status Sim::rescale(float scale) {
         return ways.error();
     frame_.rescale(ratio);
     colliders_.rescale(scale, *ways);
-    if (!begun_) // it says where they are
+    if (!motion_.has_begun()) // it says where they are
         colliders_.place();
     bending_.rescale(scale);
-    for (plait_pose* placed : {&placed_from_, &placed_to_})
-        plait::rescale(*placed, ratio);
+    motion_.rescale(ratio);
     volume_.carries = volume_.carries && !params_.grid.in_world;
     scale_ = display_.scale = scale;
     resized_ = true;

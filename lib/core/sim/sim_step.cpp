@@ -41,7 +41,8 @@ Status Sim::step(double dt) {
         PLAIT_TRY(display_.interpolate(device(), schedule_, layout_, state_));
     warn_of_jump(dt);
     const Tick tick = clock_.advance(dt);
-    begun_ = begun_ || dt > 0;
+    if (dt > 0)
+        motion_.begin();
     if (tick.steps > 0)
         log_ignored();
     append_phases({Moment::call_begins, present(), 0, tick.steps});
@@ -73,26 +74,25 @@ Status Sim::step(double dt) {
 // A head speeds up by some m/s in a frame when it is hit. Said once.
 void Sim::warn_of_jump(double dt) {
     constexpr double fastest = 20; // m/s
-    if (!context_.log.callback || said_jump_ || dt == 0 || !told_)
+    if (!context_.log.callback || said_jump_ || dt == 0 || !motion_.is_told())
         return;
     const auto middle = cube_.middle();
     const auto way = roots_.call_moves(middle.data());
-    double square = 0, far = 0;
+    std::array<double, 3> velocity{};
+    double far = 0;
     for (size_t i = 0; i < 3; ++i) {
-        const double velocity = double(scale_) * double(way[i]) / dt;
-        square += (velocity - call_velocity_[i]) * (velocity - call_velocity_[i]);
+        velocity[i] = double(scale_) * double(way[i]) / dt;
         far += std::pow(double(scale_) * double(way[i]), 2);
-        call_velocity_[i] = velocity;
     }
-    said_jump_ = std::sqrt(square) > fastest && knows_velocity_;
-    knows_velocity_ = true;
+    const double faster = motion_.faster(velocity);
+    said_jump_ = faster > fastest;
     if (said_jump_)
         context_.log(
             PLAIT_LOG_LEVEL_WARNING,
             format("sim: the head moves by %.3g m in a call of %.3g s, %.3g m/s faster than "
                    "before, and hair is dragged along: if it has been put elsewhere, "
                    "plait_sim_teleport takes hair along",
-                   std::sqrt(far), dt, std::sqrt(square)));
+                   std::sqrt(far), dt, faster));
 }
 
 // Whether it is the first call to do so that is to show hair between them.
@@ -120,14 +120,14 @@ Status Sim::skip(double end) {
     }
     roots_.append_poses(schedule_, 1, pose_spare_);
     append_placed();
-    told_ = true;
+    motion_.skip();
     return submit();
 }
 
 Status Sim::fixed_step(double end, uint32_t step, uint32_t steps) {
     append_carried(end);
-    if (std::exchange(first_aim_, false) && !told_)
-        colliders_.place(); // with the head
+    if (motion_.puts_bodies())
+        colliders_.place();
     roots_.advance(end);
     append_set_off();
     advance_pins(state_);
@@ -173,48 +173,39 @@ void Sim::append_carried(double end) {
 // The first step whose way is known since the head was placed says how it moves. A step without an aim
 // says nothing: the call that placed the head may have stood for the aim. Hair waits through it.
 void Sim::append_set_off() {
-    if (motion_ == Motion::known)
+    if (motion_.is(HeadMotion::Known::all))
         return;
-    if (motion_ == Motion::framed) {
+    if (motion_.is(HeadMotion::Known::reframed)) {
         append_reframed();
         return;
     }
     roots_.straighten();
-    const bool waits = !told_ && !waited_;
-    const bool as_before = motion_ == Motion::as_before && waited_ && goes_on_as_before();
-    const float jump = motion_ == Motion::as_before && !waits && !waited_ ? least_jump : 0.0f;
-    waited_ = waits;
-    motion_ = waits ? motion_ : Motion::known;
+    const HeadMotion::SetOff how = motion_.set_off(goes_on_as_put());
+    const float jump = how.by_itself ? least_jump : 0.0f;
     if (roots_.rest())
         return;
     roots_.append_path(schedule_);
     size_t before = 0;
     (void)for_each_group([&](const Group& group) {
         const float part = 1.0f / static_cast<float>(group.substeps);
-        if (as_before)
-            roots_.append_poses_of(schedule_, next_as_before(part), pose_next_);
+        if (how.goes_on)
+            roots_.append_poses_of(schedule_, motion_.next(roots_.step_begin(), part), pose_next_);
         else
             roots_.append_poses(schedule_, part, pose_next_);
         model_->set_off(schedule_, at(group, 0), pose_before_[before++], pose_was_, pose_next_,
                         jump);
         return Status{};
     });
-    if (waits) // hair has none of the head's motion now
+    if (how.waits) // hair has none of the head's motion now
         append_no_motion();
 }
 
-// Where the head would be after `part` of this step had it moved on as it did when it was placed.
-plait_pose Sim::next_as_before(double part) const {
-    const plait_pose& now = roots_.step_begin();
-    return interpolate(now, carried(now, placed_from_, placed_to_), part);
-}
-
 // As far as the host can tell: roots with poses of their own may do as they like.
-bool Sim::goes_on_as_before() const {
+bool Sim::goes_on_as_put() const {
     if (roots_.have_own())
         return false;
     const auto middle = cube_.middle();
-    return way_between(next_as_before(1), roots_.step_head(), middle.data()) <
+    return way_between(motion_.next(roots_.step_begin(), 1), roots_.step_head(), middle.data()) <
            double(least_jump) * clock_.step();
 }
 
@@ -248,7 +239,7 @@ void Sim::append_reframed() {
         return Status{};
     });
     roots_.come_from(felt_from);
-    motion_ = Motion::known;
+    motion_.end_reframing();
 }
 
 // Of a fixed step in which nothing moves: its first substep stands for all of a group's.

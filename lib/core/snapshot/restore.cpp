@@ -190,13 +190,7 @@ Status Sim::restore_roots(const SavedRoots& saved) {
     }
     roots_.aimed = saved.aimed != 0;
     roots_.restore_samples(saved.bends);
-    motion_ = static_cast<Motion>(saved.motion);
-    told_ = saved.told != 0;
-    waited_ = saved.waited != 0;
-    first_aim_ = saved.first_aim != 0;
-    begun_ = true;
-    placed_from_ = saved.placed[0];
-    placed_to_ = saved.placed[1];
+    motion_.restore(saved.motion);
     return roots_.clear_buffers(device());
 }
 

@@ -25,8 +25,7 @@ std::pmr::vector<Sim::Run> Sim::list_runs(const Saved& now) {
     for (size_t i = 0; i < all.size(); ++i)
         if (now.roots.own[i])
             add(BlockKind::roots, all[i]->poses, size_t{8} * layout_.guides, Run::Of::poses);
-    if (now.roots.motion == static_cast<uint32_t>(Motion::as_before) ||
-        now.roots.motion == static_cast<uint32_t>(Motion::unknown))
+    if (HeadMotion motion; motion.restore(now.roots.motion), !motion.is_on_its_way())
         for (const Buffer* poses : {&pose_was_, &pose_before_.front()})
             add(BlockKind::roots, *poses, size_t{8} * layout_.guides, Run::Of::poses);
     add(BlockKind::hair, state_.position, 4 * vertices, Run::Of::vertices);
@@ -91,12 +90,7 @@ Saved Sim::saved_now() {
     }
     now.roots.aimed = roots_.aimed;
     now.roots.bends = roots_.samples();
-    now.roots.motion = static_cast<uint32_t>(motion_);
-    now.roots.told = told_;
-    now.roots.waited = waited_;
-    now.roots.first_aim = first_aim_;
-    now.roots.placed[0] = placed_from_;
-    now.roots.placed[1] = placed_to_;
+    now.roots.motion = motion_.state();
     now.frame = frame_.state();
     const auto strands = settings();
     has(BlockKind::settings,

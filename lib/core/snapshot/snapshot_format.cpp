@@ -32,7 +32,7 @@ struct Kind {
 // In the order of BlockKind.
 constexpr Kind kinds[block_kinds] = {
     {"sim", "sim ", 2, true, sizeof(SavedSim)},
-    {"roots", "root", 1, true, sizeof(SavedRoots)},
+    {"roots", "root", 2, true, sizeof(SavedRoots)},
     {"frame", "fram", 2, true, sizeof(Frame::State)},
     {"bodies", "body", 2, true, 0},
     {"settings", "sett", 1, false, 0},
@@ -158,15 +158,16 @@ static Status check_roots(const SavedRoots& r, float scale) {
         if (r.own[i] > 1)
             return malformed(format("own[%zu] is %u, range is [0, 1]", i, r.own[i]));
     }
-    for (const plait_pose& pose : r.placed)
-        PLAIT_TRY(check_pose(pose, "placed", scale));
-    if (r.aimed > 1 || r.told > 1 || r.waited > 1 || r.first_aim > 1)
+    const HeadMotion::State& m = r.motion;
+    for (const plait_pose& pose : {m.put_from, m.put_to})
+        PLAIT_TRY(check_pose(pose, "put", scale));
+    if (r.aimed > 1 || m.told > 1 || m.waited > 1 || m.first_aim > 1)
         return malformed(format("aimed is %u, told is %u, waited is %u, first_aim is %u, range is "
                                 "[0, 1]",
-                                r.aimed, r.told, r.waited, r.first_aim));
-    if (r.bends > 2 || r.motion > 3)
+                                r.aimed, m.told, m.waited, m.first_aim));
+    if (r.bends > 2 || m.known > 3)
         return malformed(
-            format("bends is %u, motion is %u, ranges are [0, 2] and [0, 3]", r.bends, r.motion));
+            format("bends is %u, known is %u, ranges are [0, 2] and [0, 3]", r.bends, m.known));
     return {};
 }
 

@@ -53,10 +53,8 @@ struct SavedRoots {
     plait_pose heads[5]; // at, target, from, to, before
     uint32_t own[5];
     uint32_t aimed;
-    uint32_t bends;  // Roots::samples()
-    uint32_t motion; // Sim::Motion
-    uint32_t told, waited, first_aim;
-    plait_pose placed[2]; // Sim::placed_from_, placed_to_
+    uint32_t bends; // Roots::samples()
+    HeadMotion::State motion;
 };
 // Of a strand, as Settings has it.
 struct SavedSettings {
