@@ -1,12 +1,8 @@
 #include "core/groom/root_ends.hpp"
 
-#include "base/hash.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-#include <unordered_map>
 #include <utility>
 
 namespace plait {
@@ -27,60 +23,102 @@ double square(const Point& a, const Point& b) {
     return x * x + y * y + z * z;
 }
 
-// Both ends of every strand, 2 i and 2 i + 1, in cubes of an edge.
-class Cells {
+// Of other strands, the nearest to an end.
+class Near {
   public:
-    Cells(const std::pmr::vector<Point>& ends, double edge, std::pmr::memory_resource* memory)
-        : ends_(ends), edge_(edge), first_(memory), next_(ends.size(), none, memory) {
-        for (uint32_t i = 0; i < ends.size(); ++i)
-            next_[i] = std::exchange(first_.try_emplace(key(cell(ends[i])), none).first->second, i);
+    size_t count() const { return count_; }
+    // How many more are of the other kind than as `end`; 0 where there are too few to tell.
+    int votes_on(uint32_t end) const {
+        int sum = 0;
+        for (size_t i = 0; i < count_; ++i)
+            sum += list_[i].end % 2 == end % 2 ? -1 : 1;
+        return count_ < fewest ? 0 : sum;
     }
-
-    struct Near {
-        double square;
-        uint32_t end;
-        bool operator<(const Near& other) const { return square < other.square; }
-    };
-    // The nearest ends of other strands in the cubes around that of `end`, the nearest first.
-    void nearest(uint32_t end, std::pmr::vector<Near>& list) const {
-        list.clear();
-        const Cell middle = cell(ends_[end]);
-        for (int64_t k = 0; k < 27; ++k) {
-            const auto found = first_.find(
-                key({middle[0] + k % 3 - 1, middle[1] + k / 3 % 3 - 1, middle[2] + k / 9 - 1}));
-            if (found == first_.end())
-                continue;
-            for (uint32_t i = found->second; i != none; i = next_[i])
-                if (i / 2 != end / 2)
-                    list.push_back({square(ends_[i], ends_[end]), i});
-        }
-        const size_t kept = std::min(list.size(), neighbours);
-        std::partial_sort(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(kept),
-                          list.end());
-        list.resize(kept);
+    void add(double square, uint32_t end) {
+        if (count_ == neighbours && square >= list_[count_ - 1].square)
+            return;
+        size_t at = count_ < neighbours ? count_++ : count_ - 1;
+        for (; at > 0 && list_[at - 1].square > square; --at)
+            list_[at] = list_[at - 1];
+        list_[at] = {square, end};
     }
 
   private:
-    using Cell = std::array<int64_t, 3>;
-    static constexpr uint32_t none = std::numeric_limits<uint32_t>::max();
+    struct Entry {
+        double square;
+        uint32_t end;
+    };
+    std::array<Entry, neighbours> list_; // ascending
+    size_t count_ = 0;
+};
 
-    Cell cell(const Point& p) const {
-        Cell c{};
-        for (size_t i = 0; i < 3; ++i)
-            c[i] = static_cast<int64_t>(std::clamp(std::floor(p[i] / edge_), -1e15, 1e15));
-        return c;
-    }
-    static uint64_t key(const Cell& c) {
-        Hash hash;
-        for (const int64_t i : c)
-            hash.add(i);
-        return hash.value();
+// Both ends of every strand, 2 i and 2 i + 1, sorted by the cube that they are in: x runs fastest, so that
+// three cubes beside each other are one run.
+class Cells {
+  public:
+    Cells(const std::pmr::vector<Point>& ends, double edge, std::pmr::memory_resource* memory)
+        : edge_(edge), from_(lowest(ends)), places_(memory) {
+        for (uint32_t i = 0; i < ends.size(); ++i)
+            places_.push_back({key_of(ends[i]), i, ends[i]});
+        std::ranges::sort(places_, {}, [](const Place& p) { return std::pair(p.key, p.end); });
     }
 
-    const std::pmr::vector<Point>& ends_;
+    // Calls visit(end, its Near) for every `stride`-th end, from cube to cube.
+    template <typename Visit> void visit(size_t stride, const Visit& visit) const {
+        std::array<Run, 9> runs{};
+        for (size_t k = 0; k < places_.size(); k += stride) {
+            Near near;
+            for (size_t row = 0; row < runs.size(); ++row) {
+                find(places_[k].key, row, runs[row]);
+                for (size_t i = runs[row].first; i < runs[row].last; ++i)
+                    if (places_[i].end / 2 != places_[k].end / 2)
+                        near.add(square(places_[i].at, places_[k].at), places_[i].end);
+            }
+            visit(places_[k].end, near);
+        }
+    }
+
+  private:
+    struct Place {
+        uint64_t key;
+        uint32_t end;
+        Point at;
+    };
+    struct Run {
+        size_t first, last;
+    };
+    static constexpr uint64_t bits = 20,
+                              most = (uint64_t{1} << bits) - 3; // with one to either side
+
+    static Point lowest(const std::pmr::vector<Point>& ends) {
+        Point from = ends.front();
+        for (const Point& p : ends)
+            for (size_t i = 0; i < 3; ++i)
+                from[i] = std::min(from[i], p[i]);
+        return from;
+    }
+    uint64_t key_of(const Point& p) const {
+        uint64_t key = 0;
+        for (size_t i = 3; i-- > 0;) {
+            const double cell = std::min((p[i] - from_[i]) / edge_, double(most));
+            key = key << (bits + 1) | (static_cast<uint64_t>(cell) + 1);
+        }
+        return key;
+    }
+    // The cubes beside that of `key` in one of nine rows: keys rise, and so do the row's places.
+    void find(uint64_t key, size_t row, Run& run) const {
+        const uint64_t y = uint64_t{1} << (bits + 1), z = y << (bits + 1);
+        const uint64_t middle = key + row % 3 * y + row / 3 * z - y - z;
+        while (run.first < places_.size() && places_[run.first].key < middle - 1)
+            ++run.first;
+        run.last = std::max(run.last, run.first);
+        while (run.last < places_.size() && places_[run.last].key <= middle + 1)
+            ++run.last;
+    }
+
     double edge_;
-    std::pmr::unordered_map<uint64_t, uint32_t> first_;
-    std::pmr::vector<uint32_t> next_;
+    Point from_;
+    std::pmr::vector<Place> places_;
 };
 
 std::pmr::vector<Point> ends_of(const StrandSet& strands, std::pmr::memory_resource* memory) {
@@ -95,35 +133,21 @@ std::pmr::vector<Point> ends_of(const StrandSet& strands, std::pmr::memory_resou
     return ends;
 }
 
-// An edge of cubes with which half of a sample of ends has enough neighbours; 0: there is none.
+// An edge of cubes with which two in three ends of a sample have enough neighbours; 0: there is none.
 double edge_for(const std::pmr::vector<Point>& ends, std::pmr::memory_resource* memory) {
     double reach = 0;
     for (size_t i = 0; i < ends.size(); i += 2)
         reach += std::sqrt(square(ends[i], ends[i + 1])) / double(ends.size() / 2);
-    std::pmr::vector<Cells::Near> near(memory);
     for (double edge = reach / 64; edge > 0 && edge <= 2 * reach; edge *= 2) {
-        const Cells cells(ends, edge, memory);
-        const size_t stride = std::max<size_t>(1, ends.size() / 256) | 1; // of both kinds
         size_t asked = 0, enough = 0;
-        for (size_t i = 0; i < ends.size(); i += stride, ++asked) {
-            cells.nearest(static_cast<uint32_t>(i), near);
-            enough += near.size() == neighbours;
-        }
-        if (2 * enough >= asked)
+        Cells(ends, edge, memory).visit(ends.size() / 256 + 1, [&](uint32_t, const Near& near) {
+            ++asked;
+            enough += near.count() == neighbours;
+        });
+        if (3 * enough >= 2 * asked)
             return edge;
     }
     return 0;
-}
-
-// How many more ends near `end` are of the other kind than of its own.
-int others_near(const Cells& cells, uint32_t end, std::pmr::vector<Cells::Near>& near) {
-    cells.nearest(end, near);
-    if (near.size() < fewest)
-        return 0;
-    int sum = 0;
-    for (const Cells::Near& other : near)
-        sum += other.end % 2 == end % 2 ? -1 : 1;
-    return sum;
 }
 
 // What the ends of a strand say: how many more around each are of the other kind than of its own.
@@ -153,11 +177,10 @@ std::pmr::vector<uint32_t> contradicted_roots(const StrandSet& strands,
     const double edge = edge_for(ends, memory);
     if (edge == 0)
         return list;
-    const Cells cells(ends, edge, memory);
-    std::pmr::vector<Cells::Near> near(memory);
-    std::pmr::vector<Votes> votes(memory);
-    for (uint32_t i = 0; i < ends.size() / 2; ++i)
-        votes.push_back({others_near(cells, 2 * i, near), others_near(cells, 2 * i + 1, near)});
+    std::pmr::vector<Votes> votes(ends.size() / 2, memory);
+    Cells(ends, edge, memory).visit(1, [&](uint32_t end, const Near& near) {
+        (end % 2 == 0 ? votes[end / 2].root : votes[end / 2].tip) = near.votes_on(end);
+    });
     const int half = -median_of(votes, memory) / 2;
     if (half < agreed)
         return list;

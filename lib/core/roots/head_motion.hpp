@@ -55,8 +55,8 @@ class HeadMotion {
 
     // How hair gets the motion of the step that begins, where the one before does not say it.
     struct SetOff {
-        bool waits;    // without an aim: hair has none of the head's motion
-        bool goes_on;  // as when it was put
+        bool waits;     // without an aim: hair has none of the head's motion
+        bool goes_on;   // as when it was put
         bool by_itself; // unless it jumps
     };
     // `goes_on`: whether the head does, as far as its path tells.
