@@ -175,6 +175,37 @@ TEST_F(LabProgram, measures_hair_that_follows) {
         EXPECT_EQ(lab(std::string("follows ") + bad, true).code, 1) << bad;
 }
 
+// The coarser, the farther from the truth, up to hair that goes with the head.
+TEST_F(LabProgram, measures_levels_of_detail) {
+    const Outcome outcome = lab("levels --styles long --strands 200 --seconds 0.5 --csv --out " +
+                                    path("levels"),
+                                false);
+    EXPECT_EQ(outcome.code, 0);
+    std::istringstream text(outcome.text);
+    std::string line;
+    std::getline(text, line);
+    EXPECT_EQ(line, "style,guides,ms,of_whole,shake,nod,gust,all,median,listed");
+    std::vector<std::vector<std::string>> rows;
+    while (std::getline(text, line)) {
+        std::istringstream row(line);
+        rows.emplace_back();
+        for (std::string cell; std::getline(row, cell, ',');)
+            rows.back().push_back(cell);
+        ASSERT_EQ(rows.back().size(), 10u) << line;
+    }
+    ASSERT_GE(rows.size(), 3u);
+    for (size_t i = 1; i < rows.size(); ++i)
+        EXPECT_LT(std::stod(rows[i - 1][7]), std::stod(rows[i][7])) << rows[i][1] << " guides";
+    EXPECT_EQ(rows.front()[1], "200");
+    EXPECT_EQ(std::stod(rows.front()[3]), 1);
+    EXPECT_LT(std::stod(rows.front()[4]), 0.3);
+    EXPECT_EQ(rows.back()[1], "0");
+    EXPECT_GT(std::stod(rows.back()[4]), 0.9);
+    EXPECT_TRUE(std::filesystem::exists(path("levels/levels.csv")));
+    for (const char* bad : {"--styles bald", "--strands 3", "--seconds 0"})
+        EXPECT_EQ(lab(std::string("levels ") + bad, true).code, 1) << bad;
+}
+
 // By name, what each of the methods that keep hair's volume is known by.
 TEST_F(LabProgram, measures_methods_that_keep_volume) {
     const Outcome outcome =

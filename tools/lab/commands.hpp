@@ -18,6 +18,7 @@ void add_chart(CLI::App& app, Command& chosen);
 void add_features(CLI::App& app, Command& chosen);
 void add_all(CLI::App& app, Command& chosen);
 void add_follows(CLI::App& app, Command& chosen);
+void add_levels(CLI::App& app, Command& chosen);
 void add_grid(CLI::App& app, Command& chosen);
 void add_stability(CLI::App& app, Command& chosen);
 void add_volume(CLI::App& app, Command& chosen);

@@ -32,6 +32,7 @@ int main_of(int argc, char** argv) {
     add_chart(app, chosen);
     add_features(app, chosen);
     add_follows(app, chosen);
+    add_levels(app, chosen);
     add_all(app, chosen);
     add_grid(app, chosen);
     add_stability(app, chosen);

@@ -77,9 +77,11 @@ Choice choose_all(GroomHandle groom, uint32_t strands) {
     return all;
 }
 
-Run::Run(plait_context* context, const Choice& choice, const plait_follow_map* map)
+Run::Run(plait_context* context, const Choice& choice, const plait_follow_map* map,
+         uint32_t substeps)
     : choice_(choice) {
     plait::SimDesc desc;
+    desc.substeps = substeps;
     desc.follow_map = map;
     desc.sag_free = PLAIT_SAG_FREE_STIFFEN;
     plait_sim* sim = nullptr;
@@ -113,6 +115,12 @@ void Run::step(uint64_t number, Motion motion) {
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
     if (number > skipped)
         times_.push_back(spent.count());
+}
+
+void Run::blow(float speed) {
+    plait_wind_desc wind = plait_wind_desc_defaults();
+    wind.velocity[0] = speed;
+    check(plait_sim_set_wind(sim_.get(), speed > 0 ? &wind : nullptr));
 }
 
 Hair Run::read() const {

@@ -28,10 +28,12 @@ plait_roots nodding(double seconds); // and turning, slower and farther
 class Run {
   public:
     // `map`: of `choice`, or learnt from it.
-    Run(plait_context* context, const Choice& choice, const plait_follow_map* map);
+    Run(plait_context* context, const Choice& choice, const plait_follow_map* map,
+        uint32_t substeps = 1);
 
     void step(uint64_t number, Motion motion);
-    Hair read() const; // strands in the groom's order
+    void blow(float speed); // m/s, from the side; 0: no wind
+    Hair read() const;      // strands in the groom's order
     std::vector<bool> simulated() const;
     double wall() const; // s of a step, the least, which a busy machine disturbs least
 

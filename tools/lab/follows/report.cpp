@@ -1,10 +1,10 @@
 #include "follows.hpp"
 
+#include "gnuplot.hpp"
 #include "text.hpp"
 
 #include "common/file.hpp"
 
-#include <cstdlib>
 #include <iterator>
 
 namespace lab::follows {
@@ -121,33 +121,18 @@ std::string script_of(const std::vector<FollowRow>& rows, const FollowOptions& o
              "of it is simulated\\n{/*0.8 %u hairs of the style %s, on a head that turns and "
              "nods}\"\n",
              options.strands, options.style.c_str()) +
-        guides_plot(learnt) + time_plot(rows, path) + "unset multiplot\n";
-    return points_of(rows, Weights::near) + points_of(rows, Weights::learnt) +
-           "set yrange [0:*]\nset grid ytics lc rgb '#dddddd'\nset border 3\n"
-           "set tics nomirror out\nset key bottom right Left reverse noenhanced samplen 2\n"
-           "set terminal svg size 1000,560 font 'DejaVu Sans,14' background rgb 'white'\n"
-           "set output '" +
-           path + ".svg'\n" + panels +
-           "set terminal pngcairo size 1500,840 font 'DejaVu Sans,14' fontscale 1.4 linewidth "
-           "1.5 background rgb 'white'\nset output '" +
-           path + ".png'\n" + panels + "set output\n";
+        guides_plot(learnt) + time_plot(rows, path) + "unset multiplot";
+    const std::string lines = points_of(rows, Weights::near) + points_of(rows, Weights::learnt) +
+                              "set yrange [0:*]\n"
+                              "set key bottom right Left reverse noenhanced samplen 2\n";
+    return figure_script(path, lines, panels, 1000, 560);
 }
 
 } // namespace
 
 bool draw_follows(const std::vector<FollowRow>& rows, const FollowOptions& options) {
-    if (std::system("command -v gnuplot >/dev/null 2>&1") != 0) {
-        std::fprintf(stderr, "plait-lab: no figure follows: the program gnuplot is not there "
-                             "(Debian: gnuplot-nox)\n");
-        return false;
-    }
-    const std::string path = options.out + "/follows", script = path + ".gp";
-    write_text(script_of(rows, options, path), script);
-    if (std::system(("gnuplot '" + script + "'").c_str()) != 0) {
-        std::fprintf(stderr, "plait-lab: gnuplot did not draw %s\n", script.c_str());
-        return false;
-    }
-    return true;
+    const std::string path = options.out + "/follows";
+    return draw_figure(path, script_of(rows, options, path));
 }
 
 } // namespace lab::follows

@@ -1,10 +1,9 @@
 #include "volume.hpp"
 
+#include "gnuplot.hpp"
 #include "text.hpp"
 
 #include "common/file.hpp"
-
-#include <cstdlib>
 
 namespace lab::volume {
 
@@ -67,36 +66,21 @@ std::string script_of(const std::vector<VolumeRow>& rows, const VolumeOptions& o
                      i ? ", " : "plot ", path.c_str(), i + 2,
                      rows[i].method->name == "volume" ? "3.5" : "2", rows[i].method->colour.c_str(),
                      rows[i].method->title.c_str());
-    return text("set datafile separator ','\n"
-                "set title \"What is left of the volume of limp hair on a ball\\n"
-                "{/*0.8 %u strands, %s, 60 Hz}\"\n",
-                options.strands, options.model.c_str()) +
-           "set xlabel 'time, s'\nset ylabel 'volume, over that in the groom'\n"
-           "set yrange [0:2.5]\nset grid ytics lc rgb '#dddddd'\nset border 3\n"
-           "set tics nomirror out\nset key below left Left reverse noenhanced samplen 2\n"
-           "set terminal svg size 900,640 font 'DejaVu Sans,14' background rgb 'white'\n"
-           "set output '" +
-           path + ".svg'\n" + plot +
-           "\nset terminal pngcairo size 1350,960 font 'DejaVu Sans,14' fontscale 1.4 linewidth "
-           "1.5 background rgb 'white'\nset output '" +
-           path + ".png'\n" + plot + "\nset output\n";
+    const std::string lines =
+        text("set datafile separator ','\n"
+             "set title \"What is left of the volume of limp hair on a ball\\n"
+             "{/*0.8 %u strands, %s, 60 Hz}\"\n",
+             options.strands, options.model.c_str()) +
+        "set xlabel 'time, s'\nset ylabel 'volume, over that in the groom'\n"
+        "set yrange [0:2.5]\nset key below left Left reverse noenhanced samplen 2\n";
+    return figure_script(path, lines, plot, 900, 640);
 }
 
 } // namespace
 
 bool draw_volume(const std::vector<VolumeRow>& rows, const VolumeOptions& options) {
-    if (std::system("command -v gnuplot >/dev/null 2>&1") != 0) {
-        std::fprintf(stderr, "plait-lab: no figure volume: the program gnuplot is not there "
-                             "(Debian: gnuplot-nox)\n");
-        return false;
-    }
-    const std::string path = options.out + "/volume", script = path + ".gp";
-    write_text(script_of(rows, options, path), script);
-    if (std::system(("gnuplot '" + script + "'").c_str()) != 0) {
-        std::fprintf(stderr, "plait-lab: gnuplot did not draw %s\n", script.c_str());
-        return false;
-    }
-    return true;
+    const std::string path = options.out + "/volume";
+    return draw_figure(path, script_of(rows, options, path));
 }
 
 } // namespace lab::volume
