@@ -1,33 +1,12 @@
 // A sim whose level changes: what keeps its bits, where strands are woken, what is shown meanwhile; hair of
 // no guides; and what goes on as before: snapshots, resets, heads put elsewhere, pins.
-#include "support.hpp"
+#include "level_scenes.hpp"
 
 #include <algorithm>
 #include <functional>
 #include <memory>
 
 namespace {
-
-constexpr double slightly_more = frame + 1e-9; // so that every call makes one step
-
-plait_level_choice choice_of(uint32_t level, float blend = 0.3f, uint32_t shown = 0) {
-    auto choice = plait_level_choice_defaults();
-    choice.level = level;
-    choice.blend = blend;
-    choice.shown = shown;
-    return choice;
-}
-
-plait::Levels levels_of(const plait::Groom& groom, const std::vector<uint32_t>& guides,
-                        const std::vector<float>& hung = {}) {
-    auto desc = plait_levels_desc_defaults();
-    desc.groom = groom;
-    desc.level_count = static_cast<uint32_t>(guides.size());
-    std::ranges::copy(guides, desc.guides);
-    if (!hung.empty())
-        desc.hung = {hung.data(), hung.size() / 4, 16};
-    return plait::Levels(desc);
-}
 
 // The head says "no", and stands still after `still` frames.
 plait_roots shaken(double step, double still = 1e9) {

@@ -4,7 +4,6 @@
 #include "core/base/ranges.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace plait {
 
@@ -37,20 +36,6 @@ static std::pmr::vector<uint32_t> counts_of(const Levels& levels,
     return counts;
 }
 
-static double mean_length(const StrandSet& strands) {
-    const auto& x = strands.positions;
-    double total = 0;
-    size_t vertex = 0;
-    for (const uint32_t count : strands.vertex_counts) {
-        for (size_t i = vertex + 1; i < vertex + count; ++i)
-            total += std::hypot(double(x[3 * i]) - double(x[3 * i - 3]),
-                                double(x[3 * i + 1]) - double(x[3 * i - 2]),
-                                double(x[3 * i + 2]) - double(x[3 * i - 1]));
-        vertex += count;
-    }
-    return total / static_cast<double>(strands.vertex_counts.size());
-}
-
 Result<std::unique_ptr<SimLevels>> SimLevels::create(Device& device, const Levels& levels,
                                                      uint32_t top, const FollowMap& map,
                                                      const Layout& layout,
@@ -61,7 +46,7 @@ Result<std::unique_ptr<SimLevels>> SimLevels::create(Device& device, const Level
     made->ends_ = levels.ends();
     for (size_t level = 0; level < levels.guides().size(); ++level)
         made->shares_[level] = levels.share(level);
-    made->length_ = mean_length(levels.groom().strands);
+    made->length_ = levels.groom().shape.mean_length;
     made->all_ = layout;
     made->top_ = made->level_ = top;
     made->shown_ = layout.strands();
