@@ -12,7 +12,8 @@ struct Heads {
     std::vector<plait::Sim> sims;
     std::vector<plait_character> characters;
 
-    Heads(const plait::Context& context, size_t count) : levels(levels_of(groom, {256, 64, 16, 0})) {
+    Heads(const plait::Context& context, size_t count)
+        : levels(levels_of(groom, {256, 64, 16, 0})) {
         for (size_t i = 0; i < count; ++i) {
             plait::SimDesc desc;
             desc.levels = levels;

@@ -22,6 +22,9 @@ Status SimLevels::open(Device& device, const FollowMap& map, std::pmr::memory_re
     PLAIT_TRY(device.create(root_guide_, PLAIT_ELEMENT_UINT, roots.size(), "root_guide"));
     PLAIT_TRY(device.write(root_guide_, roots.data()));
     PLAIT_TRY(device.create(held_, f4, all_.vertices(), "held"));
+    const std::pmr::vector<float> none(4 * all_.vertices(), 0.0f,
+                                       memory); // snapshots have all of it
+    PLAIT_TRY(device.write(held_, none.data()));
     PLAIT_TRY(device.create(from_, f4, all_.guide_vertices(), "wake_from"));
     PLAIT_TRY(device.create(to_, f4, all_.guide_vertices(), "wake_to"));
     return device.create(pose_before_, f4, size_t{2} * all_.guides, "pose_before");
@@ -49,7 +52,8 @@ Result<std::unique_ptr<SimLevels>> SimLevels::create(Device& device, const Level
     made->length_ = levels.groom().shape.mean_length;
     made->all_ = layout;
     made->top_ = made->level_ = top;
-    made->shown_ = layout.strands();
+    made->shown_ = made->placed = layout.strands();
+    made->next_ = {sizeof(plait_level_choice), top, layout.strands(), 0};
     made->turns_.resize(levels.guides().size());
     for (uint32_t level = top + 1; level < levels.guides().size() && levels.guides()[level] > 0;
          ++level) {
@@ -106,19 +110,20 @@ Status SimLevels::choose(const plait_level_choice& choice) {
     PLAIT_TRY(check_choice(choice));
     next_ = choice;
     next_.shown = shown_of(choice.shown);
-    due_ = next_.level != level_;
-    if (!due_)
-        shown_ = next_.shown; // rows are placed when they are shown
+    due_ = next_.level != level_ || next_.shown != shown_;
     return {};
 }
 
-// What was lacking to strands that are shown no more is not known when they come back.
+// What comes into view goes over to the level, too, from where it would have been: it has a way that it has
+// come since the frame before.
 void SimLevels::take() {
-    blended_ = std::min(std::max(shown_, stepped()), std::max(next_.shown, next_stepped()));
-    level_ = next_.level;
     shown_ = next_.shown;
-    blend_ = is_rigid() ? 0 : next_.blend;
-    since_ = 0;
+    if (changes_level()) {
+        blended_ = next_in_view();
+        level_ = next_.level;
+        blend_ = is_rigid() ? 0 : next_.blend;
+        since_ = 0;
+    }
     due_ = false;
 }
 
@@ -126,9 +131,8 @@ void SimLevels::pass(double s) {
     since_ += s;
 }
 
-LevelRows SimLevels::rows(const FollowTurns& top, bool all) const {
-    const uint32_t last = all ? all_.strands() : shown_;
-    LevelRows rows{{stepped(), last > stepped() ? last - stepped() : 0, all_.row}};
+LevelRows SimLevels::rows(const FollowTurns& top, uint32_t strands) const {
+    LevelRows rows{{stepped(), strands > stepped() ? strands - stepped() : 0, all_.row}};
     if (!is_rigid() && rows.layout.follows > 0)
         rows.turns = level_ == top_ ? &top : &turns_[level_];
     const double time = since_ + ahead;
@@ -186,9 +190,8 @@ void SimLevels::append_freeze(Schedule& schedule, const Buffer& pose,
 }
 
 void SimLevels::append_shown(Schedule& schedule, const Buffer& position) const {
-    const uint32_t strands = std::max(shown_, stepped());
-    schedule.add(PLAIT_STAGE_last_frame, strands * all_.row, plait_last_frame_params{all_.row, 1},
-                 {&position, &held_});
+    schedule.add(PLAIT_STAGE_last_frame, next_in_view() * all_.row,
+                 plait_last_frame_params{all_.row, 1}, {&position, &held_});
 }
 
 void SimLevels::append_lacking(Schedule& schedule, const Buffer& pose,

@@ -203,6 +203,7 @@ class Sim {
         return {levels_ ? levels_->stepped() : layout_.guides, 0, layout_.row};
     }
     bool is_rigid() const { return levels_ && levels_->is_rigid(); }
+    Status append_coming(double dt);
     void append_level_before(uint32_t step, uint32_t steps);
     Status switch_level();
     void append_level_stages();

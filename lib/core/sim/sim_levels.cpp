@@ -3,6 +3,7 @@
 // kept, and fades.
 #include "core/sim/sim.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace plait {
@@ -47,6 +48,21 @@ void Sim::append_level_before(uint32_t step, uint32_t steps) {
                       {&state_.pose, &levels_->before(), &display_.kept()});
 }
 
+// What this call brings into view has not been placed in the frame before, which it is to have come from:
+// kept as that frame is where it would have been. To be asked before anything moves on.
+Status Sim::append_coming(double dt) {
+    if (!levels_ || !display_.last_frame() || !levels_->is_due() ||
+        levels_->next_in_view() <= levels_->placed)
+        return {};
+    Clock clock = clock_;
+    if (clock.advance(dt).steps == 0)
+        return {};
+    PLAIT_TRY(place_colliders());
+    display_.append_coming(schedule_, at_shown(), roots_, static_cast<float>(clock_.remainder()),
+                           levels_->rows(display_.turns(), levels_->next_in_view()), *levels_);
+    return {};
+}
+
 // Where strands are woken a blend that has not ended is not, but in what is shown it is. That is where the
 // call before sent the head and bodies; where this one does is shown next, so that it is submitted.
 Status Sim::switch_level() {
@@ -58,7 +74,10 @@ Status Sim::switch_level() {
     const bool thaws = levels_->is_rigid();
     levels_->ahead = display_.interpolates() ? clock_.remainder() * clock_.step() : 0;
     // Strands are woken and kept that may not be shown.
-    LevelRows rows = levels_->rows(display_.turns(), freezes || wakes);
+    const uint32_t all = layout_.strands();
+    LevelRows rows = levels_->rows(
+        display_.turns(),
+        freezes || wakes ? all : std::max(levels_->in_view(), levels_->next_in_view()));
     if (wakes) {
         LevelRows plain = rows;
         plain.share = 0;
@@ -66,10 +85,10 @@ Status Sim::switch_level() {
         levels_->append_after(schedule_, state_);
         model_->wake(schedule_, present(), levels_->waking(shown));
     }
-    display_.append_rows(schedule_, at, roots_, remainder, rows, levels_.get());
+    display_.append_rows(schedule_, at, roots_, remainder, rows, levels_.get(), shown);
     if (freezes)
         display_.append_detail(schedule_, at, rows);
-    display_.append_out(schedule_, at, rows);
+    display_.append_out(schedule_, at, rows, shown);
     if (freezes)
         levels_->append_freeze(schedule_, display_.pose(state_), shown);
     else
@@ -82,12 +101,12 @@ Status Sim::switch_level() {
     }
     if (freezes || levels_->blending() == 0)
         return submit();
-    rows = levels_->rows(display_.turns(), thaws);
+    rows = levels_->rows(display_.turns(), thaws ? all : levels_->shown());
     rows.share = 0;
-    display_.append_rows(schedule_, at, roots_, remainder, rows, levels_.get());
+    display_.append_rows(schedule_, at, roots_, remainder, rows, levels_.get(), shown);
     if (thaws) { // what was kept has its detail, and lies on bodies
         display_.append_detail(schedule_, at, rows);
-        display_.append_out(schedule_, at, rows);
+        display_.append_out(schedule_, at, rows, shown);
     }
     levels_->append_lacking(schedule_, display_.pose(state_), shown);
     return submit();

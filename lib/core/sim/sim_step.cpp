@@ -23,6 +23,7 @@ constexpr float least_jump = 0.9f;
 // A head that moves in no time has been put elsewhere.
 Status Sim::step(double dt) {
     schedule_.clear(); // what a failed call may have left
+    PLAIT_TRY(append_coming(dt));
     if (ends_between_steps(dt))
         PLAIT_TRY(display_.interpolate(device(), schedule_, layout_, state_));
     warn_of_jump(dt);
@@ -41,8 +42,10 @@ Status Sim::step(double dt) {
     if (levels_ && tick.steps > 0) {
         levels_->pass(tick.steps * clock_.step());
         levels_->swing.pass(tick.steps * clock_.step());
-        if (levels_->is_due())
+        if (levels_->changes_level())
             PLAIT_TRY(switch_level());
+        else if (levels_->is_due())
+            levels_->take();
     }
     roots_.arrive();
     frame_.arrive();
