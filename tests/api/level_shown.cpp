@@ -14,9 +14,8 @@ ON_EVERY_BACKEND(LevelShown);
 void add_ball(plait::Sim& sim) {
     auto ball = smooth_collider();
     ball.capsule.radius_a = ball.capsule.radius_b = 0.03f;
-    ball.pose.t[0] = 0.1f;
-    ball.pose.t[1] = -0.04f;
-    ball.pose.t[2] = 0.04f;
+    for (float* end : {ball.capsule.a, ball.capsule.b})
+        std::ranges::copy(Point{0.1f, -0.04f, 0.04f}, end);
     sim.create_collider(ball);
 }
 
@@ -112,6 +111,93 @@ TEST_P(LevelShown, ComesIntoViewWithAStep) {
     EXPECT_EQ(shown(sim), before);
     move(sim, 2);
     EXPECT_EQ(sim.level().shown, 256u);
+}
+
+// ---- between steps ------------------------------------------------------------------------------
+
+// A sim that changes its level, and one that does not; at any times, at which hair is shown between steps.
+class BetweenSteps {
+  public:
+    enum class Ball { none, with_head, still };
+    static constexpr double begin = 0.05; // steps
+
+    // At `level`, to which they go over 4 steps before the end, in `blend` s.
+    BetweenSteps(const plait::Context& context, const Scene& scene, Ball ball, uint32_t before,
+                 uint32_t level, float blend)
+        : steady(made(context, scene, ball)), sim(made(context, scene, ball)), ball_(ball) {
+        set_level(choice_of(before, 0));
+        pass(begin);
+        for (int i = 0; i < 40; ++i) {
+            if (i == 36)
+                set_level(choice_of(level, blend));
+            pass(1);
+        }
+    }
+    plait::Sim steady, sim;
+    void pass(double steps) {
+        time_ += steps;
+        for (plait::Sim* each : {&steady, &sim}) {
+            const plait_roots roots = shaken(time_);
+            each->set_roots(roots);
+            if (ball_ == Ball::with_head)
+                each->set_collider_pose(each->colliders().front(), roots.head);
+            each->step(steps * frame);
+        }
+    }
+
+  private:
+    static plait::Sim made(const plait::Context& context, const Scene& scene, Ball ball) {
+        plait::Sim made = scene.sim(context, 0, [](auto& desc) { desc.interpolate_output = 1; });
+        if (ball != Ball::none)
+            add_ball(made);
+        return made;
+    }
+    void set_level(const plait_level_choice& choice) {
+        steady.set_level(choice);
+        sim.set_level(choice);
+    }
+
+    Ball ball_;
+    double time_ = 0; // steps
+};
+
+// The frame of a switch is as without one; then hair moves by no more, within the step and over its end.
+TEST_P(LevelShown, GoesOnBetweenStepsFromWhereItWas) {
+    using Ball = BetweenSteps::Ball;
+    struct Case {
+        uint32_t before, from, to;
+        float blend; // to `from`, which has not ended
+        Ball ball;
+    };
+    const Scene scene = hair();
+    for (const Case& c : {Case{2, 2, 0, 0, Ball::none},
+                          {2, 2, 0, 0, Ball::with_head},
+                          {2, 2, 1, 0, Ball::with_head},
+                          {1, 2, 0, 0.3f, Ball::with_head},
+                          {1, 3, 1, 0, Ball::with_head},
+                          {0, 0, 2, 0, Ball::with_head},
+                          {1, 1, 3, 0, Ball::with_head},
+                          {2, 2, 0, 0, Ball::still},
+                          {1, 2, 0, 0.3f, Ball::still},
+                          {0, 0, 2, 0, Ball::still}})
+        for (const double at : {0.05, 0.5, 0.9}) { // of a step, where the switch is
+            BetweenSteps both(context, scene, c.ball, c.before, c.from, c.blend);
+            both.sim.set_level(choice_of(c.to));
+            const auto says = [&](double steps) {
+                return testing::Message() << c.before << ", " << c.from << " to " << c.to << " at "
+                                          << at << ", ball " << int(c.ball) << ", after " << steps;
+            };
+            both.pass(1 + at - BetweenSteps::begin);
+            EXPECT_LT(largest_difference(shown(both.sim), shown(both.steady)), 1e-3f) << says(0);
+            for (const double steps : {0.98 - at, 0.04, 0.04, 0.5}) {
+                const auto own = shown(both.sim), steady = shown(both.steady);
+                both.pass(steps);
+                const float most = largest_difference(steady, shown(both.steady));
+                if (c.ball == Ball::still)
+                    continue; // of which follows are turned to this side and that
+                EXPECT_LT(largest_difference(own, shown(both.sim)), most + 1e-3f) << says(steps);
+            }
+        }
 }
 
 } // namespace

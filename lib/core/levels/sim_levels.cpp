@@ -122,7 +122,7 @@ void SimLevels::take() {
         blended_ = next_in_view();
         level_ = next_.level;
         blend_ = is_rigid() ? 0 : next_.blend;
-        since_ = 0;
+        since_ = -ahead;
     }
     due_ = false;
 }

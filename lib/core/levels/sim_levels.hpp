@@ -61,9 +61,11 @@ class SimLevels {
     void take();         // what is due holds from now on
     void pass(double s); // time
     void end_blend() { blend_ = 0; }
-    double blending() const { return blend_ > since_ ? blend_ - since_ : 0; } // s that are left
+    double blending() const { // s that are left
+        return blend_ > since_ ? std::min(blend_ - since_, double(blend_)) : 0;
+    }
     // Whether what is shown of guides is not what the last step left.
-    bool alters_guides() const { return since_ == 0 || blending() > 0; }
+    bool alters_guides() const { return since_ <= 0 || blending() > 0; }
 
     // Of so many strands, whatever is shown. `top`: the turns of level `top`.
     LevelRows rows(const FollowTurns& top, uint32_t strands) const;
@@ -133,7 +135,7 @@ class SimLevels {
     plait_level_choice next_{};
     bool due_ = false;
     float blend_ = 0;      // s
-    double since_ = 0;     // s, the last switch
+    double since_ = 0;     // s, from the last switch, as shown, to the last step
     uint32_t blended_ = 0; // strands that have been in view since then
     Buffer root_guide_;    // uint [strands]: whose root each goes with
     // float4 [strands*V], in the frames of roots: where vertices are, if none are stepped; else, while

@@ -204,7 +204,8 @@ class Sim {
     }
     bool is_rigid() const { return levels_ && levels_->is_rigid(); }
     Status append_coming(double dt);
-    void append_level_before(uint32_t step, uint32_t steps);
+    Status keep_level_before();
+    Status pass_levels(double s);
     Status switch_level();
     void append_level_stages();
     void append_dry_step_of_finest();

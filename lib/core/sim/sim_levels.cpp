@@ -37,15 +37,33 @@ bool Sim::describe_levels(DirectedHair& out) const {
 }
 
 // Between two steps of the last call of a level strands that it does not step have a place, too, which
-// interpolated output needs of those that it wakes.
-void Sim::append_level_before(uint32_t step, uint32_t steps) {
-    if (!levels_ || !levels_->wakes() || step + 1 != steps)
-        return;
+// interpolated output needs of those that it wakes: out of the bodies, which are there until the step moves
+// them on, as where they begin.
+Status Sim::keep_level_before() {
+    if (!levels_ || !levels_->wakes())
+        return {};
     levels_->append_before(schedule_, state_);
-    if (display_.interpolates())
-        schedule_.add(PLAIT_STAGE_output_keep, levels_->next_stepped() * layout_.row,
-                      plait_layout_params{layout_.row},
-                      {&state_.pose, &levels_->before(), &display_.kept()});
+    if (!display_.interpolates())
+        return {};
+    PLAIT_TRY(place_colliders());
+    LevelRows rows = levels_->rows(display_.turns(), levels_->next_stepped());
+    rows.share = 0;
+    display_.append_step(schedule_, first_group(), *levels_, rows);
+    schedule_.add(PLAIT_STAGE_output_keep, levels_->next_stepped() * layout_.row,
+                  plait_layout_params{layout_.row},
+                  {&state_.pose, &display_.before_scale(state_), &display_.kept()});
+    return submit();
+}
+
+// Fixed steps are over, and the head and bodies are where the call sent them.
+Status Sim::pass_levels(double s) {
+    levels_->pass(s);
+    levels_->swing.pass(s);
+    if (levels_->changes_level())
+        return switch_level();
+    if (levels_->is_due())
+        levels_->take();
+    return {};
 }
 
 // What this call brings into view has not been placed in the frame before, which it is to have come from:
@@ -63,10 +81,8 @@ Status Sim::append_coming(double dt) {
     return {};
 }
 
-// Where strands are woken a blend that has not ended is not, but in what is shown it is. That is where the
-// call before sent the head and bodies; where this one does is shown next, so that it is submitted.
+// Where strands are woken a blend that has not ended is not, but in what is shown it is.
 Status Sim::switch_level() {
-    PLAIT_TRY(place_colliders());
     const Buffer& shown = display_.before_scale(state_);
     const StepInput at = at_shown();
     const auto remainder = static_cast<float>(clock_.remainder());
@@ -100,7 +116,7 @@ Status Sim::switch_level() {
         volume_.carries = false; // theirs is of when they were stepped last
     }
     if (freezes || levels_->blending() == 0)
-        return submit();
+        return {};
     rows = levels_->rows(display_.turns(), thaws ? all : levels_->shown());
     rows.share = 0;
     display_.append_rows(schedule_, at, roots_, remainder, rows, levels_.get(), shown);
@@ -109,7 +125,7 @@ Status Sim::switch_level() {
         display_.append_out(schedule_, at, rows, shown);
     }
     levels_->append_lacking(schedule_, display_.pose(state_), shown);
-    return submit();
+    return {};
 }
 
 // Appends as if all strands were stepped: of any level there are no other stages, but its own.

@@ -39,19 +39,13 @@ Status Sim::step(double dt) {
         PLAIT_TRY(skip(tick.end_of_dropped()));
     for (uint32_t k = 0; k < tick.steps; ++k)
         PLAIT_TRY(fixed_step(tick.end_of(k), k, tick.steps));
-    if (levels_ && tick.steps > 0) {
-        levels_->pass(tick.steps * clock_.step());
-        levels_->swing.pass(tick.steps * clock_.step());
-        if (levels_->changes_level())
-            PLAIT_TRY(switch_level());
-        else if (levels_->is_due())
-            levels_->take();
-    }
     roots_.arrive();
     frame_.arrive();
     colliders_.arrive();
     bending_.arrive();
     PLAIT_TRY(place_colliders());
+    if (levels_ && tick.steps > 0)
+        PLAIT_TRY(pass_levels(tick.steps * clock_.step()));
     append_phases({Moment::call_ends, present(), tick.steps, tick.steps});
     if ((jumps || (dt == 0 && resized_)) && !display_.interpolates())
         append_shown();
@@ -124,9 +118,10 @@ Status Sim::fixed_step(double end, uint32_t step, uint32_t steps) {
     wind_.place(cube_, roots_.step_begin());
     if (levels_ && !levels_->is_rigid())
         wind_.crowd = static_cast<float>(layout_.guides) / static_cast<float>(levels_->stepped());
+    if (step + 1 == steps)
+        PLAIT_TRY(keep_level_before());
     PLAIT_TRY(colliders_.advance(device(), end, roots_.bends()));
     bending_.advance(end);
-    append_level_before(step, steps);
     append_phases({Moment::step_begins, present(), step, steps, static_cast<float>(end)});
     const auto substeps = [&](const Group& group) -> Status {
         for (uint32_t i = 0; i < group.substeps; ++i) {

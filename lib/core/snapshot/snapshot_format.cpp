@@ -208,10 +208,11 @@ Result<Saved> take_saved(BlockBytes& blocks) {
         return malformed(format("dried is %g, range is [0, 1e12]", saved.wetness.dried));
     if (saved.is(BlockKind::volume) && (saved.volume.nodes < 1 || saved.volume.nodes > 64))
         return malformed(format("volume.nodes is %u, range is [1, 64]", saved.volume.nodes));
-    if (!(saved.levels.blend >= 0 && saved.levels.blend <= 5 && saved.levels.since >= 0 &&
+    if (!(saved.levels.blend >= 0 && saved.levels.blend <= 5 && saved.levels.since >= -1 &&
           saved.levels.since <= 1e12))
-        return malformed(format("levels blend for %g s since %g s, ranges are [0, 5] and [0, 1e12]",
-                                double(saved.levels.blend), saved.levels.since));
+        return malformed(
+            format("levels blend for %g s since %g s, ranges are [0, 5] and [-1, 1e12]",
+                   double(saved.levels.blend), saved.levels.since));
     return saved;
 }
 
