@@ -367,6 +367,38 @@ TEST_P(LevelsInASim, AreSavedAndRestored) {
     EXPECT_THROW(none.restore(whole), plait::Error);
 }
 
+// Into a sim to which something else was chosen, too.
+TEST_P(LevelsInASim, AreSavedWithAChoiceThatWaits) {
+    const Scene scene = hair();
+    struct Case {
+        uint32_t before, chosen, shown;
+    };
+    for (const Case& c : {Case{2, 0, 0}, {2, 2, 64}, {0, 3, 0}, {3, 1, 0}}) {
+        plait::Sim sim = scene.sim(context), other = scene.sim(context);
+        sim.set_level(choice_of(c.before, 0));
+        for (int step = 0; step < 10; ++step)
+            move(sim, step);
+        const auto unchosen = sim.save();
+        sim.set_level(choice_of(c.chosen, 0.2f, c.shown));
+        const auto saved = sim.save();
+        EXPECT_TRUE(saved != unchosen);
+        for (const bool chosen : {true, false}) {
+            other.set_level(choice_of(1, 0.1f, 32)); // which it forgets
+            for (plait::Sim* each : {&sim, &other})
+                each->restore(chosen ? saved : unchosen);
+            EXPECT_EQ(other.level().level, c.before);
+            EXPECT_TRUE(other.save() == (chosen ? saved : unchosen));
+            for (int step = 10; step < 16; ++step)
+                for (plait::Sim* each : {&sim, &other})
+                    move(*each, step);
+            EXPECT_EQ(other.level().level, chosen ? c.chosen : c.before);
+            EXPECT_EQ(other.level().shown, chosen && c.shown > 0 ? c.shown : 256u);
+            EXPECT_EQ(other.level().blending, sim.level().blending);
+            EXPECT_TRUE(other.save() == sim.save()) << c.before << " to " << c.chosen;
+        }
+    }
+}
+
 TEST_P(LevelsInASim, AreWrittenAndScaled) {
     const Scene scene = hair();
     plait::Sim sim = scene.sim(context);

@@ -206,15 +206,27 @@ void SimLevels::append_probes(Schedule& schedule, const State& state,
                  {&root_guide_, &state.pose, &position, &swing.probes()});
 }
 
+SimLevels::Kept SimLevels::kept() const {
+    Kept kept{level_, shown_, blended_, blend_, since_, due_, 0, 0, 0};
+    if (due_) {
+        kept.next_level = next_.level;
+        kept.next_shown = next_.shown;
+        kept.next_blend = next_.blend;
+    }
+    return kept;
+}
+
 Status SimLevels::check(const Kept& kept) const {
-    if (kept.level < top_ || kept.level >= guides_.size())
-        return Error{PLAIT_INVALID_ARGUMENT,
-                     format("the snapshot is of level %u, the sim has levels %u to %zu", kept.level,
-                            top_, guides_.size() - 1)};
-    if (!std::ranges::binary_search(ends_, kept.shown) || kept.blended > all_.strands())
-        return Error{PLAIT_INVALID_ARGUMENT,
-                     format("the snapshot shows %u strands, the sim's levels show up to %u",
-                            kept.shown, all_.strands())};
+    for (const uint32_t level : {kept.level, kept.due ? kept.next_level : kept.level})
+        if (level < top_ || level >= guides_.size())
+            return Error{PLAIT_INVALID_ARGUMENT,
+                         format("the snapshot is of level %u, the sim has levels %u to %zu", level,
+                                top_, guides_.size() - 1)};
+    for (const uint32_t shown : {kept.shown, kept.due ? kept.next_shown : kept.shown})
+        if (!std::ranges::binary_search(ends_, shown) || kept.blended > all_.strands())
+            return Error{PLAIT_INVALID_ARGUMENT,
+                         format("the snapshot shows %u strands, the sim's levels show up to %u",
+                                shown, all_.strands())};
     return {};
 }
 
@@ -224,7 +236,10 @@ void SimLevels::restore(const Kept& kept) {
     blended_ = kept.blended;
     blend_ = kept.blend;
     since_ = kept.since;
-    due_ = false;
+    due_ = kept.due != 0;
+    next_.level = due_ ? kept.next_level : level_;
+    next_.shown = due_ ? kept.next_shown : shown_;
+    next_.blend = kept.next_blend;
 }
 
 uint64_t SimLevels::device_bytes() const {

@@ -99,8 +99,11 @@ class SimLevels {
         uint32_t level, shown, blended;
         float blend;  // s
         double since; // s
+        // What was chosen and waits for its step; 0 where nothing does.
+        uint32_t due, next_level, next_shown;
+        float next_blend;
     };
-    Kept kept() const { return {level_, shown_, blended_, blend_, since_}; }
+    Kept kept() const;
     bool holds_rows(const Kept& kept) const {
         return guides_[kept.level] == 0 || kept.since < double(kept.blend);
     }
