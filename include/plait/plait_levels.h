@@ -86,7 +86,7 @@ PLAIT_STRUCT(plait_level_choice)
  * hold again once the strand is stepped. Detail is of strands that follow at level_top, and where
  * there is some, all strands are placed. The shelter of a wind counts all hair, the pressure of a
  * volume only strands that are stepped. Snapshots hold level, shown and blend,
- * but not a choice that waits for its step.
+ * and a choice that waits for its step.
  * @errors INVALID_ARGUMENT, INVALID_STATE (a sim without levels) */
 PLAIT_API plait_result plait_sim_set_level(plait_sim* sim, const plait_level_choice* choice);
 

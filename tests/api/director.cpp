@@ -1,13 +1,10 @@
 // Who gets which level: plait_context_direct.
-#include "support.hpp"
+#include "level_scenes.hpp"
 
-#include <algorithm>
 #include <functional>
 #include <string>
 
 namespace {
-
-constexpr double slightly_more = frame + 1e-9; // so that every call makes one step
 
 struct Heads {
     plait::Groom groom = make_groom(field(16));
@@ -15,7 +12,8 @@ struct Heads {
     std::vector<plait::Sim> sims;
     std::vector<plait_character> characters;
 
-    Heads(const plait::Context& context, size_t count) : levels(levels_of(groom)) {
+    Heads(const plait::Context& context, size_t count)
+        : levels(levels_of(groom, {256, 64, 16, 0})) {
         for (size_t i = 0; i < count; ++i) {
             plait::SimDesc desc;
             desc.levels = levels;
@@ -25,14 +23,6 @@ struct Heads {
             characters[i].pixels_per_metre = 1000;
             characters[i].width = 0.05f; // of 256 hairs
         }
-    }
-    static plait::Levels levels_of(const plait::Groom& groom) {
-        auto desc = plait_levels_desc_defaults();
-        desc.groom = groom;
-        desc.level_count = 4;
-        constexpr uint32_t guides[] = {256, 64, 16, 0};
-        std::ranges::copy(guides, desc.guides);
-        return plait::Levels(desc);
     }
     void aim(int number) {
         const float half = 0.2f * std::sin(0.12f * static_cast<float>(number));

@@ -1,74 +1,12 @@
 // A sim whose level changes: what keeps its bits, where strands are woken, what is shown meanwhile; hair of
 // no guides; and what goes on as before: snapshots, resets, heads put elsewhere, pins.
-#include "support.hpp"
+#include "level_scenes.hpp"
 
 #include <algorithm>
 #include <functional>
 #include <memory>
 
 namespace {
-
-constexpr double slightly_more = frame + 1e-9; // so that every call makes one step
-
-plait_level_choice choice_of(uint32_t level, float blend = 0.3f, uint32_t shown = 0) {
-    auto choice = plait_level_choice_defaults();
-    choice.level = level;
-    choice.blend = blend;
-    choice.shown = shown;
-    return choice;
-}
-
-plait::Levels levels_of(const plait::Groom& groom, const std::vector<uint32_t>& guides,
-                        const std::vector<float>& hung = {}) {
-    auto desc = plait_levels_desc_defaults();
-    desc.groom = groom;
-    desc.level_count = static_cast<uint32_t>(guides.size());
-    std::ranges::copy(guides, desc.guides);
-    if (!hung.empty())
-        desc.hung = {hung.data(), hung.size() / 4, 16};
-    return plait::Levels(desc);
-}
-
-// The head says "no", and stands still after `still` frames.
-plait_roots shaken(double step, double still = 1e9) {
-    const auto half = static_cast<float>(0.2 * std::sin(0.12 * std::min(step, still)));
-    return head_at({0, 0, 0}, {0, std::sin(half), 0, std::cos(half)});
-}
-
-struct Scene {
-    plait::Groom groom;
-    plait::Levels levels;
-    size_t strands, row;
-
-    Scene(const Strands& hair, const std::vector<uint32_t>& guides)
-        : groom(make_groom(hair)), levels(levels_of(groom, guides)), strands(hair.size()), row(0) {
-        for (const Strand& strand : hair)
-            row = std::max(row, strand.size());
-    }
-    plait::Sim sim(const plait::Context& context, uint32_t top = 0,
-                   const std::function<void(plait::SimDesc&)>& change = {}) const {
-        plait::SimDesc desc;
-        desc.levels = levels;
-        desc.level_top = top;
-        if (change)
-            change(desc);
-        return plait::Sim(context, groom, desc);
-    }
-};
-
-const std::vector<uint32_t> ladder = {256, 64, 16, 0};
-Scene hair() {
-    return Scene(field(16), ladder);
-}
-
-void move(plait::Sim& sim, double step, double still = 1e9) {
-    sim.set_roots(shaken(step, still));
-    sim.step(slightly_more);
-}
-
-std::vector<float> shown(const plait::Sim& sim) {
-    return sim.read(PLAIT_FIELD_POSITION);
-}
 
 // m, of vertices of strands first to last - 1.
 double rms(const std::vector<float>& a, const std::vector<float>& b, size_t row, size_t first,
@@ -427,6 +365,38 @@ TEST_P(LevelsInASim, AreSavedAndRestored) {
     const auto whole = scene.sim(context).save();
     EXPECT_THROW(finer.restore(whole), plait::Error);
     EXPECT_THROW(none.restore(whole), plait::Error);
+}
+
+// Into a sim to which something else was chosen, too.
+TEST_P(LevelsInASim, AreSavedWithAChoiceThatWaits) {
+    const Scene scene = hair();
+    struct Case {
+        uint32_t before, chosen, shown;
+    };
+    for (const Case& c : {Case{2, 0, 0}, {2, 2, 64}, {0, 3, 0}, {3, 1, 0}}) {
+        plait::Sim sim = scene.sim(context), other = scene.sim(context);
+        sim.set_level(choice_of(c.before, 0));
+        for (int step = 0; step < 10; ++step)
+            move(sim, step);
+        const auto unchosen = sim.save();
+        sim.set_level(choice_of(c.chosen, 0.2f, c.shown));
+        const auto saved = sim.save();
+        EXPECT_TRUE(saved != unchosen);
+        for (const bool chosen : {true, false}) {
+            other.set_level(choice_of(1, 0.1f, 32)); // which it forgets
+            for (plait::Sim* each : {&sim, &other})
+                each->restore(chosen ? saved : unchosen);
+            EXPECT_EQ(other.level().level, c.before);
+            EXPECT_TRUE(other.save() == (chosen ? saved : unchosen));
+            for (int step = 10; step < 16; ++step)
+                for (plait::Sim* each : {&sim, &other})
+                    move(*each, step);
+            EXPECT_EQ(other.level().level, chosen ? c.chosen : c.before);
+            EXPECT_EQ(other.level().shown, chosen && c.shown > 0 ? c.shown : 256u);
+            EXPECT_EQ(other.level().blending, sim.level().blending);
+            EXPECT_TRUE(other.save() == sim.save()) << c.before << " to " << c.chosen;
+        }
+    }
 }
 
 TEST_P(LevelsInASim, AreWrittenAndScaled) {

@@ -4,7 +4,6 @@
 #include "core/base/ranges.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace plait {
 
@@ -23,6 +22,9 @@ Status SimLevels::open(Device& device, const FollowMap& map, std::pmr::memory_re
     PLAIT_TRY(device.create(root_guide_, PLAIT_ELEMENT_UINT, roots.size(), "root_guide"));
     PLAIT_TRY(device.write(root_guide_, roots.data()));
     PLAIT_TRY(device.create(held_, f4, all_.vertices(), "held"));
+    const std::pmr::vector<float> none(4 * all_.vertices(), 0.0f,
+                                       memory); // snapshots have all of it
+    PLAIT_TRY(device.write(held_, none.data()));
     PLAIT_TRY(device.create(from_, f4, all_.guide_vertices(), "wake_from"));
     PLAIT_TRY(device.create(to_, f4, all_.guide_vertices(), "wake_to"));
     return device.create(pose_before_, f4, size_t{2} * all_.guides, "pose_before");
@@ -37,20 +39,6 @@ static std::pmr::vector<uint32_t> counts_of(const Levels& levels,
     return counts;
 }
 
-static double mean_length(const StrandSet& strands) {
-    const auto& x = strands.positions;
-    double total = 0;
-    size_t vertex = 0;
-    for (const uint32_t count : strands.vertex_counts) {
-        for (size_t i = vertex + 1; i < vertex + count; ++i)
-            total += std::hypot(double(x[3 * i]) - double(x[3 * i - 3]),
-                                double(x[3 * i + 1]) - double(x[3 * i - 2]),
-                                double(x[3 * i + 2]) - double(x[3 * i - 1]));
-        vertex += count;
-    }
-    return total / static_cast<double>(strands.vertex_counts.size());
-}
-
 Result<std::unique_ptr<SimLevels>> SimLevels::create(Device& device, const Levels& levels,
                                                      uint32_t top, const FollowMap& map,
                                                      const Layout& layout,
@@ -61,10 +49,11 @@ Result<std::unique_ptr<SimLevels>> SimLevels::create(Device& device, const Level
     made->ends_ = levels.ends();
     for (size_t level = 0; level < levels.guides().size(); ++level)
         made->shares_[level] = levels.share(level);
-    made->length_ = mean_length(levels.groom().strands);
+    made->length_ = levels.groom().shape.mean_length;
     made->all_ = layout;
     made->top_ = made->level_ = top;
-    made->shown_ = layout.strands();
+    made->shown_ = made->placed = layout.strands();
+    made->next_ = {sizeof(plait_level_choice), top, layout.strands(), 0};
     made->turns_.resize(levels.guides().size());
     for (uint32_t level = top + 1; level < levels.guides().size() && levels.guides()[level] > 0;
          ++level) {
@@ -121,19 +110,20 @@ Status SimLevels::choose(const plait_level_choice& choice) {
     PLAIT_TRY(check_choice(choice));
     next_ = choice;
     next_.shown = shown_of(choice.shown);
-    due_ = next_.level != level_;
-    if (!due_)
-        shown_ = next_.shown; // rows are placed when they are shown
+    due_ = next_.level != level_ || next_.shown != shown_;
     return {};
 }
 
-// What was lacking to strands that are shown no more is not known when they come back.
+// What comes into view goes over to the level, too, from where it would have been: it has a way that it has
+// come since the frame before.
 void SimLevels::take() {
-    blended_ = std::min(std::max(shown_, stepped()), std::max(next_.shown, next_stepped()));
-    level_ = next_.level;
     shown_ = next_.shown;
-    blend_ = is_rigid() ? 0 : next_.blend;
-    since_ = 0;
+    if (changes_level()) {
+        blended_ = next_in_view();
+        level_ = next_.level;
+        blend_ = is_rigid() ? 0 : next_.blend;
+        since_ = -ahead;
+    }
     due_ = false;
 }
 
@@ -141,9 +131,8 @@ void SimLevels::pass(double s) {
     since_ += s;
 }
 
-LevelRows SimLevels::rows(const FollowTurns& top, bool all) const {
-    const uint32_t last = all ? all_.strands() : shown_;
-    LevelRows rows{{stepped(), last > stepped() ? last - stepped() : 0, all_.row}};
+LevelRows SimLevels::rows(const FollowTurns& top, uint32_t strands) const {
+    LevelRows rows{{stepped(), strands > stepped() ? strands - stepped() : 0, all_.row}};
     if (!is_rigid() && rows.layout.follows > 0)
         rows.turns = level_ == top_ ? &top : &turns_[level_];
     const double time = since_ + ahead;
@@ -201,9 +190,8 @@ void SimLevels::append_freeze(Schedule& schedule, const Buffer& pose,
 }
 
 void SimLevels::append_shown(Schedule& schedule, const Buffer& position) const {
-    const uint32_t strands = std::max(shown_, stepped());
-    schedule.add(PLAIT_STAGE_last_frame, strands * all_.row, plait_last_frame_params{all_.row, 1},
-                 {&position, &held_});
+    schedule.add(PLAIT_STAGE_last_frame, next_in_view() * all_.row,
+                 plait_last_frame_params{all_.row, 1}, {&position, &held_});
 }
 
 void SimLevels::append_lacking(Schedule& schedule, const Buffer& pose,
@@ -218,15 +206,27 @@ void SimLevels::append_probes(Schedule& schedule, const State& state,
                  {&root_guide_, &state.pose, &position, &swing.probes()});
 }
 
+SimLevels::Kept SimLevels::kept() const {
+    Kept kept{level_, shown_, blended_, blend_, since_, due_, 0, 0, 0};
+    if (due_) {
+        kept.next_level = next_.level;
+        kept.next_shown = next_.shown;
+        kept.next_blend = next_.blend;
+    }
+    return kept;
+}
+
 Status SimLevels::check(const Kept& kept) const {
-    if (kept.level < top_ || kept.level >= guides_.size())
-        return Error{PLAIT_INVALID_ARGUMENT,
-                     format("the snapshot is of level %u, the sim has levels %u to %zu", kept.level,
-                            top_, guides_.size() - 1)};
-    if (!std::ranges::binary_search(ends_, kept.shown) || kept.blended > all_.strands())
-        return Error{PLAIT_INVALID_ARGUMENT,
-                     format("the snapshot shows %u strands, the sim's levels show up to %u",
-                            kept.shown, all_.strands())};
+    for (const uint32_t level : {kept.level, kept.due ? kept.next_level : kept.level})
+        if (level < top_ || level >= guides_.size())
+            return Error{PLAIT_INVALID_ARGUMENT,
+                         format("the snapshot is of level %u, the sim has levels %u to %zu", level,
+                                top_, guides_.size() - 1)};
+    for (const uint32_t shown : {kept.shown, kept.due ? kept.next_shown : kept.shown})
+        if (!std::ranges::binary_search(ends_, shown) || kept.blended > all_.strands())
+            return Error{PLAIT_INVALID_ARGUMENT,
+                         format("the snapshot shows %u strands, the sim's levels show up to %u",
+                                shown, all_.strands())};
     return {};
 }
 
@@ -236,7 +236,10 @@ void SimLevels::restore(const Kept& kept) {
     blended_ = kept.blended;
     blend_ = kept.blend;
     since_ = kept.since;
-    due_ = false;
+    due_ = kept.due != 0;
+    next_.level = due_ ? kept.next_level : level_;
+    next_.shown = due_ ? kept.next_shown : shown_;
+    next_.blend = kept.next_blend;
 }
 
 uint64_t SimLevels::device_bytes() const {

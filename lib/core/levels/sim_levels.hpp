@@ -11,6 +11,7 @@
 
 #include <plait/plait_levels.h>
 
+#include <algorithm>
 #include <memory>
 #include <memory_resource>
 #include <vector>
@@ -49,17 +50,25 @@ class SimLevels {
     // What the director asks of it, but for substeps and bodies. `scale`: m, one unit of the groom.
     void describe(double scale, DirectedHair& out) const;
     bool is_due() const { return due_; } // what was chosen waits for the end of the next step
+    bool changes_level() const { return due_ && next_.level != level_; }
     uint32_t next_stepped() const { return guides_[next_.level]; }
     bool wakes() const { return due_ && next_stepped() > stepped(); }
+    // Strands that are in view, and once what is due holds.
+    uint32_t in_view() const { return std::max(shown_, stepped()); }
+    uint32_t next_in_view() const { return std::max(next_.shown, next_stepped()); }
+    uint32_t placed =
+        0; // strands, when they were shown last: all in view, and more where detail needs them
     void take();         // what is due holds from now on
     void pass(double s); // time
     void end_blend() { blend_ = 0; }
-    double blending() const { return blend_ > since_ ? blend_ - since_ : 0; } // s that are left
+    double blending() const { // s that are left
+        return blend_ > since_ ? std::min(blend_ - since_, double(blend_)) : 0;
+    }
     // Whether what is shown of guides is not what the last step left.
-    bool alters_guides() const { return since_ == 0 || blending() > 0; }
+    bool alters_guides() const { return since_ <= 0 || blending() > 0; }
 
-    // `top`: the turns of level `top`. `all`: all strands, whatever is shown.
-    LevelRows rows(const FollowTurns& top, bool all = false) const;
+    // Of so many strands, whatever is shown. `top`: the turns of level `top`.
+    LevelRows rows(const FollowTurns& top, uint32_t strands) const;
     // Of level `top`, all strands, nothing lacking.
     LevelRows finest(const FollowTurns& top) const { return {all_, top ? &top : nullptr}; }
     // Another level, for as long as it is looked at; the one before.
@@ -80,8 +89,8 @@ class SimLevels {
     const Buffer& before() const { return from_; } // float4 [guides*V], of strands that are woken
     // Appends keeping all strands as they are in `position`, for when none are stepped.
     void append_freeze(Schedule& schedule, const Buffer& pose, const Buffer& position) const;
-    // Appends keeping what is shown; and, once the rows of the next level are in its place, what is
-    // lacking to them.
+    // Appends keeping what is shown, and would be of what comes into view; and, once the rows of the next
+    // level are in its place, what is lacking to them.
     void append_shown(Schedule& schedule, const Buffer& position) const;
     void append_lacking(Schedule& schedule, const Buffer& pose, const Buffer& position) const;
 
@@ -90,8 +99,11 @@ class SimLevels {
         uint32_t level, shown, blended;
         float blend;  // s
         double since; // s
+        // What was chosen and waits for its step; 0 where nothing does.
+        uint32_t due, next_level, next_shown;
+        float next_blend;
     };
-    Kept kept() const { return {level_, shown_, blended_, blend_, since_}; }
+    Kept kept() const;
     bool holds_rows(const Kept& kept) const {
         return guides_[kept.level] == 0 || kept.since < double(kept.blend);
     }
@@ -126,8 +138,8 @@ class SimLevels {
     plait_level_choice next_{};
     bool due_ = false;
     float blend_ = 0;      // s
-    double since_ = 0;     // s, the last switch
-    uint32_t blended_ = 0; // strands that were shown then
+    double since_ = 0;     // s, from the last switch, as shown, to the last step
+    uint32_t blended_ = 0; // strands that have been in view since then
     Buffer root_guide_;    // uint [strands]: whose root each goes with
     // float4 [strands*V], in the frames of roots: where vertices are, if none are stepped; else, while
     // the level blends, what is lacking to them.

@@ -200,22 +200,31 @@ void Display::append_step_before(Schedule& schedule, const Layout& layout,
                      {&state.pose, &state.position, &position_local_});
 }
 
-void Display::append_frame_before(Schedule& schedule, const Layout& layout,
+void Display::append_frame_before(Schedule& schedule, const Layout& layout, uint32_t strands,
                                   const State& state) const {
     if (last_frame_)
-        append_copy(schedule, layout.vertices(), {layout.row, 1}, shown(state), last_frame_);
+        append_copy(schedule, strands * layout.row, {layout.row, 1}, shown(state), last_frame_);
 }
 
-void Display::append_guides(Schedule& schedule, const Layout& layout, const State& state) const {
-    if (position_out_)
-        append_copy(schedule, layout.guide_vertices(), {layout.row, 1}, state.position,
-                    position_out_);
+void Display::append_coming(Schedule& schedule, const StepInput& at, const Roots& roots,
+                            float remainder, const LevelRows& rows, const SimLevels& levels) const {
+    append_rows(schedule, at, roots, remainder, rows, &levels, last_frame_);
+    append_out(schedule, at, rows, last_frame_);
+    if (has_scale())
+        append_copy(schedule, rows.layout.vertices(), {rows.layout.row, scale}, last_frame_,
+                    last_frame_);
 }
 
-void Display::append_out(Schedule& schedule, const StepInput& at, const LevelRows& rows) const {
+void Display::append_guides(Schedule& schedule, const Layout& layout, const State& state,
+                            const Buffer& to) const {
+    if (&to != &state.position)
+        append_copy(schedule, layout.guide_vertices(), {layout.row, 1}, state.position, to);
+}
+
+void Display::append_out(Schedule& schedule, const StepInput& at, const LevelRows& rows,
+                         const Buffer& to) const {
     if (meets_colliders(at.params) && rows.turns)
-        append_out_of_bodies(schedule, rows.layout, at.bodies, rows.turns->order(),
-                             position(at.state));
+        append_out_of_bodies(schedule, rows.layout, at.bodies, rows.turns->order(), to);
 }
 
 // Hair of which nothing is stepped was kept with its detail.
@@ -232,40 +241,41 @@ void Display::append_detail(Schedule& schedule, const StepInput& at, const Level
 
 void Display::append_step(Schedule& schedule, const StepInput& at, const SimLevels& levels,
                           const LevelRows& rows) const {
-    append_guides(schedule, rows.layout, at.state);
-    levels.append(schedule, rows, at.state, at.state.pose, at.state.position, position(at.state));
-    append_out(schedule, at, rows);
+    const Buffer& shown = position(at.state);
+    append_guides(schedule, rows.layout, at.state, shown);
+    levels.append(schedule, rows, at.state, at.state.pose, at.state.position, shown);
+    append_out(schedule, at, rows, shown);
 }
 
 void Display::append_rows(Schedule& schedule, const StepInput& at, const Roots& roots,
-                          float remainder, const LevelRows& rows, const SimLevels* levels) const {
+                          float remainder, const LevelRows& rows, const SimLevels* levels,
+                          const Buffer& to) const {
     const Layout& layout = rows.layout;
     const State& state = at.state;
-    const Buffer& shown = position(state);
     const Buffer& pose = this->pose(state);
     if (interpolates()) {
         roots.append_poses_now(schedule, pose_now_);
         schedule.add(PLAIT_STAGE_output, layout.guide_vertices(),
                      plait_output_params{layout.row, remainder},
-                     {&position_local_, &state.position, &state.pose, &pose_now_, &position_out_});
+                     {&position_local_, &state.position, &state.pose, &pose_now_, &to});
     } else {
-        append_guides(schedule, layout, state);
+        append_guides(schedule, layout, state, to);
     }
     if (levels)
-        levels->append(schedule, rows, state, pose, shown, shown);
+        levels->append(schedule, rows, state, pose, to, to);
     else if (rows.turns)
-        rows.turns->append(schedule, layout, state, pose, shown, shown);
+        rows.turns->append(schedule, layout, state, pose, to, to);
     else if (layout.follows > 0)
         schedule.add(
             PLAIT_STAGE_tressfx_follow, layout.follows * layout.row,
             plait_tressfx_follow_params{layout.row, layout.guides, at.params.tip_separation,
                                         of_kernels(at.params.follow_form)},
-            {&state.rest, &pose, &state.vertex_count, &follow_guide_, &follow_offset_, &shown});
+            {&state.rest, &pose, &state.vertex_count, &follow_guide_, &follow_offset_, &to});
 }
 
 // Detail is of strands that follow at every level, and of them all: a clump's centre has to be there.
 LevelRows Display::rows_of(const Layout& layout, const SimLevels* levels) const {
-    return levels ? levels->rows(turns_, detail_ || wet_)
+    return levels ? levels->rows(turns_, detail_ || wet_ ? layout.strands() : levels->shown())
                   : LevelRows{layout, turns_ ? &turns_ : nullptr};
 }
 
@@ -275,9 +285,9 @@ void Display::append(Schedule& schedule, const StepInput& at, const Roots& roots
     const Layout& layout = rows.layout;
     const State& state = at.state;
     const Buffer& shown = position(state); // at the groom's size until the end
-    append_rows(schedule, at, roots, remainder, rows, levels);
+    append_rows(schedule, at, roots, remainder, rows, levels, shown);
     append_detail(schedule, at, rows);
-    append_out(schedule, at, rows);
+    append_out(schedule, at, rows, shown);
     const uint32_t first = tangents == Tangents::of_all ? 0 : layout.guides;
     if (first < layout.strands())
         schedule.add(PLAIT_STAGE_tangents, (layout.strands() - first) * layout.row,

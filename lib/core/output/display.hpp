@@ -50,20 +50,27 @@ class Display {
     void append_interpolation(Schedule& schedule, const Layout& layout, const State& state) const;
     // What keeps the present step as the one before the last.
     void append_step_before(Schedule& schedule, const Layout& layout, const State& state) const;
-    // What keeps what is shown as the frame before, if that is asked for.
-    void append_frame_before(Schedule& schedule, const Layout& layout, const State& state) const;
+    // What keeps what is shown of the first so many strands as the frame before, if that is asked for.
+    void append_frame_before(Schedule& schedule, const Layout& layout, uint32_t strands,
+                             const State& state) const;
+    // Where that is kept: with levels, what puts `rows` there as they would have been shown now.
+    void append_coming(Schedule& schedule, const StepInput& at, const Roots& roots, float remainder,
+                       const LevelRows& rows, const SimLevels& levels) const;
     // What fills position and tangent; `remainder`: share of a step since the last one.
     // Colliders are where they are at the end of `at`. `levels`: null without.
     void append(Schedule& schedule, const StepInput& at, const Roots& roots, float remainder,
                 Tangents tangents, const SimLevels* levels) const;
-    // With levels: what places `rows` in what is shown, without detail, as the last step has left them or
-    // where they are shown; and turns follows out of bodies.
+    // With levels: what places `rows`, without detail, as the last step has left them, in what is shown, or
+    // where they are shown, in `to`; and turns follows out of bodies.
     void append_step(Schedule& schedule, const StepInput& at, const SimLevels& levels,
                      const LevelRows& rows) const;
     void append_rows(Schedule& schedule, const StepInput& at, const Roots& roots, float remainder,
-                     const LevelRows& rows, const SimLevels* levels) const;
+                     const LevelRows& rows, const SimLevels* levels, const Buffer& to) const;
     void append_detail(Schedule& schedule, const StepInput& at, const LevelRows& rows) const;
-    void append_out(Schedule& schedule, const StepInput& at, const LevelRows& rows) const;
+    void append_out(Schedule& schedule, const StepInput& at, const LevelRows& rows,
+                    const Buffer& position) const;
+    // Those that append() places. `levels`: null without.
+    LevelRows rows_of(const Layout& layout, const SimLevels* levels) const;
     // With which rows are placed where they are shown.
     const Buffer& pose(const State& state) const { return interpolates() ? pose_now_ : state.pose; }
     const Buffer& before_scale(const State& state) const { return position(state); }
@@ -96,8 +103,8 @@ class Display {
     const Buffer& position(const State& state) const {
         return position_out_ ? position_out_ : state.position;
     }
-    LevelRows rows_of(const Layout& layout, const SimLevels* levels) const;
-    void append_guides(Schedule& schedule, const Layout& layout, const State& state) const;
+    void append_guides(Schedule& schedule, const Layout& layout, const State& state,
+                       const Buffer& to) const;
     Status make_between(Device& device, const Layout& layout);
     Status make_follows(Device& device, const Groom& groom, const Layout& layout,
                         const FollowRules& rules, std::pmr::memory_resource* memory);

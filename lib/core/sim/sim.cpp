@@ -61,7 +61,7 @@ Status Sim::check_schedule() {
 Status Sim::prepare_calls() {
     model_->reset(schedule_, present());
     display_.append_step_before(schedule_, stepped(), state_);
-    display_.append_frame_before(schedule_, layout_, state_);
+    display_.append_frame_before(schedule_, layout_, layout_.strands(), state_);
     append_shown();
     if (desc_.interpolate_output == 2)
         display_.append_interpolation(schedule_, layout_, state_);
@@ -98,7 +98,7 @@ Status Sim::show_at_once() {
     PLAIT_TRY(place_colliders());
     append_shown();
     PLAIT_TRY(submit());
-    display_.append_frame_before(schedule_, layout_, state_);
+    display_.append_frame_before(schedule_, layout_, layout_.strands(), state_);
     return submit();
 }
 

@@ -204,7 +204,9 @@ class Sim {
         return {levels_ ? levels_->stepped() : layout_.guides, 0, layout_.row};
     }
     bool is_rigid() const { return levels_ && levels_->is_rigid(); }
-    void append_level_before(uint32_t step, uint32_t steps);
+    Status append_coming(double dt);
+    Status keep_level_before();
+    Status pass_levels(double s);
     Status switch_level();
     void append_level_stages();
     void append_dry_step_of_finest();

@@ -3,6 +3,7 @@
 // kept, and fades.
 #include "core/sim/sim.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace plait {
@@ -36,21 +37,52 @@ bool Sim::describe_levels(DirectedHair& out) const {
 }
 
 // Between two steps of the last call of a level strands that it does not step have a place, too, which
-// interpolated output needs of those that it wakes.
-void Sim::append_level_before(uint32_t step, uint32_t steps) {
-    if (!levels_ || !levels_->wakes() || step + 1 != steps)
-        return;
+// interpolated output needs of those that it wakes: out of the bodies, which are there until the step moves
+// them on, as where they begin.
+Status Sim::keep_level_before() {
+    if (!levels_ || !levels_->wakes())
+        return {};
     levels_->append_before(schedule_, state_);
-    if (display_.interpolates())
-        schedule_.add(PLAIT_STAGE_output_keep, levels_->next_stepped() * layout_.row,
-                      plait_layout_params{layout_.row},
-                      {&state_.pose, &levels_->before(), &display_.kept()});
+    if (!display_.interpolates())
+        return {};
+    PLAIT_TRY(place_colliders());
+    LevelRows rows = levels_->rows(display_.turns(), levels_->next_stepped());
+    rows.share = 0;
+    display_.append_step(schedule_, first_group(), *levels_, rows);
+    schedule_.add(PLAIT_STAGE_output_keep, levels_->next_stepped() * layout_.row,
+                  plait_layout_params{layout_.row},
+                  {&state_.pose, &display_.before_scale(state_), &display_.kept()});
+    return submit();
 }
 
-// Where strands are woken a blend that has not ended is not, but in what is shown it is. That is where the
-// call before sent the head and bodies; where this one does is shown next, so that it is submitted.
-Status Sim::switch_level() {
+// Fixed steps are over, and the head and bodies are where the call sent them.
+Status Sim::pass_levels(double s) {
+    levels_->pass(s);
+    levels_->swing.pass(s);
+    if (levels_->changes_level())
+        return switch_level();
+    if (levels_->is_due())
+        levels_->take();
+    return {};
+}
+
+// What this call brings into view has not been placed in the frame before, which it is to have come from:
+// kept as that frame is where it would have been. To be asked before anything moves on.
+Status Sim::append_coming(double dt) {
+    if (!levels_ || !display_.last_frame() || !levels_->is_due() ||
+        levels_->next_in_view() <= levels_->placed)
+        return {};
+    Clock clock = clock_;
+    if (clock.advance(dt).steps == 0)
+        return {};
     PLAIT_TRY(place_colliders());
+    display_.append_coming(schedule_, at_shown(), roots_, static_cast<float>(clock_.remainder()),
+                           levels_->rows(display_.turns(), levels_->next_in_view()), *levels_);
+    return {};
+}
+
+// Where strands are woken a blend that has not ended is not, but in what is shown it is.
+Status Sim::switch_level() {
     const Buffer& shown = display_.before_scale(state_);
     const StepInput at = at_shown();
     const auto remainder = static_cast<float>(clock_.remainder());
@@ -58,7 +90,10 @@ Status Sim::switch_level() {
     const bool thaws = levels_->is_rigid();
     levels_->ahead = display_.interpolates() ? clock_.remainder() * clock_.step() : 0;
     // Strands are woken and kept that may not be shown.
-    LevelRows rows = levels_->rows(display_.turns(), freezes || wakes);
+    const uint32_t all = layout_.strands();
+    LevelRows rows = levels_->rows(
+        display_.turns(),
+        freezes || wakes ? all : std::max(levels_->in_view(), levels_->next_in_view()));
     if (wakes) {
         LevelRows plain = rows;
         plain.share = 0;
@@ -66,10 +101,10 @@ Status Sim::switch_level() {
         levels_->append_after(schedule_, state_);
         model_->wake(schedule_, present(), levels_->waking(shown));
     }
-    display_.append_rows(schedule_, at, roots_, remainder, rows, levels_.get());
+    display_.append_rows(schedule_, at, roots_, remainder, rows, levels_.get(), shown);
     if (freezes)
         display_.append_detail(schedule_, at, rows);
-    display_.append_out(schedule_, at, rows);
+    display_.append_out(schedule_, at, rows, shown);
     if (freezes)
         levels_->append_freeze(schedule_, display_.pose(state_), shown);
     else
@@ -81,16 +116,16 @@ Status Sim::switch_level() {
         volume_.carries = false; // theirs is of when they were stepped last
     }
     if (freezes || levels_->blending() == 0)
-        return submit();
-    rows = levels_->rows(display_.turns(), thaws);
+        return {};
+    rows = levels_->rows(display_.turns(), thaws ? all : levels_->shown());
     rows.share = 0;
-    display_.append_rows(schedule_, at, roots_, remainder, rows, levels_.get());
+    display_.append_rows(schedule_, at, roots_, remainder, rows, levels_.get(), shown);
     if (thaws) { // what was kept has its detail, and lies on bodies
         display_.append_detail(schedule_, at, rows);
-        display_.append_out(schedule_, at, rows);
+        display_.append_out(schedule_, at, rows, shown);
     }
     levels_->append_lacking(schedule_, display_.pose(state_), shown);
-    return submit();
+    return {};
 }
 
 // Appends as if all strands were stepped: of any level there are no other stages, but its own.

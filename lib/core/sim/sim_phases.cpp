@@ -210,7 +210,8 @@ void Sim::append_grid(const At& at) {
 // A call without a fixed step leaves what is shown as it is, unless that is between two steps.
 void Sim::append_display(const At& at) {
     if (at.moment == Moment::call_begins)
-        display_.append_frame_before(schedule_, layout_, state_);
+        display_.append_frame_before(schedule_, layout_,
+                                     levels_ ? levels_->placed : layout_.strands(), state_);
     if (at.moment == Moment::step_begins && at.step + 1 == at.steps)
         display_.append_step_before(schedule_, stepped(), state_);
     if (at.moment == Moment::call_ends && (at.steps > 0 || display_.interpolates()))
@@ -220,8 +221,10 @@ void Sim::append_display(const At& at) {
 }
 
 void Sim::append_shown(Tangents tangents) {
-    if (levels_)
+    if (levels_) {
         levels_->ahead = display_.interpolates() ? clock_.remainder() * clock_.step() : 0;
+        levels_->placed = display_.rows_of(layout_, levels_.get()).layout.strands();
+    }
     display_.append(schedule_, at_shown(), roots_, static_cast<float>(clock_.remainder()), tangents,
                     levels_.get());
 }

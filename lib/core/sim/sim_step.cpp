@@ -37,6 +37,7 @@ double way_between(const plait_pose& from, const plait_pose& to, const float mid
 // A head that moves in no time has been put elsewhere.
 Status Sim::step(double dt) {
     schedule_.clear(); // what a failed call may have left
+    PLAIT_TRY(append_coming(dt));
     if (ends_between_steps(dt))
         PLAIT_TRY(display_.interpolate(device(), schedule_, layout_, state_));
     warn_of_jump(dt);
@@ -53,17 +54,13 @@ Status Sim::step(double dt) {
         PLAIT_TRY(skip(tick.end_of_dropped()));
     for (uint32_t k = 0; k < tick.steps; ++k)
         PLAIT_TRY(fixed_step(tick.end_of(k), k, tick.steps));
-    if (levels_ && tick.steps > 0) {
-        levels_->pass(tick.steps * clock_.step());
-        levels_->swing.pass(tick.steps * clock_.step());
-        if (levels_->is_due())
-            PLAIT_TRY(switch_level());
-    }
     roots_.arrive();
     frame_.arrive();
     colliders_.arrive();
     bending_.arrive();
     PLAIT_TRY(place_colliders());
+    if (levels_ && tick.steps > 0)
+        PLAIT_TRY(pass_levels(tick.steps * clock_.step()));
     append_phases({Moment::call_ends, present(), tick.steps, tick.steps});
     if ((jumps || (dt == 0 && resized_)) && !display_.interpolates())
         append_shown();
@@ -135,9 +132,10 @@ Status Sim::fixed_step(double end, uint32_t step, uint32_t steps) {
     wind_.place(cube_, roots_.step_begin());
     if (levels_ && !levels_->is_rigid())
         wind_.crowd = static_cast<float>(layout_.guides) / static_cast<float>(levels_->stepped());
+    if (step + 1 == steps)
+        PLAIT_TRY(keep_level_before());
     PLAIT_TRY(colliders_.advance(device(), end, roots_.bends()));
     bending_.advance(end);
-    append_level_before(step, steps);
     append_phases({Moment::step_begins, present(), step, steps, static_cast<float>(end)});
     const auto substeps = [&](const Group& group) -> Status {
         for (uint32_t i = 0; i < group.substeps; ++i) {

@@ -43,7 +43,7 @@ constexpr Kind kinds[block_kinds] = {
     {"wetness", "wetn", 1, false, sizeof(SavedWetness)},
     {"volume", "volu", 1, false, sizeof(SavedVolume)},
     {"contact", "cont", 1, false, 0},
-    {"levels", "levl", 1, false, sizeof(SimLevels::Kept)},
+    {"levels", "levl", 2, false, sizeof(SimLevels::Kept)},
 };
 
 uint32_t tag_of(const Kind& kind) {
@@ -215,10 +215,15 @@ Result<Saved> take_saved(BlockBytes& blocks) {
         return malformed(format("dried is %g, range is [0, 1e12]", saved.wetness.dried));
     if (saved.is(BlockKind::volume) && (saved.volume.nodes < 1 || saved.volume.nodes > 64))
         return malformed(format("volume.nodes is %u, range is [1, 64]", saved.volume.nodes));
-    if (!(saved.levels.blend >= 0 && saved.levels.blend <= 5 && saved.levels.since >= 0 &&
+    if (!(saved.levels.blend >= 0 && saved.levels.blend <= 5 && saved.levels.since >= -1 &&
           saved.levels.since <= 1e12))
-        return malformed(format("levels blend for %g s since %g s, ranges are [0, 5] and [0, 1e12]",
-                                double(saved.levels.blend), saved.levels.since));
+        return malformed(
+            format("levels blend for %g s since %g s, ranges are [0, 5] and [-1, 1e12]",
+                   double(saved.levels.blend), saved.levels.since));
+    if (!(saved.levels.next_blend >= 0 && saved.levels.next_blend <= 5 && saved.levels.due <= 1))
+        return malformed(
+            format("levels are to blend for %g s, due is %u, ranges are [0, 5] and [0, 1]",
+                   double(saved.levels.next_blend), saved.levels.due));
     return saved;
 }
 

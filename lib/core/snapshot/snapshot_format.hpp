@@ -73,7 +73,7 @@ struct SavedVolume {
     uint32_t nodes; // per edge of the grid whose pressure is carried
 };
 static_assert(sizeof(SavedSim) == 64 && sizeof(SavedRoots) == 240 && sizeof(Frame::State) == 156 &&
-                  sizeof(SavedWind) == 48 && sizeof(SimLevels::Kept) == 24,
+                  sizeof(SavedWind) == 48 && sizeof(SimLevels::Kept) == 40,
               "no padding: they are saved as bytes");
 
 // Of a collider that is a mesh, in the order of their slots; then come the values of its nodes, and
