@@ -177,9 +177,8 @@ TEST_F(LabProgram, measures_hair_that_follows) {
 
 // The coarser, the farther from the truth, up to hair that goes with the head.
 TEST_F(LabProgram, measures_levels_of_detail) {
-    const Outcome outcome = lab("levels --styles long --strands 200 --seconds 0.5 --csv --out " +
-                                    path("levels"),
-                                false);
+    const Outcome outcome = lab(
+        "levels --styles long --strands 200 --seconds 0.5 --csv --out " + path("levels"), false);
     EXPECT_EQ(outcome.code, 0);
     std::istringstream text(outcome.text);
     std::string line;

@@ -16,10 +16,10 @@ namespace {
 
 using namespace follows;
 
-constexpr double settling = 2;  // s, in which hair comes to hang
+constexpr double settling = 2;   // s, in which hair comes to hang
 constexpr double gust_end = 1.2; // s
-constexpr float gust = 4;       // m/s
-constexpr uint32_t fine = 4;    // substeps of the truth
+constexpr float gust = 4;        // m/s
+constexpr uint32_t fine = 4;     // substeps of the truth
 
 plait_roots standing(double) {
     return plait_roots_defaults();
@@ -229,7 +229,8 @@ class Style {
 std::vector<LevelRow> measure_levels(Contexts& contexts, const LevelsOptions& options) {
     plait_context* const context = contexts.of(*find_model("articulated"));
     const uint64_t frames = frames_of(options.seconds);
-    Progress progress("levels", static_cast<uint32_t>(options.styles.size() * motion_count * frames));
+    Progress progress("levels",
+                      static_cast<uint32_t>(options.styles.size() * motion_count * frames));
     uint32_t done = 0;
     std::vector<LevelRow> rows;
     for (const std::string& name : options.styles) {
