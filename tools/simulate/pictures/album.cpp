@@ -33,6 +33,15 @@ std::set<uint32_t> spread(uint32_t count, uint32_t frames) {
     return chosen;
 }
 
+// ", level 2"; empty where it does not change.
+std::string level_at(const Scene& scene, float time) {
+    uint32_t level = scene.groom.level.value_or(0);
+    for (const LevelSwitch& next : scene.groom.switches)
+        if (next.second <= time)
+            level = next.level;
+    return scene.groom.switches.empty() ? "" : ", level " + std::to_string(level);
+}
+
 std::string caption(const Shot& shot) {
     char text[32];
     std::snprintf(text, sizeof text, "t = %.2f s", static_cast<double>(shot.time));
@@ -142,7 +151,8 @@ Album::State::State(const Scene& s, const Figure& f, std::vector<Variant> varian
 }
 
 bool Album::State::films_all() const {
-    return scene.pictures.video && !beside.empty() && scene.seconds <= longest_film;
+    const bool says_more = !beside.empty() || !scene.groom.switches.empty();
+    return scene.pictures.video && says_more && scene.seconds <= longest_film;
 }
 
 render::Image Album::State::draw(const Shot& shot, uint32_t samples, bool small) {
@@ -238,6 +248,8 @@ void Album::State::write_film(std::vector<std::string>& files) {
                             std::string(1, static_cast<char>('A' + i)) + ": " + labels[i]});
         if (side.size() == 1)
             side[0].caption = labels[0];
+        side.back().caption += level_at(scene, static_cast<float>(frame * video_every) /
+                                                   static_cast<float>(scene.rate));
         const render::Image image = render::side_by_side(side);
         if (!out)
             out = std::make_unique<Video>(path("motion"), image.width, image.height,
@@ -264,7 +276,8 @@ bool Album::wants(uint32_t frame) const {
 void Album::take(const Shot& shot) {
     const PictureChoice& choice = state_->scene.pictures;
     if (state_->sheet_frames.contains(shot.frame) || state_->compared_frames.contains(shot.frame))
-        state_->cells[shot.frame] = {state_->draw(shot, choice.samples), caption(shot)};
+        state_->cells[shot.frame] = {state_->draw(shot, choice.samples),
+                                     caption(shot) + level_at(state_->scene, shot.time)};
     if (!choice.video || !state_->in_film(shot.frame))
         return;
     if (state_->video)
