@@ -42,7 +42,7 @@ static inline mask articulated_wants(const rod_problem* rod, const rod_state* s,
 /* Before step k with the contacts of the substep before: one, and a second where something slides, a third
  * where that was turned back or the second was not enough. Returns whether any lane takes it. */
 static inline int articulated_begins(rod_state* s, uint k, contact_warm* warm) {
-    if (k >= PLAIT_CONTACT_WARM_STEPS || !any_lane(warm->which))
+    if ((k >= PLAIT_CONTACT_WARM_STEPS && !warm_strands(warm)) || !any_lane(warm->which))
         return 0;
     if (k > 0) {
         warm->deep = warm->back = warm->deep & !warm->deep;
@@ -52,9 +52,26 @@ static inline int articulated_begins(rod_state* s, uint k, contact_warm* warm) {
     return 1;
 }
 
+/* Where strands meet: the lanes that take step k, which is one more only while they are deep in a body. With
+ * more, strands push each other about. */
+static inline mask articulated_again(const rod_problem* rod, const rod_state* s, uint iterations,
+                                     uint k, const contact_warm* warm) {
+    if (k < iterations)
+        return warm->which;
+    mask again = k < PLAIT_ARTICULATED_CONTACT_STEPS ? warm->deep : warm->deep & !warm->deep;
+    if (rod->step->pin && k < PLAIT_ARTICULATED_PIN_STEPS)
+        again |= articulated_unpinned(rod, s);
+    return again;
+}
+
 /* After it: lanes that take another one. */
-static inline void articulated_ends(const rod_state* s, uint k, contact_warm* warm) {
+static inline void articulated_ends(const rod_problem* rod, const rod_state* s, uint iterations,
+                                    uint k, contact_warm* warm) {
     const mask slips = warm_rub(warm, s->x);
+    if (warm_strands(warm)) {
+        warm->which &= articulated_again(rod, s, iterations, k + 1, warm);
+        return;
+    }
     mask again = warm->deep;
     if (k == 0)
         again |= warm->pressed & slips;
@@ -74,6 +91,8 @@ static inline void articulated_solve(const rod_problem* rod, rod_state* s, artic
     uint back = 0, k = 0;
     for (;;) {
         if (warm && !articulated_begins(s, k, warm)) {
+            if (warm_strands(warm))
+                return;
             if (rod->step->pin)
                 warm->deep |= articulated_unpinned(rod, s);
             if (iterations < 2u)
@@ -87,8 +106,7 @@ static inline void articulated_solve(const rod_problem* rod, rod_state* s, artic
                 contact_renew_lanes(rod->contacts, s->x, renews);
             takes &= articulated_wants(rod, s, iterations, k, moved);
             if (!any_lane(takes)) {
-                if (!rod_in_contact(rod) || rod->contacts->params->planes > 1u ||
-                    back++ == PLAIT_ARTICULATED_PUT_BACK)
+                if (!rod_in_contact(rod) || back++ == PLAIT_ARTICULATED_PUT_BACK)
                     return;
                 renews = articulated_put_back(rod, s, loops);
                 if (!any_lane(renews))
@@ -103,7 +121,7 @@ static inline void articulated_solve(const rod_problem* rod, rod_state* s, artic
             level = articulated_level_of(rod, s);
         moved = articulated_newton(rod, s, level, warm ? warm->which : takes, warm);
         if (warm)
-            articulated_ends(s, k, warm);
+            articulated_ends(rod, s, iterations, k, warm);
         ++k;
     }
 }
@@ -134,7 +152,7 @@ __kernel void plait_articulated(const uint item_count, const plait_lane_params p
         rod_problem_of(&step, y, lane_rest, contact_may_be(&params) ? &contacts : 0);
     articulated_load(&rod, &s, state, lane_q);
     contact_warm warm;
-    const int warms = rod.contacts && params.iterations > 0 &&
+    const int warms = rod.contacts && (params.iterations > 0 || params.planes > 1u) &&
                       warm_begin(&warm, &contacts, lane_normal_force, lane_v_before);
     const articulated_level start = articulated_start(&rod, &s, state, lane_q);
     articulated_solve(&rod, &s, start, params.iterations, warms ? &warm : 0);

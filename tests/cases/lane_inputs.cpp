@@ -662,6 +662,25 @@ void add_rods_on_planes(Case& result) {
         }
 }
 
+// The planes are those of other strands.
+Setup among_strands(Setup setup) {
+    auto params = setup.params_as<plait_lane_params>();
+    params.planes = 2;
+    setup.name += " of strands";
+    return setup.with(params);
+}
+
+void add_rods_among_strands(Case& result) {
+    for (const Size& size : contact_sizes()) {
+        const auto params = lane_params(size, 1, 0);
+        const LaneHair lanes = make_lane_hair(size, 32), calm = make_lane_hair_calm(size, 44);
+        result.setups.push_back(
+            among_strands(on_planes(lane_setup(size, lanes, params, true), lanes, 100.0f, true)));
+        result.setups.push_back(
+            among_strands(on_planes(lane_setup(size, calm, params, true), calm, 1.0f, true, true)));
+    }
+}
+
 void add_pinned(Case& result, bool bends) {
     const auto add = [&](const Size& size, const LaneHair& lanes, uint32_t bdf2) {
         result.setups.push_back(

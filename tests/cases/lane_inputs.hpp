@@ -62,6 +62,7 @@ void add_rods_in_rooms(Case& result, uint32_t seed = 53);
 Setup on_planes(Setup setup, const LaneHair& hair, float friction, bool bends,
                 bool pressed = false);
 void add_rods_on_planes(Case& result); // of friction 0.3 and 100
+void add_rods_among_strands(Case& result);
 
 // The tip of every strand is pinned, and of those of more than five vertices the middle, to places
 // a centimetre off; every second by springs far stiffer than its inertia.

@@ -43,6 +43,7 @@ Case articulated_case() {
     add_rods_on_hulls(result);
     add_rods_in_rooms(result);
     add_rods_on_planes(result);
+    add_rods_among_strands(result);
     add_pinned(result, true);
     add_longer_rows(result);
     return result;

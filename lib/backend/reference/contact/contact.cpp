@@ -98,10 +98,8 @@ Contacts::Contact Contacts::renewed(size_t vertex, const Vec3& x) const {
                             PLAIT_CONTACT_MAX_FRICTION * stretch_[vertex] * length_[vertex] /
                                 std::max(now.push, 1e-30));
     const Vec3 u = slip_of(now, x);
-    // A surface that comes from farther, as the root sees it, strikes: what it throws is not tried. Of
-    // strands that meet, as the world sees it.
-    const Vec3 moved = params_.planes > 1 ? Vec3(Vec3::Zero()) : motion_.start[0];
-    const Vec3 carried = found->anchor - (motion_.start[vertex] - moved);
+    // A surface that comes from farther, as the root sees it, strikes: what it throws is not tried.
+    const Vec3 carried = found->anchor - (motion_.start[vertex] - motion_.start[0]);
     const bool tries = slides_on_ && carried.norm() < length_[vertex];
     rub(solved_ ? before : Contact{}, u, motion_.h * motion_.h / mass_[vertex], tries, now);
     if (const Vec3 slid = slid_before(vertex, *found); !slid.isZero(0)) {
@@ -209,7 +207,7 @@ Vec3 Contacts::within(size_t vertex, const Vec3& to) const {
 Vec3 Contacts::stopped(size_t vertex, const Vec3& to, double inertia) const {
     const Contact& at = at_[vertex];
     const double depth = at.offset - at.normal.dot(to);
-    if (of_strands() || at.stiffness > 0 || at.normal.isZero(0) || depth <= 0)
+    if (at.stiffness > 0 || at.normal.isZero(0) || depth <= 0)
         return to;
     const double most = PLAIT_ARTICULATED_PRESSED * PLAIT_CONTACT_TOLERANCE * length_[vertex];
     const double stop = depth - std::min(depth * inertia / params_.contact_rate, most);
@@ -255,8 +253,10 @@ double Contacts::work(const std::vector<Vec3>& x) const {
         const Vec3 way = params_.h / motion_.h * (at.anchor - motion_.from[i]);
         const double push = at.stiffness * std::max(at.offset - at.normal.dot(x[i]), 0.0);
         const double rise = at.normal.dot(way);
-        sum += push * rise + at.friction * at.push * (way - rise * at.normal).norm() +
-               released(i, x[i], at.begin);
+        const double pushed = push * rise + released(i, x[i], at.begin);
+        const double own = mass_[i] / 2 * rise * rise / (motion_.h * motion_.h);
+        sum += of_strands() ? std::min(pushed, own) // another strand's own speed
+                            : pushed + at.friction * at.push * (way - rise * at.normal).norm();
     }
     return sum;
 }

@@ -60,7 +60,7 @@ class Contacts {
     // Less what the springs hold that no solve has pushed yet.
     double work_of_new(const std::vector<Vec3>& x) const;
 
-    // Are strands among what is met? They give way: nothing is stopped by them, or put back.
+    // Are strands among what is met? They give way.
     bool of_strands() const { return params_.planes > 1; }
     // m, of p from the way of the vertex, from where it was, as its root sees it, to its target; from the
     // nearest place on it.

@@ -32,15 +32,14 @@ bool inside(const Collider& collider, const Vec3& x) {
 WarmContacts::WarmContacts(Contacts& contacts, std::vector<double> force)
     : contacts_(contacts), force_(std::move(force)) {
     const plait_lane_params& params = contacts_.params_;
-    solves_ = (params.collider_count > 0 || !contacts_.planes_.empty()) &&
-              params.collider_count <= most_colliders;
+    solves_ =
+        contacts_.of_strands() || ((params.collider_count > 0 || !contacts_.planes_.empty()) &&
+                                   params.collider_count <= most_colliders);
     for (size_t i = 0; solves_ && i < params.collider_count; ++i)
         colliders_.push_back(collider_at(contacts_.colliders_, params.collider_first + i));
-    for (size_t i = 1; i < force_.size(); ++i) {
-        solves_ = solves_ && !(contacts_.of_strands() && mesh(i));
+    for (size_t i = 1; i < force_.size() && !contacts_.of_strands(); ++i)
         for (const Collider& collider : colliders_)
             solves_ = solves_ && !hard(collider, i);
-    }
     if (!solves_)
         return;
     for (size_t i = 1; i < force_.size(); ++i)
@@ -133,7 +132,9 @@ void WarmContacts::begin(size_t vertex) {
         at.friction = contacts_.motion_.friction * collider.friction;
         at.stiffness = stiffness(vertex);
     }
-    if (const MeshPlane* plane = mesh(vertex); plane && plane->start < least) {
+    const MeshPlane* plane = contacts_.of_strands() && least < 0 ? nullptr : mesh(vertex);
+    const bool of_plane = plane && plane->start < least;
+    if (of_plane) {
         least = plane->start;
         at.normal = plane->normal;
         at.anchor = plane->anchor;
@@ -145,44 +146,69 @@ void WarmContacts::begin(size_t vertex) {
     at.stiff = true;
     at.push = force_[vertex];
     at.begin = at.push / at.stiffness + std::max(-least - 0.75 * tolerance(vertex), 0.0);
+    const bool of_strand = contacts_.of_strands() && of_plane;
+    if (of_strand) // which sinks with what lies on it
+        at.begin = -least;
     at.offset = at.normal.dot(at.anchor) + at.begin;
     at.friction = std::min(at.friction, PLAIT_CONTACT_MAX_FRICTION * contacts_.stretch_[vertex] *
                                             contacts_.length_[vertex] / std::max(at.push, 1e-30));
     at.grip = grip(vertex, at.normal, at.anchor);
-    deep_ = deep_ || -least > 2 * tolerance(vertex);
+    deep_ = deep_ || (-least > 2 * tolerance(vertex) && !of_strand);
     pressed_ = true;
 }
 
-// Has it let through a vertex that went, as it sees it, by more than half its radius? A body that hair stays
-// inside of is convex, and lets nothing through.
-bool WarmContacts::passes(const Collider& collider, size_t vertex, const Vec3& p) const {
+// Where it crossed the surface, if it goes, as the collider sees it, by more than half its radius. A body that hair
+// stays inside of is convex, and lets nothing through.
+std::optional<Tangent> WarmContacts::crossing(const Collider& collider, size_t vertex,
+                                              const Vec3& p) const {
     const Vec3 from = carried(collider, vertex), root = contacts_.motion_.root;
     const double way = (p - from).norm();
-    return !collider.inward && way > thin(collider.body) / 2 &&
-           clearance(collider, root + (from + p) / 2) <= way / 2 &&
-           first_crossing(collider, root + from, root + p);
+    if (collider.inward || way <= thin(collider.body) / 2 ||
+        clearance(collider, root + (from + p) / 2) > way / 2)
+        return {};
+    return first_crossing(collider, root + from, root + p);
 }
 
-std::optional<WarmContacts::Nearest> WarmContacts::nearest(size_t vertex, const Vec3& p,
-                                                           double reach, bool strays) {
+std::optional<WarmContacts::Nearest> WarmContacts::nearest_body(size_t vertex, const Vec3& p,
+                                                                double reach, bool sweeps) {
     std::optional<Nearest> found;
     for (const Collider& collider : colliders_) {
-        if (strays)
-            break;
-        deep_ = deep_ || passes(collider, vertex, p);
-        if (clearance(collider, contacts_.motion_.root + p) > reach)
+        Surface surface = collider.surface(contacts_.motion_.root + p);
+        const auto tangent = sweeps ? crossing(collider, vertex, p) : std::nullopt;
+        deep_ = deep_ || (tangent && !contacts_.of_strands());
+        const bool swept = tangent && contacts_.of_strands() &&
+                           (surface.distance > 0 ||
+                            !(surface.normal.dot(tangent->normal) > PLAIT_SWEEP_SAME_SIDE));
+        if (swept)
+            surface = {tangent->height, tangent->normal};
+        else if (clearance(collider, contacts_.motion_.root + p) > reach)
             continue;
-        const Surface surface = collider.surface(contacts_.motion_.root + p);
         const double distance = gap(collider, vertex, surface);
         if (distance < (found ? found->gap : reach))
-            found = Nearest{distance, collider.friction, surface.normal, carried(collider, vertex)};
-    }
-    if (const MeshPlane* plane = mesh(vertex)) {
-        const double height = plane->height + plane->normal.dot(p - plane->anchor);
-        if (height < (found ? found->gap : reach))
-            found = Nearest{height, plane->friction, plane->normal, plane->anchor};
+            found = Nearest{distance, collider.friction, surface.normal, carried(collider, vertex),
+                            true};
     }
     return found;
+}
+
+// Lifts p to where the plane of a strand leaves it, if that is in a body. No strand pushes another one into one.
+std::optional<WarmContacts::Nearest> WarmContacts::nearest(size_t vertex, double reach, bool bodies,
+                                                           Vec3& p) {
+    const auto body = bodies ? nearest_body(vertex, p, reach, true) : std::nullopt;
+    const MeshPlane* plane = mesh(vertex);
+    if (!plane || (contacts_.of_strands() && body && body->gap < 0))
+        return body;
+    const double height = plane->height + plane->normal.dot(p - plane->anchor);
+    if (height >= (body ? body->gap : reach))
+        return body;
+    const Nearest found{height, plane->friction, plane->normal, plane->anchor, false};
+    if (!contacts_.of_strands() || height >= 0)
+        return found;
+    const Vec3 lifted = p - height * plane->normal;
+    const auto behind = nearest_body(vertex, lifted, 0, false);
+    if (behind)
+        p = lifted;
+    return behind ? behind : found;
 }
 
 void WarmContacts::arrive(size_t vertex, const Nearest& found) {
@@ -195,19 +221,20 @@ void WarmContacts::arrive(size_t vertex, const Nearest& found) {
     at.stiff = true;
 }
 
-Vec3 WarmContacts::place(size_t vertex, const Vec3& p) {
+Vec3 WarmContacts::place(size_t vertex, Vec3 p) {
     Contact& at = contacts_.at_[vertex];
     depth_ = -INFINITY;
-    astray_ = false;
+    astray_ = body_ = false;
     if (contacts_.length_[vertex] == 0)
         return p;
     const double tolerance = this->tolerance(vertex), near = PLAIT_CONTACT_WARM_REACH * tolerance;
-    astray_ = strays(vertex, p); // from what was looked for, but the plane of a mesh has no end
+    // from what was looked for, but the plane of a mesh has no end; where strands meet it is looked for again
+    astray_ = !contacts_.of_strands() && strays(vertex, p);
     if (astray_ && !mesh(vertex))
         return p;
     const bool was = at.stiffness > 0;
     const double height = was ? at.normal.dot(p) - at.offset : 0;
-    const auto found = nearest(vertex, p, height < 0 ? near : 0, astray_);
+    const auto found = nearest(vertex, height < 0 ? near : 0, !astray_, p);
     if (!found ||
         !(height < 0 || found->gap < -PLAIT_ARTICULATED_STOP * contacts_.length_[vertex])) {
         at.stiffness = 0;
@@ -219,7 +246,11 @@ Vec3 WarmContacts::place(size_t vertex, const Vec3& p) {
     double lift = -std::min(sinks, tolerance / 2) - found->gap;
     if (was && std::abs(lift) < 2 * tolerance)
         lift *= PLAIT_CONTACT_WARM_BACK;
-    deep_ = deep_ || std::abs(lift) > PLAIT_CONTACT_WARM_DEEP * contacts_.length_[vertex];
+    const bool strand = contacts_.of_strands() && !found->body;
+    if (height < 0 && strand) // the spring tells where it is
+        lift = 0;
+    deep_ =
+        deep_ || (std::abs(lift) > PLAIT_CONTACT_WARM_DEEP * contacts_.length_[vertex] && !strand);
     depth_ = -(found->gap + lift);
     Vec3 to = p + lift * found->normal;
     if (!was) {
@@ -232,6 +263,7 @@ Vec3 WarmContacts::place(size_t vertex, const Vec3& p) {
     at.stiffness = stiffness(vertex);
     at.normal = found->normal;
     at.offset = at.normal.dot(to) + sinks;
+    body_ = found->body;
     return to;
 }
 
@@ -243,9 +275,43 @@ void WarmContacts::left(size_t vertex, const Vec3& to, const Vec3& x) {
                                      PLAIT_CONTACT_MAX_PENETRATION * contacts_.length_[vertex]);
 }
 
+// A vertex that touches no body but is left too deep in one touches it from now on: its depth, or 0.
+double WarmContacts::behind(size_t vertex, const Vec3& x) {
+    if (body_ || contacts_.length_[vertex] == 0)
+        return 0;
+    const double most = PLAIT_CONTACT_MAX_PENETRATION * contacts_.length_[vertex];
+    const auto found = nearest_body(vertex, x, -most, false);
+    if (!found)
+        return 0;
+    arrive(vertex, *found);
+    Contact& at = contacts_.at_[vertex];
+    at.stiffness = stiffness(vertex);
+    at.normal = found->normal;
+    at.offset = at.normal.dot(x) - found->gap;
+    return -found->gap;
+}
+
+Vec3 WarmContacts::kept(size_t vertex, const Vec3& to, const Vec3& leader, const Vec3& x) {
+    const double length = contacts_.length_[vertex], behind = this->behind(vertex, x);
+    const Contact& at = contacts_.at_[vertex];
+    const double depth = behind > 0 ? behind : depth_ + at.normal.dot(to - x);
+    const bool under = body_ && at.stiffness > 0 && depth > PLAIT_CONTACT_MAX_PENETRATION * length;
+    if (!(behind > 0 || under))
+        return x;
+    deep_ = true;
+    // the circle of that height on the sphere around the leader
+    const Vec3 &n = at.normal, out = x - leader;
+    const double above = std::clamp(n.dot(out) + depth, -length, length);
+    const Vec3 across = out - n.dot(out) * n;
+    const double size = across.norm();
+    return leader + above * n +
+           std::sqrt((length - above) * (length + above)) *
+               (size > 1e-30 ? Vec3(across / size) : n);
+}
+
 void WarmContacts::placed(double turned) {
     contacts_.touched_ = contacts_.touched_ || contacts_.touching();
-    wild_ = contacts_.touched_ && turned > PLAIT_CONTACT_WARM_TURN;
+    wild_ = contacts_.touched_ && turned > PLAIT_CONTACT_WARM_TURN && !contacts_.of_strands();
 }
 
 // What slips slides with mu N from now on. Only what its spring has all but stopped is not thrown back by that:

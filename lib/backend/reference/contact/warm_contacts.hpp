@@ -12,12 +12,14 @@ class WarmContacts {
     // `force`: N, of all vertices in the substep before.
     WarmContacts(Contacts& contacts, std::vector<double> force);
 
-    // Does it meet no strand, and nothing that moves by more than its radius?
+    // Does it meet nothing that moves by more than its radius, or do strands meet?
     bool solves() const { return solves_; }
     // Where a vertex goes that the step would leave at p.
-    Vec3 place(size_t vertex, const Vec3& p);
+    Vec3 place(size_t vertex, Vec3 p);
     // Where its segment's length leaves it, that was to go to `to`.
     void left(size_t vertex, const Vec3& to, const Vec3& x);
+    // The same where strands meet: x, or of what is left in a body the place on its surface as far from the leader.
+    Vec3 kept(size_t vertex, const Vec3& to, const Vec3& leader, const Vec3& x);
     // All vertices have been; `turned`: the largest rotation.
     void placed(double turned);
     // Friction after a step that left vertices at x; returns whether any slips.
@@ -36,6 +38,7 @@ class WarmContacts {
     struct Nearest {
         double gap, friction;
         Vec3 normal, anchor;
+        bool body; // else of a mesh or a strand
     };
     bool hard(const Collider& collider, size_t vertex) const;
     double room(size_t vertex) const;
@@ -45,8 +48,10 @@ class WarmContacts {
     void begin(size_t vertex);
     const MeshPlane* mesh(size_t vertex) const; // null: it has none
     double grip(size_t vertex, const Vec3& normal, const Vec3& anchor) const;
-    bool passes(const Collider& collider, size_t vertex, const Vec3& p) const;
-    std::optional<Nearest> nearest(size_t vertex, const Vec3& p, double reach, bool strays);
+    std::optional<Tangent> crossing(const Collider& collider, size_t vertex, const Vec3& p) const;
+    std::optional<Nearest> nearest_body(size_t vertex, const Vec3& p, double reach, bool sweeps);
+    std::optional<Nearest> nearest(size_t vertex, double reach, bool bodies, Vec3& p);
+    double behind(size_t vertex, const Vec3& x);
     void arrive(size_t vertex, const Nearest& found);
     double tolerance(size_t vertex) const;
     double stiffness(size_t vertex) const;
@@ -56,6 +61,7 @@ class WarmContacts {
     std::vector<double> force_;
     double depth_ = 0;    // m, below the surface, of what place() left last
     bool astray_ = false; // did it leave its range?
+    bool body_ = false;   // does it touch a body?
     bool solves_ = true, pressed_ = false, back_ = false, deep_ = false, wild_ = false;
 };
 

@@ -134,17 +134,33 @@ void RodModel::add_joints(Eigen::MatrixXd& H, Eigen::VectorXd& g) const {
     }
 }
 
-// Past the tip nothing turns; with rows for it the factors of the others would round otherwise.
-Eigen::VectorXd RodModel::turns() const {
+// Past the tip nothing turns; with rows for it the factors of the others would round otherwise. Those tipward of a
+// segment that turns by `most` take what is best then.
+RodModel::Turns RodModel::turns(double most) const {
     const auto own =
         3 * std::count_if(length_.begin(), length_.end(), [](double l) { return l > 0; });
     Eigen::MatrixXd H = Eigen::MatrixXd::Zero(own, own);
     Eigen::VectorXd g = Eigen::VectorXd::Zero(own);
     add_vertices(H, g);
     add_joints(H, g);
-    Eigen::VectorXd w = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(segments()));
+    H.triangularView<Eigen::StrictlyUpper>() = H.transpose();
+    Turns found{Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(segments())), 0};
+    Eigen::VectorXd& w = found.w;
     w.head(own) = H.ldlt().solve(-g);
-    return w;
+    for (Eigen::Index i = 0; i < own; i += 3) {
+        const double size = w.segment<3>(i).norm();
+        found.most = std::max(found.most, size);
+        if (size <= most)
+            continue;
+        w.segment<3>(i) *= most / size;
+        const Eigen::Index rest = own - i - 3;
+        if (rest > 0)
+            w.segment(i + 3, rest) =
+                H.bottomRightCorner(rest, rest)
+                    .ldlt()
+                    .solve(-g.tail(rest) - H.bottomLeftCorner(rest, i + 3) * w.head(i + 3));
+    }
+    return found;
 }
 
 // What would pass a surface that did not push in the step stays there.
@@ -161,50 +177,68 @@ void RodModel::turn_to(size_t segment, const Vec3& place) {
     x[segment + 1] = x[segment] + length_[segment] * along;
 }
 
+// Where a step would put the segment's end, or where contact leaves it.
+void RodModel::place(size_t segment, const Vec3& end, WarmContacts* warm) {
+    if (!warm)
+        return turn_to(segment, stopped(segment + 1, end));
+    const size_t vertex = segment + 1;
+    const Vec3 to = warm->place(vertex, contacts_->within(vertex, end));
+    turn_to(segment, to);
+    if (!contacts_->of_strands())
+        return warm->left(vertex, to, x[vertex]);
+    const Vec3 left = x[vertex], kept = warm->kept(vertex, to, x[segment], left);
+    if (kept != left)
+        turn_to(segment, kept);
+}
+
 // Turns alone would leave errors of second order that add up along the strand as false velocity:
 // every segment goes along where the linear step puts its end.
 void RodModel::follow_turns(const RodModel& from, const Eigen::VectorXd& w, WarmContacts* warm) {
     Vec3 d = Vec3::Zero();
-    double most = 0;
     for (size_t i = 0; i < segments(); ++i) {
         const Vec3 turn = w.segment<3>(3 * static_cast<Eigen::Index>(i));
         d += length_[i] * turn.cross(from.director(i));
         q[i] = turned(from.q[i], turn);
-        most = std::max(most, turn.norm());
-        Vec3 to = from.x[i + 1] + d;
-        to = warm ? warm->place(i + 1, contacts_->within(i + 1, to)) : stopped(i + 1, to);
-        turn_to(i, to);
-        if (warm)
-            warm->left(i + 1, to, x[i + 1]);
+        place(i, from.x[i + 1] + d, warm);
     }
-    if (warm)
-        warm->placed(most);
+}
+
+// Less of the turns. `meets`: null, or what places vertices where strands meet.
+void RodModel::follow_less(const RodModel& from, const Eigen::VectorXd& w, double share,
+                           WarmContacts* meets) {
+    for (size_t i = 0; i < segments(); ++i) {
+        q[i] = turned(from.q[i], share * w.segment<3>(3 * static_cast<Eigen::Index>(i)));
+        place(i, x[i] + length_[i] * director(i), meets);
+    }
+    if (meets)
+        meets->placed(0);
 }
 
 bool RodModel::turn_segments(WarmContacts* warm) {
     const double before = energy();
-    double limit = before + std::abs(before) * PLAIT_ARTICULATED_POTENTIAL_RISE +
-                   PLAIT_ARTICULATED_POTENTIAL_MIN;
+    const double limit = before + std::abs(before) * PLAIT_ARTICULATED_POTENTIAL_RISE +
+                         PLAIT_ARTICULATED_POTENTIAL_MIN;
+    const auto rose = [&] { // what is placed has another potential than the step had
+        return !(energy() <= (warm && touched() ? std::numeric_limits<double>::max() : limit));
+    };
     const RodModel from = *this;
-    const Eigen::VectorXd w = turns();
-    follow_turns(from, w, warm);
+    WarmContacts* meets = warm && contacts_->of_strands() ? warm : nullptr;
+    const Turns turns = this->turns(meets && touched() ? PLAIT_CONTACT_WARM_TURN : INFINITY);
+    follow_turns(from, turns.w, warm);
+    if (warm)
+        warm->placed(turns.most);
     if (warm && warm->wild()) {
         *this = from;
         return false;
     }
-    if (warm && touched()) // what is placed has another potential than the step had
-        limit = std::numeric_limits<double>::max();
-    if (warm && touched() && !(energy() <= limit))
+    if (warm && touched() && rose())
         warm->fail();
     double share = 1;
-    for (int trial = 0; trial < PLAIT_ARTICULATED_SHORTER_STEPS && !(energy() <= limit); ++trial) {
+    for (int trial = 0; trial < PLAIT_ARTICULATED_SHORTER_STEPS && rose(); ++trial) {
         share *= PLAIT_ARTICULATED_SHORTEN;
-        for (size_t i = 0; i < segments(); ++i) {
-            q[i] = turned(from.q[i], share * w.segment<3>(3 * static_cast<Eigen::Index>(i)));
-            turn_to(i, stopped(i + 1, x[i] + length_[i] * director(i)));
-        }
+        follow_less(from, turns.w, share, meets);
     }
-    if (!(energy() <= limit))
+    if (rose())
         *this = from;
     for (size_t i = 1; i < x.size(); ++i)
         if (length_before_[i] > 0 && // not past the tip
@@ -213,31 +247,17 @@ bool RodModel::turn_segments(WarmContacts* warm) {
     return false;
 }
 
-bool RodModel::deep() const {
-    for (size_t i = 1; contacts_ && i < x.size(); ++i)
-        if (contacts_->excess(i, x[i]) >
-            (PLAIT_ARTICULATED_DEEP - PLAIT_CONTACT_MAX_PENETRATION) * length_before_[i])
-            return true;
-    return false;
-}
-
-bool RodModel::off_pin() const {
-    for (size_t i = 1; i < x.size(); ++i) {
-        const Pin& pin = motion_.pin[i];
-        if (pin.stiffness > PLAIT_ARTICULATED_PIN_STIFFNESS * mass_[i] * motion_.inertia &&
-            (pin.target - x[i]).norm() > PLAIT_ARTICULATED_PIN_DISTANCE * length_before_[i])
-            return true;
-    }
-    return false;
-}
-
 // The steps with the contacts of the substep before: one, a second where something slides, a third where
 // that was turned back or the second was not enough.
-bool RodModel::solve_warm(const std::vector<double>& force) {
+bool RodModel::solve_warm(uint32_t steps, const std::vector<double>& force) {
     WarmContacts warm(*contacts_, force);
     follow_target();
     if (!warm.solves())
         return false;
+    if (contacts_->of_strands()) {
+        meet(steps, warm);
+        return true;
+    }
     for (uint32_t k = 0; k < PLAIT_CONTACT_WARM_STEPS; ++k) {
         if (k > 0)
             warm.press(x);
@@ -251,6 +271,21 @@ bool RodModel::solve_warm(const std::vector<double>& force) {
     return !warm.deep() && !off_pin();
 }
 
+// Where strands meet: one step, and more only while the strand is deep in a body. With more, strands push each other
+// about.
+void RodModel::meet(uint32_t steps, WarmContacts& warm) {
+    for (uint32_t k = 0;; ++k) {
+        if (k > 0)
+            warm.press(x);
+        turn_segments(&warm);
+        warm.rub(x);
+        const uint32_t next = k + 1;
+        if (next >= steps && !(warm.deep() && next < PLAIT_ARTICULATED_CONTACT_STEPS) &&
+            !(next < PLAIT_ARTICULATED_PIN_STEPS && off_pin()))
+            return;
+    }
+}
+
 void RodModel::articulate(uint32_t steps, const std::vector<double>& force) {
     load();
     std::vector<Vec3> y;
@@ -259,10 +294,12 @@ void RodModel::articulate(uint32_t steps, const std::vector<double>& force) {
     if (contacts_)
         contacts_->aim(std::move(y));
     bool solved = false;
-    if (contacts_ && steps > 0)
-        solved = solve_warm(force);
+    if (contacts_ && (steps > 0 || contacts_->of_strands()))
+        solved = solve_warm(steps, force);
     else
         follow_target();
+    if (contacts_ && contacts_->of_strands())
+        return;
     if (contacts_)
         contacts_->slide_on();
     bool moved = true;
@@ -274,31 +311,6 @@ void RodModel::articulate(uint32_t steps, const std::vector<double>& force) {
     }
     if (!solved || steps > 1)
         put_back();
-}
-
-// Where it was, but for a leader that moves by more than half a segment: that would turn it back on
-// itself.
-Vec3 RodModel::hung(size_t segment, const std::vector<Vec3>& solved) const {
-    const Vec3 moved = x[segment] - solved[segment];
-    const double half = length_[segment] / 2, far = moved.norm();
-    return solved[segment + 1] + (far > half ? 1 - half / far : 0) * moved;
-}
-
-// What the last step left too deep, since it did not know what it would touch.
-void RodModel::put_back() {
-    if (!contacts_ || contacts_->of_strands())
-        return;
-    for (int round = 0; round < PLAIT_ARTICULATED_PUT_BACK; ++round) {
-        const std::vector<Vec3> solved = x;
-        double most = 0;
-        for (size_t i = 1; i < x.size(); ++i)
-            most = std::max(most, contacts_->excess(i, x[i]));
-        if (most == 0)
-            return;
-        for (size_t i = 0; i < segments(); ++i)
-            turn_to(i, contacts_->put_back(i + 1, x[i], length_[i], hung(i, solved)));
-        renew_contacts();
-    }
 }
 
 // Beyond those that every strand takes.
