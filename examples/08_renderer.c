@@ -6,7 +6,6 @@
 #include <CL/cl_ext.h>
 #include <CL/cl_gl.h>
 #include <plait/plait_opencl.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -42,9 +41,9 @@ static const way ways[] = {
 enum { WAYS = sizeof ways / sizeof ways[0] };
 static cl_platform_id platform;
 
-static cl_mem import(const plait_opencl_handles* own, const way* by, uintptr_t handle) {
+static cl_mem import(const plait_opencl_handles* own, const way* by, cl_ulong handle) {
     cl_int code = CL_SUCCESS;
-    const cl_mem_properties from[] = {by->type, (cl_mem_properties)handle, 0};
+    const cl_mem_properties from[] = {by->type, handle, 0};
     cl_mem buffer =
         by->type ? clCreateBufferWithProperties(own->context, from, CL_MEM_READ_WRITE, BYTES, NULL,
                                                 &code)
@@ -100,7 +99,7 @@ int main(int argc, char** argv) {
         if (can && argc == 3 && strcmp(argv[1], ways[i].renderer) == 0)
             by = &ways[i];
     }
-    cl_mem buffer = by ? import(&own, by, (uintptr_t)strtoull(argv[2], NULL, 0)) : NULL;
+    cl_mem buffer = by ? import(&own, by, strtoull(argv[2], NULL, 0)) : NULL;
     plait_context* context = NULL;
     check(plait_opencl_context_create(&own, NULL, &context));
     plait_sim* sim = make_sim(context);
