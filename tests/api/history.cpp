@@ -597,6 +597,8 @@ TEST_P(History, NoCallThrowsHairInUniformMotion) {
         for (const Motion& motion : motions) {
             if (PLAIT_TEST_SEEDS < 24 && motion.turns == 0)
                 continue; // sanitizers look at the code, which is the same
+            if (model.substeps > 1 && motion.speed > 0 && motion.speed < 30)
+                continue; // slower is easier
             const auto list = calls();
             // tressfx keeps places in the world, of which float32 loses some in every step
             const double rounding =
