@@ -117,6 +117,13 @@ void Run::step(uint64_t number, Motion motion) {
         times_.push_back(spent.count());
 }
 
+void Run::stand() {
+    const plait_roots roots = plait_roots_defaults();
+    for (const plait_collider_id id : on_head_)
+        check(plait_collider_set_pose(sim_.get(), id, &roots.head));
+    check(plait_sim_teleport(sim_.get(), &roots));
+}
+
 void Run::blow(float speed) {
     plait_wind_desc wind = plait_wind_desc_defaults();
     wind.velocity[0] = speed;

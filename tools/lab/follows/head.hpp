@@ -32,6 +32,7 @@ class Run {
         uint32_t substeps = 1);
 
     void step(uint64_t number, Motion motion);
+    void stand();           // at once, as hair is
     void blow(float speed); // m/s, from the side; 0: no wind
     Hair read() const;      // strands in the groom's order
     std::vector<bool> simulated() const;

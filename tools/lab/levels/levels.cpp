@@ -98,6 +98,8 @@ struct Entry {
 
 // All strands at rest, until they hang.
 Hair settle(Run& run) {
+    run.stand();
+    run.blow(0);
     for (uint64_t frame = 1; frame <= frames_of(settling) && !interrupted(); ++frame)
         run.step(frame, standing);
     return run.read();
@@ -150,14 +152,16 @@ class Style {
             entries_.push_back(std::move(entry));
         }
         for (Entry& entry : entries_) // whose places no longer change
-            if (entry.row.guides > 0) {
+            if (entry.row.guides > 0)
                 entry.run = std::make_unique<Run>(context, entry.choice, entry.choice.map.get());
-                settle(*entry.run);
-            }
     }
 
     void run(size_t motion, uint64_t frames, Progress& progress, uint32_t& done) {
         Swing swing(hung_);
+        settle(truth_);
+        for (Entry& entry : entries_)
+            if (entry.run)
+                settle(*entry.run);
         for (uint64_t frame = 1; frame <= frames && !interrupted(); ++frame) {
             const double time = static_cast<double>(frame) / rate;
             if (motions[motion] == standing)
