@@ -48,19 +48,20 @@ bool draw_levels(const std::vector<LevelRow>& rows, const LevelsOptions& options
                 points += text("%.4g %.4g %u\n", row.ms, row.all, row.guides);
         points += "EOD\n";
         const char* colour = colours[k % std::size(colours)];
-        plot += text("%s$style%zu using 1:2 with linespoints lw 2 pt 7 ps 0.7 lc rgb '%s' title "
-                     "'%s', $style%zu using 1:2:3 with labels offset 0,0.8 tc rgb '%s' notitle",
-                     k ? ", " : "plot ", k, colour, options.styles[k].c_str(), k, colour);
+        plot +=
+            text("%s$style%zu using 1:2 with linespoints lw 2 pt 7 ps 0.7 lc rgb '%s' title "
+                 "'%s', $style%zu using 1:2:3 with labels left offset 0.7,0.6 tc rgb '%s' notitle",
+                 k ? ", " : "plot ", k, colour, options.styles[k].c_str(), k, colour);
     }
-    plot += ", 1 with lines dt 2 lc rgb '#777777' title 'hair that goes with the head'";
+    plot += ", 1 with lines lw 2 dt 2 lc rgb '#777777' title 'hair that goes with the head'";
     const std::string lines =
         points +
         text("set title \"What a level of detail costs, and what it is wrong by\\n{/*0.8 %u hairs, "
              "numbers are guides; against all of them in four substeps}\"\n",
              options.strands) +
-        "set logscale x\nset offsets graph 0.1, graph 0.1, graph 0.05\nset yrange [0:*]\n"
+        "set xrange [0:*]\nset yrange [0:1.1]\n"
         "set xlabel 'ms a frame'\nset ylabel 'error over swing'\n"
-        "set key top right noenhanced samplen 2\n";
+        "set key bottom right noenhanced samplen 2\n";
     return draw_figure(path, figure_script(path, lines, plot, 800, 560));
 }
 
