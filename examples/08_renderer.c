@@ -35,7 +35,7 @@ typedef struct {
 static const way ways[] = {
     {"Vulkan", "cl_khr_external_memory_opaque_fd", CL_EXTERNAL_MEMORY_HANDLE_OPAQUE_FD_KHR,
      "clEnqueueAcquireExternalMemObjectsKHR", "clEnqueueReleaseExternalMemObjectsKHR"},
-    {"D3D12", "cl_khr_external_memory_d3d12_resource", CL_EXTERNAL_MEMORY_HANDLE_D3D12_RESOURCE_KHR,
+    {"D3D12", "cl_khr_external_memory_d3d12_resource", 0x2066, /* not in every header */
      "clEnqueueAcquireExternalMemObjectsKHR", "clEnqueueReleaseExternalMemObjectsKHR"},
     {"OpenGL", "cl_khr_gl_sharing", 0, "clEnqueueAcquireGLObjects", "clEnqueueReleaseGLObjects"}};
 enum { WAYS = sizeof ways / sizeof ways[0] };
