@@ -35,10 +35,10 @@ typedef struct {
 static const way ways[] = {
     {"Vulkan", "cl_khr_external_memory_opaque_fd", CL_EXTERNAL_MEMORY_HANDLE_OPAQUE_FD_KHR,
      "clEnqueueAcquireExternalMemObjectsKHR", "clEnqueueReleaseExternalMemObjectsKHR"},
-    {"D3D12", "cl_khr_external_memory_d3d12_resource", 0x2066, /* not in every header */
+    {"D3D12", "cl_khr_external_memory_d3d12_resource",
+     0x2066, /* its handle: no name in every header */
      "clEnqueueAcquireExternalMemObjectsKHR", "clEnqueueReleaseExternalMemObjectsKHR"},
     {"OpenGL", "cl_khr_gl_sharing", 0, "clEnqueueAcquireGLObjects", "clEnqueueReleaseGLObjects"}};
-enum { WAYS = sizeof ways / sizeof ways[0] };
 static cl_platform_id platform;
 
 static cl_mem import(const plait_opencl_handles* own, const way* by, cl_ulong handle) {
@@ -64,9 +64,8 @@ static plait_opencl_handles make_queue(void) { /* on the device that draws */
     check_cl(clGetPlatformIDs(1, &platform, NULL), "no platform");
     check_cl(clGetDeviceIDs(platform, CL_DEVICE_TYPE_ALL, 1, &own.device, NULL), "no device");
     own.context = clCreateContext(NULL, 1, &own.device, NULL, NULL, &code);
-    check_cl(code, "clCreateContext");
     own.queue = clCreateCommandQueue(own.context, own.device, 0, &code);
-    check_cl(code, "clCreateCommandQueue");
+    check_cl(code, "clCreateContext, clCreateCommandQueue");
     return own;
 }
 
@@ -93,12 +92,13 @@ int main(int argc, char** argv) {
     static char list[16384];
     check_cl(clGetDeviceInfo(own.device, CL_DEVICE_EXTENSIONS, sizeof list, list, NULL), "device");
     const way* by = NULL;
-    for (int i = 0; i < WAYS; ++i) {
+    for (size_t i = 0; i < sizeof ways / sizeof ways[0]; ++i) {
         const int can = strstr(list, ways[i].extension) != NULL;
         printf("%s: %s\n", ways[i].renderer, can ? "yes" : "no");
-        if (can && argc == 3 && strcmp(argv[1], ways[i].renderer) == 0)
-            by = &ways[i];
+        by = can && argc == 3 && !strcmp(argv[1], ways[i].renderer) ? &ways[i] : by;
     }
+    if (argc > 1 && !by)
+        return fputs("this device does not share so\n", stderr), 1;
     cl_mem buffer = by ? import(&own, by, strtoull(argv[2], NULL, 0)) : NULL;
     plait_context* context = NULL;
     check(plait_opencl_context_create(&own, NULL, &context));

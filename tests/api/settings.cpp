@@ -306,10 +306,16 @@ TEST_P(Settings, AreRestoredWhateverTheIntegratorIs) {
             for (const auto field : {PLAIT_FIELD_POSITION, PLAIT_FIELD_VELOCITY})
                 EXPECT_LE(largest_difference(sim->read(field), saved->read(field)), 1e-6f);
             EXPECT_EQ(sim->params().bdf2, to.bdf2 ? PLAIT_BDF2_OF_MODEL : 0u);
+            // 37 mm on; other integrators and strands that meet go other ways
+            const auto on = make(from);
+            run(*on, 2);
             run(*sim, 2);
-            EXPECT_LE(largest_difference(sim->read(PLAIT_FIELD_POSITION),
-                                         saved->read(PLAIT_FIELD_POSITION)),
-                      0.05f);
+            const float bar = from.contact != to.contact ? 0.03f
+                              : from.bdf2 != to.bdf2     ? 4e-3f
+                                                         : 1e-6f;
+            EXPECT_LE(
+                largest_difference(sim->read(PLAIT_FIELD_POSITION), on->read(PLAIT_FIELD_POSITION)),
+                bar);
         }
     }
 }

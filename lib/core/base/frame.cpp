@@ -57,8 +57,7 @@ bool Frame::aim(const plait_frame_desc* desc) {
 }
 
 void Frame::advance(double end) {
-    knows_then_ = known_ == way_before;
-    unfelt_then_ = knows_then_ ? unfelt_part() : identity_pose;
+    unfelt_then_ = known_ == way_before ? std::optional(unfelt_part()) : std::nullopt;
     from_ = to_;
     to_ = interpolate(at_, target_, end);
     unfelt_before_ = unfelt_;
@@ -73,8 +72,7 @@ void Frame::jump(double end) {
 }
 
 void Frame::rescale(double ratio) {
-    for (plait_pose* pose :
-         {&at_, &target_, &from_, &to_, &unfelt_before_, &unfelt_, &unfelt_then_})
+    for (plait_pose* pose : {&at_, &target_, &from_, &to_, &unfelt_before_, &unfelt_})
         plait::rescale(*pose, ratio);
 }
 

@@ -4,6 +4,7 @@
 #include "core/base/pose.hpp"
 
 #include <array>
+#include <optional>
 
 namespace plait {
 
@@ -32,10 +33,9 @@ class Frame {
     const plait_pose& unfelt_before() const { return unfelt_before_; }
     // The whole motion of the step.
     plait_pose motion() const { return part(1, 1); }
-    // The part of the step before that hair would not have felt by the shares of now; the identity where
-    // the frame's motion in it is not known.
-    const plait_pose& unfelt_then() const { return unfelt_then_; }
-    bool knows_then() const { return knows_then_; }
+    // The part of the motion in the step before that hair would not have felt by the shares of now, where
+    // that motion is known.
+    const std::optional<plait_pose>& unfelt_then() const { return unfelt_then_; }
     // m/s by which the wind's air moves at the point `p` of the world, in the step of `step` s, relative
     // to what is carried along unfelt.
     std::array<float, 3> air(const float p[3], double step) const;
@@ -55,15 +55,15 @@ class Frame {
     plait_pose part(double translation, double rotation) const;
     plait_pose unfelt_part() const;
 
-    enum Known : uint32_t { no_frame, its_place, its_way, way_before }; // in the last step, too
+    // way_before: its way in the step before, too.
+    enum Known : uint32_t { no_frame, its_place, its_way, way_before };
     uint32_t known_ = no_frame;
-    bool knows_then_ = false;
     plait_frame_air air_ = PLAIT_FRAME_AIR_UNFELT;
     float felt_translation_ = 1, felt_rotation_ = 1;
     plait_pose at_ = identity_pose, target_ = identity_pose;
     plait_pose from_ = identity_pose, to_ = identity_pose;
     plait_pose unfelt_before_ = identity_pose, unfelt_ = identity_pose;
-    plait_pose unfelt_then_ = identity_pose;
+    std::optional<plait_pose> unfelt_then_;
 };
 
 } // namespace plait

@@ -16,6 +16,7 @@ constexpr size_t fewest = 3;      // and without which it tells nothing
 constexpr int contradicted = 6;
 // where half of the strands agree by twice this; roots and tips that lie mixed tell nothing.
 constexpr int agreed = 2;
+// Where this many times as many votes lie between both crowds as beyond half the way, there is one.
 constexpr size_t fading = 3;
 
 double square(const Point& a, const Point& b) {
@@ -71,8 +72,7 @@ class Cells {
             for (size_t row = 0; row < runs.size(); ++row) {
                 find(places_[k].key, row, runs[row]);
                 for (size_t i = runs[row].first; i < runs[row].last; ++i)
-                    if (places_[i].end / 2 != places_[k].end / 2)
-                        near.add(square(places_[i].at, places_[k].at), places_[i].end);
+                    add(places_[i], places_[k], near);
             }
             visit(places_[k].end, near);
         }
@@ -87,8 +87,8 @@ class Cells {
     struct Run {
         size_t first, last;
     };
-    static constexpr uint64_t bits = 20,
-                              most = (uint64_t{1} << bits) - 3; // with one to either side
+    static constexpr uint64_t bits =
+        20; // of a cube's number along an axis, and one more to either side
 
     static Point lowest(const std::pmr::vector<Point>& ends) {
         Point from = ends.front();
@@ -97,13 +97,21 @@ class Cells {
                 from[i] = std::min(from[i], p[i]);
         return from;
     }
+    // Numbers begin anew after a million cubes: what is that far off shares some, and is told by its distance.
     uint64_t key_of(const Point& p) const {
+        constexpr uint64_t round = (uint64_t{1} << bits) - 1;
         uint64_t key = 0;
         for (size_t i = 3; i-- > 0;) {
-            const double cell = std::min((p[i] - from_[i]) / edge_, double(most));
-            key = key << (bits + 1) | (static_cast<uint64_t>(cell) + 1);
+            const double cell = std::min((p[i] - from_[i]) / edge_, 1e18);
+            key = key << (bits + 1) | ((static_cast<uint64_t>(cell) & round) + 1);
         }
         return key;
+    }
+    void add(const Place& other, const Place& to, Near& near) const {
+        const double far = square(other.at, to.at);
+        if (other.end / 2 != to.end / 2 &&
+            far <= 12 * edge_ * edge_) // of two cubes in a row, corner to corner
+            near.add(far, other.end);
     }
     // The cubes beside that of `key` in one of nine rows: keys rise, and so do the row's places.
     void find(uint64_t key, size_t row, Run& run) const {

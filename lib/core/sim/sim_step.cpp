@@ -210,8 +210,8 @@ bool Sim::goes_on_as_put() const {
 // The frame's motion in the step before that is not felt by the shares of now. Of a frame that is new
 // nobody knows it: it drove on as now or stood, whichever is more like what the head did.
 plait_pose Sim::unfelt_then() const {
-    if (frame_.knows_then() || !frame_.is_on())
-        return frame_.unfelt_then();
+    if (frame_.unfelt_then() || !frame_.is_on())
+        return frame_.unfelt_then().value_or(identity_pose);
     const plait_pose &was = roots_.before(0), &now = roots_.step_begin();
     const auto middle = cube_.middle();
     const plait_pose driven = carried(was, identity_pose, frame_.motion());

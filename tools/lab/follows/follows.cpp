@@ -18,10 +18,6 @@ using LearnerHandle =
 
 constexpr uint64_t every = 2; // frame is learnt from: those between show little else
 
-uint64_t frames_of(double seconds) {
-    return static_cast<uint64_t>(std::max(4.0, seconds * rate));
-}
-
 void check_guides(const FollowOptions& options) {
     for (const uint32_t guides : options.guides)
         if (guides < 1 || guides >= options.strands)

@@ -35,6 +35,10 @@ double wave(double seconds, double hertz) {
 
 } // namespace
 
+uint64_t frames_of(double seconds) {
+    return static_cast<uint64_t>(std::max(4.0, seconds * rate));
+}
+
 plait_roots shaking(double seconds) {
     return turned(0.45 * wave(seconds, 0.9), 0.15 * wave(seconds, 0.31), 0.2 * wave(seconds, 0.53));
 }
@@ -65,6 +69,10 @@ Choice choose(const plait_groom* groom, uint32_t guides, uint32_t strands) {
     plait_groom* chosen = nullptr;
     plait_follow_map* map = nullptr;
     check(plait_groom_guides(groom, guides, seed, &chosen, &map));
+    return make_choice(guides, chosen, map, strands);
+}
+
+Choice make_choice(uint32_t guides, plait_groom* chosen, plait_follow_map* map, uint32_t strands) {
     Choice choice{guides, GroomHandle(chosen), MapHandle(map), std::vector<uint32_t>(strands)};
     size_t size = choice.origin.size() * sizeof choice.origin[0];
     check(plait_follow_map_read(map, PLAIT_FOLLOW_MAP_FIELD_STRANDS, choice.origin.data(), &size));
@@ -77,13 +85,12 @@ Choice choose_all(GroomHandle groom, uint32_t strands) {
     return all;
 }
 
-Run::Run(plait_context* context, const Choice& choice, const plait_follow_map* map,
-         uint32_t substeps)
+Run::Run(plait_context* context, const Choice& choice, const plait_follow_map* map, RunOptions how)
     : choice_(choice) {
     plait::SimDesc desc;
-    desc.substeps = substeps;
+    desc.substeps = how.substeps;
     desc.follow_map = map;
-    desc.sag_free = PLAIT_SAG_FREE_STIFFEN;
+    desc.sag_free = how.sag_free;
     plait_sim* sim = nullptr;
     check(plait::create_sim(context, choice.groom.get(), desc, &sim));
     sim_.reset(sim);

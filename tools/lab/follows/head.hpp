@@ -19,17 +19,26 @@ struct Choice {
     std::vector<uint32_t> origin; // of each of a sim's strands, in the groom
 };
 Choice choose(const plait_groom* groom, uint32_t guides, uint32_t strands);
+// Of a map that there is; takes both.
+Choice make_choice(uint32_t guides, plait_groom* chosen, plait_follow_map* map, uint32_t strands);
 Choice choose_all(GroomHandle groom, uint32_t strands);
+
+uint64_t frames_of(double seconds); // at least 4
 
 using Motion = plait_roots (*)(double seconds);
 plait_roots shaking(double seconds); // with a little of all other ways to turn, all at once
 plait_roots nodding(double seconds); // and turning, slower and farther
 
+struct RunOptions {
+    uint32_t substeps = 1;
+    plait_sag_free sag_free = PLAIT_SAG_FREE_STIFFEN;
+};
+
 class Run {
   public:
     // `map`: of `choice`, or learnt from it.
     Run(plait_context* context, const Choice& choice, const plait_follow_map* map,
-        uint32_t substeps = 1);
+        RunOptions how = {});
 
     void step(uint64_t number, Motion motion);
     void stand();           // at once, as hair is

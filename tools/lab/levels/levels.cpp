@@ -20,15 +20,13 @@ constexpr double settling = 2;   // s, in which hair comes to hang
 constexpr double gust_end = 1.2; // s
 constexpr float gust = 4;        // m/s
 constexpr uint32_t fine = 4;     // substeps of the truth
+// It sags, and levels are bound where it hangs then.
+constexpr plait_sag_free sagging = PLAIT_SAG_FREE_OFF;
 
 plait_roots standing(double) {
     return plait_roots_defaults();
 }
 constexpr Motion motions[motion_count] = {shaking, nodding, standing};
-
-uint64_t frames_of(double seconds) {
-    return static_cast<uint64_t>(std::max(4.0, seconds * rate));
-}
 
 // Heads turn about the origin.
 Quat turn_of(const plait_roots& roots) {
@@ -122,14 +120,11 @@ std::vector<plait_level> list(const plait_levels* levels) {
     return all;
 }
 
-Choice take(const plait_levels* levels, size_t level, uint32_t strands) {
-    plait_groom* guides = nullptr;
+Choice take(const plait_levels* levels, size_t level, uint32_t guides, uint32_t strands) {
+    plait_groom* chosen = nullptr;
     plait_follow_map* map = nullptr;
-    check(plait_levels_take(levels, level, &guides, &map));
-    Choice choice{0, GroomHandle(guides), MapHandle(map), std::vector<uint32_t>(strands)};
-    size_t size = choice.origin.size() * sizeof choice.origin[0];
-    check(plait_follow_map_read(map, PLAIT_FOLLOW_MAP_FIELD_STRANDS, choice.origin.data(), &size));
-    return choice;
+    check(plait_levels_take(levels, level, &chosen, &map));
+    return make_choice(guides, chosen, map, strands);
 }
 
 // One style: the truth and all levels, frame by frame, so that a busy machine is busy for all of them.
@@ -137,7 +132,7 @@ class Style {
   public:
     Style(plait_context* context, const std::string& name, uint32_t strands)
         : whole_(choose_all(make_hair({.style = name, .strands = strands}), strands)),
-          truth_(context, whole_, nullptr, fine), hung_(settle(truth_)) {
+          truth_(context, whole_, nullptr, {fine, sagging}), hung_(settle(truth_)) {
         const LevelsHandle levels = make_levels(whole_.groom.get(), hung_);
         const auto listed = list(levels.get());
         for (size_t k = 0; k < listed.size(); ++k) {
@@ -145,15 +140,14 @@ class Style {
             entry.row.style = name;
             entry.row.guides = listed[k].guides;
             entry.row.listed = listed[k].share;
-            if (listed[k].guides > 0) {
-                entry.choice = take(levels.get(), k, strands);
-                entry.choice.guides = listed[k].guides;
-            }
+            if (listed[k].guides > 0)
+                entry.choice = take(levels.get(), k, listed[k].guides, strands);
             entries_.push_back(std::move(entry));
         }
         for (Entry& entry : entries_) // whose places no longer change
             if (entry.row.guides > 0)
-                entry.run = std::make_unique<Run>(context, entry.choice, entry.choice.map.get());
+                entry.run = std::make_unique<Run>(context, entry.choice, entry.choice.map.get(),
+                                                  RunOptions{1, sagging});
     }
 
     void run(size_t motion, uint64_t frames, Progress& progress, uint32_t& done) {

@@ -114,9 +114,9 @@ std::vector<LevelSwitch> read_switches(JsonReader& top, const std::string& text)
         std::istringstream one(item);
         if (!(one >> next.second >> colon >> next.level) || colon != ':' || one >> rest ||
             !(next.second >= 0) || next.level >= PLAIT_LEVELS_MAX)
-            top.fail("switch", "has \"" + item + "\", not SECOND:LEVEL, of which " +
-                                   "neither is below 0 and the level at most " +
-                                   std::to_string(PLAIT_LEVELS_MAX - 1));
+            top.fail("switch", "has \"" + item + "\", not SECOND:LEVEL, with a second from 0 on " +
+                                   "and a level in [0, " + std::to_string(PLAIT_LEVELS_MAX - 1) +
+                                   "]");
         if (!list.empty() && next.second < list.back().second)
             top.fail("switch", "goes back to second " + item.substr(0, item.find(':')));
         list.push_back(next);
@@ -127,11 +127,11 @@ std::vector<LevelSwitch> read_switches(JsonReader& top, const std::string& text)
 void refuse_with_switches(JsonReader& top, const Scene& scene) {
     for (const char* other : {"guides", "follows_per_guide", "detail"})
         if (top.value(other))
-            top.fail("switch", std::string("is given, and ") + other +
-                                   ", too: which strands are guides is what levels say");
+            top.fail("switch",
+                     std::string("is given, and ") + other + ", too: levels choose the guides");
     if (top.value("cache"))
-        top.fail("switch", "is given, and cache, too, whose frames all have the same strands: keep "
-                           "one level with level");
+        top.fail("switch", "is given, and cache, too: every frame of a cache has the same strands; "
+                           "give level instead");
     if (scene.sim.model == PLAIT_MODEL_TRESSFX)
         top.fail("switch", "is given, and strands of the model tressfx have no levels");
 }
