@@ -42,7 +42,7 @@ static inline mask articulated_wants(const rod_problem* rod, const rod_state* s,
 /* Before step k with the contacts of the substep before: one, and a second where something slides, a third
  * where that was turned back or the second was not enough. Returns whether any lane takes it. */
 static inline int articulated_begins(rod_state* s, uint k, contact_warm* warm) {
-    if ((k >= PLAIT_CONTACT_WARM_STEPS && !warm_strands(warm)) || !any_lane(warm->which))
+    if ((k >= PLAIT_CONTACT_WARM_STEPS && !PLAIT_STRANDS_MEET) || !any_lane(warm->which))
         return 0;
     if (k > 0) {
         warm->deep = warm->back = warm->deep & !warm->deep;
@@ -68,7 +68,7 @@ static inline mask articulated_again(const rod_problem* rod, const rod_state* s,
 static inline void articulated_ends(const rod_problem* rod, const rod_state* s, uint iterations,
                                     uint k, contact_warm* warm) {
     const mask slips = warm_rub(warm, s->x);
-    if (warm_strands(warm)) {
+    if (PLAIT_STRANDS_MEET) {
         warm->which &= articulated_again(rod, s, iterations, k + 1, warm);
         return;
     }
@@ -91,7 +91,7 @@ static inline void articulated_solve(const rod_problem* rod, rod_state* s, artic
     uint back = 0, k = 0;
     for (;;) {
         if (warm && !articulated_begins(s, k, warm)) {
-            if (warm_strands(warm))
+            if (PLAIT_STRANDS_MEET)
                 return;
             if (rod->step->pin)
                 warm->deep |= articulated_unpinned(rod, s);
@@ -152,7 +152,7 @@ __kernel void plait_articulated(const uint item_count, const plait_lane_params p
         rod_problem_of(&step, y, lane_rest, contact_may_be(&params) ? &contacts : 0);
     articulated_load(&rod, &s, state, lane_q);
     contact_warm warm;
-    const int warms = rod.contacts && (params.iterations > 0 || params.planes > 1u) &&
+    const int warms = (PLAIT_STRANDS_MEET || (rod.contacts && params.iterations > 0)) &&
                       warm_begin(&warm, &contacts, lane_normal_force, lane_v_before);
     const articulated_level start = articulated_start(&rod, &s, state, lane_q);
     articulated_solve(&rod, &s, start, params.iterations, warms ? &warm : 0);

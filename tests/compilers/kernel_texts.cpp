@@ -15,7 +15,7 @@ constexpr uint32_t vertex_counts[] = {usual_vertices, 21};
 constexpr uint32_t lane_counts[] = {1, 16};
 
 // Stages whose work-groups may add up sums in local memory: a program more, `<stage>-8`, for a grid of 8
-// voxels each way.
+// voxels each way. One for where strands meet has one more, too: `<stage>-meet`.
 constexpr uint32_t grid_sums = 8 * 8 * 8 * PLAIT_SUM_STRIDE;
 
 // Does the text depend on them? What does not is compiled once.
@@ -23,7 +23,8 @@ bool mentions(const Source& source, const char* name) {
     return source.text.find(name) != source.text.npos;
 }
 
-void list_programs(std::ofstream& list, const plait_stage_info& stage, const Source& source) {
+void list_programs(std::ofstream& list, const std::string& program, const plait_stage_info& stage,
+                   const Source& source, bool strands_meet) {
     for (const uint32_t lanes : lane_counts)
         for (const uint32_t vertices : vertex_counts) {
             const bool over_lanes = stage.space == PLAIT_SPACE_LANES;
@@ -34,8 +35,10 @@ void list_programs(std::ofstream& list, const plait_stage_info& stage, const Sou
                 continue;
             Candidate candidate{};
             (void)set_lanes(candidate.info, lanes);
-            list << stage.name << ' ' << lanes << ' ' << vertices << ' ' << stage.kernel << ' '
-                 << build_options(candidate, stage.space, {vertices, 0, 0}) << '\n';
+            Variant variant{vertices};
+            variant.strands_meet = strands_meet;
+            list << program << ' ' << lanes << ' ' << vertices << ' ' << stage.kernel << ' '
+                 << build_options(candidate, stage.space, variant) << '\n';
         }
 }
 
@@ -43,7 +46,7 @@ void list_sums(std::ofstream& list, const std::string& program, const plait_stag
     Candidate candidate{};
     (void)set_lanes(candidate.info, 1);
     list << program << " 1 " << usual_vertices << ' ' << stage.kernel << ' '
-         << build_options(candidate, stage.space, {usual_vertices, grid_sums, 0}) << '\n';
+         << build_options(candidate, stage.space, {usual_vertices, grid_sums}) << '\n';
 }
 
 int write_all(const std::filesystem::path& directory) {
@@ -57,7 +60,12 @@ int write_all(const std::filesystem::path& directory) {
             return 1;
         }
         std::ofstream(directory / (std::string(stage.name) + ".cl")) << source->text;
-        list_programs(list, stage, *source);
+        list_programs(list, stage.name, stage, *source, false);
+        if (mentions(*source, "PLAIT_STRANDS_MEET")) {
+            const std::string program = std::string(stage.name) + "-meet";
+            std::ofstream(directory / (program + ".cl")) << source->text;
+            list_programs(list, program, stage, *source, true);
+        }
         if (mentions(*source, "PLAIT_GROUP_SUMS")) {
             const std::string program = std::string(stage.name) + "-8";
             std::ofstream(directory / (program + ".cl")) << source->text;
