@@ -12,6 +12,7 @@
 using simulate::Figure;
 using simulate::Json;
 using simulate::Scene;
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
@@ -165,6 +166,26 @@ TEST_F(Loaded, a_level_says_how_many_are_simulated) {
                     scene_of({{"level", 1}, {"follows_per_guide", 3}});
                 }),
                 HasSubstr("follows_per_guide"));
+}
+
+TEST_F(Loaded, a_budget_chooses_levels_by_itself) {
+    const Scene scene = scene_of({{"budget", 4.5}, {"crowd", 7}});
+    EXPECT_FLOAT_EQ(scene.crowd.budget_ms, 4.5f);
+    EXPECT_EQ(scene.crowd.heads, 7u);
+    EXPECT_EQ(scene_of({{"budget", 4}}).crowd.heads, 1u);
+    const auto refusal = [](const Json& keys) { return refusal_of([&] { scene_of(keys); }); };
+    EXPECT_THAT(refusal({{"budget", 0}}), HasSubstr("budget is 0, outside [0.01,10000.0]"));
+    EXPECT_THAT(refusal({{"budget", 4}, {"crowd", 1001}}), HasSubstr("crowd is 1001"));
+    EXPECT_THAT(refusal({{"crowd", 3}}), HasSubstr("no budget"));
+    const std::pair<const char*, Json> others[] = {
+        {"level", 1},   {"switch", "1:2"}, {"guides", 5},       {"follows_per_guide", 3},
+        {"cache", "x"}, {"replay", "x"},   {"model", "tressfx"}};
+    for (const auto& [other, value] : others)
+        EXPECT_THAT(refusal({{"budget", 4}, {other, value}}),
+                    AllOf(HasSubstr("budget is given, and "),
+                          HasSubstr(value == "tressfx" ? "tressfx" : other)));
+    EXPECT_THAT(refusal({{"budget", 4}, {"crowd", 2}, {"profile", true}}),
+                HasSubstr("crowd is given, and profile"));
 }
 
 TEST_F(Loaded, guides_that_cannot_be_are_refused) {

@@ -7,6 +7,7 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <csignal>
 #include <fcntl.h>
 #include <map>
@@ -112,6 +113,52 @@ TEST_F(Program, simulates_guides_and_draws_what_follows) {
     EXPECT_LT(stats.at("max_stretch").get<double>(), 0.01);
     EXPECT_GT(stats.at("stage_ms").at("follow_turns").get<double>(), 0.0);
     EXPECT_THAT(text(), HasSubstr("of which 20 are simulated"));
+}
+
+// Budgets that no machine is too slow or too fast for: what a frame takes chooses nothing here.
+TEST_F(Program, directs_a_crowd_within_a_budget) {
+    const auto budget_of = [&](const char* ms) {
+        EXPECT_EQ(run({"--strands", "200", "--seconds", "0.2", "--settle", "0.1", "--budget", ms,
+                       "--crowd", "3", "--no-pictures", "--out", path("out")}),
+                  0)
+            << text();
+        return json("out/stats.json").at("budget");
+    };
+    const auto last = [](const Json& head) { return head.at("levels").back(); };
+    const Json ample = budget_of("10000"), none = budget_of("0.01");
+    for (const Json* budget : {&ample, &none}) {
+        ASSERT_EQ(budget->at("heads").size(), 3u);
+        EXPECT_GT(budget->at("median_ms"), 0.0);
+        EXPECT_GE(budget->at("p95_ms"), budget->at("median_ms"));
+    }
+    EXPECT_FLOAT_EQ(ample.at("ms"), 10000.0f);
+    EXPECT_FLOAT_EQ(ample.at("heads")[0].at("distance"), 0.7f);
+    EXPECT_FLOAT_EQ(ample.at("heads")[1].at("distance"), std::sqrt(0.7f * 30));
+    EXPECT_FLOAT_EQ(ample.at("heads")[2].at("distance"), 30.0f);
+    EXPECT_NEAR(ample.at("heads")[0].at("pixels_per_metre"), 2119.5, 0.1);
+    for (size_t head = 0; head < 3; ++head) {
+        EXPECT_EQ(last(ample.at("heads")[head]).at("level"), 0) << "all strands are stepped";
+        EXPECT_EQ(last(none.at("heads")[head]).at("level"), 3) << "none is";
+        EXPECT_EQ(none.at("heads")[head].at("levels")[0].at("frame"), 0);
+    }
+    EXPECT_EQ(last(ample.at("heads")[0]).at("shown"), 200);
+    EXPECT_LT(last(none.at("heads")[2]).at("shown"), 200);
+    EXPECT_THAT(text(), HasSubstr("budget 0.01 ms: median frame "));
+}
+
+TEST_F(Program, compares_a_budget_with_all_strands) {
+    const std::string scene = write("scene.json", R"({"strands": 200, "seconds": 0.1, "picture":
+        {"width": 40, "height": 50, "samples": 1, "video_samples": 1, "cells": 2}})");
+    ASSERT_EQ(run({"--scene", scene, "--budget", "0.01", "--out", path("out")}), 0) << text();
+    const Json stats = json("out/stats.json");
+    EXPECT_EQ(stats.at("budget").at("heads").size(), 1u);
+    EXPECT_TRUE(stats.at("neighbour_speed").is_null());
+    if (text().find("without pictures") != std::string::npos)
+        GTEST_SKIP() << text();
+    ASSERT_EQ(stats.at("compared").size(), 1u);
+    EXPECT_EQ(stats.at("compared")[0].at("label"), "all strands");
+    EXPECT_NE(stats.at("compared")[0].at("hash"), stats.at("hash"));
+    EXPECT_GT(std::filesystem::file_size(path("out/ab.png")), 1000u);
 }
 
 TEST_F(Program, binds_follows_where_hair_hangs) {

@@ -45,6 +45,13 @@ plait::SimDesc tressfx_and_thesis(const Scene& scene) {
 
 } // namespace
 
+// ", within 4 ms"
+std::string within(const CrowdChoice& crowd) {
+    char text[32];
+    std::snprintf(text, sizeof text, ", within %g ms", static_cast<double>(crowd.budget_ms));
+    return text;
+}
+
 std::string Variant::short_label() const {
     return label == label_of(sim) ? short_label_of(sim) : label;
 }
@@ -52,6 +59,7 @@ std::string Variant::short_label() const {
 Scene Variant::of(Scene scene) const {
     scene.sim = sim;
     scene.detail = detail;
+    scene.crowd = {};
     if (dry)
         scene.wetness.clear();
     scene.profile = false;
@@ -74,6 +82,8 @@ std::string label_of(const Scene& scene) {
     std::string label = label_of(scene.sim);
     if (!scene.wetness.empty())
         label += ", wet";
+    if (scene.crowd.directed())
+        label += within(scene.crowd);
     if (!scene.detail)
         return label;
     const plait_detail_desc& detail = *scene.detail;
@@ -117,6 +127,8 @@ std::vector<Variant> variants_beside(const Scene& scene) {
             variants.push_back({choice.name, scene.sim, choice.detail});
         return variants;
     }
+    if (scene.crowd.directed())
+        return {{"all strands", scene.sim, scene.detail}};
     if (!scene.wetness.empty())
         return {{label_of(scene.sim) + ", dry", scene.sim, scene.detail, true}};
     const bool own = scene.sim.model == PLAIT_MODEL_TRESSFX;

@@ -16,7 +16,7 @@ struct Variant {
     bool dry = false; // though the scene is wet
 
     std::string short_label() const; // in few letters, for films
-    Scene of(Scene scene) const;     // the scene run this way
+    Scene of(Scene scene) const;     // the scene run this way, one head without a budget
 };
 
 // "TressFX", "TressFX + inter-hair step of the thesis", "articulated + inter-hair step (slots)"
@@ -24,6 +24,9 @@ std::string label_of(const plait::SimDesc& sim);
 
 // That of the run itself, its detail after the simulation in it: "articulated + clumps, frizz".
 std::string label_of(const Scene& scene);
+
+// ", within 4 ms"
+std::string within(const CrowdChoice& crowd);
 
 // The same in few letters, for films: "TressFX", "TressFX + thesis's step", "articulated".
 std::string short_label_of(const plait::SimDesc& sim);
@@ -33,7 +36,7 @@ std::string tressfx_settings(const Scene& scene);
 
 // The scene's other details; without any, TressFX alone, and with the inter-hair step as the thesis
 // has it: those of the two that are not the run itself; and the run without volume, where it has
-// volume. A run whose hair is wet stands beside itself dry alone.
+// volume. A run within a budget stands beside all strands alone, one whose hair is wet beside itself dry.
 std::vector<Variant> variants_beside(const Scene& scene);
 
 } // namespace simulate

@@ -54,6 +54,10 @@ void add_options(CLI::App& app, CommandLine& line) {
           "in place of --guides: of the groom's levels of detail, 0 the finest [none]");
     text("--switch", "switch", "S:K,...",
          "at second S of the motion go over to level K; begins with --level, or with all [none]");
+    option<double>(app, keys, "--budget", "budget", "MS",
+                   "milliseconds for the hair of a frame, within which levels are chosen [none]");
+    count("--crowd", "crowd", "N",
+          "heads that share the budget, 0.7 to 30 m away; pictures are of the nearest [1]");
     app.add_option_function<std::string>(
            "--scale",
            [&keys](const std::string& value) {

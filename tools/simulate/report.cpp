@@ -48,6 +48,36 @@ Json to_json(const InsideReport& inside) {
     return json;
 }
 
+Json to_json(const CrowdHead& head) {
+    Json levels = Json::array();
+    for (const LevelChange& change : head.levels)
+        levels.push_back(
+            {{"frame", change.frame}, {"level", change.level}, {"shown", change.shown}});
+    return {{"distance", head.distance},
+            {"pixels_per_metre", head.pixels_per_metre},
+            {"levels", levels}};
+}
+
+Json budget_of(const Measurements& run, const CrowdChoice& choice) {
+    Json heads = Json::array();
+    for (const CrowdHead& head : run.crowd)
+        heads.push_back(to_json(head));
+    return {{"ms", choice.budget_ms},
+            {"median_ms", run.median_ms()},
+            {"p95_ms", run.percentile_ms(0.95)},
+            {"heads", heads}};
+}
+
+void print_budget(const Measurements& run, const CrowdChoice& choice) {
+    std::printf("%8s %8s %8s %8s\n", "head at", "level", "strands", "changes");
+    for (const CrowdHead& head : run.crowd)
+        if (!head.levels.empty())
+            std::printf("%6.1f m %8u %8u %8zu\n", static_cast<double>(head.distance),
+                        head.levels.back().level, head.levels.back().shown, head.levels.size() - 1);
+    std::printf("budget %.2f ms: median frame %.2f ms, 95 of 100 within %.2f ms\n",
+                static_cast<double>(choice.budget_ms), run.median_ms(), run.percentile_ms(0.95));
+}
+
 Json measured(const Measurements& run) {
     return {{"frames", run.frames},
             {"ms_per_frame", run.median_ms()},
@@ -124,7 +154,9 @@ void print_comparison(const Report& report) {
     for (const Compared& other : report.beside)
         print_compared(other.variant.label, other.run);
     if (!report.beside.empty())
-        print_compared(label_of(report.scene.sim), report.main);
+        print_compared(label_of(report.scene.sim) +
+                           (report.scene.crowd.directed() ? within(report.scene.crowd) : ""),
+                       report.main);
 }
 
 Json compared(const Compared& other) {
@@ -186,6 +218,10 @@ Json to_json(const Report& report) {
     json["import_repairs"] = report.figure.info.repairs_total;
     json["first_repair"] = report.figure.info.first_repair;
     json["interrupted"] = report.interrupted;
+    if (scene.crowd.directed()) {
+        json["budget"] = budget_of(report.main, scene.crowd);
+        json["neighbour_speed"] = nullptr; // not all strands are placed
+    }
     if (report.profile)
         json["profile"] = to_json(*report.profile);
     json["compared"] = Json::array();
@@ -202,7 +238,7 @@ void print_report(const Report& report) {
                 report.interrupted ? ", interrupted" : "");
     if (report.profile)
         std::fputs(to_text(*report.profile).c_str(), stdout);
-    else
+    else if (report.scene.crowd.heads == 1) // of several no stage is timed
         print_stages(run);
     std::printf("median frame %.2f ms; worst stretch %.2f %%, mean at the end %.2f %%; non-finite "
                 "vertices %llu\n",
@@ -215,6 +251,8 @@ void print_report(const Report& report) {
             "than 10 %%: %u\n",
             run.worst.segment, run.worst.strand, run.worst.frame, run.stretched_frames);
     print_inside(run.inside);
+    if (report.scene.crowd.directed())
+        print_budget(run, report.scene.crowd);
     if (report.scene.sim.sag_free != PLAIT_SAG_FREE_OFF)
         print_sag(run.info);
     print_comparison(report);

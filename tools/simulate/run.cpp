@@ -13,7 +13,7 @@ ContextHandle make_context(const Scene& scene, std::vector<std::string>& said) {
     plait_context_desc desc = plait_context_desc_defaults();
     desc.backend = scene.backend.empty() ? nullptr : scene.backend.c_str();
     desc.device = scene.device.empty() ? nullptr : scene.device.c_str();
-    desc.profile = 1;
+    desc.profile = scene.crowd.heads == 1; // with it one head is stepped after another
     desc.log_user = &said;
     desc.log = [](plait_log_level level, const char* text, void* user) {
         if (level >= PLAIT_LOG_LEVEL_WARNING)
@@ -38,18 +38,21 @@ template <typename T> void read_field(plait_sim* sim, plait_field field, std::ve
 
 } // namespace
 
-double Measurements::median_ms() const {
+double Measurements::percentile_ms(double share) const {
     if (frame_ms.empty())
         return 0.0;
     std::vector<double> sorted = frame_ms;
-    const auto middle = sorted.begin() + static_cast<ptrdiff_t>(sorted.size() / 2);
-    std::nth_element(sorted.begin(), middle, sorted.end());
-    return *middle;
+    const auto rank = static_cast<size_t>(share * static_cast<double>(sorted.size()));
+    const auto at = sorted.begin() + static_cast<ptrdiff_t>(std::min(rank, sorted.size() - 1));
+    std::nth_element(sorted.begin(), at, sorted.end());
+    return *at;
 }
 
-Simulation::Simulation(const Scene& scene, const Figure& figure, Simulated which)
-    : scene_(scene), figure_(figure), which_(which), context_(make_context(scene, said_)),
-      levels_(make_levels()), sim_(make_sim()) {
+Simulation::Simulation(const Scene& scene, const Figure& figure, Simulated which,
+                       const Simulation* nearest)
+    : scene_(scene), figure_(figure), which_(which),
+      context_(nearest ? nearest->context_ : make_context(scene, said_)),
+      levels_(nearest ? nearest->levels_ : make_levels()), sim_(make_sim()) {
     row_ = describe().vertices_per_strand;
     read_field(sim_.get(), PLAIT_FIELD_VERTEX_COUNT, vertex_count_);
     read_field(sim_.get(), PLAIT_FIELD_POSITION, rest_);
@@ -64,8 +67,21 @@ Simulation::Simulation(const Scene& scene, const Figure& figure, Simulated which
         add_wetness();
     if (scene.detail && which == Simulated::guides)
         check(plait_sim_set_detail(sim_.get(), &*scene.detail));
-    if (switches())
+    if (which == Simulated::guides && scene.crowd.directed()) {
+        if (!nearest)
+            add_crowd();
+    } else if (changes_level()) {
         begin_level();
+    }
+}
+
+void Simulation::add_crowd() {
+    std::vector<plait_sim*> sims{sim_.get()};
+    for (uint32_t head = 1; head < scene_.crowd.heads; ++head) {
+        farther_.emplace_back(new Simulation(scene_, figure_, which_, this));
+        sims.push_back(farther_.back()->sim_.get());
+    }
+    crowd_ = std::make_unique<Crowd>(context_.get(), sims, scene_.crowd);
 }
 
 // Materials are not for TressFX, in a comparison.
@@ -123,7 +139,7 @@ FollowMapHandle Simulation::bind(const plait_pose& start) const {
 }
 
 LevelsHandle Simulation::make_levels() const {
-    if (!switches())
+    if (!changes_level())
         return nullptr;
     plait_levels_desc desc = plait_levels_desc_defaults();
     desc.groom = figure_.groom.get();
@@ -153,7 +169,7 @@ void Simulation::begin_level() const {
 void Simulation::switch_level(uint32_t frame) {
     const auto& list = scene_.groom.switches;
     const float time = static_cast<float>(frame) / static_cast<float>(scene_.rate);
-    for (; switches() && next_switch_ < list.size() && list[next_switch_].second <= time;
+    for (; changes_level() && next_switch_ < list.size() && list[next_switch_].second <= time;
          ++next_switch_) {
         plait_level_choice choice = plait_level_choice_defaults();
         choice.level = list[next_switch_].level;
@@ -179,7 +195,7 @@ void Simulation::add_wetness() {
         throw Failure("wetness has " + std::to_string(scene_.wetness.size()) +
                       " numbers, the groom has " + std::to_string(strands) + " strands");
     if (levels_ && scene_.wetness.size() > 1)
-        throw Failure("wetness has a number for each strand, and level is switched, too");
+        throw Failure("wetness has a number for each strand, and levels change, too");
     std::vector<uint32_t> all(strands);
     for (uint32_t i = 0; i < all.size(); ++i)
         all[i] = i;
@@ -306,6 +322,8 @@ void Simulation::pose_roots(const plait_pose& head, float time) {
         roots.head = head;
     }
     check(plait_sim_set_roots(sim_.get(), &roots));
+    for (const auto& other : farther_)
+        other->pose_roots(head, time);
 }
 
 void Simulation::pose_colliders(const plait_pose& head, float time) {
@@ -322,6 +340,34 @@ void Simulation::pose_colliders(const plait_pose& head, float time) {
         const plait_pose pose = figure_.hands[i].pose(time);
         check(plait_collider_set_pose(sim_.get(), hands_[i], &pose));
     }
+    for (const auto& other : farther_)
+        other->pose_colliders(head, time);
+}
+
+// A step of all heads, enqueued.
+void Simulation::step() {
+    if (crowd_)
+        crowd_->step(scene_.sim.step);
+    else
+        check(plait_sim_step(sim_.get(), scene_.sim.step));
+}
+
+void Simulation::wait() {
+    if (crowd_)
+        crowd_->wait();
+    else
+        check(plait_sim_wait(sim_.get()));
+}
+
+// Of a frame; the director hears of it.
+template <typename Work> double Simulation::timed_ms(const Work& work) const {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    const double ms =
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    if (crowd_)
+        crowd_->took(ms);
+    return ms;
 }
 
 double Simulation::step_ms(Timeline& timeline, uint32_t frame, const plait_pose& head) {
@@ -330,13 +376,14 @@ double Simulation::step_ms(Timeline& timeline, uint32_t frame, const plait_pose&
         timed(timeline, {name, frame, enqueues, true, 0, 0}, work);
     };
     switch_level(frame);
-    const auto start = std::chrono::steady_clock::now();
-    call("set_roots", true, [&] { pose_roots(head, time); });
-    call("set_colliders", false, [&] { pose_colliders(head, time); });
-    call("step", true, [&] { check(plait_sim_step(sim_.get(), scene_.sim.step)); });
-    call("wait", false, [&] { check(plait_sim_wait(sim_.get())); });
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
-        .count();
+    return timed_ms([&] {
+        if (crowd_)
+            call("direct", false, [&] { crowd_->direct(scene_.sim.step); });
+        call("set_roots", true, [&] { pose_roots(head, time); });
+        call("set_colliders", false, [&] { pose_colliders(head, time); });
+        call("step", true, [&] { step(); });
+        call("wait", false, [&] { wait(); });
+    });
 }
 
 void Simulation::take_launches(Timeline& timeline, uint32_t frame) {
@@ -362,10 +409,16 @@ void Simulation::settle(const plait_pose& start) {
     pose_roots(start, 0.0f);
     pose_colliders(start, 0.0f);
     check(plait_sim_reset(sim_.get()));
+    for (const auto& other : farther_)
+        check(plait_sim_reset(other->sim_.get()));
     Progress progress("settling  ", static_cast<uint32_t>(frames));
     for (long frame = 0; frame < frames && !interrupted(); ++frame) {
-        check(plait_sim_step(sim_.get(), scene_.sim.step));
-        check(plait_sim_wait(sim_.get()));
+        timed_ms([&] {
+            if (crowd_)
+                crowd_->direct(scene_.sim.step);
+            step();
+            wait();
+        });
         progress.update(static_cast<uint32_t>(frame + 1));
     }
     read_field(sim_.get(), PLAIT_FIELD_POSITION, positions_);
@@ -417,9 +470,28 @@ void Simulation::show(uint32_t frame, const plait_pose& head,
     if (std::none_of(watchers.begin(), watchers.end(), wanted))
         return;
     const float time = static_cast<float>(frame) / static_cast<float>(scene_.rate);
+    Shot shot{frame, time, head, positions_, vertex_count_, row_};
+    if (changes_level())
+        show_level(shot);
     for (const Watcher& watcher : watchers)
         if (watcher.wanted(frame))
-            watcher.see({frame, time, head, positions_, vertex_count_, row_});
+            watcher.see(shot);
+}
+
+// Only strands that are placed.
+void Simulation::show_level(Shot& shot) const {
+    plait_level_state now = plait_level_state_defaults();
+    check(plait_sim_get_level(sim_.get(), &now));
+    const size_t all = vertex_count_.size();
+    shot.vertex_count = shot.vertex_count.first(now.shown);
+    shot.positions = shot.positions.first(size_t{4} * row_ * now.shown);
+    shot.widen = static_cast<float>(all) / static_cast<float>(now.shown);
+    shot.level = ", level " + std::to_string(now.level);
+    if (!crowd_)
+        return;
+    char text[64];
+    std::snprintf(text, sizeof text, ", %u strands, %.1f ms", now.shown, crowd_->last_ms());
+    shot.level += text;
 }
 
 std::vector<plait_stage_time> Simulation::stage_times(bool reset) {
@@ -434,6 +506,8 @@ std::vector<plait_stage_time> Simulation::stage_times(bool reset) {
 void Simulation::finish(Measurements& measurements) {
     measurements.stages = stage_times(false);
     check(plait_sim_hash(sim_.get(), &measurements.hash));
+    if (crowd_)
+        measurements.crowd = crowd_->heads();
     measurements.info = describe();
     measurements.device.struct_size = sizeof measurements.device;
     check(plait_context_describe(context_.get(), &measurements.device));
@@ -453,6 +527,8 @@ Measurements Simulation::run(const Motion& motion, const std::vector<Watcher>& w
         if (keeps_timeline())
             forget_launches();
         measurements.frame_ms.push_back(step_ms(measurements.timeline, frame, head));
+        if (crowd_)
+            crowd_->record(frame);
         if (keeps_timeline())
             take_launches(measurements.timeline, frame);
         measure(measurements, frame);

@@ -1,6 +1,7 @@
 // One figure moved through one motion on one device, frame by frame.
 #pragma once
 
+#include "crowd.hpp"
 #include "neighbours.hpp"
 #include "pictures/inside.hpp"
 #include "profile/timeline.hpp"
@@ -39,8 +40,10 @@ struct Measurements {
     } worst{};
     InsideReport inside;
     uint64_t hash = 0;
-    Timeline timeline; // empty unless scene.profile or scene.trace ask for it
-    double median_ms() const;
+    Timeline timeline;            // empty unless scene.profile or scene.trace ask for it
+    std::vector<CrowdHead> crowd; // within a budget
+    double median_ms() const { return percentile_ms(0.5); }
+    double percentile_ms(double share) const; // so many frames take no longer
 };
 
 // `wanted(frame)`: whether see() is to be given that frame's positions.
@@ -54,7 +57,8 @@ enum class Simulated { guides, all };
 
 class Simulation {
   public:
-    Simulation(const Scene& scene, const Figure& figure, Simulated which = Simulated::guides);
+    Simulation(const Scene& scene, const Figure& figure, Simulated which = Simulated::guides)
+        : Simulation(scene, figure, which, nullptr) {}
 
     // Ends early, with what there is, when interrupted. A body that moves the head does so in place of
     // `motion`. Throws Failure.
@@ -71,11 +75,17 @@ class Simulation {
     std::vector<std::string> take_warnings() { return std::exchange(said_, {}); }
 
   private:
+    // `nearest`: of a crowd, whose context and levels this head has, too; null: its own.
+    Simulation(const Scene& scene, const Figure& figure, Simulated which,
+               const Simulation* nearest);
     // The figure's, its follows where they hang before the motion; null: they follow as groomed.
     static FollowMapHandle bound_map(const Scene& scene, const Figure& figure);
     SimHandle make_sim();
     LevelsHandle make_levels() const;
-    bool switches() const { return which_ == Simulated::guides && !scene_.groom.switches.empty(); }
+    bool changes_level() const { return which_ == Simulated::guides && scene_.changes_level(); }
+    void add_crowd();
+    void step();
+    void wait();
     void begin_level() const;
     void switch_level(uint32_t frame);
     // Whether follows are bound where all strands hang before the motion.
@@ -96,12 +106,14 @@ class Simulation {
     void pose_colliders(const plait_pose& head, float time);
     void settle(const plait_pose& start);
     FollowMapHandle bind(const plait_pose& start) const;
+    template <typename Work> double timed_ms(const Work& work) const;
     double step_ms(Timeline& timeline, uint32_t frame, const plait_pose& head);
     void take_launches(Timeline& timeline, uint32_t frame);
     void forget_launches();
     void measure(Measurements& measurements, uint32_t frame);
     void find_worst(Measurements& measurements, uint32_t frame);
     void show(uint32_t frame, const plait_pose& head, const std::vector<Watcher>& watchers);
+    void show_level(Shot& shot) const;
     // Of all frames since the last reset.
     std::vector<plait_stage_time> stage_times(bool reset);
     void finish(Measurements& measurements);
@@ -110,8 +122,8 @@ class Simulation {
     const Figure& figure_;
     const Simulated which_;
     std::vector<std::string> said_;
-    ContextHandle context_;
-    LevelsHandle levels_; // null but with switches
+    std::shared_ptr<plait_context> context_;
+    std::shared_ptr<plait_levels> levels_; // null but where they change
     size_t next_switch_ = 0;
     SimHandle sim_;
     struct Moving {
@@ -127,6 +139,8 @@ class Simulation {
     std::vector<uint32_t> vertex_count_;
     uint32_t row_ = 0;
     Recording* recording_ = nullptr;
+    std::vector<std::unique_ptr<Simulation>> farther_; // heads of a crowd
+    std::unique_ptr<Crowd> crowd_;                     // with this head; null: no budget
 };
 
 } // namespace simulate

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 
 namespace simulate {
 
@@ -15,6 +16,8 @@ struct Shot {
     std::span<const float> positions;       // [strands][row][4], m; the fourth is anything
     std::span<const uint32_t> vertex_count; // [strands]
     uint32_t row = 0;
+    float widen = 1.0f;     // as much as there are fewer strands than the hair has
+    std::string level = {}; // ", level 2"; empty where it does not change
 };
 
 } // namespace simulate

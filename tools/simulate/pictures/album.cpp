@@ -33,19 +33,10 @@ std::set<uint32_t> spread(uint32_t count, uint32_t frames) {
     return chosen;
 }
 
-// ", level 2"; empty where it does not change.
-std::string level_at(const Scene& scene, float time) {
-    uint32_t level = scene.groom.level.value_or(0);
-    for (const LevelSwitch& next : scene.groom.switches)
-        if (next.second <= time)
-            level = next.level;
-    return scene.groom.switches.empty() ? "" : ", level " + std::to_string(level);
-}
-
 std::string caption(const Shot& shot) {
     char text[32];
     std::snprintf(text, sizeof text, "t = %.2f s", static_cast<double>(shot.time));
-    return text;
+    return text + shot.level;
 }
 
 Vector3f towards_camera(const CameraChoice& choice, const Figure& figure) {
@@ -119,6 +110,7 @@ struct Album::State {
     uint32_t video_every;
     std::unique_ptr<Video> video;                        // of the run alone, written as it goes
     std::vector<render::Image> film;                     // of the run, to be set beside the others
+    std::vector<std::string> film_levels;                // as Shot::level
     std::vector<std::vector<render::Image>> beside_film; // by variant
     using Cells = std::map<uint32_t, render::Cell>;      // by frame
     Cells cells;
@@ -151,14 +143,14 @@ Album::State::State(const Scene& s, const Figure& f, std::vector<Variant> varian
 }
 
 bool Album::State::films_all() const {
-    const bool says_more = !beside.empty() || !scene.groom.switches.empty();
+    const bool says_more = !beside.empty() || scene.changes_level();
     return scene.pictures.video && says_more && scene.seconds <= longest_film;
 }
 
 render::Image Album::State::draw(const Shot& shot, uint32_t samples, bool small) {
     const PictureChoice& choice = scene.pictures;
     const float width = choice.hair_width > 0.0f
-                            ? choice.hair_width
+                            ? choice.hair_width * shot.widen
                             : render::default_width(shot.vertex_count.size()) * figure.size;
     const render::Hair hair{shot.positions, shot.vertex_count, shot.row, width};
     // The head's pose is that of the step's end, and so must be the hands'.
@@ -239,7 +231,8 @@ void Album::State::write_film(std::vector<std::string>& files) {
             labels.push_back(beside[i].short_label());
         }
     columns_of_film.push_back(&film);
-    labels.push_back(short_label_of(scene.sim) + (scene.wetness.empty() ? "" : ", wet"));
+    labels.push_back(short_label_of(scene.sim) + (scene.wetness.empty() ? "" : ", wet") +
+                     (scene.crowd.directed() ? within(scene.crowd) : ""));
     std::unique_ptr<Video> out;
     for (size_t frame = 0; frame < film.size(); ++frame) {
         std::vector<render::Cell> side;
@@ -248,8 +241,7 @@ void Album::State::write_film(std::vector<std::string>& files) {
                             std::string(1, static_cast<char>('A' + i)) + ": " + labels[i]});
         if (side.size() == 1)
             side[0].caption = labels[0];
-        side.back().caption += level_at(scene, static_cast<float>(frame * video_every) /
-                                                   static_cast<float>(scene.rate));
+        side.back().caption += film_levels[frame];
         const render::Image image = render::side_by_side(side);
         if (!out)
             out = std::make_unique<Video>(path("motion"), image.width, image.height,
@@ -276,14 +268,15 @@ bool Album::wants(uint32_t frame) const {
 void Album::take(const Shot& shot) {
     const PictureChoice& choice = state_->scene.pictures;
     if (state_->sheet_frames.contains(shot.frame) || state_->compared_frames.contains(shot.frame))
-        state_->cells[shot.frame] = {state_->draw(shot, choice.samples),
-                                     caption(shot) + level_at(state_->scene, shot.time)};
+        state_->cells[shot.frame] = {state_->draw(shot, choice.samples), caption(shot)};
     if (!choice.video || !state_->in_film(shot.frame))
         return;
     if (state_->video)
         state_->video->add(state_->draw(shot, choice.video_samples));
-    else
+    else {
         state_->film.push_back(state_->draw(shot, choice.video_samples, true));
+        state_->film_levels.push_back(shot.level);
+    }
 }
 
 bool Album::wants_beside(uint32_t frame) const {

@@ -281,7 +281,7 @@ void take_level(const Scene& scene, Figure& figure, uint32_t level) {
 }
 
 void choose_guides(const Scene& scene, Figure& figure) {
-    if (!scene.groom.switches.empty())
+    if (scene.changes_level())
         return; // the sim has all levels
     if (scene.groom.level)
         return take_level(scene, figure, *scene.groom.level);

@@ -124,16 +124,36 @@ std::vector<LevelSwitch> read_switches(JsonReader& top, const std::string& text)
     return list;
 }
 
-void refuse_with_switches(JsonReader& top, const Scene& scene) {
+// `key` is switch or budget.
+void refuse_with_levels(JsonReader& top, const char* key, const Scene& scene) {
     for (const char* other : {"guides", "follows_per_guide", "detail"})
         if (top.value(other))
-            top.fail("switch",
+            top.fail(key,
                      std::string("is given, and ") + other + ", too: levels choose the guides");
     if (top.value("cache"))
-        top.fail("switch", "is given, and cache, too: every frame of a cache has the same strands; "
-                           "give level instead");
+        top.fail(key, "is given, and cache, too: every frame of a cache has the same strands; "
+                      "give level instead");
     if (scene.sim.model == PLAIT_MODEL_TRESSFX)
-        top.fail("switch", "is given, and strands of the model tressfx have no levels");
+        top.fail(key, "is given, and strands of the model tressfx have no levels");
+}
+
+void read_crowd(JsonReader& top, Scene& scene) {
+    CrowdChoice& crowd = scene.crowd;
+    if (top.number("budget", crowd.budget_ms, 0.01, 1e4)) {
+        for (const char* other : {"level", "switch"})
+            if (top.value(other))
+                top.fail("budget", std::string("is given, and ") + other +
+                                       ", too: within a budget the director chooses levels");
+        if (top.value("replay"))
+            top.fail("budget", "is given, and replay, too, which simulates nothing");
+        refuse_with_levels(top, "budget", scene);
+    }
+    if (top.integer("crowd", crowd.heads, 1, 1000) && !crowd.directed())
+        top.fail("crowd", "is given, and no budget: its heads share one; give budget, in ms");
+    for (const char* other : {"profile", "trace"})
+        if (crowd.heads > 1 && top.value(other))
+            top.fail("crowd", "is given, and " + std::string(other) +
+                                  ", too, which is of one head; leave crowd out");
 }
 
 void read_groom(JsonReader& top, const Origin& origin, Scene& scene) {
@@ -146,8 +166,9 @@ void read_groom(JsonReader& top, const Origin& origin, Scene& scene) {
         groom.level = level;
     if (std::string switches; top.text("switch", switches)) {
         groom.switches = read_switches(top, switches);
-        refuse_with_switches(top, scene);
+        refuse_with_levels(top, "switch", scene);
     }
+    read_crowd(top, scene);
     if (groom.level && groom.guides > 0)
         top.fail("level", "is given, and guides, too: a level says how many there are");
     if (groom.level && scene.sim.follows_per_guide > 0)
@@ -414,7 +435,8 @@ void hang(JsonReader& top, Scene& scene) {
         return;
     scene.sim.sag_free = hang.sag_free;
     scene.settle = hang.settle;
-    const bool follows_otherwise = top.value("guides") || top.value("level") || top.value("switch");
+    const bool follows_otherwise =
+        top.value("guides") || top.value("level") || top.value("switch") || top.value("budget");
     if (scene.groom.name == "dreadlocks" && !follows_otherwise) {
         // A strand is a lock: this many hairs of it are drawn.
         scene.sim.follows_per_guide = 64;
@@ -523,6 +545,10 @@ plait_tressfx_desc Scene::default_tressfx() {
 
 uint32_t Scene::frames() const {
     return static_cast<uint32_t>(std::max(1L, std::lround(seconds * static_cast<float>(rate))));
+}
+
+bool Scene::changes_level() const {
+    return crowd.directed() || !groom.switches.empty();
 }
 
 bool Scene::head_is_mesh() const {

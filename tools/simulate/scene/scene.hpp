@@ -4,6 +4,7 @@
 
 #include "body.hpp"
 #include "common.hpp"
+#include "crowd.hpp"
 #include "detail.hpp"
 #include "materials.hpp"
 #include "meshes.hpp"
@@ -97,6 +98,7 @@ inline constexpr const char* bind_names[] = {"groomed", "hung"};
 
 struct Scene {
     GroomChoice groom;
+    CrowdChoice crowd;
     HeadChoice head;
     CameraChoice camera;
     PictureChoice pictures;
@@ -129,6 +131,7 @@ struct Scene {
     std::string trace; // file; "": none
 
     uint32_t frames() const;
+    bool changes_level() const;          // as it runs
     bool head_is_mesh() const;           // of the colliders
     bool mannequin_is_meshes() const;    // of the colliders, beside those of a file
     static plait::SimDesc default_sim(); // what long hair needs under real gravity
