@@ -10,8 +10,7 @@ namespace {
 
 // Each as many times farther than the one before.
 float distance_of(uint32_t head, uint32_t heads) {
-    const float share =
-        heads > 1 ? static_cast<float>(head) / static_cast<float>(heads - 1) : 0.0f;
+    const float share = heads > 1 ? static_cast<float>(head) / static_cast<float>(heads - 1) : 0.0f;
     return Crowd::nearest * std::pow(Crowd::farthest / Crowd::nearest, share);
 }
 
@@ -40,8 +39,8 @@ void Crowd::direct(double dt) {
     desc.budget_ms = budget_ms_;
     desc.tolerance_px = 0.05f;
     desc.last_ms = static_cast<float>(std::min(last_ms_, 1e4));
-    check(plait_context_direct(context_, characters_.data(), characters_.size(), &desc, dt,
-                               nullptr));
+    check(
+        plait_context_direct(context_, characters_.data(), characters_.size(), &desc, dt, nullptr));
 }
 
 void Crowd::step(double dt) {

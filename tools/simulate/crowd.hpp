@@ -41,7 +41,7 @@ class Crowd {
     void wait();
     void took(double ms) { last_ms_ = ms; } // the frame
     double last_ms() const { return last_ms_; }
-    void record(uint32_t frame);            // after it
+    void record(uint32_t frame); // after it
     const std::vector<CrowdHead>& heads() const { return heads_; }
 
   private:
