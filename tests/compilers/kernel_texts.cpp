@@ -15,7 +15,7 @@ constexpr uint32_t vertex_counts[] = {usual_vertices, 21};
 constexpr uint32_t lane_counts[] = {1, 16};
 
 // Stages whose work-groups may add up sums in local memory: a program more, `<stage>-8`, for a grid of 8
-// voxels each way. One for where strands meet has one more, too: `<stage>-meet`.
+// voxels each way.
 constexpr uint32_t grid_sums = 8 * 8 * 8 * PLAIT_SUM_STRIDE;
 
 // Does the text depend on them? What does not is compiled once.
@@ -35,10 +35,10 @@ void list_programs(std::ofstream& list, const std::string& program, const plait_
                 continue;
             Candidate candidate{};
             (void)set_lanes(candidate.info, lanes);
-            Variant variant{vertices};
-            variant.strands_meet = strands_meet;
             list << program << ' ' << lanes << ' ' << vertices << ' ' << stage.kernel << ' '
-                 << build_options(candidate, stage.space, variant) << '\n';
+                 << build_options(candidate, stage.space,
+                                  {.vertices = vertices, .strands_meet = strands_meet})
+                 << '\n';
         }
 }
 
@@ -46,7 +46,9 @@ void list_sums(std::ofstream& list, const std::string& program, const plait_stag
     Candidate candidate{};
     (void)set_lanes(candidate.info, 1);
     list << program << " 1 " << usual_vertices << ' ' << stage.kernel << ' '
-         << build_options(candidate, stage.space, {usual_vertices, grid_sums}) << '\n';
+         << build_options(candidate, stage.space,
+                          {.vertices = usual_vertices, .group_sums = grid_sums})
+         << '\n';
 }
 
 int write_all(const std::filesystem::path& directory) {
@@ -61,7 +63,7 @@ int write_all(const std::filesystem::path& directory) {
         }
         std::ofstream(directory / (std::string(stage.name) + ".cl")) << source->text;
         list_programs(list, stage.name, stage, *source, false);
-        if (mentions(*source, "PLAIT_STRANDS_MEET")) {
+        if (mentions(*source, "PLAIT_STRANDS_MEET")) { // another program solves strands that meet
             const std::string program = std::string(stage.name) + "-meet";
             std::ofstream(directory / (program + ".cl")) << source->text;
             list_programs(list, program, stage, *source, true);

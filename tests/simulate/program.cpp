@@ -146,6 +146,19 @@ TEST_F(Program, directs_a_crowd_within_a_budget) {
     EXPECT_THAT(text(), HasSubstr("budget 0.01 ms: median frame "));
 }
 
+// Strands that a level does not place are not neighbours.
+TEST_F(Program, measures_neighbours_where_all_strands_are_placed) {
+    const auto speed_with = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> all{"--strands",     "200",   "--seconds", "0.2",
+                                     "--no-pictures", "--out", path("out")};
+        all.insert(all.end(), more.begin(), more.end());
+        EXPECT_EQ(run(all), 0) << text();
+        return json("out/stats.json").at("neighbour_speed");
+    };
+    EXPECT_TRUE(speed_with({"--switch", "0.1:2"}).is_null());
+    EXPECT_GT(speed_with({"--level", "2"}).get<double>(), 0.0);
+}
+
 TEST_F(Program, compares_a_budget_with_all_strands) {
     const std::string scene = write("scene.json", R"({"strands": 200, "seconds": 0.1, "picture":
         {"width": 40, "height": 50, "samples": 1, "video_samples": 1, "cells": 2}})");

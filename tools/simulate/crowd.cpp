@@ -33,7 +33,7 @@ Crowd::Crowd(plait_context* context, const std::vector<plait_sim*>& sims, const 
     }
 }
 
-// A tolerance of nothing: what the budget has is spent.
+// So small a tolerance that heads spend all of the budget.
 void Crowd::direct(double dt) {
     plait_director_desc desc = plait_director_desc_defaults();
     desc.budget_ms = budget_ms_;

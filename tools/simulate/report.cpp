@@ -89,7 +89,7 @@ Json measured(const Measurements& run) {
               {"strand", run.worst.strand},
               {"segment", run.worst.segment}}},
             {"stretched_frames", run.stretched_frames},
-            {"neighbour_speed", run.neighbour_speed},
+            {"neighbour_speed", run.neighbour_speed ? Json(*run.neighbour_speed) : Json()},
             {"nonfinite", run.nonfinite},
             {"inside", to_json(run.inside)},
             {"grid_outside", run.last.grid_outside},
@@ -134,10 +134,10 @@ void print_inside(const char* what, const InsideCount& count) {
     std::printf("\n");
 }
 
-void print_inside(const InsideReport& inside) {
+void print_inside(const InsideReport& inside, bool changes_level) {
     if (inside.frames == 0)
         return;
-    print_inside("that are simulated", inside.simulated);
+    print_inside(changes_level ? "that are shown" : "that are simulated", inside.simulated);
     if (inside.following.vertices)
         print_inside("that follow", inside.following);
     if (inside.groomed > 0.0)
@@ -145,18 +145,18 @@ void print_inside(const InsideReport& inside) {
 }
 
 void print_compared(const std::string& label, const Measurements& run) {
-    std::printf("%-50s %9.2f ms/frame, worst stretch %9.2f %%, neighbours apart by %.3f m/s\n",
-                label.c_str(), run.median_ms(), 100.0 * static_cast<double>(run.max_stretch),
-                run.neighbour_speed);
+    std::printf("%-50s %9.2f ms/frame, worst stretch %9.2f %%", label.c_str(), run.median_ms(),
+                100.0 * static_cast<double>(run.max_stretch));
+    if (run.neighbour_speed)
+        std::printf(", neighbours apart by %.3f m/s", *run.neighbour_speed);
+    std::printf("\n");
 }
 
 void print_comparison(const Report& report) {
     for (const Compared& other : report.beside)
         print_compared(other.variant.label, other.run);
     if (!report.beside.empty())
-        print_compared(label_of(report.scene.sim) +
-                           (report.scene.crowd.directed() ? within(report.scene.crowd) : ""),
-                       report.main);
+        print_compared(label_of(report.scene), report.main);
 }
 
 Json compared(const Compared& other) {
@@ -218,10 +218,8 @@ Json to_json(const Report& report) {
     json["import_repairs"] = report.figure.info.repairs_total;
     json["first_repair"] = report.figure.info.first_repair;
     json["interrupted"] = report.interrupted;
-    if (scene.crowd.directed()) {
+    if (scene.crowd.directed())
         json["budget"] = budget_of(report.main, scene.crowd);
-        json["neighbour_speed"] = nullptr; // not all strands are placed
-    }
     if (report.profile)
         json["profile"] = to_json(*report.profile);
     json["compared"] = Json::array();
@@ -250,7 +248,7 @@ void print_report(const Report& report) {
             "worst segment: %u of strand %u, in frame %u; frames with a segment off by more "
             "than 10 %%: %u\n",
             run.worst.segment, run.worst.strand, run.worst.frame, run.stretched_frames);
-    print_inside(run.inside);
+    print_inside(run.inside, report.scene.changes_level());
     if (report.scene.crowd.directed())
         print_budget(run, report.scene.crowd);
     if (report.scene.sim.sag_free != PLAIT_SAG_FREE_OFF)

@@ -437,8 +437,10 @@ void Simulation::measure(Measurements& measurements, uint32_t frame) {
         measurements.max_stretch = measurements.last.max_stretch;
         find_worst(measurements, frame);
     }
-    neighbours_->add(positions_, scene_.sim.step);
-    measurements.neighbour_speed = neighbours_->rms_speed();
+    if (!changes_level()) {
+        neighbours_->add(positions_, scene_.sim.step);
+        measurements.neighbour_speed = neighbours_->rms_speed();
+    }
     measurements.mean_stretch = measurements.last.mean_stretch;
     measurements.nonfinite = std::max(measurements.nonfinite, measurements.last.nonfinite);
 }

@@ -32,8 +32,8 @@ struct Measurements {
     float mean_stretch = 0.0f; // of the last frame
     uint64_t nonfinite = 0;
     // Rms speed of a vertex relative to that of the nearest strand, m/s: what a step between hairs
-    // brakes.
-    double neighbour_speed = 0.0;
+    // brakes. None where levels change: not all strands are placed.
+    std::optional<double> neighbour_speed;
     uint32_t stretched_frames = 0; // with a segment off by more than a tenth
     struct {
         uint32_t frame, strand, segment; // of max_stretch; segment 0 begins at the root

@@ -162,7 +162,6 @@ plait_grid_params wind_grid() {
     return params;
 }
 
-// Strands that meet each other are solved by a program of their own.
 plait_lane_params meeting_strands() {
     plait_lane_params params{};
     params.vertex_stride = params.tile = params.row_stride = 1;
@@ -170,15 +169,15 @@ plait_lane_params meeting_strands() {
     return params;
 }
 
-// Parameters that make a kernel of its own.
-struct OtherParams {
+// Parameters for which a backend builds another program of a stage.
+struct VariantParams {
     plait_grid_params wind = wind_grid();
     plait_lane_params meeting = meeting_strands();
 };
 
 // Of one stage, for as many items as there will be: compilers may tell few from many.
 std::vector<plait_dispatch> dispatches(const Context& context, const plait_stage_info& stage,
-                                       const Preparation& of, const OtherParams& others) {
+                                       const Preparation& of, const VariantParams& variants) {
     const uint32_t strands = of.strands > 0 ? of.strands : usual_strands;
     std::vector<plait_dispatch> list;
     const auto add = [&](uint32_t items, uint32_t width, const void* params = nullptr) {
@@ -196,7 +195,7 @@ std::vector<plait_dispatch> dispatches(const Context& context, const plait_stage
             add(strands, row);
             if (stage.stage == PLAIT_STAGE_articulated &&
                 of.features & PLAIT_FEATURE_STRAND_CONTACT)
-                add(strands, row, &others.meeting);
+                add(strands, row, &variants.meeting);
         }
         break;
     case PLAIT_SPACE_STRAND_GROUP:
@@ -222,7 +221,7 @@ std::vector<plait_dispatch> dispatches(const Context& context, const plait_stage
         if (of_all)
             add(items * usual_follows, 1);
         if (stage.stage == PLAIT_STAGE_grid_splat && of.features & PLAIT_FEATURE_WIND)
-            add(1, 1, &others.wind);
+            add(1, 1, &variants.wind);
         break;
     }
     case PLAIT_SPACE_FORCE_32:
@@ -234,11 +233,11 @@ std::vector<plait_dispatch> dispatches(const Context& context, const plait_stage
 } // namespace
 
 Status prepare(Context& context, const Preparation& of) {
-    const OtherParams others;
+    const VariantParams variants;
     std::vector<std::vector<plait_dispatch>> stages;
     for (const Need& need : needs)
         if (runs(context, need, of)) {
-            stages.push_back(dispatches(context, *plait_stage_describe(need.stage), of, others));
+            stages.push_back(dispatches(context, *plait_stage_describe(need.stage), of, variants));
             PLAIT_TRY(check_supported(context.device, stages.back()));
         }
     const auto total = static_cast<uint32_t>(stages.size());
