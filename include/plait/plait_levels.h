@@ -20,8 +20,9 @@ typedef struct plait_levels_desc {
     const plait_groom* groom; /* all strands; copied */
     /* float[3], m, each within 1e6 [strands][V], V any that holds the longest: where all strands hang,
        their bodies in place, as for plait_follow_map_bind: PLAIT_FIELD_POSITION, with a stride of 16
-       bytes, of a sim of `groom` that has settled. Follows are bound there. Empty, the default: the
-       hair hangs as groomed, as it does where the sim is sag-free. */
+       bytes, of a sim of `groom` that has settled. Strands follow guides that grow and hang beside them,
+       and are bound there. Empty, the default: the hair hangs as groomed, as it does where the sim is
+       sag-free, and strands follow guides that grow beside them. */
     plait_view hung;
     const plait_roots* roots; /* where they were then, without bones and mesh; NULL: as groomed */
     uint32_t level_count;     /* [0, PLAIT_LEVELS_MAX]; 0, the default: those that suit the groom */

@@ -5,6 +5,7 @@
 #include <plait/plait_levels.h>
 
 #include <algorithm>
+#include <bit>
 #include <functional>
 #include <memory>
 
@@ -139,6 +140,41 @@ TEST(Levels, AreNestedInOneOrderOfStrands) {
     auto chosen = groom.guides(6, 0).map.read<uint32_t>(PLAIT_FOLLOW_MAP_FIELD_STRANDS);
     chosen.resize(6);
     EXPECT_EQ(first, chosen);
+}
+
+// Hairs that grow side by side and fall on both sides of a shoulder.
+TEST(Levels, FollowWhatHangsBesideThem) {
+    const auto falls_ahead = [](uint32_t strand) { return strand % 3 == 0; };
+    Strands hair;
+    std::vector<float> hung; // level, all else as groomed
+    for (uint32_t strand = 0; strand < 64; ++strand) {
+        const Point root = {0.005f * static_cast<float>(strand / 8), 0,
+                            0.005f * static_cast<float>(strand % 8)};
+        hair.emplace_back();
+        for (int i = 0; i < 5; ++i) {
+            const float along = 0.05f * static_cast<float>(i);
+            hair.back().push_back({root[0], -along, root[2]});
+            hung.insert(hung.end(), {root[0], 0, root[2] + (falls_ahead(strand) ? along : -along)});
+        }
+    }
+    const plait::Groom groom = make_groom(hair);
+    auto desc = desc_of(groom, {64, 16, 8});
+    const auto across = [&](size_t level) { // share of weights of guides that fall elsewhere
+        const Taken taken = take(make(desc), level);
+        const auto order = taken.read(PLAIT_FOLLOW_MAP_FIELD_STRANDS);
+        const auto guides = taken.read(PLAIT_FOLLOW_MAP_FIELD_GUIDES);
+        const auto bits = taken.read(PLAIT_FOLLOW_MAP_FIELD_WEIGHTS);
+        const uint32_t first = list(make(desc))[level].guides;
+        double sum = 0;
+        for (size_t k = 0; k < guides.size(); ++k)
+            if (falls_ahead(order[guides[k]]) != falls_ahead(order[first + k / 4]))
+                sum += double(std::bit_cast<float>(bits[k]));
+        return sum / static_cast<double>(64 - first);
+    };
+    EXPECT_GT(across(1), 0.25) << "as groomed nobody knows";
+    desc.hung = {hung.data(), hung.size() / 3, 12};
+    EXPECT_LT(across(1), 0.02);
+    EXPECT_LT(across(2), 0.02);
 }
 
 class LevelsOn : public OnBackend {};

@@ -87,11 +87,13 @@ void Simulation::add_crowd() {
 // Materials are not for TressFX, in a comparison.
 SimHandle Simulation::make_sim() {
     plait::SimDesc desc = scene_.sim;
-    const FollowMapHandle bound = follows() ? bound_map(scene_, figure_) : nullptr;
-    if (follows())
-        desc.follow_map = bound ? bound.get() : figure_.follows.get();
-    if (levels_)
+    FollowMapHandle map;
+    if (follows()) {
+        map = take_level(scene_, levels_.get()).second;
+        desc.follow_map = map.get();
+    } else if (levels_) {
         desc.levels = levels_.get();
+    }
     const auto of_strands =
         of_simulated(strand_materials(scene_.materials, figure_.groom.get(), scene_.seed));
     std::vector<plait_material> materials;
@@ -119,43 +121,20 @@ bool Simulation::binds(const Scene& scene, const Figure& figure) {
     return scene.bind != Bind::groomed && scene.settle > 0 && !by_skin;
 }
 
-FollowMapHandle Simulation::bound_map(const Scene& scene, const Figure& figure) {
-    if (!binds(scene, figure))
-        return nullptr;
-    Simulation all(scene, figure, Simulated::all);
-    const plait_pose start = figure.body ? figure.body->head(0) : plait_pose{{0, 0, 0, 1}, {}};
-    all.settle(start);
-    return all.bind(start);
-}
-
-FollowMapHandle Simulation::bind(const plait_pose& start) const {
-    plait_roots roots = plait_roots_defaults();
-    roots.head = start;
-    plait_follow_map* bound = nullptr;
-    check(plait_follow_map_bind(figure_.follows.get(), figure_.groom.get(), &roots,
-                                {positions_.data(), positions_.size() / 4, 4 * sizeof(float)},
-                                &bound));
-    return FollowMapHandle(bound);
-}
-
+// Of hair where it hangs before the motion, or, where nothing settles it, as groomed.
 LevelsHandle Simulation::make_levels() const {
-    if (!changes_level())
+    if (which_ != Simulated::guides || !(changes_level() || follows()))
         return nullptr;
-    plait_levels_desc desc = plait_levels_desc_defaults();
-    desc.groom = figure_.groom.get();
-    desc.seed = scene_.seed;
+    if (!binds(scene_, figure_))
+        return simulate::make_levels(scene_, figure_);
+    Simulation all(scene_, figure_, Simulated::all);
     plait_roots roots = plait_roots_defaults();
-    std::unique_ptr<Simulation> all;
-    if (binds(scene_, figure_)) {
-        all = std::make_unique<Simulation>(scene_, figure_, Simulated::all);
-        roots.head = figure_.body ? figure_.body->head(0) : plait_pose{{0, 0, 0, 1}, {}};
-        all->settle(roots.head);
-        desc.hung = {all->positions_.data(), all->positions_.size() / 4, 4 * sizeof(float)};
-        desc.roots = &roots;
-    }
-    plait_levels* levels = nullptr;
-    check(plait_levels_create(&desc, &levels));
-    return LevelsHandle(levels);
+    if (figure_.body)
+        roots.head = figure_.body->head(0);
+    all.settle(roots.head);
+    return simulate::make_levels(
+        scene_, figure_, {all.positions_.data(), all.positions_.size() / 4, 4 * sizeof(float)},
+        &roots);
 }
 
 void Simulation::begin_level() const {
@@ -194,7 +173,7 @@ void Simulation::add_wetness() {
     if (scene_.wetness.size() > 1 && scene_.wetness.size() != strands)
         throw Failure("wetness has " + std::to_string(scene_.wetness.size()) +
                       " numbers, the groom has " + std::to_string(strands) + " strands");
-    if (levels_ && scene_.wetness.size() > 1)
+    if (changes_level() && scene_.wetness.size() > 1)
         throw Failure("wetness has a number for each strand, and levels change, too");
     std::vector<uint32_t> all(strands);
     for (uint32_t i = 0; i < all.size(); ++i)

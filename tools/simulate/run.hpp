@@ -78,8 +78,6 @@ class Simulation {
     // `nearest`: of a crowd, whose context and levels this head has, too; null: its own.
     Simulation(const Scene& scene, const Figure& figure, Simulated which,
                const Simulation* nearest);
-    // The figure's, its follows where they hang before the motion; null: they follow as groomed.
-    static FollowMapHandle bound_map(const Scene& scene, const Figure& figure);
     SimHandle make_sim();
     LevelsHandle make_levels() const;
     bool changes_level() const { return which_ == Simulated::guides && scene_.changes_level(); }
@@ -105,7 +103,6 @@ class Simulation {
     void pose_roots(const plait_pose& head, float time);
     void pose_colliders(const plait_pose& head, float time);
     void settle(const plait_pose& start);
-    FollowMapHandle bind(const plait_pose& start) const;
     template <typename Work> double timed_ms(const Work& work) const;
     double step_ms(Timeline& timeline, uint32_t frame, const plait_pose& head);
     void take_launches(Timeline& timeline, uint32_t frame);

@@ -16,11 +16,24 @@
 namespace plait {
 
 struct StrandRoots {
-    explicit StrandRoots(std::pmr::memory_resource* memory) : at(memory), way(memory) {}
+    explicit StrandRoots(std::pmr::memory_resource* memory)
+        : at(memory), way(memory), hung(memory) {}
     void append(const Point& root, const Point& ahead);
+    // How far strands are from one another, squared: m^2.
+    float square(size_t a, size_t b) const {
+        const float roots = (at[a] - at[b]).squaredNorm();
+        return hung.empty() ? roots : roots + hung_share * (hung[a] - hung[b]).squaredNorm();
+    }
+
+    // Of four places along a strand: two that hang on different sides of a shoulder move apart however
+    // near their roots are. Measured from 0 to 1, for three grooms on a head and shoulders: error over
+    // swing of long hair with 512 guides is .325 with roots alone, .295 with this, and flat around it.
+    static constexpr float hung_share = 0.1f;
 
     std::pmr::vector<Eigen::Vector3f> at;  // m
     std::pmr::vector<Eigen::Vector3f> way; // unit, over the first part of the strand
+    std::pmr::vector<Eigen::Vector<float, 12>>
+        hung; // places at quarters of the strand; empty: unknown
 };
 
 // Each is the strand whose root is farthest from those of all before (Gonzalez 1985), so that no
@@ -49,7 +62,7 @@ NearRoots<N> nearest_roots(const StrandRoots& roots, uint32_t strand,
     NearRoots<N> beside;
     NearRoot any;
     for (uint32_t i = 0; i < chosen.size(); ++i) {
-        NearRoot candidate{i, (roots.at[chosen[i]] - roots.at[strand]).squaredNorm()};
+        NearRoot candidate{i, roots.square(chosen[i], strand)};
         if (candidate.square < any.square)
             any = candidate;
         if (candidate.square < beside.back().square &&

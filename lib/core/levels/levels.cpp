@@ -106,6 +106,15 @@ std::pmr::vector<uint32_t> order_of(const Groom& groom, std::span<const uint32_t
     return order;
 }
 
+// Of a strand's `count` vertices those at quarters of them, without the root.
+Eigen::Vector<float, 12> quarters_of(const float* vertices, uint32_t count) {
+    Eigen::Vector<float, 12> places;
+    for (uint32_t k = 0; k < 4; ++k)
+        places.segment<3>(3 * k) =
+            Eigen::Vector3f(vertices + 3 * (size_t{count - 1} * (k + 1) / 4));
+    return places;
+}
+
 } // namespace
 
 Status Levels::create(const Groom& groom, std::span<const uint32_t> guides, uint64_t seed) {
@@ -166,9 +175,12 @@ Status Levels::take(size_t level, Groom& out, FollowMap& map) const {
                             "head as it hangs",
                             level)};
     const auto order = std::span(order_);
-    const StrandRoots roots = roots_of(groom_.strands, memory);
+    StrandRoots roots = roots_of(groom_.strands, memory);
     if (hung_.empty())
         return follow_nearest(groom_, roots, order.first(guides), order.subspan(guides), out, map);
+    for (size_t strand = 0; strand < strands(); ++strand)
+        roots.hung.push_back(
+            quarters_of(&hung_[3 * strand * longest()], groom_.strands.vertex_counts[strand]));
     FollowMap groomed(memory);
     PLAIT_TRY(
         follow_nearest(groom_, roots, order.first(guides), order.subspan(guides), out, groomed));

@@ -261,41 +261,18 @@ void load_groom(Scene& scene, Figure& figure) {
         figure.groom = load(choice, figure.info, figure.notes);
 }
 
-// The groom's own ladder; hair is bound later, where it settles.
-void take_level(const Scene& scene, Figure& figure, uint32_t level) {
-    plait_levels_desc desc = plait_levels_desc_defaults();
-    desc.groom = figure.groom.get();
-    desc.seed = scene.seed;
-    plait_levels* made = nullptr;
-    check(plait_levels_create(&desc, &made));
-    const std::unique_ptr<plait_levels, Destroyer<plait_levels_destroy>> levels(made);
-    plait_groom* guides = nullptr;
-    plait_follow_map* follows = nullptr;
-    check(plait_levels_take(levels.get(), level, &guides, &follows));
-    GroomHandle chosen(guides);
-    FollowMapHandle map(follows);
-    if (describe(chosen.get()).strands == figure.info.strands)
-        return; // none follows
-    figure.guides = std::move(chosen);
-    figure.follows = std::move(map);
-}
-
 void choose_guides(const Scene& scene, Figure& figure) {
-    if (scene.changes_level())
-        return; // the sim has all levels
-    if (scene.groom.level)
-        return take_level(scene, figure, *scene.groom.level);
     const uint32_t wanted = scene.groom.guides;
-    if (wanted == 0 || wanted == figure.info.strands)
+    if (scene.changes_level() || !(scene.groom.level || wanted > 0))
         return;
     if (wanted > figure.info.strands)
         throw Failure("guides is " + std::to_string(wanted) + ", " + scene.groom.name + " has " +
                       std::to_string(figure.info.strands) + " strands");
-    plait_groom* guides = nullptr;
-    plait_follow_map* follows = nullptr;
-    check(plait_groom_guides(figure.groom.get(), wanted, scene.seed, &guides, &follows));
-    figure.guides.reset(guides);
-    figure.follows.reset(follows);
+    auto [guides, follows] = take_level(scene, make_levels(scene, figure).get());
+    if (describe(guides.get()).strands == figure.info.strands)
+        return; // none follows
+    figure.guides = std::move(guides);
+    figure.follows = std::move(follows);
 }
 
 HeadMesh solids_of(const Figure& figure) {
@@ -320,6 +297,29 @@ HeadMesh solids_of(const Figure& figure) {
 }
 
 } // namespace
+
+LevelsHandle make_levels(const Scene& scene, const Figure& figure, plait_view hung,
+                         const plait_roots* roots) {
+    plait_levels_desc desc = plait_levels_desc_defaults();
+    desc.groom = figure.groom.get();
+    desc.seed = scene.seed;
+    desc.hung = hung;
+    desc.roots = roots;
+    if (scene.groom.guides > 0) {
+        desc.level_count = 1;
+        desc.guides[0] = scene.groom.guides;
+    }
+    plait_levels* levels = nullptr;
+    check(plait_levels_create(&desc, &levels));
+    return LevelsHandle(levels);
+}
+
+std::pair<GroomHandle, FollowMapHandle> take_level(const Scene& scene, const plait_levels* levels) {
+    plait_groom* guides = nullptr;
+    plait_follow_map* follows = nullptr;
+    check(plait_levels_take(levels, scene.groom.level.value_or(0), &guides, &follows));
+    return {GroomHandle(guides), FollowMapHandle(follows)};
+}
 
 Figure make_figure(Scene& scene) {
     Figure figure{};

@@ -10,6 +10,7 @@
 #include <Eigen/Geometry>
 
 #include <memory>
+#include <utility>
 
 namespace simulate {
 
@@ -47,6 +48,13 @@ struct Figure {
     std::vector<Eigen::Vector3f> posed_solids(const plait_pose& pose, float time) const;
     HeadMesh solids;
 };
+
+// Of all the figure's strands: of as many guides as the scene names, or else the groom's own ladder.
+// `hung`: where all hang with `roots`, as plait_levels_desc has it; empty: as groomed.
+LevelsHandle make_levels(const Scene& scene, const Figure& figure, plait_view hung = {},
+                         const plait_roots* roots = nullptr);
+// Guides of the scene's level, and what follows them.
+std::pair<GroomHandle, FollowMapHandle> take_level(const Scene& scene, const plait_levels* levels);
 
 // Sets the scene's scale where it is to be found out ("auto"), and its motion where a body has it.
 Figure make_figure(Scene& scene);
