@@ -7,7 +7,7 @@
  * Headers:   this one includes plait_features.h, wind, volume and others, and plait_mesh.h, bodies
  *            and scalps. plait_offline.h has tools without a context, plait_presets.h kinds of hair,
  *            plait_recorder.h and plait_formats.h files; plait_async.h does not wait, plait_profile.h
- *            measures; plait_opencl.h and plait_backend.h are for devices.
+ *            measures; plait_opencl.h, plait_backend.h and plait_cluster.h are for devices.
  * Errors:    every function that can fail returns a plait_result and leaves a sentence that names
  *            what failed, on what, with which value and range, in plait_last_error() of the thread.
  *            A call that fails leaves objects and outputs as they were, unless its comment says
@@ -97,7 +97,7 @@ extern "C" {
     X(DEVICE_LOST, 9, "the device is gone; destroy the context")                                   \
     X(BACKEND, 10, "a driver call failed")                                                         \
     X(INTERNAL, 11, "a fault in plait; please report it")                                          \
-    X(CANCELLED, 12, "the caller's progress function ended it")
+    X(CANCELLED, 12, "a function of the caller's ended it")
 
 typedef enum plait_result {
 #define PLAIT_X(name, value, text) PLAIT_##name = value,

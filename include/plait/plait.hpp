@@ -8,6 +8,7 @@
 
 #include <plait/plait.h>
 #include <plait/plait_async.h>
+#include <plait/plait_cluster.h>
 #include <plait/plait_levels.h>
 #include <plait/plait_offline.h>
 #include <plait/plait_presets.h>
@@ -451,6 +452,10 @@ class Sim : public detail::Owner<plait_sim, plait_sim_destroy> {
     // Null: off.
     void set_tressfx(const plait_tressfx_desc* desc) { check(plait_sim_set_tressfx(get(), desc)); }
     void set_grid(const plait_grid_desc* desc) { check(plait_sim_set_grid(get(), desc)); }
+    // Null: none.
+    void set_reduce(plait_reduce_fn reduce, void* user) {
+        check(plait_sim_set_reduce(get(), reduce, user));
+    }
     void set_volume(const plait_volume_desc* desc) { check(plait_sim_set_volume(get(), desc)); }
     void set_strand_contact(const plait_strand_contact_desc* desc) {
         check(plait_sim_set_strand_contact(get(), desc));

@@ -6,6 +6,8 @@
 #include "core/params/params.hpp"
 #include "core/wind/wind.hpp"
 
+#include <plait/plait_cluster.h>
+
 namespace plait::api {
 namespace {
 
@@ -111,6 +113,10 @@ void plait_grid_desc_init(plait_grid_desc* desc, size_t size) {
 
 plait_result plait_sim_set_grid(plait_sim* sim, const plait_grid_desc* desc) {
     return api::set_feature(__func__, sim, desc, default_grid_desc(), &Params::grid);
+}
+
+plait_result plait_sim_set_reduce(plait_sim* sim, plait_reduce_fn reduce, void* user) {
+    return api::with_sim(__func__, sim, [&](Sim& s) { return s.set_reduce(reduce, user); });
 }
 
 void plait_volume_desc_init(plait_volume_desc* desc, size_t size) {

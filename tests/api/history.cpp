@@ -343,6 +343,15 @@ std::vector<Call> calls() {
              const auto grid = plait_grid_desc_defaults();
              r.sim().set_grid(&grid);
          }},
+        {"grid_of_parts",
+         {"plait_sim_set_reduce"},
+         [](Ride& r) {
+             auto grid = plait_grid_desc_defaults();
+             grid.edge = 1;
+             std::fill_n(grid.origin, 3, -0.5f);
+             r.sim().set_grid(&grid);
+             r.sim().set_reduce([](int64_t*, size_t, void*) { return 0; }, nullptr);
+         }},
         {"volume_on_and_off",
          {"plait_sim_set_volume"},
          [](Ride& r) {

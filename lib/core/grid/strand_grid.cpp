@@ -120,27 +120,48 @@ void StrandGrid::append_slots(Schedule& schedule, const Step& step,
                  {&slots_, &s.position, &s.position_prev, &density_, &velocity_}, width);
 }
 
-void StrandGrid::append_exact(Schedule& schedule, const Layout& layout, const State& s,
-                              const plait_grid_params& params) const {
+void StrandGrid::splat_positions(Schedule& schedule, const Layout& layout, const State& s,
+                                 const plait_grid_params& params) const {
     clear(schedule, sums_, 0);
     schedule.add(PLAIT_STAGE_grid_splat, layout.guides, params,
                  {&s.vertex_count, &s.position, &s.position_prev, &sums_, &outside_});
+}
+
+void StrandGrid::resolve(Schedule& schedule, const plait_grid_params& params) const {
     schedule.add(PLAIT_STAGE_grid_resolve, voxels(edge_count_), params,
                  {&sums_, &density_, &velocity_});
+}
+
+void StrandGrid::brake(Schedule& schedule, const Step& step,
+                       const plait_grid_params& params) const {
+    const State& s = step.state;
+    schedule.add(PLAIT_STAGE_grid_diffuse, step.layout.guide_vertices(), params,
+                 {&s.vertex_count, &s.position, &density_, &velocity_, &s.position_prev});
 }
 
 void StrandGrid::append(Schedule& schedule, const Step& step) const {
     if (mode_ == GridKind::off)
         return;
-    const State& s = step.state;
+    if (mode_ == GridKind::exact) {
+        append_sums(schedule, step);
+        append_brake(schedule, step);
+        return;
+    }
     const plait_grid_params params = grid_params(step);
     clear(schedule, outside_, 0);
-    if (mode_ == GridKind::slots)
-        append_slots(schedule, step, params);
-    else
-        append_exact(schedule, step.layout, s, params);
-    schedule.add(PLAIT_STAGE_grid_diffuse, step.layout.guide_vertices(), params,
-                 {&s.vertex_count, &s.position, &density_, &velocity_, &s.position_prev});
+    append_slots(schedule, step, params);
+    brake(schedule, step, params);
+}
+
+void StrandGrid::append_sums(Schedule& schedule, const Step& step) const {
+    clear(schedule, outside_, 0);
+    splat_positions(schedule, step.layout, step.state, grid_params(step));
+}
+
+void StrandGrid::append_brake(Schedule& schedule, const Step& step) const {
+    const plait_grid_params params = grid_params(step);
+    resolve(schedule, params);
+    brake(schedule, step, params);
 }
 
 void StrandGrid::splat(Schedule& schedule, const Part& part, const plait_grid_params& grid) const {
@@ -168,13 +189,14 @@ void StrandGrid::append_over_lanes(Schedule& schedule, const Step& step, const M
 void StrandGrid::append_density(Schedule& schedule, const plait_grid_params& params,
                                 const Model* lanes, const StepInput& at) const {
     clear(schedule, outside_, 0);
-    if (!lanes)
-        return append_exact(schedule, at.stepped, at.state, params);
-    clear(schedule, sums_, 0);
-    for (size_t i = 0; i < lanes->parts(); ++i)
-        splat(schedule, lanes->part(i, at), params);
-    schedule.add(PLAIT_STAGE_grid_resolve, voxels(edge_count_), params,
-                 {&sums_, &density_, &velocity_});
+    if (lanes) {
+        clear(schedule, sums_, 0);
+        for (size_t i = 0; i < lanes->parts(); ++i)
+            splat(schedule, lanes->part(i, at), params);
+    } else {
+        splat_positions(schedule, at.stepped, at.state, params);
+    }
+    resolve(schedule, params);
 }
 
 uint64_t StrandGrid::device_bytes() const {

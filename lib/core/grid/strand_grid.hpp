@@ -35,6 +35,9 @@ class StrandGrid {
     };
     // On positions and their history.
     void append(Schedule& schedule, const Step& step) const;
+    // The same with exact sums in two calls, between which the caller may add to sums().
+    void append_sums(Schedule& schedule, const Step& step) const;
+    void append_brake(Schedule& schedule, const Step& step) const;
     // The same on the model's lanes, with exact sums; the caller publishes them afterwards.
     void append_over_lanes(Schedule& schedule, const Step& step, const Model& model,
                            const StepInput& at) const;
@@ -55,8 +58,10 @@ class StrandGrid {
     static Result<StrandGrid> make_buffers(Device& device, GridKind mode, uint32_t edge_count,
                                            uint32_t capacity);
     void append_slots(Schedule& schedule, const Step& step, const plait_grid_params& params) const;
-    void append_exact(Schedule& schedule, const Layout& layout, const State& state,
-                      const plait_grid_params& params) const;
+    void splat_positions(Schedule& schedule, const Layout& layout, const State& state,
+                         const plait_grid_params& params) const;
+    void resolve(Schedule& schedule, const plait_grid_params& params) const;
+    void brake(Schedule& schedule, const Step& step, const plait_grid_params& params) const;
     void splat(Schedule& schedule, const Part& part, const plait_grid_params& grid) const;
     void diffuse(Schedule& schedule, const Part& part, const plait_grid_params& grid) const;
 

@@ -7,7 +7,14 @@
 
 namespace plait {
 
-enum class Moment { call_begins, step_begins, substep, step_ends, call_ends };
+enum class Moment {
+    call_begins,
+    step_begins,
+    substep,
+    step_ends,
+    sums_reduced, // by the caller, where he does
+    call_ends
+};
 
 struct At {
     Moment moment;

@@ -10,13 +10,14 @@ Sim::Sim(Context& context, SimParts parts)
       materials_(std::move(parts.materials)), size_warning_(std::move(parts.size_warning)),
       hair_(parts.hair), said_{default_params(), default_material()},
       groom_warning_(std::move(parts.groom_warning)), groom_(parts.fingerprint), cube_(parts.cube),
-      longest_segment_(parts.longest_segment), skin_(std::move(parts.skin)),
-      model_(std::move(parts.model)), state_(std::move(parts.state)),
-      display_(std::move(parts.display)), levels_(std::move(parts.levels)),
-      roots_(layout_, &context.memory), colliders_(desc_.substeps, &context.memory),
-      meshes_(&context.memory), bending_(&context.memory),
-      substeps_(1, desc_.substeps, &context.memory), clock_(desc_.step, desc_.max_steps_per_call),
-      schedule_(&context.memory), pin_table_(&context.memory), pose_before_(&context.memory) {}
+      longest_segment_(parts.longest_segment), lengths_(parts.lengths),
+      skin_(std::move(parts.skin)), model_(std::move(parts.model)), state_(std::move(parts.state)),
+      reduce_(&context.memory), display_(std::move(parts.display)),
+      levels_(std::move(parts.levels)), roots_(layout_, &context.memory),
+      colliders_(desc_.substeps, &context.memory), meshes_(&context.memory),
+      bending_(&context.memory), substeps_(1, desc_.substeps, &context.memory),
+      clock_(desc_.step, desc_.max_steps_per_call), schedule_(&context.memory),
+      pin_table_(&context.memory), pose_before_(&context.memory) {}
 
 Sim::~Sim() {
     leave();

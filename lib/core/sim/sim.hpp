@@ -15,6 +15,7 @@
 #include "core/roots/roots.hpp"
 #include "core/roots/roots_input.hpp"
 #include "core/sim/moments.hpp"
+#include "core/sim/reduce.hpp"
 #include "core/sim/sim_parts.hpp"
 #include "core/strand_contact/pairs.hpp"
 #include "core/volume/volume.hpp"
@@ -70,6 +71,10 @@ class Sim {
     Status set_frame(const plait_frame_desc* desc);
     // Null: none. INVALID_STATE: the model takes none. What fails changes nothing.
     Status set_wind(const plait_wind_desc* desc);
+    // sim_reduce.cpp. Null: none. INVALID_ARGUMENT, INVALID_STATE: parts meet elsewhere than in a grid that
+    // they share. What fails changes nothing.
+    Status set_reduce(plait_reduce_fn add, void* user);
+    bool is_part() const { return bool(reduce_); }
     // Null: none. INVALID_STATE: there are no follows. What fails changes nothing.
     Status set_detail(const plait_detail_desc* desc, std::span<const uint32_t> centres);
     // From the next step on. INVALID_STATE: there are no levels.
@@ -213,6 +218,10 @@ class Sim {
     void append_level_reset();
     Status submit_with_probes();
     StrandGrid::Step grid_step(const plait_pose& head) const;
+    GridCube cube() const;
+    Status check_reduces(const Params& params, bool sheltered) const;
+    Result<float> mean_length_with(plait_reduce_fn add, void* user) const;
+    Status reduce_sums();
     VolumeGrid volume_grid(const plait_pose& head) const;
     bool grid_is_over_lanes() const;
     bool hair_is_over_lanes() const;
@@ -329,11 +338,13 @@ class Sim {
     uint64_t groom_; // its fingerprint: snapshots are of one groom
     GridCube cube_;
     float longest_segment_; // m
+    StrandLengths lengths_;
     Skin skin_;
     RootBinding binding_;
     std::unique_ptr<Model> model_;
     State state_;
     StrandGrid grid_;
+    Reduce reduce_;
     Volume volume_; // where it is on, over the grid's sums
     Pairs pairs_;
     Display display_;

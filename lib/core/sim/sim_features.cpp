@@ -23,6 +23,8 @@ bool same_place(const Params& a, const Params& b) {
 Status Sim::set_params(const Params& params) {
     const Discard discard{*model_};
     PLAIT_TRY(check_model_takes(params, desc_.model));
+    if (reduce_)
+        PLAIT_TRY(check_reduces(params, wind_.is_sheltered()));
     PLAIT_TRY(model_->prepare(device(), params));
     StrandGrid grid;
     const bool same_grid = grid_.fits(params);
@@ -130,6 +132,8 @@ Status Sim::set_wind(const plait_wind_desc* desc) {
             PLAIT_INVALID_STATE,
             "the sim is of model 0 (tressfx), whose wind is that of plait_sim_set_tressfx; strands "
             "of articulated take plait_sim_set_wind"};
+    if (reduce_)
+        PLAIT_TRY(check_reduces(params_, desc->shelter == 1));
     Wind next;
     PLAIT_TRY(next.begin(device(), wind_, *desc, hair_));
     PartNeeds needs = part_needs();

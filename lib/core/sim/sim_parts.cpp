@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 namespace plait {
@@ -66,6 +67,20 @@ float longest_segment_of(const Groom& groom) {
         p += 3;
     }
     return static_cast<float>(longest);
+}
+
+StrandLengths lengths_of(const Groom& groom) {
+    constexpr double most = 1e6; // m, beyond which sums of millions would overflow
+    StrandLengths lengths{static_cast<float>(groom.shape.mean_length), 0};
+    const float* p = groom.strands.positions.data();
+    for (const uint32_t count : groom.strands.vertex_counts) {
+        double length = 0;
+        for (uint32_t i = 0; i + 1 < count; ++i, p += 3)
+            length += distance({p[0], p[1], p[2]}, {p[3], p[4], p[5]});
+        p += 3;
+        lengths.sum += std::llround(std::ldexp(std::min(length, most), 20));
+    }
+    return lengths;
 }
 
 // A hair's diameter where the groom says nothing.
@@ -147,6 +162,7 @@ Result<SimParts> make_sim_parts(Context& context, const Groom& groom, const plai
                     fingerprint(groom),
                     cube_around(groom.shape.bounds_min, groom.shape.bounds_max),
                     longest_segment_of(groom),
+                    lengths_of(groom),
                     std::move(*skin),
                     std::move(*model),
                     std::move(*state),

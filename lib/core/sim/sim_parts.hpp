@@ -6,6 +6,7 @@
 #include "core/params/params.hpp"
 #include "core/roots/skin.hpp"
 #include "core/sim/context.hpp"
+#include "core/sim/reduce.hpp"
 #include "core/strands/model.hpp"
 #include "core/wind/wind.hpp"
 
@@ -27,6 +28,7 @@ struct SimParts {
     uint64_t fingerprint; // of the groom's strands
     GridCube cube;
     float longest_segment; // m
+    StrandLengths lengths;
     Skin skin;
     std::unique_ptr<Model> model;
     State state;

@@ -13,7 +13,8 @@
 //   grid over lanes                                                      brakes velocities
 //   publish                                                              positions,
 //                                                                        tangents
-//   grid                                                                 brakes velocities
+//   grid                                                                 brakes velocities, where sums
+//                                                                        are reduced after that
 //   display           frame before     step before                                         follows,
 //                                                                                          tangents
 //
@@ -154,10 +155,11 @@ bool Sim::hair_is_over_lanes() const {
            context_.device.supports(PLAIT_STAGE_lane_splat);
 }
 
-// Not where the caller has kernels of his own for it.
+// Not where the caller has kernels of his own for it, nor where he adds up parts of a groom: over lanes
+// neighbouring strands are rounded together, and they may be in another part.
 bool Sim::grid_is_over_lanes() const {
     const auto& replaced = context_.replaced;
-    return grid_.is_exact() && !volume_ && hair_is_over_lanes() &&
+    return grid_.is_exact() && !volume_ && !reduce_ && hair_is_over_lanes() &&
            !replaced[PLAIT_STAGE_grid_splat] && !replaced[PLAIT_STAGE_grid_diffuse] &&
            context_.device.supports(PLAIT_STAGE_lane_diffuse);
 }
@@ -201,9 +203,16 @@ void Sim::append_publish(const At& at) {
 }
 
 void Sim::append_grid(const At& at) {
-    if (at.moment != Moment::step_ends || !grid_.is_on() || volume_ || grid_is_over_lanes())
+    const bool ends = at.moment == Moment::step_ends, reduced = at.moment == Moment::sums_reduced;
+    if ((!ends && !reduced) || !grid_.is_on() || volume_ || grid_is_over_lanes())
         return;
-    grid_.append(schedule_, grid_step(roots_.step_head()));
+    const StrandGrid::Step step = grid_step(roots_.step_head());
+    if (ends && reduce_)
+        return grid_.append_sums(schedule_, step);
+    if (reduced)
+        grid_.append_brake(schedule_, step);
+    else
+        grid_.append(schedule_, step);
     model_->adopt(schedule_, at.substep, Changed::by_grid);
 }
 

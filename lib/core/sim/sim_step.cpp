@@ -73,7 +73,7 @@ void Sim::warn_of_jump(double dt) {
     constexpr double fastest = 20; // m/s
     if (!context_.log.callback || said_jump_ || dt == 0 || !motion_.is_told())
         return;
-    const auto middle = cube_.middle();
+    const auto middle = cube().middle();
     const auto way = roots_.call_moves(middle.data());
     std::array<double, 3> velocity{};
     double far = 0;
@@ -129,7 +129,7 @@ Status Sim::fixed_step(double end, uint32_t step, uint32_t steps) {
     append_set_off();
     advance_pins(state_);
     dry();
-    wind_.place(cube_, roots_.step_begin());
+    wind_.place(cube(), roots_.step_begin());
     if (levels_ && !levels_->is_rigid())
         wind_.crowd = static_cast<float>(layout_.guides) / static_cast<float>(levels_->stepped());
     if (step + 1 == steps)
@@ -147,6 +147,8 @@ Status Sim::fixed_step(double end, uint32_t step, uint32_t steps) {
     PLAIT_TRY(for_each_group(substeps));
     append_phases({Moment::step_ends, present(), step, steps});
     PLAIT_TRY(submit());
+    if (reduce_ && grid_.is_on())
+        PLAIT_TRY(reduce_sums());
     if (volume_ && !is_rigid())
         volume_.carry();
     if (wind_.blows())
@@ -202,7 +204,7 @@ void Sim::append_set_off() {
 bool Sim::goes_on_as_put() const {
     if (roots_.have_own())
         return false;
-    const auto middle = cube_.middle();
+    const auto middle = cube().middle();
     return way_between(motion_.next(roots_.step_begin(), 1), roots_.step_head(), middle.data()) <
            double(least_jump) * clock_.step();
 }
@@ -213,7 +215,7 @@ plait_pose Sim::unfelt_then() const {
     if (frame_.unfelt_then() || !frame_.is_on())
         return frame_.unfelt_then().value_or(identity_pose);
     const plait_pose &was = roots_.before(0), &now = roots_.step_begin();
-    const auto middle = cube_.middle();
+    const auto middle = cube().middle();
     const plait_pose driven = carried(was, identity_pose, frame_.motion());
     const bool drove =
         way_between(driven, now, middle.data()) < way_between(was, now, middle.data());
@@ -250,6 +252,8 @@ void Sim::append_dry_step() {
         return Status{};
     });
     append_phases({Moment::step_ends, present()});
+    if (reduce_)
+        append_phases({Moment::sums_reduced, present()});
     append_shown();
 }
 
@@ -295,7 +299,7 @@ StepInput Sim::at(const Group& group, uint32_t substep, const Bodies& bodies) co
 std::array<float, 3> Sim::air() const {
     std::array<float, 3> air{};
     const float share = params_.air_with_head;
-    const auto middle = cube_.middle();
+    const auto middle = cube().middle();
     float place[3];
     transform(roots_.step_begin(), middle.data(), place);
     const auto frame = frame_.air(place, clock_.step());
@@ -306,7 +310,7 @@ std::array<float, 3> Sim::air() const {
 }
 
 std::array<float, 3> Sim::head_velocity() const {
-    const auto middle = cube_.middle();
+    const auto middle = cube().middle();
     auto velocity = roots_.head_moves(middle.data());
     for (float& v : velocity)
         v /= static_cast<float>(clock_.step());

@@ -29,10 +29,13 @@ class Overlap {
 };
 
 // Sims sim_at(0) to sim_at(count - 1), which are different ones. Where one fails those after it are
-// left as they were. With profiling each is submitted by itself, as its times are its own.
+// left as they were. With profiling each is submitted by itself, as its times are its own; and where one
+// waits in its step for the other parts of its groom.
 template <typename SimAt>
 Status step_together(Context& context, size_t count, const SimAt& sim_at, double dt) {
-    const bool overlaps = count > 1 && !context.profile;
+    bool overlaps = count > 1 && !context.profile;
+    for (size_t i = 0; i < count && overlaps; ++i)
+        overlaps = !sim_at(i).is_part();
     Overlap overlap(context.device);
     for (size_t i = 0; i < count; ++i) {
         Status status = overlaps ? overlap.next() : Status{};

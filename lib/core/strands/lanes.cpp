@@ -44,6 +44,7 @@ class LaneModel final : public Model {
     }
     void swap() noexcept override;
     void discard() override;
+    void take_mean_length(float length) override { length_ = std::max(length, 1e-6f); }
     Status open(Device& device, const PartNeeds& needs) override;
     void step_first(uint32_t strands) override;
     void wake(Schedule& schedule, const StepInput& at, const Waking& waking) const override;

@@ -95,6 +95,8 @@ class Model {
     virtual void exchange(std::array<float, 3>&) noexcept {}
     virtual void swap() noexcept {}
     virtual void discard() {}
+    // m, of the strands of all sims that a groom is shared out to; at first, of this one.
+    virtual void take_mean_length(float) {}
 
     // Makes what parts need and gives back what they no longer do; where it fails it changes nothing.
     virtual Status open(Device&, const PartNeeds&) { return {}; }

@@ -40,6 +40,7 @@ class Wind {
     Status begin(Device& device, const Wind& from, const plait_wind_desc& desc,
                  const HairSizes& hair);
     bool blows() const { return blows_; }
+    bool is_sheltered() const { return grid_.is_sheltered(); }
     void reset(); // to when it began
 
     // A fixed step begins: the grid moves to where the hair is. append() is due.
