@@ -350,6 +350,7 @@ typedef struct plait_lane_grid_params {
     float q[4];
     float t[4];
     plait_u32 tent;
+    plait_u32 each;         /* lane_splat: 1: sums do not depend on who shares a work-item */
     plait_u32 diffuse_rule; /* this and the rest: lane_diffuse */
     float diffuse_ratio;
     float diffuse_factor;

@@ -164,38 +164,57 @@ void StrandGrid::append_brake(Schedule& schedule, const Step& step) const {
     brake(schedule, step, params);
 }
 
-void StrandGrid::splat(Schedule& schedule, const Part& part, const plait_grid_params& grid) const {
-    schedule.add(PLAIT_STAGE_lane_splat, part.lanes.strands, lane_params(part, grid),
-                 {&part.strand, &part.vertex_count, &part.x, &part.v, &sums_, &outside_},
-                 part.lanes.row);
+void StrandGrid::splat(Schedule& schedule, const Model& lanes, const plait_grid_params& grid,
+                       const StepInput& at, bool each) const {
+    clear(schedule, sums_, 0);
+    for (size_t i = 0; i < lanes.parts(); ++i) {
+        const Part part = lanes.part(i, at);
+        plait_lane_grid_params params = lane_params(part, grid);
+        params.each = each;
+        schedule.add(PLAIT_STAGE_lane_splat, part.lanes.strands, params,
+                     {&part.strand, &part.vertex_count, &part.x, &part.v, &sums_, &outside_},
+                     part.lanes.row);
+    }
 }
 
-void StrandGrid::diffuse(Schedule& schedule, const Part& part,
-                         const plait_grid_params& grid) const {
-    schedule.add(
-        PLAIT_STAGE_lane_diffuse, part.lanes.strands, lane_params(part, grid),
-        {&part.strand, &part.vertex_count, &part.x, &density_, &velocity_, &part.v, &part.v_before},
-        part.lanes.row);
+void StrandGrid::diffuse(Schedule& schedule, const Model& lanes, const plait_grid_params& grid,
+                         const StepInput& at) const {
+    for (size_t i = 0; i < lanes.parts(); ++i) {
+        const Part part = lanes.part(i, at);
+        schedule.add(PLAIT_STAGE_lane_diffuse, part.lanes.strands, lane_params(part, grid),
+                     {&part.strand, &part.vertex_count, &part.x, &density_, &velocity_, &part.v,
+                      &part.v_before},
+                     part.lanes.row);
+    }
 }
 
 void StrandGrid::append_over_lanes(Schedule& schedule, const Step& step, const Model& model,
                                    const StepInput& at) const {
     const plait_grid_params params = grid_params(step);
     append_density(schedule, params, &model, at);
-    for (size_t i = 0; i < model.parts(); ++i)
-        diffuse(schedule, model.part(i, at), params);
+    diffuse(schedule, model, params, at);
+}
+
+void StrandGrid::append_sums_over_lanes(Schedule& schedule, const Step& step, const Model& model,
+                                        const StepInput& at) const {
+    clear(schedule, outside_, 0);
+    splat(schedule, model, grid_params(step), at, true);
+}
+
+void StrandGrid::append_brake_over_lanes(Schedule& schedule, const Step& step, const Model& model,
+                                         const StepInput& at) const {
+    const plait_grid_params params = grid_params(step);
+    resolve(schedule, params);
+    diffuse(schedule, model, params, at);
 }
 
 void StrandGrid::append_density(Schedule& schedule, const plait_grid_params& params,
                                 const Model* lanes, const StepInput& at) const {
     clear(schedule, outside_, 0);
-    if (lanes) {
-        clear(schedule, sums_, 0);
-        for (size_t i = 0; i < lanes->parts(); ++i)
-            splat(schedule, lanes->part(i, at), params);
-    } else {
+    if (lanes)
+        splat(schedule, *lanes, params, at, false);
+    else
         splat_positions(schedule, at.stepped, at.state, params);
-    }
     resolve(schedule, params);
 }
 

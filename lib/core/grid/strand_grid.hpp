@@ -41,6 +41,11 @@ class StrandGrid {
     // The same on the model's lanes, with exact sums; the caller publishes them afterwards.
     void append_over_lanes(Schedule& schedule, const Step& step, const Model& model,
                            const StepInput& at) const;
+    // append_sums() and append_brake() over lanes: each vertex is rounded by itself, whoever else is there.
+    void append_sums_over_lanes(Schedule& schedule, const Step& step, const Model& model,
+                                const StepInput& at) const;
+    void append_brake_over_lanes(Schedule& schedule, const Step& step, const Model& model,
+                                 const StepInput& at) const;
     // The hair alone, with exact sums: density and velocity, of which `grid` says where. `lanes`: where
     // they are read, else positions are.
     void append_density(Schedule& schedule, const plait_grid_params& grid, const Model* lanes,
@@ -62,8 +67,10 @@ class StrandGrid {
                          const plait_grid_params& params) const;
     void resolve(Schedule& schedule, const plait_grid_params& params) const;
     void brake(Schedule& schedule, const Step& step, const plait_grid_params& params) const;
-    void splat(Schedule& schedule, const Part& part, const plait_grid_params& grid) const;
-    void diffuse(Schedule& schedule, const Part& part, const plait_grid_params& grid) const;
+    void splat(Schedule& schedule, const Model& lanes, const plait_grid_params& grid,
+               const StepInput& at, bool each) const;
+    void diffuse(Schedule& schedule, const Model& lanes, const plait_grid_params& grid,
+                 const StepInput& at) const;
 
     GridKind mode_ = GridKind::off;
     uint32_t edge_count_ = 0;

@@ -221,7 +221,7 @@ class Sim {
     GridCube cube() const;
     Status check_reduces(const Params& params, bool sheltered) const;
     Result<float> mean_length_with(plait_reduce_fn add, void* user) const;
-    Status reduce_sums();
+    Status reduce_sums(uint32_t step, uint32_t steps);
     VolumeGrid volume_grid(const plait_pose& head) const;
     bool grid_is_over_lanes() const;
     bool hair_is_over_lanes() const;

@@ -13,10 +13,12 @@
 //   grid over lanes                                                      brakes velocities
 //   publish                                                              positions,
 //                                                                        tangents
-//   grid                                                                 brakes velocities, where sums
-//                                                                        are reduced after that
+//   grid                                                                 brakes velocities
 //   display           frame before     step before                                         follows,
 //                                                                                          tangents
+//
+// Where the caller adds up the sums of several parts of a groom a fixed step ends twice: with the grid's
+// sums, and, when they are reduced, with brakes and what comes after them.
 //
 // A phase appends dispatches and changes nothing else, so that the same list says which kernels a
 // sim needs before its first step.
@@ -155,18 +157,25 @@ bool Sim::hair_is_over_lanes() const {
            context_.device.supports(PLAIT_STAGE_lane_splat);
 }
 
-// Not where the caller has kernels of his own for it, nor where he adds up parts of a groom: over lanes
-// neighbouring strands are rounded together, and they may be in another part.
+// Not where the caller has kernels of his own for it.
 bool Sim::grid_is_over_lanes() const {
     const auto& replaced = context_.replaced;
-    return grid_.is_exact() && !volume_ && !reduce_ && hair_is_over_lanes() &&
+    return grid_.is_exact() && !volume_ && hair_is_over_lanes() &&
            !replaced[PLAIT_STAGE_grid_splat] && !replaced[PLAIT_STAGE_grid_diffuse] &&
            context_.device.supports(PLAIT_STAGE_lane_diffuse);
 }
 
 void Sim::append_grid_over_lanes(const At& at) {
-    if (at.moment == Moment::step_ends && grid_is_over_lanes())
-        grid_.append_over_lanes(schedule_, grid_step(roots_.step_head()), *model_, at.substep);
+    const bool ends = at.moment == Moment::step_ends, reduced = at.moment == Moment::sums_reduced;
+    if ((!ends && !reduced) || !grid_is_over_lanes())
+        return;
+    const StrandGrid::Step step = grid_step(roots_.step_head());
+    if (reduced)
+        grid_.append_brake_over_lanes(schedule_, step, *model_, at.substep);
+    else if (reduce_)
+        grid_.append_sums_over_lanes(schedule_, step, *model_, at.substep);
+    else
+        grid_.append_over_lanes(schedule_, step, *model_, at.substep);
 }
 
 VolumeGrid Sim::volume_grid(const plait_pose& head) const {
@@ -196,7 +205,8 @@ bool Sim::model_shows_guides() const {
 }
 
 void Sim::append_publish(const At& at) {
-    if (at.moment != Moment::step_ends)
+    const bool waits = reduce_ && grid_is_over_lanes(); // whose brake comes before it
+    if (at.moment != (waits ? Moment::sums_reduced : Moment::step_ends))
         return;
     const bool shows = at.step + 1 == at.steps && model_shows_guides();
     model_->publish(schedule_, at.substep, shows ? &display_.tangent() : nullptr);

@@ -85,16 +85,19 @@ Status Sim::set_reduce(plait_reduce_fn add, void* user) {
 }
 
 // A sum is two words on the device, the lower one first: on the host that is one integer.
-Status Sim::reduce_sums() {
+Status Sim::reduce_sums(uint32_t step, uint32_t steps) {
     static_assert(std::endian::native == std::endian::little);
     std::pmr::vector<int64_t>& sums = reduce_.sums;
     sums.resize(grid_.sums().bytes() / sizeof(int64_t));
     PLAIT_TRY(device().read(grid_.sums(), sums.data()));
-    if (const int code = reduce_.add(sums.data(), sums.size(), reduce_.user))
+    if (const int code = reduce_.add(sums.data(), sums.size(), reduce_.user)) {
+        model_->publish(schedule_, present());
+        PLAIT_TRY(submit());
         return cancelled(code, format("fixed step %llu, whose grid is left out",
                                       static_cast<unsigned long long>(clock_.steps)));
+    }
     PLAIT_TRY(device().upload(grid_.sums(), sums.data()));
-    append_phases({Moment::sums_reduced, present()});
+    append_phases({Moment::sums_reduced, present(), step, steps});
     return submit();
 }
 

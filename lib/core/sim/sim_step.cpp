@@ -148,7 +148,7 @@ Status Sim::fixed_step(double end, uint32_t step, uint32_t steps) {
     append_phases({Moment::step_ends, present(), step, steps});
     PLAIT_TRY(submit());
     if (reduce_ && grid_.is_on())
-        PLAIT_TRY(reduce_sums());
+        PLAIT_TRY(reduce_sums(step, steps));
     if (volume_ && !is_rigid())
         volume_.carry();
     if (wind_.blows())

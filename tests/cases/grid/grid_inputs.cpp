@@ -179,6 +179,7 @@ LaneGridHair over_lanes(const GridHair& hair) {
                     {grid.q[0], grid.q[1], grid.q[2], grid.q[3]},
                     {grid.t[0], grid.t[1], grid.t[2], grid.t[3]},
                     grid.tent,
+                    0,
                     grid.diffuse_rule,
                     grid.diffuse_ratio,
                     grid.diffuse_factor,

@@ -11,11 +11,12 @@ std::string compare_sums_of_lanes(const Setup&, const Outputs& expected, const O
 } // namespace
 
 Case lane_splat_case() {
-    Case result = {PLAIT_STAGE_lane_splat,
-                   {},
-                   {},
-                   {"diffuse_rule", "diffuse_ratio", "diffuse_factor", "diffuse_floor", "history"},
-                   {{"grid_sum", compare_sums_of_lanes}}};
+    Case result = {
+        PLAIT_STAGE_lane_splat,
+        {},
+        {},
+        {"diffuse_rule", "diffuse_ratio", "diffuse_factor", "diffuse_floor", "history", "each"},
+        {{"grid_sum", compare_sums_of_lanes}}};
     std::vector<GridHair> hairs = make_grid_hair();
     hairs.push_back(make_much_grid_hair());
     for (GridHair& hair : hairs)
@@ -34,6 +35,10 @@ Case lane_splat_case() {
                              uints(std::vector<uint32_t>(words, 0)),
                              uints({7})};
             result.setups.push_back(setup);
+            plait_lane_grid_params each = lanes.params;
+            each.each = 1;
+            result.setups.push_back(setup.with(each));
+            result.setups.back().name += ", each rounded";
             if (hair.size.strands < 3)
                 continue;
             // all strands but one, in another order

@@ -1,0 +1,25 @@
+# cmake -DSCRIPT=slurm_array.sh -P array.cmake: tasks 5 to 7 of an array take seven scenes, each scene once, and one that
+# fails ends its task with what plait-simulate ended with.
+set(scenes a.json b.json "c d.json" e.json f.json g.json h.json)
+set(printed "")
+foreach(task 5 6 7)
+  execute_process(COMMAND ${CMAKE_COMMAND} -E env SLURM_ARRAY_TASK_ID=${task} SLURM_ARRAY_TASK_MIN=5
+                          SLURM_ARRAY_TASK_COUNT=3 PLAIT_SIMULATE=echo ${SCRIPT} ${scenes}
+                  RESULT_VARIABLE result OUTPUT_VARIABLE taken)
+  if(NOT result STREQUAL "0")
+    message(FATAL_ERROR "task ${task} ends with ${result}")
+  endif()
+  string(APPEND printed "${taken}")
+endforeach()
+message("${printed}")
+set(expected "")
+foreach(name a e h b f "c d" g)
+  string(APPEND expected "--scene ${name}.json --out out/${name}\n")
+endforeach()
+if(NOT printed STREQUAL expected)
+  message(FATAL_ERROR "expected:\n${expected}")
+endif()
+execute_process(COMMAND ${CMAKE_COMMAND} -E env PLAIT_SIMULATE=false ${SCRIPT} ${scenes} RESULT_VARIABLE result)
+if(NOT result STREQUAL "1")
+  message(FATAL_ERROR "it ends with ${result} where plait-simulate ends with 1")
+endif()
