@@ -6,6 +6,7 @@ namespace plait::cases {
 // as in grid_diffuse.
 Case lane_diffuse_case() {
     Case result = {PLAIT_STAGE_lane_diffuse, {}, {{"lane_v", 1e-6}, {"lane_v_before", 1e-6}}};
+    result.unread = {"each"};
     result.flags.push_back("grid_density"); // whether there is any hair
     for (GridHair hair : make_grid_hair())
         for (uint32_t tent : {PLAIT_TENT_TRILINEAR, PLAIT_TENT_VOXEL})
