@@ -83,6 +83,25 @@ TEST_P(State, RestoredStateHasTheSameHashAndTheSameFuture) {
               GetParam() == "opencl" ? 1e-30f : 1e-4f);
 }
 
+// The first roots say where its hair is, and drag none of it there.
+TEST_P(State, ASnapshotFromBeforeTheFirstStepIsAFreshSim) {
+    const auto groom = make_groom(tuft(6, 7));
+    const auto saved = plait::Sim(context, groom, busy()).save();
+    plait::Sim fresh(context, groom, busy()), restored(context, groom, busy()),
+        stirred(context, groom, busy());
+    stir(stirred);
+    for (plait::Sim* sim : {&restored, &stirred})
+        sim->restore(saved);
+    for (plait::Sim* sim : {&fresh, &restored, &stirred}) {
+        sim->set_roots(head_at({1, 0.5f, 0}));
+        run(*sim, 5);
+    }
+    const auto x = fresh.read(PLAIT_FIELD_POSITION);
+    const float most = GetParam() == "opencl" ? 1e-30f : 1e-5f;
+    EXPECT_LT(largest_difference(restored.read(PLAIT_FIELD_POSITION), x), most);
+    EXPECT_LT(largest_difference(stirred.read(PLAIT_FIELD_POSITION), x), most);
+}
+
 // Refused with a sentence, and nothing has changed.
 void expect_refused(plait::Sim& sim, const std::vector<unsigned char>& bytes,
                     const std::string& what) {

@@ -125,7 +125,10 @@ TEST_F(Program, directs_a_crowd_within_a_budget) {
         return json("out/stats.json").at("budget");
     };
     const auto last = [](const Json& head) { return head.at("levels").back(); };
-    const Json ample = budget_of("10000"), none = budget_of("0.01");
+    const Json ample = budget_of("10000");
+    EXPECT_THAT(text(), testing::Not(HasSubstr("went rigid")));
+    const Json none = budget_of("0.01");
+    EXPECT_THAT(text(), HasSubstr("warning: the budget of 0.01 ms is too small for 3 heads"));
     for (const Json* budget : {&ample, &none}) {
         ASSERT_EQ(budget->at("heads").size(), 3u);
         EXPECT_GT(budget->at("median_ms"), 0.0);

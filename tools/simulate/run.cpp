@@ -484,11 +484,28 @@ std::vector<plait_stage_time> Simulation::stage_times(bool reset) {
     return times;
 }
 
+// Hair that goes with the head goes through all else.
+void Simulation::warn_of_rigid(const CrowdHead& nearest) {
+    size_t count = 0;
+    check(plait_levels_list(levels_.get(), nullptr, &count));
+    const auto rigid = [&](const LevelChange& change) { return change.level + 1 == count; };
+    if (std::none_of(nearest.levels.begin(), nearest.levels.end(), rigid))
+        return;
+    char text[160];
+    std::snprintf(text, sizeof text,
+                  "the budget of %g ms is too small for %u heads: the nearest went rigid, and its "
+                  "hair passes through what it meets; give more, or fewer heads",
+                  static_cast<double>(scene_.crowd.budget_ms), scene_.crowd.heads);
+    said_.push_back(text);
+}
+
 void Simulation::finish(Measurements& measurements) {
     measurements.stages = stage_times(false);
     check(plait_sim_hash(sim_.get(), &measurements.hash));
-    if (crowd_)
+    if (crowd_) {
         measurements.crowd = crowd_->heads();
+        warn_of_rigid(measurements.crowd.front());
+    }
     measurements.info = describe();
     measurements.device.struct_size = sizeof measurements.device;
     check(plait_context_describe(context_.get(), &measurements.device));

@@ -113,6 +113,7 @@ class Simulation {
     void show_level(Shot& shot) const;
     // Of all frames since the last reset.
     std::vector<plait_stage_time> stage_times(bool reset);
+    void warn_of_rigid(const CrowdHead& nearest);
     void finish(Measurements& measurements);
 
     const Scene& scene_;

@@ -45,7 +45,7 @@ void HeadMotion::rescale(double ratio) {
 }
 
 HeadMotion::State HeadMotion::state() const {
-    return {put_from_, put_to_, static_cast<uint32_t>(known_), told_, waited_, first_aim_};
+    return {put_from_, put_to_, static_cast<uint32_t>(known_), told_, waited_, first_aim_, begun_};
 }
 
 void HeadMotion::restore(const State& state) {
@@ -55,7 +55,7 @@ void HeadMotion::restore(const State& state) {
     told_ = state.told != 0;
     waited_ = state.waited != 0;
     first_aim_ = state.first_aim != 0;
-    begun_ = true;
+    begun_ = state.begun != 0;
 }
 
 } // namespace plait

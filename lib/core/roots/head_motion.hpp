@@ -71,7 +71,7 @@ class HeadMotion {
     // What snapshots hold.
     struct State {
         plait_pose put_from = identity_pose, put_to = identity_pose;
-        uint32_t known = 0, told = 0, waited = 0, first_aim = 0;
+        uint32_t known = 0, told = 0, waited = 0, first_aim = 0, begun = 0;
     };
     State state() const;
     void restore(const State& state);
