@@ -25,7 +25,7 @@ struct StrandRoots {
         return hung.empty() ? roots : roots + hung_share * (hung[a] - hung[b]).squaredNorm();
     }
 
-    // Of four places along a strand: two that hang on different sides of a shoulder move apart however
+    // Weight of the four places along a strand. Two that hang on different sides of a shoulder move apart however
     // near their roots are. Measured from 0 to 1, for three grooms on a head and shoulders: error over
     // swing of long hair with 512 guides is .325 with roots alone, .295 with this, and flat around it.
     static constexpr float hung_share = 0.1f;
