@@ -92,7 +92,10 @@ TEST_P(State, ASnapshotFromBeforeTheFirstStepIsAFreshSim) {
     stir(stirred);
     for (plait::Sim* sim : {&restored, &stirred})
         sim->restore(saved);
-    for (plait::Sim* sim : {&fresh, &restored, &stirred}) {
+    plait::Sim reset(context, groom, busy());
+    run(reset, 3);
+    reset.reset();
+    for (plait::Sim* sim : {&fresh, &restored, &stirred, &reset}) {
         sim->set_roots(head_at({1, 0.5f, 0}));
         run(*sim, 5);
     }
@@ -100,6 +103,7 @@ TEST_P(State, ASnapshotFromBeforeTheFirstStepIsAFreshSim) {
     const float most = GetParam() == "opencl" ? 1e-30f : 1e-5f;
     EXPECT_LT(largest_difference(restored.read(PLAIT_FIELD_POSITION), x), most);
     EXPECT_LT(largest_difference(stirred.read(PLAIT_FIELD_POSITION), x), most);
+    EXPECT_LT(largest_difference(reset.read(PLAIT_FIELD_POSITION), x), most);
 }
 
 // Refused with a sentence, and nothing has changed.

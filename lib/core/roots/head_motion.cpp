@@ -15,10 +15,11 @@ void HeadMotion::reset(bool stands, const plait_pose& head) {
     known_ = stands ? Known::as_put : Known::nothing;
     put_from_ = put_to_ = head;
     told_ = waited_ = false;
+    begun_ = begun_ == Begun::time ? Begun::no : begun_;
 }
 
 void HeadMotion::give() {
-    begun_ = true;
+    begin();
     known_ = Known::all;
 }
 
@@ -45,7 +46,8 @@ void HeadMotion::rescale(double ratio) {
 }
 
 HeadMotion::State HeadMotion::state() const {
-    return {put_from_, put_to_, static_cast<uint32_t>(known_), told_, waited_, first_aim_, begun_};
+    return {put_from_, put_to_,    static_cast<uint32_t>(known_), told_,
+            waited_,   first_aim_, static_cast<uint32_t>(begun_)};
 }
 
 void HeadMotion::restore(const State& state) {
@@ -55,7 +57,7 @@ void HeadMotion::restore(const State& state) {
     told_ = state.told != 0;
     waited_ = state.waited != 0;
     first_aim_ = state.first_aim != 0;
-    begun_ = state.begun != 0;
+    begun_ = static_cast<Begun>(state.begun);
 }
 
 } // namespace plait

@@ -19,18 +19,21 @@ class HeadMotion {
         reframed, // all, but that of the step before hair felt another share than of the next
     };
 
+    // What has been since the sim was made or reset: until then the first roots say where its hair is.
+    enum class Begun : uint32_t { no, time, roots };
+
     // The roots are aimed, and `move` if that is not where they are. An aim at the present place says
     // nothing: a game aims in every frame, in that of a teleport, too. True: it is the first, and says
     // where the head is.
     bool aim(bool move) {
-        told_ = begun_ && move;
-        const bool first = !std::exchange(begun_, true);
+        told_ = has_begun() && move;
+        const bool first = std::exchange(begun_, Begun::roots) == Begun::no;
         first_aim_ = first_aim_ || first;
         return first;
     }
     // Time has passed, or something was put in the world.
-    void begin() { begun_ = true; }
-    bool has_begun() const { return begun_; }
+    void begin() { begun_ = has_begun() ? begun_ : Begun::time; }
+    bool has_begun() const { return begun_ != Begun::no; }
     bool is_told() const { return told_; }
     // Once: bodies are put where they were told to be, as the first aim put the head, and no other came.
     bool puts_bodies() { return std::exchange(first_aim_, false) && !told_; }
@@ -79,9 +82,9 @@ class HeadMotion {
   private:
     Known known_ = Known::as_put;
     plait_pose put_from_ = identity_pose, put_to_ = identity_pose;
-    bool told_ = false;      // since then, where the head goes
-    bool waited_ = false;    // since then, for a step without an aim
-    bool begun_ = false;     // roots have been set, or time has passed
+    bool told_ = false;   // since then, where the head goes
+    bool waited_ = false; // since then, for a step without an aim
+    Begun begun_ = Begun::no;
     bool first_aim_ = false; // it has put the head, and no step has been since
     bool knows_velocity_ = false;
     std::array<double, 3> velocity_{}; // m/s, in the last call

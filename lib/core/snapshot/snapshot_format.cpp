@@ -161,14 +161,14 @@ static Status check_roots(const SavedRoots& r, float scale) {
     const HeadMotion::State& m = r.motion;
     for (const plait_pose& pose : {m.put_from, m.put_to})
         PLAIT_TRY(check_pose(pose, "put", scale));
-    if (r.aimed > 1 || m.told > 1 || m.waited > 1 || m.first_aim > 1 || m.begun > 1)
-        return malformed(
-            format("aimed is %u, told is %u, waited is %u, first_aim is %u, begun is %u, range is "
-                   "[0, 1]",
-                   r.aimed, m.told, m.waited, m.first_aim, m.begun));
-    if (r.bends > 2 || m.known > 3)
-        return malformed(
-            format("bends is %u, known is %u, ranges are [0, 2] and [0, 3]", r.bends, m.known));
+    if (r.aimed > 1 || m.told > 1 || m.waited > 1 || m.first_aim > 1)
+        return malformed(format("aimed is %u, told is %u, waited is %u, first_aim is %u, range is "
+                                "[0, 1]",
+                                r.aimed, m.told, m.waited, m.first_aim));
+    if (r.bends > 2 || m.known > 3 || m.begun > 2)
+        return malformed(format("bends is %u, known is %u, begun is %u, ranges are [0, 2], [0, 3] "
+                                "and [0, 2]",
+                                r.bends, m.known, m.begun));
     return {};
 }
 
