@@ -235,15 +235,16 @@ Vec3 WarmContacts::place(size_t vertex, Vec3 p) {
     const bool was = at.stiffness > 0;
     const double height = was ? at.normal.dot(p) - at.offset : 0;
     const auto found = nearest(vertex, height < 0 ? near : 0, !astray_, p);
-    if (!found ||
-        !(height < 0 || found->gap < -PLAIT_ARTICULATED_STOP * contacts_.length_[vertex])) {
+    // what the step pulled is free, but where it is deep: at the surface rounding would decide
+    const double held = tolerance / 2, stop = PLAIT_ARTICULATED_STOP * contacts_.length_[vertex];
+    if (!found || !(height < 0 || found->gap < -(was ? held : stop))) {
         at.stiffness = 0;
         return p;
     }
     const double h = contacts_.motion_.h, rate = contacts_.params_.contact_rate;
     const double deep = std::max(-found->gap, 0.0);
-    const double sinks = was ? -std::min(height, 0.0) : std::min(deep / (rate * h * h), tolerance);
-    double lift = -std::min(sinks, tolerance / 2) - found->gap;
+    const double sinks = was ? -height : std::min(deep / (rate * h * h), tolerance);
+    double lift = -std::clamp(sinks, 0.0, held) - found->gap;
     if (was && std::abs(lift) < 2 * tolerance)
         lift *= PLAIT_CONTACT_WARM_BACK;
     const bool strand = contacts_.of_strands() && !found->body;
@@ -272,14 +273,11 @@ Vec3 WarmContacts::place(size_t vertex, Vec3 p) {
 void WarmContacts::rub(Contact& at, const Vec3& to) {
     const double slip = contacts_.params_.contact_slip;
     const Vec3 u = contacts_.slip_of(at, to);
-    const bool back = at.slide.dot(u) < 0;
-    const bool more = slip < u.norm() && !back;
+    const bool back = at.slide.dot(u) < 0, more = slip < u.norm() && !back;
     const bool stops = at.sticks() && u.norm() < PLAIT_CONTACT_WARM_STOPS * at.grip;
     at.slide = more && !stops ? Vec3(u.normalized()) : Vec3(Vec3::Zero());
-    if (back)
-        at.grip = slip;
-    else if (more && stops)
-        at.grip = u.norm();
+    if (back || (more && stops))
+        at.grip = back ? slip : u.norm();
     back_ = back_ || back;
     slips_ = slips_ || more;
 }

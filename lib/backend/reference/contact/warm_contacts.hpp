@@ -63,7 +63,8 @@ class WarmContacts {
     double depth_ = 0;    // m, below the surface, of what place() left last
     bool astray_ = false; // did it leave its range?
     bool body_ = false;   // does it touch a body?
-    bool solves_ = true, pressed_ = false, slips_ = false, back_ = false, deep_ = false, wild_ = false;
+    bool solves_ = true, pressed_ = false, slips_ = false, back_ = false, deep_ = false,
+         wild_ = false;
 };
 
 } // namespace plait::reference
