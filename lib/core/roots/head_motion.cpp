@@ -19,7 +19,7 @@ void HeadMotion::reset(bool stands, const plait_pose& head) {
 }
 
 void HeadMotion::give() {
-    begin();
+    begin(Begun::time);
     known_ = Known::all;
 }
 

@@ -4,6 +4,7 @@
 
 #include "core/base/pose.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <utility>
@@ -19,20 +20,24 @@ class HeadMotion {
         reframed, // all, but that of the step before hair felt another share than of the next
     };
 
-    // What has been since the sim was made or reset: until then the first roots say where its hair is.
-    enum class Begun : uint32_t { no, time, roots };
+    // Until it has begun, the first roots say where the hair is. A reset forgets time, but not roots.
+    enum class Begun : uint32_t {
+        no,
+        time,  // has passed, or hair was given a motion
+        roots, // were set, or the head was teleported
+    };
 
     // The roots are aimed, and `move` if that is not where they are. An aim at the present place says
     // nothing: a game aims in every frame, in that of a teleport, too. True: it is the first, and says
     // where the head is.
     bool aim(bool move) {
         told_ = has_begun() && move;
-        const bool first = std::exchange(begun_, Begun::roots) == Begun::no;
+        const bool first = !has_begun();
+        begin(Begun::roots);
         first_aim_ = first_aim_ || first;
         return first;
     }
-    // Time has passed, or something was put in the world.
-    void begin() { begun_ = has_begun() ? begun_ : Begun::time; }
+    void begin(Begun by) { begun_ = std::max(begun_, by); }
     bool has_begun() const { return begun_ != Begun::no; }
     bool is_told() const { return told_; }
     // Once: bodies are put where they were told to be, as the first aim put the head, and no other came.

@@ -196,7 +196,7 @@ Status Sim::place() {
 Status Sim::teleport(const RootsInput& input) {
     PLAIT_TRY(aim(input));
     schedule_.clear();
-    motion_.begin();
+    motion_.begin(HeadMotion::Begun::roots);
     PLAIT_TRY(place());
     return show_at_once();
 }

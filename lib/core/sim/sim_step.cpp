@@ -43,7 +43,7 @@ Status Sim::step(double dt) {
     warn_of_jump(dt);
     const Tick tick = clock_.advance(dt);
     if (dt > 0)
-        motion_.begin();
+        motion_.begin(HeadMotion::Begun::time);
     if (tick.steps > 0)
         log_ignored();
     append_phases({Moment::call_begins, present(), 0, tick.steps});
