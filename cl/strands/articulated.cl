@@ -45,7 +45,7 @@ static inline int articulated_begins(rod_state* s, uint k, contact_warm* warm) {
     if ((k >= PLAIT_CONTACT_WARM_STEPS && !PLAIT_STRANDS_MEET) || !any_lane(warm->which))
         return 0;
     if (k > 0) {
-        warm->deep = warm->back = warm->deep & !warm->deep;
+        warm->deep = warm->slips = warm->back = warm->deep & !warm->deep;
         warm_press(warm, s->x);
     }
     warm->contacts->now &= !warm->which;
@@ -67,14 +67,13 @@ static inline mask articulated_again(const rod_problem* rod, const rod_state* s,
 /* After it: lanes that take another one. */
 static inline void articulated_ends(const rod_problem* rod, const rod_state* s, uint iterations,
                                     uint k, contact_warm* warm) {
-    const mask slips = warm_rub(warm, s->x);
     if (PLAIT_STRANDS_MEET) {
         warm->which &= articulated_again(rod, s, iterations, k + 1, warm);
         return;
     }
     mask again = warm->deep;
     if (k == 0)
-        again |= warm->pressed & slips;
+        again |= warm->pressed & warm->slips;
     if (k == 1)
         again |= warm->back;
     warm->which &= again & !warm->wild;

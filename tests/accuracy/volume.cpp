@@ -70,7 +70,7 @@ plait::SimDesc limp(const Use& use, bool volume) {
 
 struct Outcome {
     double volume, height; // over those at rest
-    double jitter; // of a length a step, rms of all vertices in the last quarter of a second
+    double jitter;         // of a length a step, rms of all vertices in the last two seconds
 };
 
 // m^2, of all vertices.
@@ -118,7 +118,7 @@ Outcome after(double seconds, const Use& use, bool volume, Body body = Body::sph
     plait::Sim sim(context, plait::Groom(given), limp(use, volume));
     add_ball(sim, body);
     const Room begin = room_of(sim.read(PLAIT_FIELD_POSITION));
-    const int steps = static_cast<int>(seconds * use.rate), last = use.rate / 4;
+    const int steps = static_cast<int>(seconds * use.rate), last = 2 * use.rate;
     for (int i = 0; i < steps - last; ++i)
         sim.step(1.0 / use.rate);
     double ways = 0;

@@ -52,7 +52,7 @@ TEST(LabStickSlip, rod_slips_at_the_strain_of_the_closed_form) {
 // Three sweeps leave the rod softer against a force at its end; twenty do not.
 TEST(LabStickSlip, cosserat_slips_late) {
     const double three = measured("stick_slip.json", "cosserat", sweeps).value;
-    EXPECT_GT(three, 0.34); // known deviation: 0.35
+    EXPECT_GT(three, 0.34); // known deviation: 0.54
     EXPECT_LT(three, 1.1);
     const double twenty = measured("stick_slip.json", "cosserat", more_sweeps).value;
     EXPECT_LT(std::abs(twenty), 0.15);
@@ -70,7 +70,7 @@ TEST(LabStickSlip, is_a_number_of_what_never_slips) {
     const Json rough{{"duration", 14},
                      {"colliders", {{{"a", {0, -20.3, 0}}, {"radius_a", 20}, {"friction", 5}}}}};
     const lab::Value never = measured("stick_slip.json", "rod", once, rough);
-    EXPECT_NEAR(never.value, 14 * 0.0012 / 0.3 / 0.0468974874341 - 1, 1e-4);
+    EXPECT_NEAR(never.value, (14 - 1) * 0.002 / 0.3 / 0.0468974874341 - 1, 1e-4);
     EXPECT_EQ(never.note, "never slips: the number is where the root stops");
     const lab::Value none = measured("stick_slip.json", "rod", once, {{"duration", 4}});
     EXPECT_TRUE(std::isnan(none.value));

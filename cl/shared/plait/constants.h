@@ -156,7 +156,7 @@
  * to the surface where the time before has put it. Ours. */
 #define PLAIT_ARTICULATED_PUT_BACK 3
 /* Segment lengths: what is nearer to where it would be stopped is left, since that is rounding. Ours. */
-#define PLAIT_ARTICULATED_STOP PLAIT_NUMBER(1e-4)
+#define PLAIT_ARTICULATED_STOP PLAIT_NUMBER(1e-5)
 /* Most Newton steps of a strand with a vertex farther from its pin than so many segment lengths,
  * whose stiffness is above so many times its inertia m/h'^2. A held vertex is off by a hundredth
  * under 10 g. Ours. */

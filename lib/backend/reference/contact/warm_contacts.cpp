@@ -235,15 +235,16 @@ Vec3 WarmContacts::place(size_t vertex, Vec3 p) {
     const bool was = at.stiffness > 0;
     const double height = was ? at.normal.dot(p) - at.offset : 0;
     const auto found = nearest(vertex, height < 0 ? near : 0, !astray_, p);
-    if (!found ||
-        !(height < 0 || found->gap < -PLAIT_ARTICULATED_STOP * contacts_.length_[vertex])) {
+    // what the step pulled is free, but where it is deep: at the surface rounding would decide
+    const double held = tolerance / 2, stop = PLAIT_ARTICULATED_STOP * contacts_.length_[vertex];
+    if (!found || !(height < 0 || found->gap < -(was ? held : stop))) {
         at.stiffness = 0;
         return p;
     }
     const double h = contacts_.motion_.h, rate = contacts_.params_.contact_rate;
     const double deep = std::max(-found->gap, 0.0);
-    const double sinks = was ? -std::min(height, 0.0) : std::min(deep / (rate * h * h), tolerance);
-    double lift = -std::min(sinks, tolerance / 2) - found->gap;
+    const double sinks = was ? -height : std::min(deep / (rate * h * h), tolerance);
+    double lift = -std::clamp(sinks, 0.0, held) - found->gap;
     if (was && std::abs(lift) < 2 * tolerance)
         lift *= PLAIT_CONTACT_WARM_BACK;
     const bool strand = contacts_.of_strands() && !found->body;
@@ -267,12 +268,37 @@ Vec3 WarmContacts::place(size_t vertex, Vec3 p) {
     return to;
 }
 
+// What slips slides with mu N from now on. Only what its spring has all but stopped is not thrown back by that:
+// a spring as weak as mu N draws it by what it slipped stops more of it.
+void WarmContacts::rub(Contact& at, const Vec3& to) {
+    const double slip = contacts_.params_.contact_slip;
+    const Vec3 u = contacts_.slip_of(at, to);
+    const bool back = at.slide.dot(u) < 0, more = slip < u.norm() && !back;
+    const bool stops = at.sticks() && u.norm() < PLAIT_CONTACT_WARM_STOPS * at.grip;
+    at.slide = more && !stops ? Vec3(u.normalized()) : Vec3(Vec3::Zero());
+    if (back || (more && stops))
+        at.grip = back ? slip : u.norm();
+    back_ = back_ || back;
+    slips_ = slips_ || more;
+}
+
+// N and friction are those of the solve, which does not know that a segment's length leaves the vertex elsewhere, and
+// a micrometre is a multiple of N: the spring comes along, by no more than what is pressed may be deep.
+void WarmContacts::bring(size_t vertex, const Vec3& to, const Vec3& x) {
+    Contact& at = contacts_.at_[vertex];
+    if (at.stiffness == 0)
+        return;
+    rub(at, to);
+    at.offset += std::clamp(at.normal.dot(x - to), -tolerance(vertex), tolerance(vertex));
+}
+
 void WarmContacts::left(size_t vertex, const Vec3& to, const Vec3& x) {
     const Contact& at = contacts_.at_[vertex];
     const auto holds = [&](const Collider& c) { return inside(c, contacts_.motion_.root + x); };
     deep_ = deep_ || (astray_ && std::any_of(colliders_.begin(), colliders_.end(), holds)) ||
             (at.stiffness > 0 && depth_ + at.normal.dot(to - x) >
                                      PLAIT_CONTACT_MAX_PENETRATION * contacts_.length_[vertex]);
+    bring(vertex, to, x);
 }
 
 // A vertex that touches no body but is left too deep in one touches it from now on: its depth, or 0.
@@ -296,6 +322,8 @@ Vec3 WarmContacts::kept(size_t vertex, const Vec3& to, const Vec3& leader, const
     const Contact& at = contacts_.at_[vertex];
     const double depth = behind > 0 ? behind : depth_ + at.normal.dot(to - x);
     const bool under = body_ && at.stiffness > 0 && depth > PLAIT_CONTACT_MAX_PENETRATION * length;
+    if (!(behind > 0))
+        bring(vertex, to, x);
     if (!(behind > 0 || under))
         return x;
     deep_ = true;
@@ -314,32 +342,8 @@ void WarmContacts::placed(double turned) {
     wild_ = contacts_.touched_ && turned > PLAIT_CONTACT_WARM_TURN && !contacts_.of_strands();
 }
 
-// What slips slides with mu N from now on. Only what its spring has all but stopped is not thrown back by that:
-// a spring as weak as mu N draws it by what it slipped stops more of it.
-bool WarmContacts::rub(const std::vector<Vec3>& x) {
-    bool slips = false;
-    const double slip = contacts_.params_.contact_slip;
-    for (size_t i = 1; i < x.size(); ++i) {
-        Contact& at = contacts_.at_[i];
-        if (at.stiffness == 0)
-            continue;
-        const Vec3 u = contacts_.slip_of(at, x[i]);
-        const bool back = at.slide.dot(u) < 0;
-        const bool more = slip < u.norm() && !back;
-        const bool stops = at.sticks() && u.norm() < PLAIT_CONTACT_WARM_STOPS * at.grip;
-        at.slide = more && !stops ? Vec3(u.normalized()) : Vec3(Vec3::Zero());
-        if (back)
-            at.grip = slip;
-        else if (more && stops)
-            at.grip = u.norm();
-        back_ = back_ || back;
-        slips = slips || more;
-    }
-    return slips;
-}
-
 void WarmContacts::press(const std::vector<Vec3>& x) {
-    deep_ = back_ = false;
+    deep_ = slips_ = back_ = false;
     contacts_.press(x);
 }
 

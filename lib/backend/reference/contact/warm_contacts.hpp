@@ -22,12 +22,11 @@ class WarmContacts {
     Vec3 kept(size_t vertex, const Vec3& to, const Vec3& leader, const Vec3& x);
     // All vertices have been; `turned`: the largest rotation.
     void placed(double turned);
-    // Friction after a step that left vertices at x; returns whether any slips.
-    bool rub(const std::vector<Vec3>& x);
     // Before another step.
     void press(const std::vector<Vec3>& x);
 
     bool pressed() const { return pressed_; } // any vertex, at the begin
+    bool slips() const { return slips_; }     // any vertex, in the step
     bool back() const { return back_; }       // what slid came back
     bool deep() const { return deep_; }       // the step was not enough
     bool wild() const { return wild_; }       // it was too large to be one: it is not to be taken
@@ -53,6 +52,8 @@ class WarmContacts {
     std::optional<Nearest> nearest(size_t vertex, double reach, bool bodies, Vec3& p);
     double behind(size_t vertex, const Vec3& x);
     void arrive(size_t vertex, const Nearest& found);
+    void rub(Contact& at, const Vec3& to);
+    void bring(size_t vertex, const Vec3& to, const Vec3& x);
     double tolerance(size_t vertex) const;
     double stiffness(size_t vertex) const;
 
@@ -62,7 +63,8 @@ class WarmContacts {
     double depth_ = 0;    // m, below the surface, of what place() left last
     bool astray_ = false; // did it leave its range?
     bool body_ = false;   // does it touch a body?
-    bool solves_ = true, pressed_ = false, back_ = false, deep_ = false, wild_ = false;
+    bool solves_ = true, pressed_ = false, slips_ = false, back_ = false, deep_ = false,
+         wild_ = false;
 };
 
 } // namespace plait::reference

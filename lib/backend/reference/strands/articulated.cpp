@@ -262,7 +262,7 @@ bool RodModel::solve_warm(uint32_t steps, const std::vector<double>& force) {
         if (k > 0)
             warm.press(x);
         turn_segments(&warm);
-        const bool slips = warm.rub(x) && warm.pressed();
+        const bool slips = warm.slips() && warm.pressed();
         if (warm.wild())
             return false;
         if (!warm.deep() && !(k == 0 && slips) && !(k == 1 && warm.back()))
@@ -278,7 +278,6 @@ void RodModel::meet(uint32_t steps, WarmContacts& warm) {
         if (k > 0)
             warm.press(x);
         turn_segments(&warm);
-        warm.rub(x);
         const uint32_t next = k + 1;
         if (next >= steps && !(warm.deep() && next < PLAIT_ARTICULATED_CONTACT_STEPS) &&
             !(next < PLAIT_ARTICULATED_PIN_STEPS && off_pin()))
