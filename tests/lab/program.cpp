@@ -337,9 +337,9 @@ TEST_F(LabProgram, ends_well_on_interrupt_before_the_first_frame) {
 }
 
 TEST_F(LabProgram, says_what_is_wrong) {
-    const Outcome bad = lab("run " + scene() + " --set strand.segments=0", true);
+    const Outcome bad = lab("run " + scene() + " --set strand.length=-.1", true);
     EXPECT_EQ(bad.code, 1);
-    EXPECT_THAT(bad.text, HasSubstr("command line: strand.segments is 0, outside [1,255]"));
+    EXPECT_THAT(bad.text, HasSubstr("command line: strand.length is -0.1, outside ["));
     EXPECT_EQ(lab("run nowhere.json", true).code, 1);
     EXPECT_EQ(lab("walk", true).code, 1);
     const Outcome device = lab("run " + scene() + " --device nobody", true);

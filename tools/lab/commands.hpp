@@ -61,7 +61,7 @@ template <typename Run> void add_table_options(CLI::App& app, TableCommand<Run>&
 struct CostOptions;
 void add_cost_options(CLI::App& command, CostOptions& costs);
 
-// "key=value" into an object that overrides a scene; the value is JSON, or a word.
+// "key=value" into an object that overrides a scene; the value is JSON, a number, or a word.
 void add_overrides(CLI::App& command, Json& overrides);
 
 } // namespace lab

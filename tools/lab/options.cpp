@@ -3,6 +3,8 @@
 #include "references/table.hpp"
 #include "run/cost.hpp"
 #include "scene/scene.hpp"
+#include <cmath>
+#include <cstdlib>
 
 namespace lab {
 
@@ -42,9 +44,15 @@ void add_cost_options(CLI::App& command, CostOptions& costs) {
 
 namespace {
 
+// JSON, or a number as C writes it (.5, which JSON does not allow), or a word.
 Json parsed(const std::string& text) {
     const Json value = Json::parse(text, nullptr, false);
-    return value.is_discarded() ? Json(text) : value;
+    if (!value.is_discarded())
+        return value;
+    char* end = nullptr;
+    const double number = std::strtod(text.c_str(), &end);
+    const bool whole = end != text.c_str() && *end == 0;
+    return whole && std::isfinite(number) ? Json(number) : Json(text);
 }
 
 void override_one(Json& overrides, const std::string& text) {

@@ -302,5 +302,9 @@ int main(int argc, char** argv) {
                               __LINE__, []() -> testing::Test* { return new OpenClIsHere; });
     for (Subject& subject : subjects)
         add_all(subject);
-    return RUN_ALL_TESTS();
+    const int failed = RUN_ALL_TESTS();
+    if (testing::UnitTest::GetInstance()->test_to_run_count() > 0)
+        return failed;
+    std::printf("no test is of this name on a device that contains \"%s\"\n", wanted.c_str());
+    return 77;
 }
