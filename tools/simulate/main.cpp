@@ -72,8 +72,8 @@ Measurements run_scene(const Scene& scene, const Figure& figure, Album* album, I
                             [album](const Shot& shot) { album->take(shot); }});
     watchers.push_back(watcher_of(inside));
     if (restart.is_on()) {
-        restart.keep_frames(watchers, simulation.vertex_count(), simulation.row());
         simulation.restart_by(restart);
+        restart.keep_frames(watchers, simulation.vertex_count(), simulation.row());
     }
     Measurements run = simulation.run(*motion_of(scene), watchers, "simulating");
     if (recording)

@@ -59,8 +59,7 @@ void say_what_failed(const std::vector<std::string>& failed, size_t of) {
 Part read_part(const std::string& text) {
     const size_t slash = text.find('/');
     const auto number = read_number(text.substr(0, slash));
-    const auto of =
-        slash == std::string::npos ? std::nullopt : read_number(text.substr(slash + 1));
+    const auto of = slash == std::string::npos ? std::nullopt : read_number(text.substr(slash + 1));
     if (!number || !of)
         throw Failure("--part is \"" + text + "\", not I/N, as 2/5: the second of five parts");
     if (*of < 1 || *of > most_parts)

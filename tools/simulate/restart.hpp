@@ -42,7 +42,7 @@ class Restart {
     // After so many frames, each of which has been shown.
     void keep(uint32_t frames, const Json& measured, std::string sim);
     uint32_t kept() const { return kept_; } // frames
-    void finish(); // all results are written: no more than that is kept
+    void finish();                          // all results are written: no more than that is kept
 
   private:
     std::string path(const char* name) const { return scene_.out + "/" + name; }

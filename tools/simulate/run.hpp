@@ -60,8 +60,9 @@ class Simulation {
     Measurements run(const Motion& motion, const std::vector<Watcher>& watchers,
                      const std::string& label);
 
-    // Keeps what it has come to, and begins where `restart` says, which outlives the run.
-    void restart_by(Restart& restart) { restart_ = &restart; }
+    // Keeps what it has come to, and begins where `restart` says, which outlives the run. Throws Failure where that would
+    // come to something else.
+    void restart_by(Restart& restart);
     uint32_t row() const { return row_; }
     const std::vector<uint32_t>& vertex_count() const { return vertex_count_; }
     plait_sim_measures measure() const;

@@ -10,8 +10,8 @@ namespace simulate {
 namespace {
 
 Json to_json(const plait_sim_measures& m) {
-    return {m.max_stretch, m.mean_stretch, m.max_speed, m.nonfinite, m.grid_outside,
-            m.pairs_dropped};
+    return {m.max_stretch, m.mean_stretch, m.max_speed,
+            m.nonfinite,   m.grid_outside, m.pairs_dropped};
 }
 
 void from_json(const Json& json, plait_sim_measures& m) {
@@ -60,6 +60,14 @@ std::string in_words(const plait_device_info& device) {
 }
 
 } // namespace
+
+void Simulation::restart_by(Restart& restart) {
+    if (std::string(describe_device().backend) == "reference")
+        throw Failure("restart_every or resume is given, and the backend reference computes in "
+                      "float64, of which a snapshot holds float32: a run that goes on from it "
+                      "would come to something else");
+    restart_ = &restart;
+}
 
 // To `times`, of the stages since the run was taken up.
 void Simulation::add_stages_before(std::vector<plait_stage_time>& times) const {

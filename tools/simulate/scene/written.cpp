@@ -12,8 +12,8 @@ namespace simulate {
 
 namespace {
 
-constexpr const char* no_part_of_it[] = {"out",           "json",  "trace",  "device", "backend",
-                                         "restart_every", "resume"};
+constexpr const char* no_part_of_it[] = {"out",     "json",          "trace", "device",
+                                         "backend", "restart_every", "resume"};
 constexpr size_t most_letters = 60; // of a value, in a message
 
 uint64_t checksum_of(const std::filesystem::path& file) {
@@ -84,8 +84,8 @@ std::string written(const Json& document, const Origin& origin) {
             add_files(value, key,
                       beside_file ? std::filesystem::path(origin.file).parent_path() : "", files);
     }
-    return Json{{"program", PROGRAM_VERSION}, {"keys", keys}, {"files", files}}
-        .dump(-1, ' ', false, Json::error_handler_t::replace);
+    return Json{{"program", PROGRAM_VERSION}, {"keys", keys}, {"files", files}}.dump(
+        -1, ' ', false, Json::error_handler_t::replace);
 }
 
 std::vector<std::string> differences(const Json& was, const Json& is) {
