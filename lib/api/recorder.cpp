@@ -22,6 +22,8 @@ struct plait_recorder {
 namespace plait::api {
 namespace {
 
+constexpr uint32_t most_vertices = 256; // of a strand
+
 plait_recorder_desc default_recorder_desc() {
     plait_recorder_desc desc{};
     desc.scale = 1;
@@ -89,19 +91,41 @@ Status Recorder::check_open() const {
                                              closed_ ? "it is closed" : "an earlier call failed")};
 }
 
-Status Recorder::read_shape(plait_sim* sim, std::pmr::vector<uint32_t>& counts,
-                            uint32_t& row) const {
+Status Recorder::check_time(double time) const {
+    if (std::isfinite(time) && (frames_ == 0 || time > time_))
+        return {};
+    return invalid(frames_ > 0 ? format("time is %g, range is above that of the frame before, %g s",
+                                        time, time_)
+                               : format("time is %g, range is finite", time));
+}
+
+Status Recorder::read_shape(plait_sim* sim) {
     auto info = plait_sim_info_defaults();
     PLAIT_TRY(passed_on(plait_sim_describe(sim, &info)));
-    PLAIT_TRY(read_field(sim, PLAIT_FIELD_VERTEX_COUNT, counts));
+    PLAIT_TRY(read_field(sim, PLAIT_FIELD_VERTEX_COUNT, other_counts_));
     if (desc_.strands == PLAIT_RECORDER_STRANDS_GUIDES)
-        counts.resize(info.guides);
-    row = info.vertices_per_strand;
+        other_counts_.resize(info.guides);
+    row_ = info.vertices_per_strand;
     return {};
 }
 
-Status Recorder::begin(plait_sim* sim) {
-    PLAIT_TRY(read_shape(sim, counts_, row_));
+// The first shape is the recording's, and the others are held to it.
+Status Recorder::take_shape(const char* of) {
+    if (frames_ == 0) {
+        counts_ = other_counts_;
+        return check_metadata();
+    }
+    if (other_counts_.size() != counts_.size())
+        return invalid(
+            format("%s %zu strands, the recording %zu", of, other_counts_.size(), counts_.size()));
+    const auto [other, own] = std::ranges::mismatch(other_counts_, counts_);
+    if (own != counts_.end())
+        return invalid(format("strand %td: %s %u vertices, the recording %u", own - counts_.begin(),
+                              of, *other, *own));
+    return {};
+}
+
+Status Recorder::check_metadata() const {
     const size_t strands = counts_.size();
     const size_t vertices = std::accumulate(counts_.begin(), counts_.end(), size_t{0});
     if (widths_.size() > 1 && widths_.size() != strands && widths_.size() != vertices)
@@ -115,28 +139,13 @@ Status Recorder::begin(plait_sim* sim) {
     return {};
 }
 
-Status Recorder::check_shape(plait_sim* sim) {
-    uint32_t row = 0;
-    PLAIT_TRY(read_shape(sim, other_counts_, row));
-    if (other_counts_.size() != counts_.size() || row != row_)
-        return invalid(format("sim has %zu strands in rows of %u vertices, the recording %zu of %u",
-                              other_counts_.size(), row, counts_.size(), row_));
-    const auto [other, own] = std::ranges::mismatch(other_counts_, counts_);
-    if (own != counts_.end())
-        return invalid(format("strand %td of sim has %u vertices, that of the recording %u",
-                              own - counts_.begin(), *other, *own));
-    return {};
-}
-
 Status Recorder::read_positions(plait_sim* sim) {
     PLAIT_TRY(read_field(sim, PLAIT_FIELD_POSITION, shown_));
     now_.clear();
     for (size_t strand = 0; strand < counts_.size(); ++strand)
         for (size_t vertex = 0; vertex < counts_[strand]; ++vertex) {
             const float* const from = &shown_[4 * (strand * row_ + vertex)];
-            float p[3] = {desc_.scale * from[0], desc_.scale * from[1], desc_.scale * from[2]};
-            turn_to_axes(p, desc_.axes);
-            now_.insert(now_.end(), p, p + 3);
+            now_.insert(now_.end(), from, from + 3);
         }
     return {};
 }
@@ -171,19 +180,48 @@ Status Recorder::write_frame(double time) {
     return {};
 }
 
-Status Recorder::add(plait_sim* sim, double time) {
-    PLAIT_TRY(check_open());
-    if (!std::isfinite(time) || (frames_ > 0 && time <= time_))
-        return invalid(
-            frames_ > 0
-                ? format("time is %g, range is above that of the frame before, %g s", time, time_)
-                : format("time is %g, range is finite", time));
-    PLAIT_TRY(frames_ == 0 ? begin(sim) : check_shape(sim));
-    PLAIT_TRY(read_positions(sim));
+// What now_ has, in metres.
+Status Recorder::add_frame(double time) {
+    for (size_t at = 0; at < now_.size(); at += 3) {
+        float* const p = &now_[at];
+        for (int axis = 0; axis < 3; ++axis)
+            p[axis] *= desc_.scale;
+        turn_to_axes(p, desc_.axes);
+    }
     ended_ = true; // unless all of it is written
     PLAIT_TRY(write_frame(time));
     ended_ = false;
     return {};
+}
+
+Status Recorder::add(plait_sim* sim, double time) {
+    PLAIT_TRY(check_open());
+    PLAIT_TRY(check_time(time));
+    PLAIT_TRY(read_shape(sim));
+    PLAIT_TRY(take_shape("sim has"));
+    PLAIT_TRY(read_positions(sim));
+    return add_frame(time);
+}
+
+Status Recorder::add_positions(const plait_view& counts, const plait_view& positions, double time) {
+    PLAIT_TRY(check_open());
+    PLAIT_TRY(check_time(time));
+    PLAIT_TRY(copy_view(counts, 1, "vertex_counts", other_counts_));
+    size_t vertices = 0;
+    for (size_t strand = 0; strand < other_counts_.size(); ++strand) {
+        const uint32_t count = other_counts_[strand];
+        if (count < 2 || count > most_vertices)
+            return invalid(
+                format("vertex_counts[%zu] is %u, range is [2, %u]", strand, count, most_vertices));
+        vertices += count;
+    }
+    if (positions.count != vertices || vertices == 0)
+        return invalid(format("positions.count is %zu, the %zu strands of vertex_counts have %zu "
+                              "vertices, range is from 2 on",
+                              positions.count, other_counts_.size(), vertices));
+    PLAIT_TRY(take_shape("vertex_counts has"));
+    PLAIT_TRY(copy_view(positions, 3, "positions", now_));
+    return add_frame(time);
 }
 
 Status Recorder::end() {
@@ -235,6 +273,16 @@ plait_result plait_recorder_add(plait_recorder* recorder, plait_sim* sim, double
         PLAIT_TRY(api::need(recorder, "recorder"));
         PLAIT_TRY(api::need(sim, "sim"));
         return recorder->recorder.add(sim, time);
+    });
+}
+
+plait_result plait_recorder_add_positions(plait_recorder* recorder, const plait_view* vertex_counts,
+                                          const plait_view* positions, double time) {
+    return api::guard(__func__, [&]() -> Status {
+        PLAIT_TRY(api::need(recorder, "recorder"));
+        PLAIT_TRY(api::need(vertex_counts, "vertex_counts"));
+        PLAIT_TRY(api::need(positions, "positions"));
+        return recorder->recorder.add_positions(*vertex_counts, *positions, time);
     });
 }
 

@@ -204,6 +204,8 @@ TEST(Arguments, NullPointers) {
          [](O& o) { return plait_recorder_create(nullptr, nullptr, &o.no_recorder); }},
         {"out is NULL", [](O&) { return plait_recorder_create("x.abc", nullptr, nullptr); }},
         {"recorder is NULL", [](O& o) { return plait_recorder_add(nullptr, o.sim, 0); }},
+        {"recorder is NULL",
+         [](O&) { return plait_recorder_add_positions(nullptr, nullptr, nullptr, 0); }},
         {"recorder is NULL", [](O&) { return plait_recorder_close(nullptr); }},
         {"groom is NULL", [](O&) { return plait_groom_save(nullptr, "x.tfx"); }},
         {"path is NULL", [](O& o) { return plait_groom_save(o.groom, nullptr); }},

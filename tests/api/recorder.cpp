@@ -161,6 +161,60 @@ TEST_F(Recorders, AxesAndScaleAreTheReverseOfImport) {
         << "which says both itself";
 }
 
+TEST_F(Recorders, PositionsThatWereKeptAreRecordedAsTheSimIs) {
+    auto desc = plait_recorder_desc_defaults();
+    desc.velocities = 1;
+    desc.axes = PLAIT_AXES_Z_UP;
+    desc.scale = 100;
+    for (const char* end : {".abc", ".usda"}) {
+        plait::Sim sim = make_sim(2);
+        const auto counts = sim.read<uint32_t>(PLAIT_FIELD_VERTEX_COUNT);
+        const Recorder of_sim = record(path("sim") + end, desc);
+        const Recorder of_kept = record(path("kept") + end, desc);
+        for (int frame = 0; frame < 4; ++frame) {
+            sim.step(0.1);
+            const auto kept = shown(sim, counts.size());
+            const plait_view count{counts.data(), counts.size(), 0};
+            const plait_view positions{kept.data(), kept.size() / 3, 0};
+            plait::check(plait_recorder_add(of_sim.get(), sim, frame / 24.0));
+            plait::check(
+                plait_recorder_add_positions(of_kept.get(), &count, &positions, frame / 24.0));
+        }
+        plait::check(plait_recorder_close(of_sim.get()));
+        plait::check(plait_recorder_close(of_kept.get()));
+        EXPECT_EQ(text_of(path("sim") + end), text_of(path("kept") + end));
+    }
+}
+
+void expect_failure(plait_result result, plait_result expected, const char* text) {
+    EXPECT_EQ(result, expected) << plait_last_error();
+    EXPECT_NE(std::strstr(plait_last_error(), text), nullptr) << plait_last_error();
+}
+
+TEST_F(Recorders, PositionsOfAnotherShapeAreRefused) {
+    const Recorder recorder = record(path("a.abc"));
+    const std::vector<float> positions(3 * 9, 0.5f);
+    const auto add = [&](const std::vector<uint32_t>& counts, size_t vertices) {
+        const plait_view count{counts.data(), counts.size(), 0};
+        const plait_view given{positions.data(), vertices, 0};
+        static double time = 0;
+        return plait_recorder_add_positions(recorder.get(), &count, &given, ++time);
+    };
+    const auto refused = [&](const std::vector<uint32_t>& counts, size_t vertices,
+                             const char* text) {
+        expect_failure(add(counts, vertices), PLAIT_INVALID_ARGUMENT, text);
+    };
+    refused({4, 1}, 5, "vertex_counts[1] is 1, range is [2, 256]");
+    refused({257}, 9, "vertex_counts[0] is 257, range is [2, 256]");
+    refused({}, 0, "positions.count is 0, the 0 strands");
+    refused({4, 5}, 8, "positions.count is 8, the 2 strands of vertex_counts have 9 vertices");
+    plait::check(add({4, 5}, 9));
+    refused({4, 3, 2}, 9, "vertex_counts has 3 strands, the recording 2");
+    refused({5, 4}, 9, "strand 0: vertex_counts has 5 vertices, the recording 4");
+    plait::check(add({4, 5}, 9));
+    plait::check(plait_recorder_close(recorder.get()));
+}
+
 TEST_F(Recorders, AbandonedLeavesWhatWasThere) {
     std::ofstream(path("a.abc")) << "before";
     plait::Sim sim = make_sim();
@@ -170,11 +224,6 @@ TEST_F(Recorders, AbandonedLeavesWhatWasThere) {
     }
     EXPECT_EQ(text_of(path("a.abc")), "before");
     EXPECT_EQ(entries(), 1u);
-}
-
-void expect_failure(plait_result result, plait_result expected, const char* text) {
-    EXPECT_EQ(result, expected) << plait_last_error();
-    EXPECT_NE(std::strstr(plait_last_error(), text), nullptr) << plait_last_error();
 }
 
 TEST_F(Recorders, WrongCallsAreRefusedWithReasons) {
@@ -188,10 +237,10 @@ TEST_F(Recorders, WrongCallsAreRefusedWithReasons) {
                    "time is 1, range is above that of the frame before, 1 s");
     plait::Sim more = make_sim(1);
     expect_failure(plait_recorder_add(recorder.get(), more, 2), PLAIT_INVALID_ARGUMENT,
-                   "sim has 4 strands in rows of 8 vertices, the recording 2 of 8");
+                   "sim has 4 strands, the recording 2");
     plait::Sim other(context_, make_groom({curl({0, 0, 0}, 8), curl({0, 0.1f, 0}, 8)}));
     expect_failure(plait_recorder_add(recorder.get(), other, 2), PLAIT_INVALID_ARGUMENT,
-                   "strand 0 of sim has 8 vertices, that of the recording 5");
+                   "strand 0: sim has 8 vertices, the recording 5");
     plait::check(plait_recorder_close(recorder.get()));
     expect_failure(plait_recorder_close(recorder.get()), PLAIT_INVALID_STATE, "it is closed");
     expect_failure(plait_recorder_add(recorder.get(), sim, 3), PLAIT_INVALID_STATE, "it is closed");

@@ -1,9 +1,9 @@
-# cmake -DSCRIPT=slurm_array.sh -P array.cmake: tasks 5 to 7 of an array take seven scenes, each scene once, and one that
-# fails ends its task with what plait-simulate ended with.
-set(scenes a.json b.json "c d.json" e.json f.json g.json h.json)
+# cmake -DSCRIPT=slurm_array.sh -P array.cmake: tasks 5, 7 and 9 of an array are the first, second and third part, and one
+# that fails ends with what plait-simulate ended with.
+set(scenes a.json "c d.json")
 set(printed "")
-foreach(task 5 6 7)
-  execute_process(COMMAND ${CMAKE_COMMAND} -E env SLURM_ARRAY_TASK_ID=${task} SLURM_ARRAY_TASK_MIN=5
+foreach(task 5 7 9)
+  execute_process(COMMAND ${CMAKE_COMMAND} -E env SLURM_ARRAY_TASK_ID=${task} SLURM_ARRAY_TASK_MIN=5 SLURM_ARRAY_TASK_STEP=2
                           SLURM_ARRAY_TASK_COUNT=3 PLAIT_SIMULATE=echo ${SCRIPT} ${scenes}
                   RESULT_VARIABLE result OUTPUT_VARIABLE taken)
   if(NOT result STREQUAL "0")
@@ -13,8 +13,8 @@ foreach(task 5 6 7)
 endforeach()
 message("${printed}")
 set(expected "")
-foreach(name a e h b f "c d" g)
-  string(APPEND expected "--scene ${name}.json --out out/${name}\n")
+foreach(part 1 2 3)
+  string(APPEND expected "--resume --part ${part}/3 --scene a.json c d.json\n")
 endforeach()
 if(NOT printed STREQUAL expected)
   message(FATAL_ERROR "expected:\n${expected}")

@@ -2,6 +2,7 @@
 #include "scene/scene.hpp"
 #include "common/json_reader.hpp"
 #include "common/params_reader.hpp"
+#include "scene/written.hpp"
 #include "support.hpp"
 
 #include <gmock/gmock.h>
@@ -48,6 +49,38 @@ TEST_F(SceneFile, a_key_that_is_none_gets_a_sensible_one_or_none) {
         << of_params("preset");
     EXPECT_THAT(refusal(R"({"preset": 1})"), Not(HasSubstr("nearest")));
     EXPECT_THAT(refusal(R"({"sead": 1})"), HasSubstr("the nearest is \"seed\""));
+}
+
+TEST_F(SceneFile, keeps_what_a_run_goes_on_from) {
+    EXPECT_EQ(read("{}").restart_every, 0u);
+    EXPECT_EQ(read(R"({"resume": true})").restart_every, 100u);
+    EXPECT_EQ(read(R"({"resume": true, "restart_every": 7})").restart_every, 7u);
+    EXPECT_THAT(refusal(R"({"restart_every": 0})"), HasSubstr("restart_every is 0"));
+    EXPECT_THAT(refusal(R"({"restart_every": 5, "budget": 4})"),
+                HasSubstr("restart_every is given, and budget, too: levels that go by the clock"));
+    EXPECT_THAT(refusal(R"({"resume": true, "profile": true})"),
+                HasSubstr("resume is given, and profile, too"));
+    EXPECT_THAT(refusal(R"({"resume": true, "trace": "t.json"})"), HasSubstr("and trace, too"));
+    EXPECT_THAT(refusal(R"({"resume": true, "replay": "a.cache"})"), HasSubstr("and replay, too"));
+}
+
+TEST_F(SceneFile, tells_what_differs_between_two_runs) {
+    const auto of = [&](const char* text) {
+        return Json::parse(read(text, {{"resume", true}}).written);
+    };
+    write("a.csv", "time,yaw\n0,0\n1,30\n");
+    const Json was = of(R"({"seconds": 2, "motion": "a.csv", "params": {"gravity": [0,-9,0]}})");
+    EXPECT_THAT(simulate::differences(was, was), testing::IsEmpty());
+    EXPECT_THAT(
+        simulate::differences(was, of(R"({"seconds": 3.5, "motion": "a.csv", "strands": 5})")),
+        testing::ElementsAre("params is not given, was {\"gravity\":[0,-9,0]}",
+                             "seconds is 3.5, was 2", "strands is 5, was not given"));
+    write("a.csv", "time,yaw\n0,0\n1,31\n");
+    EXPECT_THAT(
+        simulate::differences(
+            was, of(R"({"seconds": 2, "motion": "a.csv", "params": {"gravity": [0,-8,0]}})")),
+        testing::ElementsAre("params.gravity is [0,-8,0], was [0,-9,0]",
+                             "what the file of motion holds is another"));
 }
 
 TEST_F(SceneFile, has_parameters_of_the_tressfx_beside) {

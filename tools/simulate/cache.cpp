@@ -3,6 +3,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 
 namespace simulate {
 
@@ -10,6 +11,10 @@ namespace {
 
 constexpr char magic[8] = {'P', 'L', 'A', 'I', 'T', 'T', 'R', 'J'};
 constexpr size_t pose_floats = 7;
+
+size_t floats_of(const CacheHeader& header) { // a frame
+    return pose_floats + 3 * size_t{header.strands} * header.row;
+}
 
 File open(const std::string& path, const char* mode) {
     File file(std::fopen(path.c_str(), mode));
@@ -35,7 +40,20 @@ CacheWriter::CacheWriter(const std::string& path, std::span<const uint32_t> vert
     std::memcpy(header.magic, magic, sizeof magic);
     write(&header, sizeof header);
     write(vertex_count.data(), vertex_count.size_bytes());
-    packed_.resize(pose_floats + 3 * vertex_count.size() * row);
+    packed_.resize(floats_of(header));
+}
+
+CacheWriter::CacheWriter(const std::string& path, const CacheHeader& header, uint32_t frames)
+    : path_(path) {
+    std::error_code error;
+    std::filesystem::resize_file(path,
+                                 sizeof header + sizeof(uint32_t) * uint64_t{header.strands} +
+                                     frames * sizeof(float) * floats_of(header),
+                                 error);
+    if (error)
+        throw Failure(path + ": " + error.message());
+    file_ = open(path, "ab");
+    packed_.resize(floats_of(header));
 }
 
 void CacheWriter::write(const void* data, size_t size) {
@@ -74,7 +92,7 @@ CacheReader::CacheReader(const std::string& path) : path_(path), file_(open(path
 }
 
 size_t CacheReader::frame_size() const {
-    return sizeof(float) * (pose_floats + 3 * size_t{header_.strands} * header_.row);
+    return sizeof(float) * floats_of(header_);
 }
 
 void CacheReader::read_exactly(void* data, size_t size) {

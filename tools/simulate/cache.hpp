@@ -33,7 +33,10 @@ class CacheWriter {
     // Throws Failure, as does append().
     CacheWriter(const std::string& path, std::span<const uint32_t> vertex_count, uint32_t row,
                 uint32_t frames_planned, float rate);
+    // Goes on after the first `frames` frames of a file with that header.
+    CacheWriter(const std::string& path, const CacheHeader& header, uint32_t frames);
     void append(const Shot& shot);
+    std::span<const float> packed() const { return packed_; } // the last frame, as in the file
 
   private:
     void write(const void* data, size_t size);
@@ -46,8 +49,9 @@ class CacheReader {
   public:
     explicit CacheReader(const std::string& path);
     const CacheHeader& header() const { return header_; }
-    uint32_t frames() const { return frames_; } // whole ones in the file
-    Shot read(uint32_t frame);                  // its spans last until the next read
+    uint32_t frames() const { return frames_; }               // whole ones in the file
+    Shot read(uint32_t frame);                                // its spans last until the next read
+    std::span<const float> packed() const { return packed_; } // that frame, as in the file
 
   private:
     void read_exactly(void* data, size_t size);

@@ -11,7 +11,9 @@
 #include "pictures/inside.hpp"
 #include "profile/ceiling.hpp"
 #include "profile/trace.hpp"
+#include "recording.hpp"
 #include "report.hpp"
+#include "restart.hpp"
 #include "scene/loaded.hpp"
 
 #include <cstdio>
@@ -48,7 +50,7 @@ Watcher watcher_of(Inside& inside) {
 }
 
 Measurements run_scene(const Scene& scene, const Figure& figure, Album* album, Inside& inside,
-                       std::vector<std::string>& warnings) {
+                       Restart& restart, std::vector<std::string>& warnings) {
     Simulation simulation(scene, figure);
     warn(simulation.take_warnings(), warnings);
     std::vector<Watcher> watchers;
@@ -56,8 +58,9 @@ Measurements run_scene(const Scene& scene, const Figure& figure, Album* album, I
     std::unique_ptr<Recording> recording;
     if (Recording::is_for(scene.cache)) {
         recording = std::make_unique<Recording>(scene.cache, scene, figure);
-        simulation.record_to(*recording);
-    } else if (!scene.cache.empty()) {
+        watchers.push_back(
+            {[](uint32_t) { return true; }, [&](const Shot& shot) { recording->add(shot); }});
+    } else if (!scene.cache.empty() && !restart.is_on()) {
         cache =
             std::make_unique<CacheWriter>(scene.cache, simulation.vertex_count(), simulation.row(),
                                           scene.frames(), static_cast<float>(scene.rate));
@@ -68,6 +71,10 @@ Measurements run_scene(const Scene& scene, const Figure& figure, Album* album, I
         watchers.push_back({[album](uint32_t frame) { return album->wants(frame); },
                             [album](const Shot& shot) { album->take(shot); }});
     watchers.push_back(watcher_of(inside));
+    if (restart.is_on()) {
+        simulation.restart_by(restart);
+        restart.keep_frames(watchers, simulation.vertex_count(), simulation.row());
+    }
     Measurements run = simulation.run(*motion_of(scene), watchers, "simulating");
     if (recording)
         recording->close();
@@ -110,6 +117,9 @@ void finish_report(Report& report, Album* album) {
 }
 
 void simulate_scene(Scene& scene) {
+    Restart restart(scene);
+    if (restart.is_done())
+        return;
     const Figure figure = make_figure(scene);
     std::printf("%s\n", loaded_line(scene, figure).c_str());
     if (!figure.notes.empty())
@@ -121,7 +131,7 @@ void simulate_scene(Scene& scene) {
     const std::vector<Variant> beside = variants_beside(scene);
     const std::unique_ptr<Album> album = make_album(scene, figure, beside);
     Inside inside(scene, figure);
-    Measurements run = run_scene(scene, figure, album.get(), inside, warnings);
+    Measurements run = run_scene(scene, figure, album.get(), inside, restart, warnings);
     std::optional<Profile> profile;
     if (scene.profile)
         profile = make_profile(run, figure.info.vertices, copy_rate(run.device));
@@ -130,6 +140,8 @@ void simulate_scene(Scene& scene) {
     for (size_t i = 0; i < beside.size() && album && !interrupted(); ++i)
         report.beside.push_back(run_beside(scene, figure, beside[i], i, *album, inside));
     finish_report(report, album.get());
+    if (!report.interrupted)
+        restart.finish();
 }
 
 // Draws a trajectory. The scene's groom gives the head, the pivot and the camera.
@@ -167,13 +179,18 @@ Exit run(const CommandLine& line) {
         print_params();
         return Exit::ok;
     }
+    const std::vector<SceneJob> jobs = scene_jobs(line.scene_files, line.keys, line.part);
+    if (jobs.empty())
+        std::printf("part %u of %u has none of the %zu scenes\n", line.part->number, line.part->of,
+                    line.scene_files.size());
     watch_for_interrupt();
-    Scene scene = make_scene(line.scene_file, line.keys);
-    if (scene.replay.empty())
-        simulate_scene(scene);
-    else
-        replay(scene);
-    return ended();
+    return do_all(jobs, [](const SceneJob& job) {
+        Scene scene = make_scene(job.file, job.keys);
+        if (scene.replay.empty())
+            simulate_scene(scene);
+        else
+            replay(scene);
+    });
 }
 
 } // namespace

@@ -58,14 +58,15 @@ void Neighbours::add(std::span<const float> positions, float step) {
     for (const Pair& pair : pairs_)
         for (uint32_t vertex = 1; vertex < pair.vertices; ++vertex, ++at) {
             const std::array<float, 3> now = apart(positions, pair, vertex);
-            sum_ += squared_distance(now.data(), before_[at].data()) / double(step) / double(step);
+            sum_.squares +=
+                squared_distance(now.data(), before_[at].data()) / double(step) / double(step);
         }
-    count_ += before_.size();
+    sum_.count += before_.size();
     keep(positions);
 }
 
 double Neighbours::rms_speed() const {
-    return count_ ? std::sqrt(sum_ / static_cast<double>(count_)) : 0.0;
+    return sum_.count ? std::sqrt(sum_.squares / static_cast<double>(sum_.count)) : 0.0;
 }
 
 } // namespace simulate

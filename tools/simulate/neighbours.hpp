@@ -20,6 +20,17 @@ class Neighbours {
     // One more frame, `step` s after the one before.
     void add(std::span<const float> positions, float step);
 
+    // Of the frames so far; with the last one's positions all that the others need.
+    struct Sum {
+        double squares = 0.0; // of speeds, (m/s)^2
+        uint64_t count = 0;
+    };
+    const Sum& sum() const { return sum_; }
+    void go_on(std::span<const float> positions, const Sum& sum) {
+        keep(positions);
+        sum_ = sum;
+    }
+
     double rms_speed() const; // m/s, of all frames and vertices; 0: there are none
 
   private:
@@ -32,8 +43,7 @@ class Neighbours {
     uint32_t row_;
     std::vector<Pair> pairs_;
     std::vector<std::array<float, 3>> before_; // what lay between each pair's vertices
-    double sum_ = 0.0;
-    uint64_t count_ = 0;
+    Sum sum_;
 };
 
 } // namespace simulate

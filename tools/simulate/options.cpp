@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cstdio>
 #include <cstdlib>
 
 namespace simulate {
@@ -40,8 +41,15 @@ void add_options(CLI::App& app, CommandLine& line) {
     const auto text = [&](auto... rest) { option<std::string>(app, keys, rest...); };
     const std::string models = model_choices();
     const auto count = [&](auto... rest) { option<uint64_t>(app, keys, rest...); };
-    app.add_option("--scene", line.scene_file, "scene file; options win over it")
-        ->type_name("FILE.json");
+    app.add_option("--scene", line.scene_files,
+                   "scene files; options win over them. Of several each leaves its results in a "
+                   "folder of its name in --out")
+        ->type_name("FILE.json")
+        ->allow_extra_args();
+    app.add_option_function<std::string>(
+           "--part", [&line](const std::string& given) { line.part = read_part(given); },
+           "of the scenes only every N-th, from the I-th on: 1/N to N/N are all [1/1]")
+        ->type_name("I/N");
     text("--groom", "groom", "NAME|FILE",
          "long, braid, curly, short, ponytail, bob, afro, dreadlocks, beard, fur, ball, or .tfx "
          ".hair .obj .abc .usda .ply .data [long]");
@@ -100,9 +108,17 @@ void add_options(CLI::App& app, CommandLine& line) {
     text("--device", "device", "TEXT",
          "part of a device's, vendor's or platform's name, as pocl; cpu or gpu [the best]");
     text("--backend", "backend", "NAME", "opencl or reference [the best]");
-    text("--out", "out", "FOLDER", "where the results go [out]");
+    text("--out", "out", "FOLDER",
+         "where the results go; of several scenes in it a folder each [out]");
     text("--cache", "cache", "FILE",
          "write the trajectory here; .abc or .usda: as curves that move, with velocities");
+    count("--restart-every", "restart_every", "FRAMES",
+          "keep in --out, after so many frames, what a run that is cut off goes on from [none; 100 "
+          "with --resume]");
+    app.add_flag_callback(
+        "--resume", [&keys] { keys["resume"] = true; },
+        "go on from what was kept in --out, to the results of a run that was never cut off; begin "
+        "anew where nothing was");
     text("--replay", "replay", "FILE", "draw a trajectory instead of simulating one");
     text("--json", "json", "FILE", "write the statistics here as well");
     app.add_flag_callback(
@@ -133,6 +149,9 @@ CommandLine read_command_line(int argc, char** argv) {
     add_options(app, line);
     try {
         app.parse(argc, argv);
+    } catch (const Failure& failure) { // of --part
+        std::fprintf(stderr, "plait-simulate: %s\n", failure.what());
+        line.exit_code = static_cast<int>(failure.exit);
     } catch (const CLI::ParseError& error) {
         line.exit_code =
             app.exit(error) == 0 ? static_cast<int>(Exit::ok) : static_cast<int>(Exit::user_error);

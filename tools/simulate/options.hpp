@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/json_reader.hpp"
+#include "many.hpp"
 #include "scene/scene.hpp"
 
 #include <optional>
@@ -13,7 +14,8 @@ struct CommandLine {
     bool list_presets = false;
     bool list_params = false;
     std::optional<int> exit_code; // set when --help or an error has been printed
-    std::string scene_file;
+    std::vector<std::string> scene_files;
+    std::optional<Part> part;
     Json keys = Json::object(); // what was given, as keys of a scene file
 };
 

@@ -33,7 +33,8 @@ bool Recording::is_for(const std::string& path) {
     return path.ends_with(".abc") || path.ends_with(".usda");
 }
 
-Recording::Recording(const std::string& path, const Scene& scene, const Figure& figure) {
+Recording::Recording(const std::string& path, const Scene& scene, const Figure& figure)
+    : rate_(scene.rate) {
     plait_recorder_desc desc = plait_recorder_desc_defaults();
     desc.frames_per_second = scene.rate;
     desc.velocities = 1;
@@ -44,8 +45,17 @@ Recording::Recording(const std::string& path, const Scene& scene, const Figure& 
     recorder_.reset(recorder);
 }
 
-void Recording::add(plait_sim* sim, double time) {
-    check(plait_recorder_add(recorder_.get(), sim, time));
+void Recording::add(const Shot& shot) {
+    packed_.clear();
+    for (size_t strand = 0; strand < shot.vertex_count.size(); ++strand)
+        for (uint32_t vertex = 0; vertex < shot.vertex_count[strand]; ++vertex) {
+            const float* const p = &shot.positions[4 * (strand * shot.row + vertex)];
+            packed_.insert(packed_.end(), p, p + 3);
+        }
+    const plait_view counts{shot.vertex_count.data(), shot.vertex_count.size(), 0};
+    const plait_view positions{packed_.data(), packed_.size() / 3, 0};
+    check(plait_recorder_add_positions(recorder_.get(), &counts, &positions,
+                                       static_cast<double>(shot.frame) / rate_));
     any_ = true;
 }
 

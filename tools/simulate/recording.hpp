@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scene/figure.hpp"
+#include "shot.hpp"
 
 #include <plait/plait_recorder.h>
 
@@ -14,7 +15,7 @@ class Recording {
 
     // Throws Failure, as do the others.
     Recording(const std::string& path, const Scene& scene, const Figure& figure);
-    void add(plait_sim* sim, double time);
+    void add(const Shot& shot);
     void close(); // without a frame: no file
 
   private:
@@ -22,6 +23,8 @@ class Recording {
         void operator()(plait_recorder* recorder) const { plait_recorder_destroy(recorder); }
     };
     std::unique_ptr<plait_recorder, Destroy> recorder_;
+    uint32_t rate_;
+    std::vector<float> packed_; // xyz, without what is behind tips
     bool any_ = false;
 };
 

@@ -1,5 +1,6 @@
 #include "run.hpp"
 #include "common/progress.hpp"
+#include "restart.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -445,8 +446,6 @@ void Simulation::find_worst(Measurements& measurements, uint32_t frame) {
 
 void Simulation::show(uint32_t frame, const plait_pose& head,
                       const std::vector<Watcher>& watchers) {
-    if (recording_)
-        recording_->add(sim_.get(), static_cast<double>(frame) / scene_.rate);
     const auto wanted = [&](const Watcher& watcher) { return watcher.wanted(frame); };
     if (std::none_of(watchers.begin(), watchers.end(), wanted))
         return;
@@ -501,14 +500,27 @@ void Simulation::warn_of_rigid(const CrowdHead& nearest) {
 
 void Simulation::finish(Measurements& measurements) {
     measurements.stages = stage_times(false);
+    add_stages_before(measurements.stages);
     check(plait_sim_hash(sim_.get(), &measurements.hash));
     if (crowd_) {
         measurements.crowd = crowd_->heads();
         warn_of_rigid(measurements.crowd.front());
     }
     measurements.info = describe();
-    measurements.device.struct_size = sizeof measurements.device;
-    check(plait_context_describe(context_.get(), &measurements.device));
+    measurements.device = describe_device();
+}
+
+plait_device_info Simulation::describe_device() const {
+    plait_device_info device{};
+    device.struct_size = sizeof device;
+    check(plait_context_describe(context_.get(), &device));
+    return device;
+}
+
+std::vector<float> Simulation::read_positions() const {
+    std::vector<float> positions;
+    read_field(sim_.get(), PLAIT_FIELD_POSITION, positions);
+    return positions;
 }
 
 Measurements Simulation::run(const Motion& motion, const std::vector<Watcher>& watchers,
@@ -516,10 +528,13 @@ Measurements Simulation::run(const Motion& motion, const std::vector<Watcher>& w
     Measurements measurements;
     measurements.info = describe();
     measurements.last = measure(); // for a run that is interrupted before its first frame
-    settle(head_at(motion, 0.0f));
+    if (restart_ && restart_->begin())
+        take_up(measurements);
+    else
+        settle(head_at(motion, 0.0f));
     const uint32_t frames = scene_.frames();
     Progress progress(label, frames);
-    for (uint32_t frame = 0; frame < frames && !interrupted(); ++frame) {
+    for (uint32_t frame = measurements.frames; frame < frames && !interrupted(); ++frame) {
         const float time = static_cast<float>(frame + 1) / static_cast<float>(scene_.rate);
         const plait_pose head = head_at(motion, time);
         if (keeps_timeline())
@@ -532,8 +547,12 @@ Measurements Simulation::run(const Motion& motion, const std::vector<Watcher>& w
         measure(measurements, frame);
         show(frame, head, watchers);
         measurements.frames = frame + 1;
+        if (restart_ && restart_->is_due(frame + 1))
+            keep(measurements);
         progress.update(frame + 1);
     }
+    if (restart_ && restart_->kept() < measurements.frames)
+        keep(measurements);
     finish(measurements);
     return measurements;
 }

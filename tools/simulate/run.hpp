@@ -5,20 +5,21 @@
 #include "neighbours.hpp"
 #include "pictures/inside.hpp"
 #include "profile/timeline.hpp"
-#include "recording.hpp"
 #include "scene/figure.hpp"
 #include "scene/motion.hpp"
 #include "shot.hpp"
+#include "watcher.hpp"
 
 #include <plait/plait_profile.h>
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace simulate {
+
+class Restart;
 
 // What a run measured. Stretch and non-finite counts are the worst over its frames.
 struct Measurements {
@@ -46,12 +47,6 @@ struct Measurements {
     double percentile_ms(double share) const; // so many frames take no longer
 };
 
-// `wanted(frame)`: whether see() is to be given that frame's positions.
-struct Watcher {
-    std::function<bool(uint32_t frame)> wanted;
-    std::function<void(const Shot&)> see;
-};
-
 // Guides alone, whom the others follow, or all as if none did.
 enum class Simulated { guides, all };
 
@@ -65,8 +60,9 @@ class Simulation {
     Measurements run(const Motion& motion, const std::vector<Watcher>& watchers,
                      const std::string& label);
 
-    // Each frame goes to `recording`, too, which outlives the runs.
-    void record_to(Recording& recording) { recording_ = &recording; }
+    // Keeps what it has come to, and begins where `restart` says, which outlives the run. Throws Failure where that would
+    // come to something else.
+    void restart_by(Restart& restart);
     uint32_t row() const { return row_; }
     const std::vector<uint32_t>& vertex_count() const { return vertex_count_; }
     plait_sim_measures measure() const;
@@ -114,6 +110,11 @@ class Simulation {
     // Of all frames since the last reset.
     std::vector<plait_stage_time> stage_times(bool reset);
     void warn_of_rigid(const CrowdHead& nearest);
+    void keep(const Measurements& measurements);
+    void take_up(Measurements& measurements);
+    void add_stages_before(std::vector<plait_stage_time>& times) const;
+    plait_device_info describe_device() const;
+    std::vector<float> read_positions() const;
     void finish(Measurements& measurements);
 
     const Scene& scene_;
@@ -136,7 +137,8 @@ class Simulation {
     std::unique_ptr<Neighbours> neighbours_;
     std::vector<uint32_t> vertex_count_;
     uint32_t row_ = 0;
-    Recording* recording_ = nullptr;
+    Restart* restart_ = nullptr;
+    std::vector<plait_stage_time> stages_before_;      // the run was taken up
     std::vector<std::unique_ptr<Simulation>> farther_; // heads of a crowd
     std::unique_ptr<Crowd> crowd_;                     // with this head; null: no budget
 };

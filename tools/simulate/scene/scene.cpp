@@ -1,4 +1,5 @@
 #include "scene.hpp"
+#include "written.hpp"
 
 #include "common/collider_reader.hpp"
 #include "common/json_reader.hpp"
@@ -526,6 +527,25 @@ void read_output(JsonReader& top, const Origin& origin, Scene& scene) {
     top.flag("film", scene.pictures.video);
 }
 
+void read_restart(JsonReader& top, Scene& scene) {
+    constexpr uint32_t usual = 100; // frames
+    top.flag("resume", scene.resume);
+    if (scene.resume)
+        scene.restart_every = usual;
+    top.integer("restart_every", scene.restart_every, 1, 1000000);
+    const char* const key = scene.resume ? "resume" : "restart_every";
+    if (scene.restart_every == 0)
+        return;
+    if (scene.crowd.directed())
+        top.fail(key, "is given, and budget, too: levels that go by the clock are others in a run "
+                      "that is cut off");
+    if (scene.profile || !scene.trace.empty())
+        top.fail(key, std::string("is given, and ") + (scene.profile ? "profile" : "trace") +
+                          ", too: of a run that is cut off it would have a part");
+    if (!scene.replay.empty())
+        top.fail(key, "is given, and replay, too, which simulates nothing");
+}
+
 } // namespace
 
 plait::SimDesc Scene::default_sim() {
@@ -584,7 +604,10 @@ Scene make_scene(const std::string& file, const Json& command_line) {
     if (moves && scene.motion.find('.') != std::string::npos)
         scene.motion = resolve(scene.motion, "motion", origin);
     read_output(top, origin, scene);
+    read_restart(top, scene);
     top.finish();
+    if (scene.restart_every > 0)
+        scene.written = written(document, origin);
     return scene;
 }
 

@@ -127,6 +127,9 @@ struct Scene {
     bool compare = true;
     std::string device, backend; // "": the best
     std::string out = "out", cache, json, replay;
+    uint32_t restart_every = 0; // frames after which a run keeps what it can go on from; 0: never
+    bool resume = false;        // goes on from that
+    std::string written;        // all that it was made of, where it keeps; scene/written.hpp
     bool profile = false;
     std::string trace; // file; "": none
 
