@@ -50,9 +50,9 @@ PLAIT_API plait_result plait_recorder_create(const char* path, const plait_recor
  * @errors INVALID_STATE (closed, or ended by a failure), IO */
 PLAIT_API plait_result plait_recorder_add(plait_recorder* recorder, plait_sim* sim, double time);
 
-/* The same of positions that the caller has kept: float[3], m, world, root first, strand after strand,
- * as many as `vertex_counts` add up to; that is uint32, [2, 256] for each strand. The desc's `strands` is not read.
- * Both are copied.
+/* Adds a frame of positions that the caller has kept. `vertex_counts`: uint32, [2, 256], of each strand.
+ * `positions`: float[3], m, world, strand after strand, root first, as many as the counts add up to.
+ * Both are copied. The desc's `strands` is not read.
  * @errors INVALID_ARGUMENT (a count, another shape than that of the first frame), INVALID_STATE
  *         (closed, or ended by a failure), IO */
 PLAIT_API plait_result plait_recorder_add_positions(plait_recorder* recorder,

@@ -22,8 +22,6 @@ struct plait_recorder {
 namespace plait::api {
 namespace {
 
-constexpr uint32_t most_vertices = 256; // of a strand
-
 plait_recorder_desc default_recorder_desc() {
     plait_recorder_desc desc{};
     desc.scale = 1;
@@ -210,9 +208,9 @@ Status Recorder::add_positions(const plait_view& counts, const plait_view& posit
     size_t vertices = 0;
     for (size_t strand = 0; strand < other_counts_.size(); ++strand) {
         const uint32_t count = other_counts_[strand];
-        if (count < 2 || count > most_vertices)
-            return invalid(
-                format("vertex_counts[%zu] is %u, range is [2, %u]", strand, count, most_vertices));
+        if (count < PLAIT_MIN_VERTICES || count > PLAIT_MAX_VERTICES)
+            return invalid(format("vertex_counts[%zu] is %u, range is [%d, %d]", strand, count,
+                                  PLAIT_MIN_VERTICES, PLAIT_MAX_VERTICES));
         vertices += count;
     }
     if (positions.count != vertices || vertices == 0)

@@ -2,7 +2,7 @@
 #include "scene/scene.hpp"
 #include "common/json_reader.hpp"
 #include "common/params_reader.hpp"
-#include "scene/written.hpp"
+#include "scene/inputs.hpp"
 #include "support.hpp"
 
 #include <gmock/gmock.h>
@@ -66,7 +66,7 @@ TEST_F(SceneFile, keeps_what_a_run_goes_on_from) {
 
 TEST_F(SceneFile, tells_what_differs_between_two_runs) {
     const auto of = [&](const char* text) {
-        return Json::parse(read(text, {{"resume", true}}).written);
+        return Json::parse(read(text, {{"resume", true}}).inputs);
     };
     write("a.csv", "time,yaw\n0,0\n1,30\n");
     const Json was = of(R"({"seconds": 2, "motion": "a.csv", "params": {"gravity": [0,-9,0]}})");

@@ -32,13 +32,18 @@ Json keys_of(const Json& keys, const std::string& folder) {
     return own;
 }
 
-// One name for each; a path that leads out of the folder would be the same file for all.
+// By a path that leads out of the folder all scenes would write one file.
+bool leads_out(const std::filesystem::path& path) {
+    const auto normal = path.lexically_normal();
+    return path.is_absolute() || (!normal.empty() && *normal.begin() == "..");
+}
+
 void check_files(const Json& keys) {
     for (const char* key : {"cache", "json", "trace"}) {
         if (!keys.contains(key))
             continue;
         const auto name = keys.at(key).get<std::string>();
-        if (std::filesystem::path(name).is_absolute() || name.find("..") != std::string::npos)
+        if (leads_out(name))
             throw Failure("--" + std::string(key) + " is " + name +
                           ", and of several scenes it is a file in the folder of each");
     }

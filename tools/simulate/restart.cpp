@@ -3,7 +3,7 @@
 #include "common/file.hpp"
 #include "common/progress.hpp"
 #include "recording.hpp"
-#include "scene/written.hpp"
+#include "scene/inputs.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -74,7 +74,7 @@ void write_snapshot(const Snapshot& snapshot, const std::string& path) {
 
 Restart::Restart(const Scene& scene) : scene_(scene), levels_(Json::array()) {
     if (is_on())
-        written_ = Json::parse(scene.written);
+        inputs_ = Json::parse(scene.inputs);
     if (std::filesystem::exists(path(snapshot_name)))
         look_at(read_snapshot(path(snapshot_name)));
     if (from_)
@@ -110,7 +110,7 @@ void Restart::begin_anew() {
 }
 
 void Restart::check_same(const Json& run) const {
-    const std::vector<std::string> found = differences(run.at("written"), written_);
+    const std::vector<std::string> found = differences(run.at("inputs"), inputs_);
     if (found.empty())
         return;
     std::string list;
@@ -201,7 +201,7 @@ void Restart::append(const Shot& shot) {
 }
 
 void Restart::keep(uint32_t frames, const Json& measured, std::string sim) {
-    write_snapshot({{{"written", written_},
+    write_snapshot({{{"inputs", inputs_},
                      {"done", false},
                      {"frames", frames},
                      {"planned", scene_.frames()},
@@ -217,7 +217,7 @@ void Restart::keep(uint32_t frames, const Json& measured, std::string sim) {
 void Restart::finish() {
     if (!is_on())
         return;
-    write_snapshot({{{"written", written_}, {"done", true}}, ""}, path(snapshot_name));
+    write_snapshot({{{"inputs", inputs_}, {"done", true}}, ""}, path(snapshot_name));
     frames_.reset();
     std::error_code ignored;
     std::filesystem::remove(path(frames_name), ignored);

@@ -56,7 +56,7 @@ class Restart {
     Shot placed(Shot shot, uint32_t frame) const;
 
     const Scene& scene_;
-    Json written_; // scene_.written
+    Json inputs_; // scene_.inputs
     bool done_ = false;
     std::optional<Snapshot> from_;
     std::unique_ptr<CacheWriter> frames_;

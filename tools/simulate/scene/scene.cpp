@@ -1,5 +1,5 @@
 #include "scene.hpp"
-#include "written.hpp"
+#include "inputs.hpp"
 
 #include "common/collider_reader.hpp"
 #include "common/json_reader.hpp"
@@ -607,7 +607,7 @@ Scene make_scene(const std::string& file, const Json& command_line) {
     read_restart(top, scene);
     top.finish();
     if (scene.restart_every > 0)
-        scene.written = written(document, origin);
+        scene.inputs = inputs_of(document, origin);
     return scene;
 }
 

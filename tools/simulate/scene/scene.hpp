@@ -129,7 +129,7 @@ struct Scene {
     std::string out = "out", cache, json, replay;
     uint32_t restart_every = 0; // frames after which a run keeps what it can go on from; 0: never
     bool resume = false;        // goes on from that
-    std::string written;        // all that it was made of, where it keeps; scene/written.hpp
+    std::string inputs;         // inputs_of() it, where it keeps
     bool profile = false;
     std::string trace; // file; "": none
 

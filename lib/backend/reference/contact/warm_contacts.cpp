@@ -235,7 +235,7 @@ Vec3 WarmContacts::place(size_t vertex, Vec3 p) {
     const bool was = at.stiffness > 0;
     const double height = was ? at.normal.dot(p) - at.offset : 0;
     const auto found = nearest(vertex, height < 0 ? near : 0, !astray_, p);
-    // what the step pulled is free, but where it is deep: at the surface rounding would decide
+    // one that the step pulls off is free, unless it is deep: near the surface rounding would decide
     const double held = tolerance / 2, stop = PLAIT_ARTICULATED_STOP * contacts_.length_[vertex];
     if (!found || !(height < 0 || found->gap < -(was ? held : stop))) {
         at.stiffness = 0;

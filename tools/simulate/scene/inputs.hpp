@@ -9,7 +9,7 @@
 namespace simulate {
 
 // As JSON. Where results go, and what computes them, is no part of it.
-std::string written(const Json& document, const Origin& origin);
+std::string inputs_of(const Json& document, const Origin& origin);
 
 // Of two of those, in words: "seconds is 4, was 8". Empty: they are the same.
 std::vector<std::string> differences(const Json& was, const Json& is);

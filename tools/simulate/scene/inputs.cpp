@@ -1,4 +1,4 @@
-#include "written.hpp"
+#include "inputs.hpp"
 
 #include "checksum.hpp"
 #include "common/json_reader.hpp"
@@ -12,8 +12,8 @@ namespace simulate {
 
 namespace {
 
-constexpr const char* no_part_of_it[] = {"out",     "json",          "trace", "device",
-                                         "backend", "restart_every", "resume"};
+constexpr const char* no_inputs[] = {"out",     "json",          "trace", "device",
+                                     "backend", "restart_every", "resume"};
 constexpr size_t most_letters = 60; // of a value, in a message
 
 uint64_t checksum_of(const std::filesystem::path& file) {
@@ -74,9 +74,9 @@ void compare(const Json& was, const Json& is, const std::string& place,
 
 } // namespace
 
-std::string written(const Json& document, const Origin& origin) {
+std::string inputs_of(const Json& document, const Origin& origin) {
     Json keys = document, files = Json::object();
-    for (const char* key : no_part_of_it)
+    for (const char* key : no_inputs)
         keys.erase(key);
     for (const auto& [key, value] : keys.items()) {
         const bool beside_file = !origin.command_line.contains(key);
