@@ -29,18 +29,10 @@
 /* ---- contact in the solve ----------------------------------------------------------------------
  */
 
-/* Segment lengths: penetration tolerance. A vertex deeper at the substep's begin started inside and
- * is pushed out softly; no contact spring pushes with more than it does at this depth. Ours. */
+/* Segment lengths: penetration tolerance. No contact spring pushes with more than it does at this depth. Ours. */
 #define PLAIT_CONTACT_TOLERANCE PLAIT_NUMBER(0.005)
-/* Segment lengths: largest penetration after a solve; what is deeper is projected there. Ours. */
+/* Segment lengths: what a step leaves deeper takes another one. Ours. */
 #define PLAIT_CONTACT_MAX_PENETRATION PLAIT_NUMBER(0.02)
-/* m/h'^2, m the vertex's mass: least stiffness that pushes out what started inside. Ours. */
-#define PLAIT_CONTACT_RECOVERY_STIFFNESS PLAIT_NUMBER(10.0)
-/* Relative change of friction's bound mu N below which a contact has not changed. Ours. */
-#define PLAIT_CONTACT_FRICTION_CHANGE PLAIT_NUMBER(0.05)
-/* Share of mu N that has to pull at a vertex for it to break loose, where a solver tries that first:
- * less than all of it, as N lags by a step. Ours. */
-#define PLAIT_CONTACT_BREAKS PLAIT_NUMBER(0.9)
 /* EA: largest friction on a vertex. A strand that a collider caught is released before it stretches
  * without end and snaps back. Ours. */
 #define PLAIT_CONTACT_MAX_FRICTION PLAIT_NUMBER(0.1)
@@ -59,10 +51,12 @@
 #define PLAIT_CONTACT_WARM_STOPS PLAIT_NUMBER(0.3)
 /* Segment lengths: what had to be lifted by more takes another step. Ours. */
 #define PLAIT_CONTACT_WARM_DEEP PLAIT_NUMBER(0.1)
-/* Radians: a strand in contact takes another step where one turned a segment by more. Ours. */
+/* Radians: a step turns no segment of a strand in contact by more, which no potential could tell from wrong. Ours. */
 #define PLAIT_CONTACT_WARM_TURN PLAIT_NUMBER(0.5)
-/* Most steps: the second for what slides, the third for what the second turned back. Ours. */
-#define PLAIT_CONTACT_WARM_STEPS 3
+/* Most steps of a strand that is left too deep, and from which of them on what is left so is put on the surface,
+ * against the forces in it: before, a step of Newton's method may see to it. Ours. */
+#define PLAIT_CONTACT_WARM_STEPS 12
+#define PLAIT_CONTACT_WARM_KEEPS 2
 /* Newton steps to the first crossing; exact to 1e-3 r at half a radius off the axis. Ours. */
 #define PLAIT_SWEEP_STEPS 4
 /* Cosine of 60 degrees: normals farther apart belong to different sides of a capsule. Ours. */
@@ -135,27 +129,10 @@
 /* Line search: factor of each shorter step, and how many there are. Ours. */
 #define PLAIT_ARTICULATED_SHORTEN PLAIT_NUMBER(0.4)
 #define PLAIT_ARTICULATED_SHORTER_STEPS 3
-/* Segment lengths: a Newton step in contact that moves no vertex farther may be the last. Ours. */
-#define PLAIT_ARTICULATED_CONVERGED PLAIT_NUMBER(0.05)
 /* Squared chord between a segment's direction and its director above which somebody moved the
  * vertices and it is no rounding. Ours. */
 #define PLAIT_ARTICULATED_MISALIGNED PLAIT_NUMBER(1e-9)
-/* Most Newton steps of a strand in contact: planes, normal forces and slip directions are renewed
- * between them, and the last is the one that changes neither. Fewer hold a hair that should slip,
- * since the bound of friction lags by a step. Ours. */
-#define PLAIT_ARTICULATED_CONTACT_STEPS 8
-/* Most of one that is still deep then, and how deep that is (segment lengths): a collider that moves
- * by several of its radii turns hair by more than Newton's method sees in eight steps, and what is
- * deeper is no balance of forces. Ours. */
-#define PLAIT_ARTICULATED_DEEP_STEPS 10
-#define PLAIT_ARTICULATED_DEEP PLAIT_NUMBER(0.1)
-/* Share of PLAIT_CONTACT_TOLERANCE by which a vertex that a step would carry under a surface which does
- * not push it yet is left under it at most, so that it touches in the next step. Ours. */
-#define PLAIT_ARTICULATED_PRESSED PLAIT_NUMBER(0.5)
-/* How often what the last step left deeper than PLAIT_CONTACT_MAX_PENETRATION is put back, each time
- * to the surface where the time before has put it. Ours. */
-#define PLAIT_ARTICULATED_PUT_BACK 3
-/* Segment lengths: what is nearer to where it would be stopped is left, since that is rounding. Ours. */
+/* Segment lengths: what is less deep in a surface that it did not touch is left, since that is rounding. Ours. */
 #define PLAIT_ARTICULATED_STOP PLAIT_NUMBER(1e-5)
 /* Most Newton steps of a strand with a vertex farther from its pin than so many segment lengths,
  * whose stiffness is above so many times its inertia m/h'^2. A held vertex is off by a hundredth

@@ -182,10 +182,10 @@ __kernel void plait_articulated(BASELINE_ARGUMENTS) {
     for (int i = 0; i <= step.segments; ++i)
         x[i] = target[i];
 
-    lane_contacts of_step;
-    lane_contacts* contacts = contact_may_be(&params) ? &of_step : 0;
+    contact_loop of_step;
+    lane_contacts* contacts = contact_may_be(&params) ? &of_step.contacts : 0;
     if (contacts)
-        contact_begin(contacts, &step, &params, collider, lane_plane, lane_x);
+        contact_loop_begin(&of_step, &step, &params, collider, lane_plane, lane_x);
     chain_solve(&step, contacts, params.iterations, pulled, target, x);
     for (int i = 0; i <= step.segments; ++i)
         solved[i] = x[i];

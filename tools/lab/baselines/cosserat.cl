@@ -19,11 +19,11 @@ __kernel void plait_articulated(BASELINE_ARGUMENTS) {
     rod_state s;
     vec3 y[PLAIT_VERTICES], w[PLAIT_VERTICES];
     lane_predict(&step, &params, state, y, w);
-    lane_contacts contacts;
-    contact_begin(&contacts, &step, &params, collider, lane_plane, lane_x);
+    contact_loop contacts;
+    contact_loop_begin(&contacts, &step, &params, collider, lane_plane, lane_x);
     rod_factors factors;
-    rod_problem rod =
-        rod_problem_of(&step, y, lane_rest, contact_may_be(&params) ? &contacts : 0, &factors);
+    rod_problem rod = rod_problem_of(&step, y, lane_rest,
+                                     contact_may_be(&params) ? &contacts.contacts : 0, &factors);
     rod.sections = 1;
     rod_load(&rod, &params, &s, lane_q, lane_q_before);
 

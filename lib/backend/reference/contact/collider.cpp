@@ -1,7 +1,9 @@
 #include "backend/reference/contact/collider.hpp"
 
+#include <plait/constants.h>
 #include <plait/params.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -36,6 +38,38 @@ Surface Collider::surface(const Vec3& x) const {
     const Surface at =
         std::visit([&](const auto& shape) { return reference::surface(shape, x); }, body);
     return inward ? Surface{-at.distance, -at.normal} : at;
+}
+
+// Newton's method from outside comes to the first zero and not beyond.
+std::optional<Tangent> first_crossing(const Collider& collider, const Vec3& from, const Vec3& to) {
+    const Vec3 way = to - from;
+    double t = 0;
+    Surface at = collider.surface(from);
+    for (int k = 0; k < PLAIT_SWEEP_STEPS; ++k) {
+        const double slope = at.normal.dot(way);
+        if (slope >= 0)
+            return {};
+        t += std::max(at.distance, 0.0) / -slope;
+        if (t >= 1)
+            return {};
+        at = collider.surface(from + t * way);
+    }
+    return Tangent{at.normal, at.distance + (1 - t) * at.normal.dot(way)};
+}
+
+double clearance(const Collider& collider, const Vec3& x) {
+    if (collider.inward)
+        return collider.surface(x).distance;
+    if (const Hull* hull = std::get_if<Hull>(&collider.body))
+        return std::max(surface(*hull, x).distance, surface(hull->around, x).distance);
+    const Capsule* capsule = std::get_if<Capsule>(&collider.body);
+    if (!capsule)
+        return collider.surface(x).distance;
+    Capsule wide = *capsule;
+    if ((wide.b - wide.a).norm() <= std::abs(wide.ra - wide.rb)) // one sphere holds the other
+        wide.a = wide.b = wide.ra < wide.rb ? wide.b : wide.a;
+    wide.ra = wide.rb = std::max(wide.ra, wide.rb);
+    return surface(wide, x).distance;
 }
 
 Collider collider_at(const View<const Vec4>& buffer, size_t index) {

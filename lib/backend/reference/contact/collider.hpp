@@ -5,6 +5,7 @@
 
 #include "backend/reference/contact/capsule.hpp"
 
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -55,6 +56,20 @@ struct Collider {
     Vec3 carried(const Vec3& x) const { return to + turn * (x - from); }
     Vec3 carried_from(const Vec3& x) const { return from + turn.conjugate() * (x - to); }
 };
+
+// At least this far from a collider, and from most no farther than that: of a capsule with the
+// greater radius all along, of a hull also of the box around it.
+double clearance(const Collider& collider, const Vec3& x);
+
+// A tangent plane of a collider's distance: `height` of the end of the way above it.
+struct Tangent {
+    Vec3 normal;
+    double height;
+};
+
+// Where the way, along which the distance is convex, first crosses the surface; nothing if it ends or turns
+// away before. Ours: tangent planes of the first crossing.
+std::optional<Tangent> first_crossing(const Collider& collider, const Vec3& from, const Vec3& to);
 
 Collider collider_at(const View<const Vec4>& buffer, size_t index);
 

@@ -1,6 +1,4 @@
-// Source: Alart & Curnier 1991 (stick or slip from the last solve's forces), Li et al. 2020
-// (friction lagged in a potential). Ours: the push that is remembered as a depth, the way out for what
-// starts inside.
+// Source: Li et al. 2020 (friction lagged in a potential).
 #include "backend/reference/contact/contact.hpp"
 
 #include <plait/constants.h>
@@ -22,111 +20,6 @@ Contacts::Contacts(const plait_lane_params& params, const View<const Vec4>& coll
 
 Vec3 Contacts::slip_of(const Contact& at, const Vec3& x) const {
     return (Mat3::Identity() - at.normal * at.normal.transpose()) * (x - at.anchor);
-}
-
-// A new contact slides where friction cannot stop a free vertex; one that slid, until it turns
-// back; one that stuck, once the spring that held it pulls with more than mu N. One that is tried
-// gets a weaker spring before it slides, drawn so far by mu N: what draws that one by more, slides.
-void Contacts::rub(const Contact& before, const Vec3& u, double mobility, bool tries,
-                   Contact& now) const {
-    const double slip = params_.contact_slip, size = u.norm(), most = now.friction * now.push;
-    now.grip = slip;
-    bool slides = false;
-    if (before.stiffness == 0 || before.push == 0) {
-        slides = size > slip + most * mobility;
-    } else if (!before.sticks()) {
-        slides = before.slide.dot(u) > 0;
-    } else {
-        const double pull = before.friction * before.push * size / before.grip;
-        if (before.grip > slip)
-            slides = pull + size / mobility > PLAIT_CONTACT_BREAKS * most;
-        else if (pull > most && tries)
-            now.grip = std::max(size, slip);
-        else
-            slides = pull > most;
-    }
-    if (slides)
-        now.slide = u.normalized();
-}
-
-// The way that the vertex slid along the surface, if it was pressed to it.
-Vec3 Contacts::slid_before(size_t vertex, const Touch& found) const {
-    if (solved_ || !slides_on_ || !(found.start < 0))
-        return Vec3::Zero();
-    const Vec3 surface = found.anchor - motion_.start[vertex];
-    const Vec3 way = motion_.whole * motion_.v[vertex] - surface;
-    const Vec3 along = way - found.normal * found.normal.dot(way);
-    return along.norm() > params_.contact_slip ? along : Vec3(Vec3::Zero());
-}
-
-Contacts::Contact Contacts::renewed(size_t vertex, const Vec3& x) const {
-    const Contact& before = at_[vertex];
-    const auto found = nearest(vertex, x);
-    Contact now;
-    now.anchor = motion_.start[vertex];
-    if (!found || length_[vertex] == 0)
-        return now;
-    const double tolerance = PLAIT_CONTACT_TOLERANCE * length_[vertex];
-    const double left = -before.stiffness * (before.normal.dot(x) - before.offset);
-    const bool was = solved_ && before.stiffness > 0;
-    const bool pressed = solved_ ? was && left > 0 : found->start < 0;
-
-    // Force against depth: stiff from the surface on; for what started at depth D, a soft spring
-    // that pushes with `most` at D, and stiff beyond D.
-    const double stiff = mass_[vertex] * params_.contact_rate, most = stiff * tolerance;
-    const double depth = -found->gap, D = -found->start;
-    double stiffness = stiff, level = 0;
-    now.stiff = true;
-    if (D > tolerance) {
-        now.stiff = depth > D;
-        if (!now.stiff)
-            stiffness =
-                std::max(PLAIT_CONTACT_RECOVERY_STIFFNESS * mass_[vertex] / (motion_.h * motion_.h),
-                         most / D);
-        level = D - most / stiffness;
-    }
-    now.normal = found->normal;
-    now.anchor = found->anchor;
-    now.offset = now.normal.dot(x) + depth - level;
-    now.level = level;
-    now.begin = D;
-    if (!(depth > 0 || (pressed && -depth < tolerance)))
-        return now;
-    now.stiffness = stiffness;
-    now.push = was ? std::max(left, 0.0) : std::min(stiff * std::max(D, 0.0), most);
-    now.friction = std::min(motion_.friction * found->friction,
-                            PLAIT_CONTACT_MAX_FRICTION * stretch_[vertex] * length_[vertex] /
-                                std::max(now.push, 1e-30));
-    const Vec3 u = slip_of(now, x);
-    // A surface that comes from farther, as the root sees it, strikes: what it throws is not tried.
-    const Vec3 carried = found->anchor - (motion_.start[vertex] - motion_.start[0]);
-    const bool tries = slides_on_ && carried.norm() < length_[vertex];
-    rub(solved_ ? before : Contact{}, u, motion_.h * motion_.h / mass_[vertex], tries, now);
-    if (const Vec3 slid = slid_before(vertex, *found); !slid.isZero(0)) {
-        now.slide = tries ? Vec3(Vec3::Zero()) : Vec3(slid.normalized());
-        now.grip = tries ? slid.norm() : now.grip;
-    }
-    return now;
-}
-
-// In whether they touch or slide, or in friction's bound.
-bool Contacts::differ(const Contact& before, const Contact& now) {
-    if ((before.stiffness > 0) != (now.stiffness > 0))
-        return true;
-    const double bound = now.friction * now.push, had = before.friction * before.push;
-    return now.stiffness > 0 && (before.sticks() != now.sticks() || before.grip != now.grip ||
-                                 std::abs(bound - had) > PLAIT_CONTACT_FRICTION_CHANGE * bound);
-}
-
-void Contacts::renew(const std::vector<Vec3>& x) {
-    changed_ = false;
-    for (size_t i = 1; i < x.size(); ++i) {
-        const Contact before = at_[i];
-        at_[i] = renewed(i, x[i]);
-        changed_ = changed_ || differ(before, at_[i]);
-    }
-    solved_ = true;
-    touched_ = touched_ || touching();
 }
 
 void Contacts::press(const std::vector<Vec3>& x) {
@@ -164,17 +57,6 @@ double Contacts::model(size_t vertex, const Vec3& x) const {
            at.friction * at.push * (along + across / (2 * reach));
 }
 
-double Contacts::depth_allowed(size_t vertex) const {
-    return at_[vertex].stiff ? PLAIT_CONTACT_MAX_PENETRATION * length_[vertex] : INFINITY;
-}
-
-double Contacts::excess(size_t vertex, const Vec3& x) const {
-    const Contact& at = at_[vertex];
-    if (at.stiffness == 0)
-        return 0;
-    return std::max(at.offset - at.normal.dot(x) - depth_allowed(vertex), 0.0);
-}
-
 void Contacts::aim(std::vector<Vec3> y) {
     y_ = std::move(y);
     for (size_t i = 1; i < planes_.size(); ++i)
@@ -203,35 +85,10 @@ Vec3 Contacts::within(size_t vertex, const Vec3& to) const {
     return far > PLAIT_MESH_ROOM ? Vec3(to - (1 - PLAIT_MESH_ROOM / far) * off) : to;
 }
 
-// On the surface, but for the depth at which it outweighs what inertia presses the vertex in with.
-Vec3 Contacts::stopped(size_t vertex, const Vec3& to, double inertia) const {
-    const Contact& at = at_[vertex];
-    const double depth = at.offset - at.normal.dot(to);
-    if (at.stiffness > 0 || at.normal.isZero(0) || depth <= 0)
-        return to;
-    const double most = PLAIT_ARTICULATED_PRESSED * PLAIT_CONTACT_TOLERANCE * length_[vertex];
-    const double stop = depth - std::min(depth * inertia / params_.contact_rate, most);
-    return stop > PLAIT_ARTICULATED_STOP * length_[vertex] ? Vec3(to + stop * at.normal) : to;
-}
-
 Vec3 Contacts::lifted(size_t vertex, const Vec3& to) const {
     const Contact& at = at_[vertex];
     return at.stiffness > 0 ? Vec3(to + std::max(at.offset - at.normal.dot(to), 0.0) * at.normal)
                             : to;
-}
-
-Vec3 Contacts::put_back(size_t vertex, const Vec3& leader, double length,
-                        const Vec3& solved) const {
-    const Vec3& n = at_[vertex].normal;
-    const Vec3 out = solved + excess(vertex, solved) * n - leader;
-    const Vec3 end = leader + length * direction(out);
-    const double low = excess(vertex, end);
-    if (low == 0)
-        return end;
-    // the circle of that height on the sphere around the leader
-    const double above = std::clamp(n.dot(end - leader) + low, -length, length);
-    const Vec3 across = out - n.dot(out) * n;
-    return leader + above * n + std::sqrt((length - above) * (length + above)) * direction(across);
 }
 
 // From the depth `begin` on, of the spring that is stiff all along, but holds no more than at the
@@ -240,7 +97,7 @@ double Contacts::released(size_t vertex, const Vec3& x, double begin) const {
     const Contact& at = at_[vertex];
     const double most = PLAIT_CONTACT_TOLERANCE * length_[vertex];
     const double before = std::clamp(begin, 0.0, most);
-    const double after = std::clamp(at.level + at.offset - at.normal.dot(x), 0.0, most);
+    const double after = std::clamp(at.offset - at.normal.dot(x), 0.0, most);
     return mass_[vertex] * params_.contact_rate / 2 * (before * before - after * after);
 }
 
@@ -275,10 +132,10 @@ void Contacts::store(const Lane& lane, const LaneState& state, const std::vector
     const Vec3 root_start = motion_.root + motion_.start[0];
     for (size_t i = 1; i < x.size(); ++i) {
         const Contact& at = at_[i];
-        if (!(at.stiffness > 0 && at.push > 0))
-            continue;
         const Vec3 surface = (at.anchor - motion_.start[i]) / params_.h;
         Vec3 v = lane.vector(state.v, i);
+        if (!(at.stiffness > 0 && (at.push > 0 || at.normal.dot(v - surface) < 0)))
+            continue;
         v += at.normal.dot(surface - v) * at.normal;
         lane.store(state.v, i, v);
         if (!params_.bdf2)

@@ -10,8 +10,6 @@
 namespace plait::reference {
 namespace {
 
-constexpr uint32_t most_colliders = 63; // that a list has room for
-
 // m, about how far a surface is from the middle of what is behind it, at the least.
 double thin(const Body& body) {
     if (const Capsule* capsule = std::get_if<Capsule>(&body))
@@ -23,28 +21,15 @@ double thin(const Body& body) {
     return INFINITY;
 }
 
-bool inside(const Collider& collider, const Vec3& x) {
-    return collider.inward ? clearance(collider, x) < 0 : clearance(collider, x) <= 0;
-}
-
 } // namespace
 
 WarmContacts::WarmContacts(Contacts& contacts, std::vector<double> force)
     : contacts_(contacts), force_(std::move(force)) {
     const plait_lane_params& params = contacts_.params_;
-    solves_ =
-        contacts_.of_strands() || ((params.collider_count > 0 || !contacts_.planes_.empty()) &&
-                                   params.collider_count <= most_colliders);
-    for (size_t i = 0; solves_ && i < params.collider_count; ++i)
+    for (size_t i = 0; i < params.collider_count; ++i)
         colliders_.push_back(collider_at(contacts_.colliders_, params.collider_first + i));
-    for (size_t i = 1; i < force_.size() && !contacts_.of_strands(); ++i)
-        for (const Collider& collider : colliders_)
-            solves_ = solves_ && !hard(collider, i);
-    if (!solves_)
-        return;
     for (size_t i = 1; i < force_.size(); ++i)
         begin(i);
-    contacts_.solved_ = true;
     contacts_.touched_ = pressed_;
 }
 
@@ -61,32 +46,9 @@ double WarmContacts::stiffness(size_t vertex) const {
     return contacts_.mass_[vertex] * contacts_.params_.contact_rate;
 }
 
-double WarmContacts::room(size_t vertex) const {
-    return PLAIT_CONTACT_WARM_ROOM * contacts_.length_[vertex];
-}
-
-// Is p farther than that from the way between where the vertex was, as its root sees it, and where inertia
-// takes it?
-bool WarmContacts::strays(size_t vertex, const Vec3& p) const {
-    return contacts_.astray(vertex, p).norm() >
-           room(vertex) - PLAIT_CONTACT_WARM_REACH * tolerance(vertex);
-}
-
 Vec3 WarmContacts::carried(const Collider& collider, size_t vertex) const {
     const Motion& motion = contacts_.motion_;
     return collider.carried(motion.root + motion.start[vertex]) - motion.root;
-}
-
-// May the vertex meet it on a way that is not looked along?
-bool WarmContacts::hard(const Collider& collider, size_t vertex) const {
-    const Vec3 start = contacts_.motion_.start[vertex];
-    const Vec3 y = contacts_.y_[vertex], to = carried(collider, vertex),
-               head = start - contacts_.motion_.start[0];
-    const double moves = (to - start).norm(), least = std::min(moves, (to - head).norm());
-    if (contacts_.length_[vertex] == 0 || collider.inward || least <= thin(collider.body))
-        return false;
-    const double reach = (y - start).norm() / 2 + 1.75 * room(vertex) + moves;
-    return clearance(collider, contacts_.motion_.root + (start + y) / 2) <= reach;
 }
 
 // Of what need come no farther out of a collider that holds the root.
@@ -143,7 +105,6 @@ void WarmContacts::begin(size_t vertex) {
     }
     if (at.stiffness == 0)
         return;
-    at.stiff = true;
     at.push = force_[vertex];
     at.begin = at.push / at.stiffness + std::max(-least - 0.75 * tolerance(vertex), 0.0);
     const bool of_strand = contacts_.of_strands() && of_plane;
@@ -175,10 +136,9 @@ std::optional<WarmContacts::Nearest> WarmContacts::nearest_body(size_t vertex, c
     for (const Collider& collider : colliders_) {
         Surface surface = collider.surface(contacts_.motion_.root + p);
         const auto tangent = sweeps ? crossing(collider, vertex, p) : std::nullopt;
-        deep_ = deep_ || (tangent && !contacts_.of_strands());
-        const bool swept = tangent && contacts_.of_strands() &&
-                           (surface.distance > 0 ||
-                            !(surface.normal.dot(tangent->normal) > PLAIT_SWEEP_SAME_SIDE));
+        const bool swept =
+            tangent && (surface.distance > 0 ||
+                        !(surface.normal.dot(tangent->normal) > PLAIT_SWEEP_SAME_SIDE));
         if (swept)
             surface = {tangent->height, tangent->normal};
         else if (clearance(collider, contacts_.motion_.root + p) > reach)
@@ -192,9 +152,8 @@ std::optional<WarmContacts::Nearest> WarmContacts::nearest_body(size_t vertex, c
 }
 
 // Lifts p to where the plane of a strand leaves it, if that is in a body. No strand pushes another one into one.
-std::optional<WarmContacts::Nearest> WarmContacts::nearest(size_t vertex, double reach, bool bodies,
-                                                           Vec3& p) {
-    const auto body = bodies ? nearest_body(vertex, p, reach, true) : std::nullopt;
+std::optional<WarmContacts::Nearest> WarmContacts::nearest(size_t vertex, double reach, Vec3& p) {
+    const auto body = nearest_body(vertex, p, reach, true);
     const MeshPlane* plane = mesh(vertex);
     if (!plane || (contacts_.of_strands() && body && body->gap < 0))
         return body;
@@ -216,25 +175,20 @@ void WarmContacts::arrive(size_t vertex, const Nearest& found) {
     at.anchor = found.anchor;
     at.friction = contacts_.motion_.friction * found.friction;
     at.slide.setZero();
-    at.push = at.begin = at.level = 0;
+    at.push = at.begin = 0;
     at.grip = contacts_.params_.contact_slip;
-    at.stiff = true;
 }
 
 Vec3 WarmContacts::place(size_t vertex, Vec3 p) {
     Contact& at = contacts_.at_[vertex];
     depth_ = -INFINITY;
-    astray_ = body_ = false;
+    held_ = false;
     if (contacts_.length_[vertex] == 0)
         return p;
     const double tolerance = this->tolerance(vertex), near = PLAIT_CONTACT_WARM_REACH * tolerance;
-    // from what was looked for, but the plane of a mesh has no end; where strands meet it is looked for again
-    astray_ = !contacts_.of_strands() && strays(vertex, p);
-    if (astray_ && !mesh(vertex))
-        return p;
     const bool was = at.stiffness > 0;
     const double height = was ? at.normal.dot(p) - at.offset : 0;
-    const auto found = nearest(vertex, height < 0 ? near : 0, !astray_, p);
+    const auto found = nearest(vertex, height < 0 ? near : 0, p);
     // one that the step pulls off is free, unless it is deep: near the surface rounding would decide
     const double held = tolerance / 2, stop = PLAIT_ARTICULATED_STOP * contacts_.length_[vertex];
     if (!found || !(height < 0 || found->gap < -(was ? held : stop))) {
@@ -264,7 +218,7 @@ Vec3 WarmContacts::place(size_t vertex, Vec3 p) {
     at.stiffness = stiffness(vertex);
     at.normal = found->normal;
     at.offset = at.normal.dot(to) + sinks;
-    body_ = found->body;
+    held_ = found->body || !contacts_.of_strands();
     return to;
 }
 
@@ -292,21 +246,18 @@ void WarmContacts::bring(size_t vertex, const Vec3& to, const Vec3& x) {
     at.offset += std::clamp(at.normal.dot(x - to), -tolerance(vertex), tolerance(vertex));
 }
 
-void WarmContacts::left(size_t vertex, const Vec3& to, const Vec3& x) {
-    const Contact& at = contacts_.at_[vertex];
-    const auto holds = [&](const Collider& c) { return inside(c, contacts_.motion_.root + x); };
-    deep_ = deep_ || (astray_ && std::any_of(colliders_.begin(), colliders_.end(), holds)) ||
-            (at.stiffness > 0 && depth_ + at.normal.dot(to - x) >
-                                     PLAIT_CONTACT_MAX_PENETRATION * contacts_.length_[vertex]);
-    bring(vertex, to, x);
-}
-
 // A vertex that touches no body but is left too deep in one touches it from now on: its depth, or 0.
 double WarmContacts::behind(size_t vertex, const Vec3& x) {
-    if (body_ || contacts_.length_[vertex] == 0)
+    if (held_ || contacts_.length_[vertex] == 0)
         return 0;
     const double most = PLAIT_CONTACT_MAX_PENETRATION * contacts_.length_[vertex];
-    const auto found = nearest_body(vertex, x, -most, false);
+    auto found = nearest_body(vertex, x, -most, false);
+    const MeshPlane* plane = contacts_.of_strands() ? nullptr : mesh(vertex);
+    if (plane) {
+        const double height = plane->height + plane->normal.dot(x - plane->anchor);
+        if (height < (found ? found->gap : -most))
+            found = Nearest{height, plane->friction, plane->normal, plane->anchor, false};
+    }
     if (!found)
         return 0;
     arrive(vertex, *found);
@@ -317,16 +268,26 @@ double WarmContacts::behind(size_t vertex, const Vec3& x) {
     return -found->gap;
 }
 
-Vec3 WarmContacts::kept(size_t vertex, const Vec3& to, const Vec3& leader, const Vec3& x) {
-    const double length = contacts_.length_[vertex], behind = this->behind(vertex, x);
+// Is p farther from the vertex' way than it may be for what was looked for?
+bool WarmContacts::strays(size_t vertex, const Vec3& p) const {
+    return contacts_.astray(vertex, p).norm() >
+           PLAIT_CONTACT_WARM_ROOM * contacts_.length_[vertex] -
+               PLAIT_CONTACT_WARM_REACH * tolerance(vertex);
+}
+
+// Past the first steps, where strands meet and of what strays, what is left too deep comes to the surface.
+Vec3 WarmContacts::left(size_t vertex, const Vec3& to, const Vec3& leader, const Vec3& x) {
+    const bool keeps =
+        contacts_.of_strands() || step_ >= PLAIT_CONTACT_WARM_KEEPS || strays(vertex, to);
+    const double length = contacts_.length_[vertex], behind = keeps ? this->behind(vertex, x) : 0;
     const Contact& at = contacts_.at_[vertex];
     const double depth = behind > 0 ? behind : depth_ + at.normal.dot(to - x);
-    const bool under = body_ && at.stiffness > 0 && depth > PLAIT_CONTACT_MAX_PENETRATION * length;
+    const bool under = held_ && at.stiffness > 0 && depth > PLAIT_CONTACT_MAX_PENETRATION * length;
     if (!(behind > 0))
         bring(vertex, to, x);
-    if (!(behind > 0 || under))
+    deep_ = deep_ || behind > 0 || under;
+    if (!keeps || !(behind > 0 || under))
         return x;
-    deep_ = true;
     // the circle of that height on the sphere around the leader
     const Vec3 &n = at.normal, out = x - leader;
     const double above = std::clamp(n.dot(out) + depth, -length, length);
@@ -337,13 +298,13 @@ Vec3 WarmContacts::kept(size_t vertex, const Vec3& to, const Vec3& leader, const
                (size > 1e-30 ? Vec3(across / size) : n);
 }
 
-void WarmContacts::placed(double turned) {
+void WarmContacts::placed() {
     contacts_.touched_ = contacts_.touched_ || contacts_.touching();
-    wild_ = contacts_.touched_ && turned > PLAIT_CONTACT_WARM_TURN && !contacts_.of_strands();
 }
 
 void WarmContacts::press(const std::vector<Vec3>& x) {
     deep_ = slips_ = back_ = false;
+    ++step_;
     contacts_.press(x);
 }
 

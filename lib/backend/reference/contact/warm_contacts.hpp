@@ -12,16 +12,12 @@ class WarmContacts {
     // `force`: N, of all vertices in the substep before.
     WarmContacts(Contacts& contacts, std::vector<double> force);
 
-    // Does it meet nothing that moves by more than its radius, or do strands meet?
-    bool solves() const { return solves_; }
     // Where a vertex goes that the step would leave at p.
     Vec3 place(size_t vertex, Vec3 p);
-    // Where its segment's length leaves it, that was to go to `to`.
-    void left(size_t vertex, const Vec3& to, const Vec3& x);
-    // The same where strands meet: x, or of what is left in a body the place on its surface as far from the leader.
-    Vec3 kept(size_t vertex, const Vec3& to, const Vec3& leader, const Vec3& x);
-    // All vertices have been; `turned`: the largest rotation.
-    void placed(double turned);
+    // Where the vertex stays that was to go to `to`, and that its segment's length left at x.
+    Vec3 left(size_t vertex, const Vec3& to, const Vec3& leader, const Vec3& x);
+    // All vertices have been.
+    void placed();
     // Before another step.
     void press(const std::vector<Vec3>& x);
 
@@ -29,7 +25,6 @@ class WarmContacts {
     bool slips() const { return slips_; }     // any vertex, in the step
     bool back() const { return back_; }       // what slid came back
     bool deep() const { return deep_; }       // the step was not enough
-    bool wild() const { return wild_; }       // it was too large to be one: it is not to be taken
     void fail() { deep_ = true; }
 
   private:
@@ -39,9 +34,6 @@ class WarmContacts {
         Vec3 normal, anchor;
         bool body; // else of a mesh or a strand
     };
-    bool hard(const Collider& collider, size_t vertex) const;
-    double room(size_t vertex) const;
-    bool strays(size_t vertex, const Vec3& p) const;
     double gap(const Collider& collider, size_t vertex, const Surface& surface) const;
     Vec3 carried(const Collider& collider, size_t vertex) const; // relative to the root
     void begin(size_t vertex);
@@ -49,22 +41,22 @@ class WarmContacts {
     double grip(size_t vertex, const Vec3& normal, const Vec3& anchor) const;
     std::optional<Tangent> crossing(const Collider& collider, size_t vertex, const Vec3& p) const;
     std::optional<Nearest> nearest_body(size_t vertex, const Vec3& p, double reach, bool sweeps);
-    std::optional<Nearest> nearest(size_t vertex, double reach, bool bodies, Vec3& p);
+    std::optional<Nearest> nearest(size_t vertex, double reach, Vec3& p);
     double behind(size_t vertex, const Vec3& x);
     void arrive(size_t vertex, const Nearest& found);
     void rub(Contact& at, const Vec3& to);
     void bring(size_t vertex, const Vec3& to, const Vec3& x);
+    bool strays(size_t vertex, const Vec3& p) const;
     double tolerance(size_t vertex) const;
     double stiffness(size_t vertex) const;
 
     Contacts& contacts_;
     std::vector<Collider> colliders_;
     std::vector<double> force_;
-    double depth_ = 0;    // m, below the surface, of what place() left last
-    bool astray_ = false; // did it leave its range?
-    bool body_ = false;   // does it touch a body?
-    bool solves_ = true, pressed_ = false, slips_ = false, back_ = false, deep_ = false,
-         wild_ = false;
+    double depth_ = 0;  // m, below the surface, of what place() left last
+    bool held_ = false; // does it touch a surface that keeps it out?
+    int step_ = 0;
+    bool pressed_ = false, slips_ = false, back_ = false, deep_ = false;
 };
 
 } // namespace plait::reference

@@ -136,7 +136,7 @@ void RodModel::add_joints(Eigen::MatrixXd& H, Eigen::VectorXd& g) const {
 
 // Past the tip nothing turns; with rows for it the factors of the others would round otherwise. Those tipward of a
 // segment that turns by `most` take what is best then.
-RodModel::Turns RodModel::turns(double most) const {
+Eigen::VectorXd RodModel::turns(double most) const {
     const auto own =
         3 * std::count_if(length_.begin(), length_.end(), [](double l) { return l > 0; });
     Eigen::MatrixXd H = Eigen::MatrixXd::Zero(own, own);
@@ -144,12 +144,10 @@ RodModel::Turns RodModel::turns(double most) const {
     add_vertices(H, g);
     add_joints(H, g);
     H.triangularView<Eigen::StrictlyUpper>() = H.transpose();
-    Turns found{Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(segments())), 0};
-    Eigen::VectorXd& w = found.w;
+    Eigen::VectorXd w = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(segments()));
     w.head(own) = H.ldlt().solve(-g);
     for (Eigen::Index i = 0; i < own; i += 3) {
         const double size = w.segment<3>(i).norm();
-        found.most = std::max(found.most, size);
         if (size <= most)
             continue;
         w.segment<3>(i) *= most / size;
@@ -160,13 +158,7 @@ RodModel::Turns RodModel::turns(double most) const {
                     .ldlt()
                     .solve(-g.tail(rest) - H.bottomLeftCorner(rest, i + 3) * w.head(i + 3));
     }
-    return found;
-}
-
-// What would pass a surface that did not push in the step stays there.
-Vec3 RodModel::stopped(size_t vertex, const Vec3& to) const {
-    return contacts_ ? contacts_->stopped(vertex, contacts_->within(vertex, to), motion_.inertia)
-                     : to;
+    return w;
 }
 
 // Its end goes towards a place; past the tip there is no direction.
@@ -180,13 +172,11 @@ void RodModel::turn_to(size_t segment, const Vec3& place) {
 // Where a step would put the segment's end, or where contact leaves it.
 void RodModel::place(size_t segment, const Vec3& end, WarmContacts* warm) {
     if (!warm)
-        return turn_to(segment, stopped(segment + 1, end));
+        return turn_to(segment, end);
     const size_t vertex = segment + 1;
     const Vec3 to = warm->place(vertex, contacts_->within(vertex, end));
     turn_to(segment, to);
-    if (!contacts_->of_strands())
-        return warm->left(vertex, to, x[vertex]);
-    const Vec3 left = x[vertex], kept = warm->kept(vertex, to, x[segment], left);
+    const Vec3 left = x[vertex], kept = warm->left(vertex, to, x[segment], left);
     if (kept != left)
         turn_to(segment, kept);
 }
@@ -203,122 +193,70 @@ void RodModel::follow_turns(const RodModel& from, const Eigen::VectorXd& w, Warm
     }
 }
 
-// Less of the turns. `meets`: null, or what places vertices where strands meet.
+// Less of the turns.
 void RodModel::follow_less(const RodModel& from, const Eigen::VectorXd& w, double share,
-                           WarmContacts* meets) {
+                           WarmContacts* warm) {
     for (size_t i = 0; i < segments(); ++i) {
         q[i] = turned(from.q[i], share * w.segment<3>(3 * static_cast<Eigen::Index>(i)));
-        place(i, x[i] + length_[i] * director(i), meets);
+        place(i, x[i] + length_[i] * director(i), warm);
     }
-    if (meets)
-        meets->placed(0);
 }
 
-bool RodModel::turn_segments(WarmContacts* warm) {
+void RodModel::turn_segments(WarmContacts* warm) {
     const double before = energy();
     const double limit = before + std::abs(before) * PLAIT_ARTICULATED_POTENTIAL_RISE +
                          PLAIT_ARTICULATED_POTENTIAL_MIN;
     const auto rose = [&] { // what is placed has another potential than the step had
-        return !(energy() <= (warm && touched() ? std::numeric_limits<double>::max() : limit));
+        return !(energy() <= (touched() ? std::numeric_limits<double>::max() : limit));
     };
     const RodModel from = *this;
-    WarmContacts* meets = warm && contacts_->of_strands() ? warm : nullptr;
-    const Turns turns = this->turns(meets && touched() ? PLAIT_CONTACT_WARM_TURN : INFINITY);
-    follow_turns(from, turns.w, warm);
+    const Eigen::VectorXd w = turns(touched() ? PLAIT_CONTACT_WARM_TURN : INFINITY);
+    follow_turns(from, w, warm);
     if (warm)
-        warm->placed(turns.most);
-    if (warm && warm->wild()) {
-        *this = from;
-        return false;
-    }
-    if (warm && touched() && rose())
+        warm->placed();
+    if (touched() && rose())
         warm->fail();
     double share = 1;
     for (int trial = 0; trial < PLAIT_ARTICULATED_SHORTER_STEPS && rose(); ++trial) {
         share *= PLAIT_ARTICULATED_SHORTEN;
-        follow_less(from, turns.w, share, meets);
+        follow_less(from, w, share, warm);
+        if (warm)
+            warm->placed();
     }
     if (rose())
         *this = from;
-    for (size_t i = 1; i < x.size(); ++i)
-        if (length_before_[i] > 0 && // not past the tip
-            (x[i] - from.x[i]).norm() > PLAIT_ARTICULATED_CONVERGED * length_before_[i])
-            return true;
-    return false;
 }
 
-// The steps with the contacts of the substep before: one, a second where something slides, a third where
-// that was turned back or the second was not enough.
-bool RodModel::solve_warm(uint32_t steps, const std::vector<double>& force) {
-    WarmContacts warm(*contacts_, force);
-    follow_target();
-    if (!warm.solves())
-        return false;
-    if (contacts_->of_strands()) {
-        meet(steps, warm);
+// Beyond those that every strand takes: one for what slides, another one for what that turned back, and more
+// while the strand is deep in a body.
+bool RodModel::wants_step(uint32_t k, const WarmContacts* warm) const {
+    if (k < PLAIT_ARTICULATED_PIN_STEPS && off_pin())
         return true;
-    }
-    for (uint32_t k = 0; k < PLAIT_CONTACT_WARM_STEPS; ++k) {
-        if (k > 0)
-            warm.press(x);
-        turn_segments(&warm);
-        const bool slips = warm.slips() && warm.pressed();
-        if (warm.wild())
-            return false;
-        if (!warm.deep() && !(k == 0 && slips) && !(k == 1 && warm.back()))
-            break;
-    }
-    return !warm.deep() && !off_pin();
-}
-
-// Where strands meet: one step, and more only while the strand is deep in a body. With more, strands push each other
-// about.
-void RodModel::meet(uint32_t steps, WarmContacts& warm) {
-    for (uint32_t k = 0;; ++k) {
-        if (k > 0)
-            warm.press(x);
-        turn_segments(&warm);
-        const uint32_t next = k + 1;
-        if (next >= steps && !(warm.deep() && next < PLAIT_ARTICULATED_CONTACT_STEPS) &&
-            !(next < PLAIT_ARTICULATED_PIN_STEPS && off_pin()))
-            return;
-    }
+    if (!warm)
+        return false;
+    if (k == 0 || (k < PLAIT_CONTACT_WARM_STEPS && warm->deep()))
+        return true;
+    return !contacts_->of_strands() &&
+           ((k == 1 && warm->slips() && warm->pressed()) || (k == 2 && warm->back()));
 }
 
 void RodModel::articulate(uint32_t steps, const std::vector<double>& force) {
     load();
-    std::vector<Vec3> y;
-    for (size_t i = 0; contacts_ && i < x.size(); ++i)
-        y.push_back(motion_.goal(i, mass_[i]));
-    if (contacts_)
+    std::optional<WarmContacts> contact;
+    if (contacts_) {
+        std::vector<Vec3> y;
+        for (size_t i = 0; i < x.size(); ++i)
+            y.push_back(motion_.goal(i, mass_[i]));
         contacts_->aim(std::move(y));
-    bool solved = false;
-    if (contacts_ && (steps > 0 || contacts_->of_strands()))
-        solved = solve_warm(steps, force);
-    else
-        follow_target();
-    if (contacts_ && contacts_->of_strands())
-        return;
-    if (contacts_)
-        contacts_->slide_on();
-    bool moved = true;
-    for (uint32_t k = 0; !solved || steps > 1; ++k) {
-        renew_contacts();
-        if (k >= steps && !wants_step(k, moved))
-            break;
-        moved = turn_segments();
+        contact.emplace(*contacts_, force);
     }
-    if (!solved || steps > 1)
-        put_back();
-}
-
-// Beyond those that every strand takes.
-bool RodModel::wants_step(uint32_t k, bool moved) const {
-    if (k < PLAIT_ARTICULATED_PIN_STEPS && off_pin())
-        return true;
-    if (!touched() || k >= PLAIT_ARTICULATED_DEEP_STEPS)
-        return false;
-    return k < PLAIT_ARTICULATED_CONTACT_STEPS ? moved || contacts_->changed() : deep();
+    WarmContacts* warm = contact ? &*contact : nullptr;
+    follow_target();
+    for (uint32_t k = 0; k < steps || wants_step(k, warm); ++k) {
+        if (warm && k > 0)
+            warm->press(x);
+        turn_segments(warm);
+    }
 }
 
 void articulated(uint32_t item_count, const plait_lane_params& params,

@@ -54,11 +54,6 @@ RodModel::RodModel(const RodBuffers& buffers, const plait_lane_params& params, s
                                            mesh_planes_of(lane_, params, buffers.state.plane));
 }
 
-void RodModel::renew_contacts() {
-    if (contacts_)
-        contacts_->renew(x);
-}
-
 void RodModel::shorten(double share) {
     if (share == 1)
         return;
@@ -176,14 +171,6 @@ double RodModel::energy() const {
     return sum;
 }
 
-bool RodModel::deep() const {
-    for (size_t i = 1; contacts_ && i < x.size(); ++i)
-        if (contacts_->excess(i, x[i]) >
-            (PLAIT_ARTICULATED_DEEP - PLAIT_CONTACT_MAX_PENETRATION) * length_before_[i])
-            return true;
-    return false;
-}
-
 bool RodModel::off_pin() const {
     for (size_t i = 1; i < x.size(); ++i) {
         const Pin& pin = motion_.pin[i];
@@ -192,31 +179,6 @@ bool RodModel::off_pin() const {
             return true;
     }
     return false;
-}
-
-// Where it was, but for a leader that moves by more than half a segment: that would turn it back on
-// itself.
-Vec3 RodModel::hung(size_t segment, const std::vector<Vec3>& solved) const {
-    const Vec3 moved = x[segment] - solved[segment];
-    const double half = length_[segment] / 2, far = moved.norm();
-    return solved[segment + 1] + (far > half ? 1 - half / far : 0) * moved;
-}
-
-// What the last step left too deep, since it did not know what it would touch.
-void RodModel::put_back() {
-    if (!contacts_)
-        return;
-    for (int round = 0; round < PLAIT_ARTICULATED_PUT_BACK; ++round) {
-        const std::vector<Vec3> solved = x;
-        double most = 0;
-        for (size_t i = 1; i < x.size(); ++i)
-            most = std::max(most, contacts_->excess(i, x[i]));
-        if (most == 0)
-            return;
-        for (size_t i = 0; i < segments(); ++i)
-            turn_to(i, contacts_->put_back(i + 1, x[i], length_[i], hung(i, solved)));
-        renew_contacts();
-    }
 }
 
 } // namespace plait::reference

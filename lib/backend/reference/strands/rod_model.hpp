@@ -44,8 +44,7 @@ class RodModel {
     // One substep of an inextensible rod in `steps` Newton steps, see articulated.cpp; `force`: N, of
     // contact at every vertex in the substep before.
     void articulate(uint32_t steps, const std::vector<double>& force);
-    // Contacts of the end of the step; did anything touch in it?
-    void renew_contacts();
+    // Did anything touch in the step?
     bool touched() const { return contacts_ && contacts_->touched(); }
 
     std::vector<Vec3> x; // relative to the root
@@ -79,25 +78,15 @@ class RodModel {
     void follow_target();
     void add_vertices(Eigen::MatrixXd& H, Eigen::VectorXd& g) const;
     void add_joints(Eigen::MatrixXd& H, Eigen::VectorXd& g) const;
-    struct Turns {
-        Eigen::VectorXd w;
-        double most; // the largest, where it was not held
-    };
-    Turns turns(double most) const; // of each segment at most so far
+    Eigen::VectorXd turns(double most) const; // of each segment at most so far
     void follow_turns(const RodModel& from, const Eigen::VectorXd& w, WarmContacts* warm);
     void follow_less(const RodModel& from, const Eigen::VectorXd& w, double share,
-                     WarmContacts* meets);
+                     WarmContacts* warm);
     void place(size_t segment, const Vec3& end, WarmContacts* warm);
-    Vec3 stopped(size_t vertex, const Vec3& to) const;
     void turn_to(size_t segment, const Vec3& place);
-    void put_back();
-    Vec3 hung(size_t segment, const std::vector<Vec3>& solved) const;
-    // Whether a vertex moved far enough for another step. `warm`: null, or what places vertices.
-    bool turn_segments(WarmContacts* warm = nullptr);
-    bool solve_warm(uint32_t steps, const std::vector<double>& force); // whether it was enough
-    void meet(uint32_t steps, WarmContacts& warm);
-    bool wants_step(uint32_t k, bool moved) const;
-    bool deep() const;    // any vertex, deeper than pull and push balance
+    // One Newton step. `warm`: null, or what places vertices.
+    void turn_segments(WarmContacts* warm);
+    bool wants_step(uint32_t k, const WarmContacts* warm) const;
     bool off_pin() const; // any vertex that its pin, far stiffer than its inertia, has not got to
 
     const plait_lane_params* params_;
