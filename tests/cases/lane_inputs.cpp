@@ -591,17 +591,16 @@ void add_rods_on_surfaces(Case& result, uint32_t seed) {
 void add_rods_on_hulls(Case& result) {
     for (const Size& size : contact_sizes())
         for (const uint32_t bdf2 : {0u, 1u}) {
-            result.setups.push_back(lane_setup(size, make_lane_hair_on_hulls(size, 54, 100.0f),
+            result.setups.push_back(lane_setup(size, make_lane_hair_on_hulls(size, 35, 100.0f),
                                                lane_params(size, 1, bdf2), true));
             result.setups.back().name += ", on hulls";
         }
 }
 
-void add_rods_in_rooms(Case& result, uint32_t seed) {
+void add_rods_in_rooms(Case& result) {
     for (const Size& size : contact_sizes())
         for (const float kind : room_kinds)
-            result.setups.push_back(lane_setup(size,
-                                               make_lane_hair_in_room(size, seed, kind, 100.0f),
+            result.setups.push_back(lane_setup(size, make_lane_hair_in_room(size, 53, kind, 100.0f),
                                                lane_params(size, 1, kind == PLAIT_KIND_BOX), true));
 }
 

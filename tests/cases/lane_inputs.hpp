@@ -54,9 +54,9 @@ plait_lane_params lane_params_afloat(const Size& size, uint32_t iterations);
 Setup lane_setup(const Size& size, const LaneHair& hair, const plait_lane_params& params,
                  bool bends);
 // Of `articulated`, on surfaces of every kind, alone and behind 70 others.
-void add_rods_on_surfaces(Case& result, uint32_t seed = 48);
+void add_rods_on_surfaces(Case& result, uint32_t seed);
 void add_rods_on_hulls(Case& result);
-void add_rods_in_rooms(Case& result, uint32_t seed = 53);
+void add_rods_in_rooms(Case& result);
 
 // Every third vertex has a plane near it, below which some start; or it is pressed to one.
 Setup on_planes(Setup setup, const LaneHair& hair, float friction, bool bends,

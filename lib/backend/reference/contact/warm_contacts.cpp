@@ -141,7 +141,7 @@ std::optional<WarmContacts::Nearest> WarmContacts::nearest_body(size_t vertex, c
                         !(surface.normal.dot(tangent->normal) > PLAIT_SWEEP_SAME_SIDE));
         if (swept)
             surface = {tangent->height, tangent->normal};
-        else if (clearance(collider, contacts_.motion_.root + p) > reach)
+        else if (clearance(collider, contacts_.motion_.root + p) > std::max(reach, 0.0))
             continue;
         const double distance = gap(collider, vertex, surface);
         if (distance < (found ? found->gap : reach))
@@ -182,9 +182,10 @@ void WarmContacts::arrive(size_t vertex, const Nearest& found) {
 Vec3 WarmContacts::place(size_t vertex, Vec3 p) {
     Contact& at = contacts_.at_[vertex];
     depth_ = -INFINITY;
-    held_ = false;
+    held_ = astray_ = false;
     if (contacts_.length_[vertex] == 0)
         return p;
+    astray_ = strays(vertex, p);
     const double tolerance = this->tolerance(vertex), near = PLAIT_CONTACT_WARM_REACH * tolerance;
     const bool was = at.stiffness > 0;
     const double height = was ? at.normal.dot(p) - at.offset : 0;
@@ -195,9 +196,8 @@ Vec3 WarmContacts::place(size_t vertex, Vec3 p) {
         at.stiffness = 0;
         return p;
     }
-    const double h = contacts_.motion_.h, rate = contacts_.params_.contact_rate;
     const double deep = std::max(-found->gap, 0.0);
-    const double sinks = was ? -height : std::min(deep / (rate * h * h), tolerance);
+    const double sinks = was ? -height : this->sinks(vertex, deep);
     double lift = -std::clamp(sinks, 0.0, held) - found->gap;
     if (was && std::abs(lift) < 2 * tolerance)
         lift *= PLAIT_CONTACT_WARM_BACK;
@@ -277,10 +277,9 @@ bool WarmContacts::strays(size_t vertex, const Vec3& p) const {
 
 // Past the first steps, where strands meet and of what strays, what is left too deep comes to the surface.
 Vec3 WarmContacts::left(size_t vertex, const Vec3& to, const Vec3& leader, const Vec3& x) {
-    const bool keeps =
-        contacts_.of_strands() || step_ >= PLAIT_CONTACT_WARM_KEEPS || strays(vertex, to);
+    const bool keeps = contacts_.of_strands() || step_ >= PLAIT_CONTACT_WARM_KEEPS || astray_;
     const double length = contacts_.length_[vertex], behind = keeps ? this->behind(vertex, x) : 0;
-    const Contact& at = contacts_.at_[vertex];
+    Contact& at = contacts_.at_[vertex];
     const double depth = behind > 0 ? behind : depth_ + at.normal.dot(to - x);
     const bool under = held_ && at.stiffness > 0 && depth > PLAIT_CONTACT_MAX_PENETRATION * length;
     if (!(behind > 0))
@@ -293,9 +292,17 @@ Vec3 WarmContacts::left(size_t vertex, const Vec3& to, const Vec3& leader, const
     const double above = std::clamp(n.dot(out) + depth, -length, length);
     const Vec3 across = out - n.dot(out) * n;
     const double size = across.norm();
-    return leader + above * n +
-           std::sqrt((length - above) * (length + above)) *
-               (size > 1e-30 ? Vec3(across / size) : n);
+    const Vec3 kept =
+        leader + above * n +
+        std::sqrt((length - above) * (length + above)) * (size > 1e-30 ? Vec3(across / size) : n);
+    at.offset = n.dot(kept) + sinks(vertex, depth);
+    return kept;
+}
+
+// m: of a vertex that was so deep in a surface: on it, its spring is as deep as its own inertia presses it.
+double WarmContacts::sinks(size_t vertex, double depth) const {
+    const double h = contacts_.motion_.h;
+    return std::min(depth / (contacts_.params_.contact_rate * h * h), tolerance(vertex));
 }
 
 void WarmContacts::placed() {

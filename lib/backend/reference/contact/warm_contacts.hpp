@@ -43,6 +43,7 @@ class WarmContacts {
     std::optional<Nearest> nearest_body(size_t vertex, const Vec3& p, double reach, bool sweeps);
     std::optional<Nearest> nearest(size_t vertex, double reach, Vec3& p);
     double behind(size_t vertex, const Vec3& x);
+    double sinks(size_t vertex, double depth) const;
     void arrive(size_t vertex, const Nearest& found);
     void rub(Contact& at, const Vec3& to);
     void bring(size_t vertex, const Vec3& to, const Vec3& x);
@@ -53,8 +54,9 @@ class WarmContacts {
     Contacts& contacts_;
     std::vector<Collider> colliders_;
     std::vector<double> force_;
-    double depth_ = 0;  // m, below the surface, of what place() left last
-    bool held_ = false; // does it touch a surface that keeps it out?
+    double depth_ = 0;    // m, below the surface, of what place() left last
+    bool held_ = false;   // does it touch a surface that keeps it out?
+    bool astray_ = false; // did it leave its way?
     int step_ = 0;
     bool pressed_ = false, slips_ = false, back_ = false, deep_ = false;
 };

@@ -175,10 +175,10 @@ void RodModel::place(size_t segment, const Vec3& end, WarmContacts* warm) {
         return turn_to(segment, end);
     const size_t vertex = segment + 1;
     const Vec3 to = warm->place(vertex, contacts_->within(vertex, end));
-    turn_to(segment, to);
-    const Vec3 left = x[vertex], kept = warm->left(vertex, to, x[segment], left);
-    if (kept != left)
-        turn_to(segment, kept);
+    const Vec3 along = unit_or(to - x[segment], director(segment));
+    const Vec3 left = x[segment] + length_[segment] * along;
+    const Vec3 kept = warm->left(vertex, to, x[segment], left);
+    turn_to(segment, kept == left ? to : kept);
 }
 
 // Turns alone would leave errors of second order that add up along the strand as false velocity:
