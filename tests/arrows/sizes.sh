@@ -9,8 +9,6 @@ most_lines=350 most_files=20
 exceptions='
 cl/shared/plait/params.h           a list, which users install as one file
 cl/shared/plait/stages.def         a list, which users install as one file
-cl/contact/contact.clh             the terms of one potential
-cl/contact/contact_plane.clh       one search for planes, over every shape of collider
 cl/mesh/mesh_nearest.cl            one walk through a tree, whose parts share what it has found
 cl/strand_contact/contact_pair_find.cl     one walk through cells, whose parts share what it has found
 cl/strands/articulated.clh         one recursion, whose passes share the factors of the joints

@@ -23,10 +23,10 @@ plant cl/wind/wind_field.cl 351
 must_name cl/wind/wind_field.cl
 plant lib/core/contact/colliders.cpp 351
 must_name lib/core/contact/colliders.cpp
-plant cl/contact/contact.clh 351
+plant cl/mesh/mesh_nearest.cl 351
 must_pass "an exception"
-plant cl/contact/contact.clh 350
-must_name cl/contact/contact.clh
+plant cl/mesh/mesh_nearest.cl 350
+must_name cl/mesh/mesh_nearest.cl
 for folder in cl/wind lib/backend/reference/wind tests/cases/wind; do
     plant $folder/0.cpp 1
     for i in $(seq 19); do echo >"$folder/$i.cpp"; done
