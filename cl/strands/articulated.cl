@@ -36,9 +36,9 @@ static inline mask articulated_wants(const rod_problem* rod, const rod_state* s,
         return wants;
     if (k < PLAIT_CONTACT_WARM_STEPS)
         wants |= warm->deep;
-    if (!PLAIT_STRANDS_MEET && k == 1)
+    if (!contact_meets(rod->contacts) && k == 1)
         wants |= warm->pressed & warm->slips;
-    if (!PLAIT_STRANDS_MEET && k == 2)
+    if (!contact_meets(rod->contacts) && k == 2)
         wants |= warm->back;
     return wants;
 }

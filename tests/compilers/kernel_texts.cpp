@@ -23,8 +23,7 @@ bool mentions(const Source& source, const char* name) {
     return source.text.find(name) != source.text.npos;
 }
 
-void list_programs(std::ofstream& list, const std::string& program, const plait_stage_info& stage,
-                   const Source& source, bool strands_meet) {
+void list_programs(std::ofstream& list, const plait_stage_info& stage, const Source& source) {
     for (const uint32_t lanes : lane_counts)
         for (const uint32_t vertices : vertex_counts) {
             const bool over_lanes = stage.space == PLAIT_SPACE_LANES;
@@ -35,10 +34,8 @@ void list_programs(std::ofstream& list, const std::string& program, const plait_
                 continue;
             Candidate candidate{};
             (void)set_lanes(candidate.info, lanes);
-            list << program << ' ' << lanes << ' ' << vertices << ' ' << stage.kernel << ' '
-                 << build_options(candidate, stage.space,
-                                  {.vertices = vertices, .strands_meet = strands_meet})
-                 << '\n';
+            list << stage.name << ' ' << lanes << ' ' << vertices << ' ' << stage.kernel << ' '
+                 << build_options(candidate, stage.space, {.vertices = vertices}) << '\n';
         }
 }
 
@@ -62,12 +59,7 @@ int write_all(const std::filesystem::path& directory) {
             return 1;
         }
         std::ofstream(directory / (std::string(stage.name) + ".cl")) << source->text;
-        list_programs(list, stage.name, stage, *source, false);
-        if (mentions(*source, "PLAIT_STRANDS_MEET")) { // another program solves strands that meet
-            const std::string program = std::string(stage.name) + "-meet";
-            std::ofstream(directory / (program + ".cl")) << source->text;
-            list_programs(list, program, stage, *source, true);
-        }
+        list_programs(list, stage, *source);
         if (mentions(*source, "PLAIT_GROUP_SUMS")) {
             const std::string program = std::string(stage.name) + "-8";
             std::ofstream(directory / (program + ".cl")) << source->text;

@@ -45,8 +45,6 @@ bool Device::supports(plait_stage stage) const {
 // A kernel of the user's knows nothing of local memory.
 Variant Device::variant_of(const plait_stage_info& stage, const plait_dispatch& dispatch) const {
     Variant variant;
-    if (stage.stage == PLAIT_STAGE_articulated && dispatch.params)
-        variant.strands_meet = static_cast<const plait_lane_params*>(dispatch.params)->planes > 1;
     if (stage.space == PLAIT_SPACE_LANES)
         variant.vertices = dispatch.item_width;
     if (own_texts_.test(stage.stage))

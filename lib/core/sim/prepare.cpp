@@ -162,22 +162,9 @@ plait_grid_params wind_grid() {
     return params;
 }
 
-plait_lane_params meeting_strands() {
-    plait_lane_params params{};
-    params.vertex_stride = params.tile = params.row_stride = 1;
-    params.planes = 2;
-    return params;
-}
-
-// Parameters for which a backend builds another program of a stage.
-struct VariantParams {
-    plait_grid_params wind = wind_grid();
-    plait_lane_params meeting = meeting_strands();
-};
-
 // Of one stage, for as many items as there will be: compilers may tell few from many.
 std::vector<plait_dispatch> dispatches(const Context& context, const plait_stage_info& stage,
-                                       const Preparation& of, const VariantParams& variants) {
+                                       const Preparation& of, const plait_grid_params& wind) {
     const uint32_t strands = of.strands > 0 ? of.strands : usual_strands;
     std::vector<plait_dispatch> list;
     const auto add = [&](uint32_t items, uint32_t width, const void* params = nullptr) {
@@ -191,12 +178,8 @@ std::vector<plait_dispatch> dispatches(const Context& context, const plait_stage
                     (stage.stage == PLAIT_STAGE_tangents || stage.stage == PLAIT_STAGE_last_frame));
     switch (stage.space) {
     case PLAIT_SPACE_LANES:
-        for (const uint32_t row : follows ? std::span(&of.row, 1) : of.rows) {
+        for (const uint32_t row : follows ? std::span(&of.row, 1) : of.rows)
             add(strands, row);
-            if (stage.stage == PLAIT_STAGE_articulated &&
-                of.features & PLAIT_FEATURE_STRAND_CONTACT)
-                add(strands, row, &variants.meeting);
-        }
         break;
     case PLAIT_SPACE_STRAND_GROUP:
         add(strands, of.row);
@@ -221,7 +204,7 @@ std::vector<plait_dispatch> dispatches(const Context& context, const plait_stage
         if (of_all)
             add(items * usual_follows, 1);
         if (stage.stage == PLAIT_STAGE_grid_splat && of.features & PLAIT_FEATURE_WIND)
-            add(1, 1, &variants.wind);
+            add(1, 1, &wind);
         break;
     }
     case PLAIT_SPACE_FORCE_32:
@@ -233,11 +216,11 @@ std::vector<plait_dispatch> dispatches(const Context& context, const plait_stage
 } // namespace
 
 Status prepare(Context& context, const Preparation& of) {
-    const VariantParams variants;
+    const plait_grid_params wind = wind_grid();
     std::vector<std::vector<plait_dispatch>> stages;
     for (const Need& need : needs)
         if (runs(context, need, of)) {
-            stages.push_back(dispatches(context, *plait_stage_describe(need.stage), of, variants));
+            stages.push_back(dispatches(context, *plait_stage_describe(need.stage), of, wind));
             PLAIT_TRY(check_supported(context.device, stages.back()));
         }
     const auto total = static_cast<uint32_t>(stages.size());
