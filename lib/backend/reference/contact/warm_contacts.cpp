@@ -264,7 +264,6 @@ double WarmContacts::behind(size_t vertex, const Vec3& x) {
     Contact& at = contacts_.at_[vertex];
     at.stiffness = stiffness(vertex);
     at.normal = found->normal;
-    at.offset = at.normal.dot(x) - found->gap;
     return -found->gap;
 }
 
