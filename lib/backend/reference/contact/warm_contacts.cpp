@@ -197,7 +197,8 @@ Vec3 WarmContacts::place(size_t vertex, Vec3 p) {
         return p;
     }
     const double deep = std::max(-found->gap, 0.0);
-    const double sinks = was ? -height : this->sinks(vertex, deep);
+    const double h = contacts_.motion_.h, rate = contacts_.params_.contact_rate;
+    const double sinks = was ? -height : std::min(deep / (rate * h * h), tolerance);
     double lift = -std::clamp(sinks, 0.0, held) - found->gap;
     if (was && std::abs(lift) < 2 * tolerance)
         lift *= PLAIT_CONTACT_WARM_BACK;
@@ -264,6 +265,7 @@ double WarmContacts::behind(size_t vertex, const Vec3& x) {
     Contact& at = contacts_.at_[vertex];
     at.stiffness = stiffness(vertex);
     at.normal = found->normal;
+    at.offset = at.normal.dot(x);
     return -found->gap;
 }
 
@@ -278,7 +280,7 @@ bool WarmContacts::strays(size_t vertex, const Vec3& p) const {
 Vec3 WarmContacts::left(size_t vertex, const Vec3& to, const Vec3& leader, const Vec3& x) {
     const bool keeps = contacts_.of_strands() || step_ >= PLAIT_CONTACT_WARM_KEEPS || astray_;
     const double length = contacts_.length_[vertex], behind = keeps ? this->behind(vertex, x) : 0;
-    Contact& at = contacts_.at_[vertex];
+    const Contact& at = contacts_.at_[vertex];
     const double depth = behind > 0 ? behind : depth_ + at.normal.dot(to - x);
     const bool under = held_ && at.stiffness > 0 && depth > PLAIT_CONTACT_MAX_PENETRATION * length;
     if (!(behind > 0))
@@ -291,17 +293,9 @@ Vec3 WarmContacts::left(size_t vertex, const Vec3& to, const Vec3& leader, const
     const double above = std::clamp(n.dot(out) + depth, -length, length);
     const Vec3 across = out - n.dot(out) * n;
     const double size = across.norm();
-    const Vec3 kept =
-        leader + above * n +
-        std::sqrt((length - above) * (length + above)) * (size > 1e-30 ? Vec3(across / size) : n);
-    at.offset = n.dot(kept) + sinks(vertex, depth);
-    return kept;
-}
-
-// m: of a vertex that was so deep in a surface: on it, its spring is as deep as its own inertia presses it.
-double WarmContacts::sinks(size_t vertex, double depth) const {
-    const double h = contacts_.motion_.h;
-    return std::min(depth / (contacts_.params_.contact_rate * h * h), tolerance(vertex));
+    return leader + above * n +
+           std::sqrt((length - above) * (length + above)) *
+               (size > 1e-30 ? Vec3(across / size) : n);
 }
 
 void WarmContacts::placed() {

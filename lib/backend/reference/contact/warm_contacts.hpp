@@ -43,7 +43,6 @@ class WarmContacts {
     std::optional<Nearest> nearest_body(size_t vertex, const Vec3& p, double reach, bool sweeps);
     std::optional<Nearest> nearest(size_t vertex, double reach, Vec3& p);
     double behind(size_t vertex, const Vec3& x);
-    double sinks(size_t vertex, double depth) const;
     void arrive(size_t vertex, const Nearest& found);
     void rub(Contact& at, const Vec3& to);
     void bring(size_t vertex, const Vec3& to, const Vec3& x);
