@@ -232,6 +232,8 @@ void change(plait::SimDesc& desc, const plait_param_info& info) {
     std::memcpy(&value, at, sizeof value);
     if (std::string(info.name) == "bdf2") // the one that is not the model's
         value = desc.model == PLAIT_MODEL_ARTICULATED ? 0 : 1;
+    else if (std::string(info.name) == "iterations")
+        value = 2; // beside a body none is one
     else
         value = value > info.least ? value - 1 : value + 1;
     std::memcpy(at, &value, sizeof value);
