@@ -591,7 +591,7 @@ void add_rods_on_surfaces(Case& result, uint32_t seed) {
 void add_rods_on_hulls(Case& result) {
     for (const Size& size : contact_sizes())
         for (const uint32_t bdf2 : {0u, 1u}) {
-            result.setups.push_back(lane_setup(size, make_lane_hair_on_hulls(size, 35, 100.0f),
+            result.setups.push_back(lane_setup(size, make_lane_hair_on_hulls(size, 367, 100.0f),
                                                lane_params(size, 1, bdf2), true));
             result.setups.back().name += ", on hulls";
         }
@@ -652,7 +652,7 @@ Setup on_planes(Setup setup, const LaneHair& lanes, float friction, bool bends, 
 void add_rods_on_planes(Case& result) {
     for (const Size& size : contact_sizes())
         for (const uint32_t bdf2 : {0u, 1u}) {
-            const LaneHair lanes = make_lane_hair(size, 32);
+            const LaneHair lanes = make_lane_hair(size, 33);
             result.setups.push_back(on_planes(
                 lane_setup(size, lanes, lane_params(size, 1, bdf2), true), lanes, 100.0f, true));
             const LaneHair calm = make_lane_hair_calm(size, 44);

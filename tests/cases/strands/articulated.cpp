@@ -33,13 +33,13 @@ Case articulated_case() {
             reordered(lane_setup(size, make_lane_hair(size, 32), lane_params(size, 1, 0), true)));
     for (const Size& size : contact_sizes())
         for (const uint32_t bdf2 : {0u, 1u})
-            result.setups.push_back(lane_setup(size, make_lane_hair_in_contact(size, 33, 100.0f),
+            result.setups.push_back(lane_setup(size, make_lane_hair_in_contact(size, 877, 100.0f),
                                                lane_params(size, 1, bdf2), true));
     for (const Size& size : contact_sizes())
         for (const uint32_t bdf2 : {0u, 1u})
-            result.setups.push_back(lane_setup(size, make_lane_hair_pressed(size, 42, 1.0f),
+            result.setups.push_back(lane_setup(size, make_lane_hair_pressed(size, 32, 1.0f),
                                                lane_params(size, 1, bdf2), true));
-    add_rods_on_surfaces(result, 33); // with others a vertex is about to break loose
+    add_rods_on_surfaces(result, 319); // with others a vertex is about to break loose
     add_rods_on_hulls(result);
     add_rods_in_rooms(result);
     add_rods_on_planes(result);
