@@ -25,40 +25,40 @@ static inline mask articulated_unpinned(const rod_problem* rod, const rod_state*
  * case, a second of what slides, a third of what that turned back, and more of what is deep in a body. Strands that
  * meet push each other about with more. */
 static inline mask articulated_wants(const rod_problem* rod, const rod_state* s, uint iterations,
-                                     uint k, const contact_warm* warm) {
+                                     uint k, const contact_placer* placer) {
     const mask none = (real)(0.0f) > (real)(0.0f);
     mask wants = none;
-    if (k < iterations || (warm && k == 0))
+    if (k < iterations || (placer && k == 0))
         return !none;
     if (rod->step->pin && k < PLAIT_ARTICULATED_PIN_STEPS)
         wants = articulated_unpinned(rod, s);
-    if (!warm)
+    if (!placer)
         return wants;
-    if (k < PLAIT_CONTACT_WARM_STEPS)
-        wants |= warm->deep;
+    if (k < PLAIT_CONTACT_MAX_STEPS)
+        wants |= placer->deep;
     if (!contact_meets(rod->contacts) && k == 1)
-        wants |= warm->pressed & warm->slips;
+        wants |= placer->pressed & placer->slips;
     if (!contact_meets(rod->contacts) && k == 2)
-        wants |= warm->back;
+        wants |= placer->back;
     return wants;
 }
 
-/* From the start, whose level is known. `warm`: null, or the contacts. All steps are those of one call: what rests
+/* From the start, whose level is known. `placer`: null, or the contacts. All steps are those of one call: what rests
  * beside a body rests to the bit as it does without. */
 static inline void articulated_solve(const rod_problem* rod, rod_state* s, articulated_level start,
-                                     uint iterations, contact_warm* warm) {
+                                     uint iterations, contact_placer* placer) {
     mask takes = (real)(0.0f) == (real)(0.0f);
     for (uint k = 0;; ++k) {
-        takes &= articulated_wants(rod, s, iterations, k, warm);
+        takes &= articulated_wants(rod, s, iterations, k, placer);
         if (!any_lane(takes))
             return;
         articulated_level level = start;
         if (k > 0) {
-            if (warm)
-                warm_again(warm, k, takes, s->x);
+            if (placer)
+                placer_again(placer, k, takes, s->x);
             level = articulated_level_of(rod, s);
         }
-        articulated_newton(rod, s, level, takes, warm);
+        articulated_newton(rod, s, level, takes, placer);
     }
 }
 
@@ -86,12 +86,12 @@ __kernel void plait_articulated(const uint item_count, const plait_lane_params p
     const rod_problem rod =
         rod_problem_of(&step, y, lane_rest, contact_may_be(&params) ? &contacts : 0);
     articulated_load(&rod, &s, state, lane_q);
-    contact_warm warm;
-    const int warms =
-        rod.contacts && warm_begin(&warm, &contacts, lane_normal_force, lane_v, lane_v_before);
+    contact_placer placer;
+    const int places =
+        rod.contacts && placer_begin(&placer, &contacts, lane_normal_force, lane_v, lane_v_before);
     const articulated_level start = articulated_start(&rod, &s, state, lane_q);
-    articulated_solve(&rod, &s, start, params.iterations, warms ? &warm : 0);
+    articulated_solve(&rod, &s, start, params.iterations, places ? &placer : 0);
     rod_store(&rod, &params, state, &s, w, lane_q, lane_q_before);
     if (rod.contacts)
-        warm_store(&contacts, lane_normal_force);
+        placer_store(&contacts, lane_normal_force);
 }

@@ -39,24 +39,25 @@
 /* Arc length from the root: how far out of a surface that holds the root a vertex has to come. All
  * of it would have the strand stand on end; the surface itself would stretch it. Ours. */
 #define PLAIT_CONTACT_ROOT_CLEARANCE PLAIT_NUMBER(0.5)
-/* Solve that begins with the contacts of the substep before. Segment lengths beside where a vertex was and
- * where inertia takes it: what touches it there is looked for. Ours. */
-#define PLAIT_CONTACT_WARM_ROOM PLAIT_NUMBER(0.3)
-/* PLAIT_CONTACT_TOLERANCE: farther off a surface nothing is pressed to it any more. Ours. */
-#define PLAIT_CONTACT_WARM_REACH PLAIT_NUMBER(4.0)
-/* Share of its way to the surface that what is pressed to it goes back by in a step. Ours. */
-#define PLAIT_CONTACT_WARM_BACK PLAIT_NUMBER(0.1)
+/* Segment lengths of room around the way from where a vertex was to where inertia takes it: bodies are looked for in
+ * it. Ours. */
+#define PLAIT_CONTACT_ROOM PLAIT_NUMBER(0.3)
+/* PLAIT_CONTACT_TOLERANCE: a vertex farther off a surface is no longer pressed to it. Ours. */
+#define PLAIT_CONTACT_REACH PLAIT_NUMBER(4.0)
+/* Share of its way to the surface that a pressed vertex goes back by in a step. Ours. */
+#define PLAIT_CONTACT_BACK PLAIT_NUMBER(0.1)
 /* Share of the slip of friction's spring: a vertex that slips by less has all but stopped, and the spring holds
  * it on. Ours. */
-#define PLAIT_CONTACT_WARM_STOPS PLAIT_NUMBER(0.3)
-/* Segment lengths: what had to be lifted by more takes another step. Ours. */
-#define PLAIT_CONTACT_WARM_DEEP PLAIT_NUMBER(0.1)
+#define PLAIT_CONTACT_STOPS PLAIT_NUMBER(0.3)
+/* Segment lengths: a vertex that was lifted by more takes another step. Ours. */
+#define PLAIT_CONTACT_DEEP PLAIT_NUMBER(0.1)
 /* Radians: a step turns no segment of a strand in contact by more, which no potential could tell from wrong. Ours. */
-#define PLAIT_CONTACT_WARM_TURN PLAIT_NUMBER(0.5)
-/* Most steps of a strand that is left too deep, and from which of them on what is left so is put on the surface,
- * against the forces in it: before, a step of Newton's method may see to it. Ours. */
-#define PLAIT_CONTACT_WARM_STEPS 12
-#define PLAIT_CONTACT_WARM_KEEPS 2
+#define PLAIT_CONTACT_MAX_TURN PLAIT_NUMBER(0.5)
+/* Most steps of a strand that is left too deep. Ours. */
+#define PLAIT_CONTACT_MAX_STEPS 12
+/* Newton's method may move out what is too deep in so many steps; later ones put it on the surface, against the
+ * forces in the strand. Ours. */
+#define PLAIT_CONTACT_NEWTON_STEPS 2
 /* Newton steps to the first crossing; exact to 1e-3 r at half a radius off the axis. Ours. */
 #define PLAIT_SWEEP_STEPS 4
 /* Cosine of 60 degrees: normals farther apart belong to different sides of a capsule. Ours. */

@@ -56,7 +56,7 @@ class Contacts {
                const std::vector<Vec3>& solved) const;
 
   private:
-    friend class WarmContacts;
+    friend class ContactPlacer;
     struct Contact {
         Vec3 normal = Vec3::Zero(), anchor = Vec3::Zero(), slide = Vec3::Zero();
         double offset = 0, stiffness = 0, push = 0, friction = 0;

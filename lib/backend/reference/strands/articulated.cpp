@@ -170,39 +170,39 @@ void RodModel::turn_to(size_t segment, const Vec3& place) {
 }
 
 // Where a step would put the segment's end, or where contact leaves it.
-void RodModel::place(size_t segment, const Vec3& end, WarmContacts* warm) {
-    if (!warm)
+void RodModel::place(size_t segment, const Vec3& end, ContactPlacer* placer) {
+    if (!placer)
         return turn_to(segment, end);
     const size_t vertex = segment + 1;
-    const Vec3 to = warm->place(vertex, contacts_->within(vertex, end));
+    const Vec3 to = placer->place(vertex, contacts_->within(vertex, end));
     const Vec3 along = unit_or(to - x[segment], director(segment));
     const Vec3 left = x[segment] + length_[segment] * along;
-    const Vec3 kept = warm->left(vertex, to, x[segment], left);
+    const Vec3 kept = placer->left(vertex, to, x[segment], left);
     turn_to(segment, kept == left ? to : kept);
 }
 
 // Turns alone would leave errors of second order that add up along the strand as false velocity:
 // every segment goes along where the linear step puts its end.
-void RodModel::follow_turns(const RodModel& from, const Eigen::VectorXd& w, WarmContacts* warm) {
+void RodModel::follow_turns(const RodModel& from, const Eigen::VectorXd& w, ContactPlacer* placer) {
     Vec3 d = Vec3::Zero();
     for (size_t i = 0; i < segments(); ++i) {
         const Vec3 turn = w.segment<3>(3 * static_cast<Eigen::Index>(i));
         d += length_[i] * turn.cross(from.director(i));
         q[i] = turned(from.q[i], turn);
-        place(i, from.x[i + 1] + d, warm);
+        place(i, from.x[i + 1] + d, placer);
     }
 }
 
 // Less of the turns.
 void RodModel::follow_less(const RodModel& from, const Eigen::VectorXd& w, double share,
-                           WarmContacts* warm) {
+                           ContactPlacer* placer) {
     for (size_t i = 0; i < segments(); ++i) {
         q[i] = turned(from.q[i], share * w.segment<3>(3 * static_cast<Eigen::Index>(i)));
-        place(i, x[i] + length_[i] * director(i), warm);
+        place(i, x[i] + length_[i] * director(i), placer);
     }
 }
 
-void RodModel::turn_segments(WarmContacts* warm) {
+void RodModel::turn_segments(ContactPlacer* placer) {
     const double before = energy();
     const double limit = before + std::abs(before) * PLAIT_ARTICULATED_POTENTIAL_RISE +
                          PLAIT_ARTICULATED_POTENTIAL_MIN;
@@ -210,18 +210,18 @@ void RodModel::turn_segments(WarmContacts* warm) {
         return !(energy() <= (touched() ? std::numeric_limits<double>::max() : limit));
     };
     const RodModel from = *this;
-    const Eigen::VectorXd w = turns(touched() ? PLAIT_CONTACT_WARM_TURN : INFINITY);
-    follow_turns(from, w, warm);
-    if (warm)
-        warm->placed();
+    const Eigen::VectorXd w = turns(touched() ? PLAIT_CONTACT_MAX_TURN : INFINITY);
+    follow_turns(from, w, placer);
+    if (placer)
+        placer->placed();
     if (touched() && rose())
-        warm->fail();
+        placer->fail();
     double share = 1;
     for (int trial = 0; trial < PLAIT_ARTICULATED_SHORTER_STEPS && rose(); ++trial) {
         share *= PLAIT_ARTICULATED_SHORTEN;
-        follow_less(from, w, share, warm);
-        if (warm)
-            warm->placed();
+        follow_less(from, w, share, placer);
+        if (placer)
+            placer->placed();
     }
     if (rose())
         *this = from;
@@ -229,20 +229,20 @@ void RodModel::turn_segments(WarmContacts* warm) {
 
 // Beyond those that every strand takes: one for what slides, another one for what that turned back, and more
 // while the strand is deep in a body.
-bool RodModel::wants_step(uint32_t k, const WarmContacts* warm) const {
+bool RodModel::wants_step(uint32_t k, const ContactPlacer* placer) const {
     if (k < PLAIT_ARTICULATED_PIN_STEPS && off_pin())
         return true;
-    if (!warm)
+    if (!placer)
         return false;
-    if (k == 0 || (k < PLAIT_CONTACT_WARM_STEPS && warm->deep()))
+    if (k == 0 || (k < PLAIT_CONTACT_MAX_STEPS && placer->deep()))
         return true;
     return !contacts_->of_strands() &&
-           ((k == 1 && warm->slips() && warm->pressed()) || (k == 2 && warm->back()));
+           ((k == 1 && placer->slips() && placer->pressed()) || (k == 2 && placer->back()));
 }
 
 void RodModel::articulate(uint32_t steps, const std::vector<double>& force) {
     load();
-    std::optional<WarmContacts> contact;
+    std::optional<ContactPlacer> contact;
     if (contacts_) {
         std::vector<Vec3> y;
         for (size_t i = 0; i < x.size(); ++i)
@@ -250,12 +250,12 @@ void RodModel::articulate(uint32_t steps, const std::vector<double>& force) {
         contacts_->aim(std::move(y));
         contact.emplace(*contacts_, force);
     }
-    WarmContacts* warm = contact ? &*contact : nullptr;
+    ContactPlacer* placer = contact ? &*contact : nullptr;
     follow_target();
-    for (uint32_t k = 0; k < steps || wants_step(k, warm); ++k) {
-        if (warm && k > 0)
-            warm->press(x);
-        turn_segments(warm);
+    for (uint32_t k = 0; k < steps || wants_step(k, placer); ++k) {
+        if (placer && k > 0)
+            placer->press(x);
+        turn_segments(placer);
     }
 }
 

@@ -9,7 +9,7 @@
 // Source: Kugelstadt & Schoemer 2016, Hsu et al. 2025.
 #pragma once
 
-#include "backend/reference/contact/warm_contacts.hpp"
+#include "backend/reference/contact/contact_placer.hpp"
 #include "backend/reference/strands/energy.hpp"
 
 #include <Eigen/Dense>
@@ -79,14 +79,14 @@ class RodModel {
     void add_vertices(Eigen::MatrixXd& H, Eigen::VectorXd& g) const;
     void add_joints(Eigen::MatrixXd& H, Eigen::VectorXd& g) const;
     Eigen::VectorXd turns(double most) const; // of each segment at most so far
-    void follow_turns(const RodModel& from, const Eigen::VectorXd& w, WarmContacts* warm);
+    void follow_turns(const RodModel& from, const Eigen::VectorXd& w, ContactPlacer* placer);
     void follow_less(const RodModel& from, const Eigen::VectorXd& w, double share,
-                     WarmContacts* warm);
-    void place(size_t segment, const Vec3& end, WarmContacts* warm);
+                     ContactPlacer* placer);
+    void place(size_t segment, const Vec3& end, ContactPlacer* placer);
     void turn_to(size_t segment, const Vec3& place);
-    // One Newton step. `warm`: null, or what places vertices.
-    void turn_segments(WarmContacts* warm);
-    bool wants_step(uint32_t k, const WarmContacts* warm) const;
+    // One Newton step. `placer`: null, or what places vertices.
+    void turn_segments(ContactPlacer* placer);
+    bool wants_step(uint32_t k, const ContactPlacer* placer) const;
     bool off_pin() const; // any vertex that its pin, far stiffer than its inertia, has not got to
 
     const plait_lane_params* params_;

@@ -1,6 +1,6 @@
 // Source: warm starting, Moreau & Jean 1996. Ours: friction as a spring drawn by the slip before, and
 // placing root to tip. The formulae are those of docs/stages/strands.md.
-#include "backend/reference/contact/warm_contacts.hpp"
+#include "backend/reference/contact/contact_placer.hpp"
 
 #include <plait/constants.h>
 
@@ -23,7 +23,7 @@ double thin(const Body& body) {
 
 } // namespace
 
-WarmContacts::WarmContacts(Contacts& contacts, std::vector<double> force)
+ContactPlacer::ContactPlacer(Contacts& contacts, std::vector<double> force)
     : contacts_(contacts), force_(std::move(force)) {
     const plait_lane_params& params = contacts_.params_;
     for (size_t i = 0; i < params.collider_count; ++i)
@@ -33,33 +33,33 @@ WarmContacts::WarmContacts(Contacts& contacts, std::vector<double> force)
     contacts_.touched_ = pressed_;
 }
 
-const MeshPlane* WarmContacts::mesh(size_t vertex) const {
+const MeshPlane* ContactPlacer::mesh(size_t vertex) const {
     const std::vector<std::optional<MeshPlane>>& planes = contacts_.planes_;
     return planes.empty() || !planes[vertex] ? nullptr : &*planes[vertex];
 }
 
-double WarmContacts::tolerance(size_t vertex) const {
+double ContactPlacer::tolerance(size_t vertex) const {
     return PLAIT_CONTACT_TOLERANCE * contacts_.length_[vertex];
 }
 
-double WarmContacts::stiffness(size_t vertex) const {
+double ContactPlacer::stiffness(size_t vertex) const {
     return contacts_.mass_[vertex] * contacts_.params_.contact_rate;
 }
 
-Vec3 WarmContacts::carried(const Collider& collider, size_t vertex) const {
+Vec3 ContactPlacer::carried(const Collider& collider, size_t vertex) const {
     const Motion& motion = contacts_.motion_;
     return collider.carried(motion.root + motion.start[vertex]) - motion.root;
 }
 
 // Of what need come no farther out of a collider that holds the root.
-double WarmContacts::gap(const Collider& collider, size_t vertex, const Surface& surface) const {
+double ContactPlacer::gap(const Collider& collider, size_t vertex, const Surface& surface) const {
     const double root_depth = -collider.surface(contacts_.motion_.root).distance;
     return surface.distance +
            std::max(root_depth - PLAIT_CONTACT_ROOT_CLEARANCE * contacts_.arc_[vertex], 0.0);
 }
 
 // The slip in this substep of what goes on as in the last ones.
-double WarmContacts::grip(size_t vertex, const Vec3& normal, const Vec3& anchor) const {
+double ContactPlacer::grip(size_t vertex, const Vec3& normal, const Vec3& anchor) const {
     const Motion& motion = contacts_.motion_;
     const Vec3 surface = anchor - motion.start[vertex];
     const auto slip = [&](const Vec3& velocity) {
@@ -74,13 +74,13 @@ double WarmContacts::grip(size_t vertex, const Vec3& normal, const Vec3& anchor)
 }
 
 // The contact of a vertex that was pressed to a surface and is near one still.
-void WarmContacts::begin(size_t vertex) {
+void ContactPlacer::begin(size_t vertex) {
     Contact& at = contacts_.at_[vertex];
     at = Contact{};
     at.anchor = contacts_.motion_.start[vertex];
     if (!(force_[vertex] > 0) || contacts_.length_[vertex] == 0)
         return;
-    const double reach = PLAIT_CONTACT_WARM_REACH * tolerance(vertex);
+    const double reach = PLAIT_CONTACT_REACH * tolerance(vertex);
     double least = reach;
     for (const Collider& collider : colliders_) {
         const Vec3 anchor = carried(collider, vertex);
@@ -120,8 +120,8 @@ void WarmContacts::begin(size_t vertex) {
 
 // Where it crossed the surface, if it goes, as the collider sees it, by more than half its radius. A body that hair
 // stays inside of is convex, and lets nothing through.
-std::optional<Tangent> WarmContacts::crossing(const Collider& collider, size_t vertex,
-                                              const Vec3& p) const {
+std::optional<Tangent> ContactPlacer::crossing(const Collider& collider, size_t vertex,
+                                               const Vec3& p) const {
     const Vec3 from = carried(collider, vertex), root = contacts_.motion_.root;
     const double way = (p - from).norm();
     if (collider.inward || way <= thin(collider.body) / 2 ||
@@ -130,8 +130,8 @@ std::optional<Tangent> WarmContacts::crossing(const Collider& collider, size_t v
     return first_crossing(collider, root + from, root + p);
 }
 
-std::optional<WarmContacts::Nearest> WarmContacts::nearest_body(size_t vertex, const Vec3& p,
-                                                                double reach, bool sweeps) {
+std::optional<ContactPlacer::Nearest> ContactPlacer::nearest_body(size_t vertex, const Vec3& p,
+                                                                  double reach, bool sweeps) {
     std::optional<Nearest> found;
     for (const Collider& collider : colliders_) {
         Surface surface = collider.surface(contacts_.motion_.root + p);
@@ -152,7 +152,7 @@ std::optional<WarmContacts::Nearest> WarmContacts::nearest_body(size_t vertex, c
 }
 
 // Lifts p to where the plane of a strand leaves it, if that is in a body. No strand pushes another one into one.
-std::optional<WarmContacts::Nearest> WarmContacts::nearest(size_t vertex, double reach, Vec3& p) {
+std::optional<ContactPlacer::Nearest> ContactPlacer::nearest(size_t vertex, double reach, Vec3& p) {
     const auto body = nearest_body(vertex, p, reach, true);
     const MeshPlane* plane = mesh(vertex);
     if (!plane || (contacts_.of_strands() && body && body->gap < 0))
@@ -170,7 +170,7 @@ std::optional<WarmContacts::Nearest> WarmContacts::nearest(size_t vertex, double
     return behind ? behind : found;
 }
 
-void WarmContacts::arrive(size_t vertex, const Nearest& found) {
+void ContactPlacer::arrive(size_t vertex, const Nearest& found) {
     Contact& at = contacts_.at_[vertex];
     at.anchor = found.anchor;
     at.friction = contacts_.motion_.friction * found.friction;
@@ -179,14 +179,14 @@ void WarmContacts::arrive(size_t vertex, const Nearest& found) {
     at.grip = contacts_.params_.contact_slip;
 }
 
-Vec3 WarmContacts::place(size_t vertex, Vec3 p) {
+Vec3 ContactPlacer::place(size_t vertex, Vec3 p) {
     Contact& at = contacts_.at_[vertex];
     depth_ = -INFINITY;
     held_ = astray_ = false;
     if (contacts_.length_[vertex] == 0)
         return p;
     astray_ = strays(vertex, p);
-    const double tolerance = this->tolerance(vertex), near = PLAIT_CONTACT_WARM_REACH * tolerance;
+    const double tolerance = this->tolerance(vertex), near = PLAIT_CONTACT_REACH * tolerance;
     const bool was = at.stiffness > 0;
     const double height = was ? at.normal.dot(p) - at.offset : 0;
     const auto found = nearest(vertex, height < 0 ? near : 0, p);
@@ -201,12 +201,11 @@ Vec3 WarmContacts::place(size_t vertex, Vec3 p) {
     const double sinks = was ? -height : std::min(deep / (rate * h * h), tolerance);
     double lift = -std::clamp(sinks, 0.0, held) - found->gap;
     if (was && std::abs(lift) < 2 * tolerance)
-        lift *= PLAIT_CONTACT_WARM_BACK;
+        lift *= PLAIT_CONTACT_BACK;
     const bool strand = contacts_.of_strands() && !found->body;
     if (height < 0 && strand) // the spring tells where it is
         lift = 0;
-    deep_ =
-        deep_ || (std::abs(lift) > PLAIT_CONTACT_WARM_DEEP * contacts_.length_[vertex] && !strand);
+    deep_ = deep_ || (std::abs(lift) > PLAIT_CONTACT_DEEP * contacts_.length_[vertex] && !strand);
     depth_ = -(found->gap + lift);
     Vec3 to = p + lift * found->normal;
     if (!was) {
@@ -225,11 +224,11 @@ Vec3 WarmContacts::place(size_t vertex, Vec3 p) {
 
 // What slips slides with mu N from now on. Only what its spring has all but stopped is not thrown back by that:
 // a spring as weak as mu N draws it by what it slipped stops more of it.
-void WarmContacts::rub(Contact& at, const Vec3& to) {
+void ContactPlacer::rub(Contact& at, const Vec3& to) {
     const double slip = contacts_.params_.contact_slip;
     const Vec3 u = contacts_.slip_of(at, to);
     const bool back = at.slide.dot(u) < 0, more = slip < u.norm() && !back;
-    const bool stops = at.sticks() && u.norm() < PLAIT_CONTACT_WARM_STOPS * at.grip;
+    const bool stops = at.sticks() && u.norm() < PLAIT_CONTACT_STOPS * at.grip;
     at.slide = more && !stops ? Vec3(u.normalized()) : Vec3(Vec3::Zero());
     if (back || (more && stops))
         at.grip = back ? slip : u.norm();
@@ -239,7 +238,7 @@ void WarmContacts::rub(Contact& at, const Vec3& to) {
 
 // N and friction are those of the solve, which does not know that a segment's length leaves the vertex elsewhere, and
 // a micrometre is a multiple of N: the spring comes along, by no more than what is pressed may be deep.
-void WarmContacts::bring(size_t vertex, const Vec3& to, const Vec3& x) {
+void ContactPlacer::bring(size_t vertex, const Vec3& to, const Vec3& x) {
     Contact& at = contacts_.at_[vertex];
     if (at.stiffness == 0)
         return;
@@ -248,7 +247,7 @@ void WarmContacts::bring(size_t vertex, const Vec3& to, const Vec3& x) {
 }
 
 // A vertex that touches no body but is left too deep in one touches it from now on: its depth, or 0.
-double WarmContacts::behind(size_t vertex, const Vec3& x) {
+double ContactPlacer::behind(size_t vertex, const Vec3& x) {
     if (held_ || contacts_.length_[vertex] == 0)
         return 0;
     const double most = PLAIT_CONTACT_MAX_PENETRATION * contacts_.length_[vertex];
@@ -270,15 +269,14 @@ double WarmContacts::behind(size_t vertex, const Vec3& x) {
 }
 
 // Is p farther from the vertex' way than it may be for what was looked for?
-bool WarmContacts::strays(size_t vertex, const Vec3& p) const {
+bool ContactPlacer::strays(size_t vertex, const Vec3& p) const {
     return contacts_.astray(vertex, p).norm() >
-           PLAIT_CONTACT_WARM_ROOM * contacts_.length_[vertex] -
-               PLAIT_CONTACT_WARM_REACH * tolerance(vertex);
+           PLAIT_CONTACT_ROOM * contacts_.length_[vertex] - PLAIT_CONTACT_REACH * tolerance(vertex);
 }
 
 // Past the first steps, where strands meet and of what strays, what is left too deep comes to the surface.
-Vec3 WarmContacts::left(size_t vertex, const Vec3& to, const Vec3& leader, const Vec3& x) {
-    const bool keeps = contacts_.of_strands() || step_ >= PLAIT_CONTACT_WARM_KEEPS || astray_;
+Vec3 ContactPlacer::left(size_t vertex, const Vec3& to, const Vec3& leader, const Vec3& x) {
+    const bool keeps = contacts_.of_strands() || step_ >= PLAIT_CONTACT_NEWTON_STEPS || astray_;
     const double length = contacts_.length_[vertex], behind = keeps ? this->behind(vertex, x) : 0;
     const Contact& at = contacts_.at_[vertex];
     const double depth = behind > 0 ? behind : depth_ + at.normal.dot(to - x);
@@ -298,11 +296,11 @@ Vec3 WarmContacts::left(size_t vertex, const Vec3& to, const Vec3& leader, const
                (size > 1e-30 ? Vec3(across / size) : n);
 }
 
-void WarmContacts::placed() {
+void ContactPlacer::placed() {
     contacts_.touched_ = contacts_.touched_ || contacts_.touching();
 }
 
-void WarmContacts::press(const std::vector<Vec3>& x) {
+void ContactPlacer::press(const std::vector<Vec3>& x) {
     deep_ = slips_ = back_ = false;
     ++step_;
     contacts_.press(x);

@@ -7,10 +7,10 @@
 
 namespace plait::reference {
 
-class WarmContacts {
+class ContactPlacer {
   public:
     // `force`: N, of all vertices in the substep before.
-    WarmContacts(Contacts& contacts, std::vector<double> force);
+    ContactPlacer(Contacts& contacts, std::vector<double> force);
 
     // Where a vertex goes that the step would leave at p.
     Vec3 place(size_t vertex, Vec3 p);
