@@ -380,7 +380,7 @@ typedef struct plait_sim_params {
                             the groom, in a wind, too; 1: under a hat; default 0 */
     float groom; /* [0, 1], default 0: the share of a level strand's droop under its weight that is
                     taken away; 1: hair stays as groomed. docs/groom.md */
-    uint32_t iterations; /* Newton steps, [0, 64], default 1 */
+    uint32_t iterations; /* Newton steps, [0, 64], default 1; beside a body, 0 is 1 */
     uint32_t bdf2;       /* 0: backward Euler; 1: BDF2; or PLAIT_BDF2_OF_MODEL (default) */
 } plait_sim_params;
 PLAIT_STRUCT(plait_sim_params)
