@@ -43,7 +43,7 @@ static inline mask articulated_wants(const rod_problem* rod, const rod_state* s,
     return wants;
 }
 
-/* From the start, whose level is known. `placer`: null, or the contacts. All steps are those of one call: what rests
+/* From the start, whose level is known. `placer`: null, or what places vertices. All steps are those of one call: what rests
  * beside a body rests to the bit as it does without. */
 static inline void articulated_solve(const rod_problem* rod, rod_state* s, articulated_level start,
                                      uint iterations, contact_placer* placer) {

@@ -3,6 +3,7 @@
 #include "mesh_shapes.hpp"
 #include "support.hpp"
 
+#include <memory>
 #include <memory_resource>
 #include <optional>
 
@@ -238,7 +239,7 @@ TEST_P(SharedBodies, GiveTheBitsOfBodiesOfOnesOwn) {
 // Whoever made them may go.
 TEST_P(SharedBodies, StayWhileASimHasThem) {
     const auto groom = make_groom(tuft(2, 6));
-    std::optional<plait::Sim> first(std::in_place, context, groom);
+    auto first = std::make_unique<plait::Sim>(context, groom);
     plait::Sim second(context, groom), alone(context, groom);
     second.share_colliders(first->get());
     const auto id = first->create_collider(head(), mesh_desc(PLAIT_MESH_FORM_FIELD));

@@ -67,7 +67,8 @@ TEST_P(Sources, a_failure_inside_an_include_names_the_included_file) {
 }
 
 TEST_P(Sources, an_unknown_include_is_refused_with_its_place) {
-    const Error error = refusal("grid_clear", std::string("\n#include \"nowhere.clh\"\n") + good);
+    const Error error =
+        refusal("grid_clear", std::string("\n#include \"nowhere.clh\"\n").append(good));
     EXPECT_EQ(error.code, PLAIT_COMPILE);
     expect_holds(error.message, "mine.cl:2: error: #include \"nowhere.clh\"");
 }

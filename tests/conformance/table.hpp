@@ -10,7 +10,7 @@ namespace plait::test {
 
 // Empty if the file is not there; cells that are no numbers read as NaN.
 inline std::vector<std::vector<double>> read_table(const std::string& name) {
-    std::ifstream file(std::string(PLAIT_SOURCE_DIR) + "/tests/data/" + name);
+    std::ifstream file(PLAIT_SOURCE_DIR "/tests/data/" + name);
     std::string line;
     std::getline(file, line);
     std::vector<std::vector<double>> rows;

@@ -18,7 +18,7 @@ class BaselineContact : public testing::TestWithParam<std::string> {
   protected:
     static double value(const char* file, const Json& overrides = Json::object()) {
         const lab::Model& model = *lab::find_model(GetParam());
-        const lab::Scene scene = lab::read_scene(std::string(PLAIT_SCENES) + "/" + file, overrides);
+        const lab::Scene scene = lab::read_scene(std::string(PLAIT_SCENES "/") + file, overrides);
         return measured(file, GetParam().c_str(), setting_of(model, scene), overrides).value;
     }
 

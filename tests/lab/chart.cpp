@@ -76,13 +76,13 @@ TEST(LabChart, failures_are_drawn_on_the_edge) {
 }
 
 TEST(LabChart, families_and_features_of_the_repository_are_valid) {
-    const auto families = lab::read_families(std::string(PLAIT_SCENES) + "/charts.json");
+    const auto families = lab::read_families(PLAIT_SCENES "/charts.json");
     EXPECT_GE(families.size(), 5u);
     for (const lab::Family& family : families) {
         const lab::Scene scene = lab::read_scene(family.scene, family.overrides);
         EXPECT_TRUE(scene.reference.has_value()) << family.name;
     }
-    const auto features = lab::read_features(std::string(PLAIT_SCENES) + "/features.json");
+    const auto features = lab::read_features(PLAIT_SCENES "/features.json");
     EXPECT_GE(features.size(), 10u);
     for (const lab::Feature& feature : features) {
         EXPECT_NO_THROW(lab::read_scene(feature.scene, feature.with)) << feature.name;

@@ -10,7 +10,7 @@ namespace {
 
 Verdict verdict_of(const std::string& id, const lab::Method& rod, double gamma) {
     static lab::Contexts contexts("opencl", "");
-    for (const lab::Row& row : lab::read_rows(std::string(PLAIT_SCENES) + "/accuracy.json"))
+    for (const lab::Row& row : lab::read_rows(PLAIT_SCENES "/accuracy.json"))
         if (row.id == id) {
             lab::Variant variant = row.variants.front();
             variant.overrides["material"]["gamma"] = gamma;

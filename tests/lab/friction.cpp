@@ -24,7 +24,7 @@ TEST(LabCapstan, scenes_are_on_either_side_of_the_table) {
     for (const auto& [file, share] :
          {std::pair{"capstan.json", 0.95}, {"capstan_slips.json", 1.05}}) {
         const lab::Scene scene =
-            lab::read_scene(std::string(PLAIT_SCENES) + "/" + file, Json::object());
+            lab::read_scene(std::string(PLAIT_SCENES "/") + file, Json::object());
         EXPECT_NEAR(-scene.strands[0].points.back().y() / held, share, 2e-3) << file;
     }
 }

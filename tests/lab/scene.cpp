@@ -240,7 +240,7 @@ TEST(LabScenes, of_the_repository_are_valid) {
 }
 
 TEST(LabScenes, of_the_accuracy_table_are_valid) {
-    const auto rows = lab::read_rows(std::string(PLAIT_SCENES) + "/accuracy.json");
+    const auto rows = lab::read_rows(PLAIT_SCENES "/accuracy.json");
     EXPECT_GE(rows.size(), 20u);
     for (const lab::Row& row : rows)
         for (const lab::Variant& variant : row.variants)

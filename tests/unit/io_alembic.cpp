@@ -15,7 +15,7 @@ namespace {
 using testing::HasSubstr;
 
 std::vector<std::byte> corpus(const std::string& name) {
-    return file_bytes(std::string(PLAIT_SOURCE_DIR) + "/tests/fuzz/corpus/alembic/" + name);
+    return file_bytes(PLAIT_SOURCE_DIR "/tests/fuzz/corpus/alembic/" + name);
 }
 
 struct Read {

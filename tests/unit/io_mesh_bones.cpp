@@ -94,7 +94,7 @@ TEST(MeshBones, LongNamesAreCutBetweenCharacters) {
     const auto cut = [](const std::string& name) { return std::string(bone_name(name).data()); };
     EXPECT_EQ(cut(std::string(63, 'a')), std::string(63, 'a'));
     EXPECT_EQ(cut(std::string(64, 'a')), std::string(63, 'a'));
-    EXPECT_EQ(cut(std::string(62, 'a') + "\xc3\xa9"), std::string(62, 'a'));
+    EXPECT_EQ(cut(std::string(62, 'a').append("\xc3\xa9")), std::string(62, 'a'));
 }
 
 } // namespace

@@ -42,7 +42,7 @@
 /* Segment lengths of room around the way from where a vertex was to where inertia takes it: bodies are looked for in
  * it. Ours. */
 #define PLAIT_CONTACT_ROOM PLAIT_NUMBER(0.3)
-/* PLAIT_CONTACT_TOLERANCE: a vertex farther off a surface is no longer pressed to it. Ours. */
+/* Penetration tolerances: a vertex farther off a surface is no longer pressed to it. Ours. */
 #define PLAIT_CONTACT_REACH PLAIT_NUMBER(4.0)
 /* Share of its way to the surface that a pressed vertex goes back by in a step. Ours. */
 #define PLAIT_CONTACT_BACK PLAIT_NUMBER(0.1)
@@ -55,8 +55,8 @@
 #define PLAIT_CONTACT_MAX_TURN PLAIT_NUMBER(0.5)
 /* Most steps of a strand that is left too deep. Ours. */
 #define PLAIT_CONTACT_MAX_STEPS 12
-/* Newton's method may move out what is too deep in so many steps; later ones put it on the surface, against the
- * forces in the strand. Ours. */
+/* Steps in which Newton's method itself may move a vertex out that is too deep; later steps put it on the surface,
+ * against the forces in the strand. Ours. */
 #define PLAIT_CONTACT_NEWTON_STEPS 2
 /* Newton steps to the first crossing; exact to 1e-3 r at half a radius off the axis. Ours. */
 #define PLAIT_SWEEP_STEPS 4

@@ -88,10 +88,9 @@ std::vector<Model> make_retired() {
                            baseline("cosserat", "cosserat.cl", true, true, cosserat),
                            baseline("rod", "rod.cl", true, true, rod)};
     const Setting quality[] = {{4, 1, false}, {4, 2, true}, {2, 1, true}};
-    const Setting* best = quality;
-    for (Model& model : all) {
-        model.quality = *best++;
-        model.pins = true;
+    for (size_t i = 0; i < all.size(); ++i) {
+        all[i].quality = quality[i];
+        all[i].pins = true;
     }
     return all;
 }
