@@ -96,9 +96,11 @@ static inline mask follow_inside(const follow_body* body, const follow_rows* row
     return inside;
 }
 
-__kernel void plait_follow_collide(const uint item_count, const plait_follow_collide_params params,
-                                   __global const uint* lane_strand,
-                                   __global const float4* collider, __global float4* position) {
+__kernel PLAIT_WIDE void plait_follow_collide(const uint item_count,
+                                              const plait_follow_collide_params params,
+                                              __global const uint* lane_strand,
+                                              __global const float4* collider,
+                                              __global float4* position) {
     const lane_place place = lane_place_of(get_global_id(0));
     if (!lane_place_used(place, item_count))
         return;

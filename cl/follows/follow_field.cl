@@ -41,10 +41,11 @@ LANES_INLINE follow_distance follow_gap(const follow_body* body, vec3 x, real bo
 
 #include "follows/follow_out.clh"
 
-__kernel void plait_follow_field(const uint item_count, const plait_follow_collide_params params,
-                                 __global const uint* lane_strand, __global const float4* collider,
-                                 __global const float4* mesh_grid, __global const uint* mesh_nodes,
-                                 __global const float* mesh_values, __global float4* position) {
+__kernel PLAIT_WIDE void
+plait_follow_field(const uint item_count, const plait_follow_collide_params params,
+                   __global const uint* lane_strand, __global const float4* collider,
+                   __global const float4* mesh_grid, __global const uint* mesh_nodes,
+                   __global const float* mesh_values, __global float4* position) {
     const lane_place place = lane_place_of(get_global_id(0));
     if (!lane_place_used(place, item_count))
         return;

@@ -36,14 +36,14 @@ static inline follow_distance follow_gap(const follow_body* body, vec3 x, real b
 
 #include "follows/follow_out.clh"
 
-__kernel void plait_follow_nearest(const uint item_count, const plait_follow_collide_params params,
-                                   __global const uint* lane_strand,
-                                   __global const float4* collider, __global const uint* mesh_first,
-                                   __global const float4* mesh_box, __global const uint* mesh_tree,
-                                   __global const uint* mesh_triangle,
-                                   __global const uint* mesh_ring, __global const float4* mesh_from,
-                                   __global const float4* mesh_to, __global const float* mesh_bends,
-                                   __global float4* position) {
+__kernel PLAIT_WIDE void
+plait_follow_nearest(const uint item_count, const plait_follow_collide_params params,
+                     __global const uint* lane_strand, __global const float4* collider,
+                     __global const uint* mesh_first, __global const float4* mesh_box,
+                     __global const uint* mesh_tree, __global const uint* mesh_triangle,
+                     __global const uint* mesh_ring, __global const float4* mesh_from,
+                     __global const float4* mesh_to, __global const float* mesh_bends,
+                     __global float4* position) {
     const lane_place place = lane_place_of(get_global_id(0));
     if (!lane_place_used(place, item_count))
         return;

@@ -88,13 +88,12 @@ static inline vec3 turns_segment(__global const float4* guide_turn, const turns_
     return rotate3(pickq(size > zero, scaleq(sum, size), identityq()), segment);
 }
 
-__kernel void plait_follow_turns(const uint item_count, const plait_follow_turns_params params,
-                                 __global const uint* lane_strand, __global const float4* pose,
-                                 __global const float4* guide_turn,
-                                 __global const uint* follow_guides,
-                                 __global const float4* follow_weight,
-                                 __global const real* follow_place,
-                                 __global const real* follow_rest, __global float4* position) {
+__kernel PLAIT_WIDE void
+plait_follow_turns(const uint item_count, const plait_follow_turns_params params,
+                   __global const uint* lane_strand, __global const float4* pose,
+                   __global const float4* guide_turn, __global const uint* follow_guides,
+                   __global const float4* follow_weight, __global const real* follow_place,
+                   __global const real* follow_rest, __global float4* position) {
     const lane_place place = lane_place_of(get_global_id(0));
     if (!lane_place_used(place, item_count))
         return;

@@ -66,12 +66,12 @@ static inline real brake(const plait_lane_grid_params* params, real v, real mean
     return pick(outruns, (params->diffuse_factor - 1.0f) * v, (real)(0.0f));
 }
 
-__kernel void plait_lane_diffuse(const uint item_count, const plait_lane_grid_params params,
-                                 __global const uint* lane_strand,
-                                 __global const uint* vertex_count, __global const real* lane_x,
-                                 __global const float* grid_density,
-                                 __global const float4* grid_velocity, __global real* lane_v,
-                                 __global real* lane_v_before) {
+__kernel PLAIT_WIDE void
+plait_lane_diffuse(const uint item_count, const plait_lane_grid_params params,
+                   __global const uint* lane_strand, __global const uint* vertex_count,
+                   __global const real* lane_x, __global const float* grid_density,
+                   __global const float4* grid_velocity, __global real* lane_v,
+                   __global real* lane_v_before) {
     const lane_place place = lane_place_of(get_global_id(0));
     if (!lane_place_used(place, item_count))
         return;

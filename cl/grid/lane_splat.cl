@@ -69,10 +69,12 @@ static inline uint splat_each_item(uint item_count, const plait_lane_grid_params
 }
 #endif
 
-__kernel void plait_lane_splat(const uint item_count, const plait_lane_grid_params params,
-                               __global const uint* lane_strand, __global const uint* vertex_count,
-                               __global const real* lane_x, __global const real* lane_v,
-                               __global uint* grid_sum, __global uint* grid_outside) {
+__kernel PLAIT_WIDE void plait_lane_splat(const uint item_count,
+                                          const plait_lane_grid_params params,
+                                          __global const uint* lane_strand,
+                                          __global const uint* vertex_count,
+                                          __global const real* lane_x, __global const real* lane_v,
+                                          __global uint* grid_sum, __global uint* grid_outside) {
     SUMS_BEGIN(sums, grid_sum);
     uint outside;
 #if PLAIT_LANES > 1

@@ -89,16 +89,16 @@ static inline void mesh_find(const mesh_body* body, const mesh_ways* ways, const
     }
 }
 
-__kernel void plait_mesh_field(const uint item_count, const plait_lane_params params,
-                               __global const uint* lane_strand, __global const float4* rest,
-                               __global const float4* pose, __global const real* lane_material,
-                               __global const float4* collider, __global const float4* mesh_grid,
-                               __global const uint* mesh_nodes, __global const float* mesh_values,
-                               __global const float* mesh_clearance,
-                               __global const real* lane_acceleration,
-                               __global const real* lane_pin, __global const real* lane_x,
-                               __global const real* lane_v, __global const real* lane_x_before,
-                               __global const real* lane_v_before, __global real* lane_plane) {
+__kernel PLAIT_WIDE void
+plait_mesh_field(const uint item_count, const plait_lane_params params,
+                 __global const uint* lane_strand, __global const float4* rest,
+                 __global const float4* pose, __global const real* lane_material,
+                 __global const float4* collider, __global const float4* mesh_grid,
+                 __global const uint* mesh_nodes, __global const float* mesh_values,
+                 __global const float* mesh_clearance, __global const real* lane_acceleration,
+                 __global const real* lane_pin, __global const real* lane_x,
+                 __global const real* lane_v, __global const real* lane_x_before,
+                 __global const real* lane_v_before, __global real* lane_plane) {
     lane_step step;
     if (!lane_begin(&step, item_count, &params, lane_strand, rest, pose, lane_material,
                     lane_acceleration, lane_pin))

@@ -393,7 +393,7 @@ static inline void near_find(const near_body* body, const mesh_ways* ways, mesh_
     }
 }
 
-__kernel void plait_mesh_nearest(
+__kernel PLAIT_WIDE void plait_mesh_nearest(
     const uint item_count, const plait_lane_params params, __global const uint* lane_strand,
     __global const float4* rest, __global const float4* pose, __global const real* lane_material,
     __global const float4* collider, __global const uint* mesh_first,

@@ -35,12 +35,14 @@ static inline real lane_pin_material(__global const real* material, lane_place p
     return material[lane_index(place, PLAIT_LANE_MATERIAL_COMPONENTS, row, component)];
 }
 
-__kernel void plait_lane_pin(const uint item_count, const plait_lane_pin_params params,
-                             __global const uint* lane_strand, __global const uint* vertex_count,
-                             __global const float4* rest, __global const float4* pose,
-                             __global const real* lane_material, __global const float4* pin_from,
-                             __global const float4* pin_to, __global const real* lane_x,
-                             __global const real* lane_v, __global real* lane_pin) {
+__kernel PLAIT_WIDE void plait_lane_pin(const uint item_count, const plait_lane_pin_params params,
+                                        __global const uint* lane_strand,
+                                        __global const uint* vertex_count,
+                                        __global const float4* rest, __global const float4* pose,
+                                        __global const real* lane_material,
+                                        __global const float4* pin_from,
+                                        __global const float4* pin_to, __global const real* lane_x,
+                                        __global const real* lane_v, __global real* lane_pin) {
     const lane_place place = lane_place_of(get_global_id(0));
     if (!lane_place_used(place, item_count))
         return;

@@ -8,12 +8,11 @@
 #include "base/lane_step.clh"
 #include "push/acceleration.clh"
 
-__kernel void plait_lane_accelerate(const uint item_count, const plait_lane_tile_params params,
-                                    __global const uint* lane_strand,
-                                    __global const uint* vertex_count,
-                                    __global const float4* acceleration,
-                                    __global const real* lane_pressure,
-                                    __global real* lane_acceleration) {
+__kernel PLAIT_WIDE void
+plait_lane_accelerate(const uint item_count, const plait_lane_tile_params params,
+                      __global const uint* lane_strand, __global const uint* vertex_count,
+                      __global const float4* acceleration, __global const real* lane_pressure,
+                      __global real* lane_acceleration) {
     const lane_place place = lane_place_of(get_global_id(0));
     if (!lane_place_used(place, item_count))
         return;

@@ -34,9 +34,10 @@ static inline pose_t head_pose(const plait_roots_params* params) {
     return pose_on_parabola(before, from, to, params->alpha);
 }
 
-__kernel void plait_roots(const uint item_count, const plait_roots_params params,
-                          __global const float4* root_before, __global const float4* root_from,
-                          __global const float4* root_to, __global float4* pose) {
+__kernel PLAIT_WIDE void plait_roots(const uint item_count, const plait_roots_params params,
+                                     __global const float4* root_before,
+                                     __global const float4* root_from,
+                                     __global const float4* root_to, __global float4* pose) {
     const uint strand = get_global_id(0);
     if (strand >= item_count)
         return;

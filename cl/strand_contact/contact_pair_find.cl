@@ -373,13 +373,11 @@ static inline void pair_store(__global const float4* rest, uint item, float diam
     }
 }
 
-__kernel void plait_contact_pair_find(const uint item_count, const plait_pair_params params,
-                                      __global const uint* vertex_count,
-                                      __global const float4* rest, __global const uint* cell_end,
-                                      __global const uint* cell_segment,
-                                      __global const float* cell_line,
-                                      __global const uint* cell_moves, __global uint* pair_segment,
-                                      __global float* pair_offset, __global uint* pair_dropped) {
+__kernel PLAIT_WIDE void plait_contact_pair_find(
+    const uint item_count, const plait_pair_params params, __global const uint* vertex_count,
+    __global const float4* rest, __global const uint* cell_end, __global const uint* cell_segment,
+    __global const float* cell_line, __global const uint* cell_moves, __global uint* pair_segment,
+    __global float* pair_offset, __global uint* pair_dropped) {
     const uint item = get_global_id(0);
     if (item >= item_count)
         return;

@@ -137,14 +137,13 @@ static inline void contact_of_strand(const contact_strand* strand, const contact
     *last = (float)planes_to;
 }
 
-__kernel void plait_strand_contact(const uint item_count, const plait_strand_contact_params params,
-                                   __global const uint* lane_strand,
-                                   __global const uint* vertex_count, __global const float4* rest,
-                                   __global const float4* pose, __global const float4* position,
-                                   __global const float4* position_prev,
-                                   __global const uint* pair_segment,
-                                   __global const float* pair_offset, __global const real* lane_x,
-                                   __global real* lane_plane) {
+__kernel PLAIT_WIDE void
+plait_strand_contact(const uint item_count, const plait_strand_contact_params params,
+                     __global const uint* lane_strand, __global const uint* vertex_count,
+                     __global const float4* rest, __global const float4* pose,
+                     __global const float4* position, __global const float4* position_prev,
+                     __global const uint* pair_segment, __global const float* pair_offset,
+                     __global const real* lane_x, __global real* lane_plane) {
     const contact_state state = {position, position_prev, pair_segment, pair_offset};
     const uint first = (uint)get_global_id(0) * PLAIT_DEVICE_LANES;
     if (first >= item_count)

@@ -62,15 +62,15 @@ static inline void articulated_solve(const rod_problem* rod, rod_state* s, artic
     }
 }
 
-__kernel void plait_articulated(const uint item_count, const plait_lane_params params,
-                                __global const uint* lane_strand, __global const float4* rest,
-                                __global const float4* pose, __global const real* lane_material,
-                                __global const real* lane_rest, __global const float4* collider,
-                                __global const real* lane_acceleration,
-                                __global const real* lane_pin, __global const real* lane_plane,
-                                __global real* lane_x, __global real* lane_v, __global real* lane_q,
-                                __global real* lane_q_before, __global real* lane_x_before,
-                                __global real* lane_v_before, __global real* lane_normal_force) {
+__kernel PLAIT_WIDE void
+plait_articulated(const uint item_count, const plait_lane_params params,
+                  __global const uint* lane_strand, __global const float4* rest,
+                  __global const float4* pose, __global const real* lane_material,
+                  __global const real* lane_rest, __global const float4* collider,
+                  __global const real* lane_acceleration, __global const real* lane_pin,
+                  __global const real* lane_plane, __global real* lane_x, __global real* lane_v,
+                  __global real* lane_q, __global real* lane_q_before, __global real* lane_x_before,
+                  __global real* lane_v_before, __global real* lane_normal_force) {
     HOLD_IDLE_LOCAL(item_count, lane_x)
     lane_step step;
     if (!lane_begin(&step, item_count, &params, lane_strand, rest, pose, lane_material,

@@ -24,10 +24,11 @@ static inline void carry_velocities(const plait_carry_params* params, quat turn,
         store3(v, place, i, rotate3(turn, load3(v, place, i)));
 }
 
-__kernel void plait_lane_carry(const uint item_count, const plait_carry_params params,
-                               __global real* lane_x, __global real* lane_v, __global real* lane_q,
-                               __global real* lane_q_before, __global real* lane_x_before,
-                               __global real* lane_v_before) {
+__kernel PLAIT_WIDE void plait_lane_carry(const uint item_count, const plait_carry_params params,
+                                          __global real* lane_x, __global real* lane_v,
+                                          __global real* lane_q, __global real* lane_q_before,
+                                          __global real* lane_x_before,
+                                          __global real* lane_v_before) {
     const lane_place place = lane_place_of(get_global_id(0));
     if (!lane_place_used(place, item_count))
         return;

@@ -11,12 +11,11 @@
  */
 #include "base/lane_spring.clh"
 
-__kernel void plait_lane_groom(const uint item_count, const plait_lane_groom_params params,
-                               __global const uint* lane_strand, __global const uint* vertex_count,
-                               __global const float4* rest, __global const float4* pose,
-                               __global const real* lane_material, __global const real* lane_groom,
-                               __global const real* lane_x, __global const real* lane_v,
-                               __global real* lane_spring) {
+__kernel PLAIT_WIDE void plait_lane_groom(
+    const uint item_count, const plait_lane_groom_params params, __global const uint* lane_strand,
+    __global const uint* vertex_count, __global const float4* rest, __global const float4* pose,
+    __global const real* lane_material, __global const real* lane_groom,
+    __global const real* lane_x, __global const real* lane_v, __global real* lane_spring) {
     const lane_place place = lane_place_of(get_global_id(0));
     if (!lane_place_used(place, item_count))
         return;

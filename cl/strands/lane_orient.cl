@@ -59,9 +59,11 @@ static inline void orient_before(__global const real* lane_x, __global const rea
     }
 }
 
-__kernel void plait_lane_orient(const uint item_count, const plait_lane_orient_params params,
-                                __global const real* lane_x, __global const real* lane_x_before,
-                                __global real* lane_q, __global real* lane_q_before) {
+__kernel PLAIT_WIDE void plait_lane_orient(const uint item_count,
+                                           const plait_lane_orient_params params,
+                                           __global const real* lane_x,
+                                           __global const real* lane_x_before,
+                                           __global real* lane_q, __global real* lane_q_before) {
     const lane_place place = lane_place_of(get_global_id(0));
     if (!lane_place_used(place, item_count))
         return;

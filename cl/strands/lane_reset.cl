@@ -7,12 +7,13 @@
 #pragma OPENCL FP_CONTRACT OFF
 #include "base/lane_step.clh"
 
-__kernel void plait_lane_reset(const uint item_count, const plait_lane_state_params params,
-                               __global const uint* lane_strand, __global const float4* rest,
-                               __global const float4* pose, __global const real* lane_rest,
-                               __global real* lane_x, __global real* lane_v, __global real* lane_q,
-                               __global real* lane_q_before, __global real* lane_x_before,
-                               __global real* lane_v_before, __global real* lane_normal_force) {
+__kernel PLAIT_WIDE void
+plait_lane_reset(const uint item_count, const plait_lane_state_params params,
+                 __global const uint* lane_strand, __global const float4* rest,
+                 __global const float4* pose, __global const real* lane_rest, __global real* lane_x,
+                 __global real* lane_v, __global real* lane_q, __global real* lane_q_before,
+                 __global real* lane_x_before, __global real* lane_v_before,
+                 __global real* lane_normal_force) {
     const lane_place place = lane_place_of(get_global_id(0));
     if (!lane_place_used(place, item_count))
         return;

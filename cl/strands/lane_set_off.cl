@@ -83,13 +83,13 @@ static inline void set_off_vertex(const plait_set_off_params* params, lane_place
     store3(lane_v_before, place, i, pick3(jumps, moved, v_before));
 }
 
-__kernel void plait_lane_set_off(const uint item_count, const plait_set_off_params params,
-                                 __global const uint* lane_strand, __global const float4* rest,
-                                 __global const float4* pose_before,
-                                 __global const float4* pose_was, __global const float4* pose,
-                                 __global const float4* pose_next, __global const real* lane_x,
-                                 __global real* lane_v, __global real* lane_q_before,
-                                 __global real* lane_x_before, __global real* lane_v_before) {
+__kernel PLAIT_WIDE void
+plait_lane_set_off(const uint item_count, const plait_set_off_params params,
+                   __global const uint* lane_strand, __global const float4* rest,
+                   __global const float4* pose_before, __global const float4* pose_was,
+                   __global const float4* pose, __global const float4* pose_next,
+                   __global const real* lane_x, __global real* lane_v, __global real* lane_q_before,
+                   __global real* lane_x_before, __global real* lane_v_before) {
     const lane_place place = lane_place_of(get_global_id(0));
     if (!lane_place_used(place, item_count))
         return;

@@ -18,13 +18,13 @@ static inline vec3 root_before(__global const real* x, __global const real* x_be
     return add3(root, rotate3(turn, sub3(load3(x_before, place, 0), load3(x, place, 0))));
 }
 
-__kernel void plait_lane_teleport(const uint item_count, const plait_lane_state_params params,
-                                  __global const uint* lane_strand, __global const float4* rest,
-                                  __global const float4* pose_from, __global const float4* pose_to,
-                                  __global real* lane_x, __global real* lane_v,
-                                  __global real* lane_q, __global real* lane_q_before,
-                                  __global real* lane_x_before, __global real* lane_v_before,
-                                  __global real* lane_normal_force) {
+__kernel PLAIT_WIDE void
+plait_lane_teleport(const uint item_count, const plait_lane_state_params params,
+                    __global const uint* lane_strand, __global const float4* rest,
+                    __global const float4* pose_from, __global const float4* pose_to,
+                    __global real* lane_x, __global real* lane_v, __global real* lane_q,
+                    __global real* lane_q_before, __global real* lane_x_before,
+                    __global real* lane_v_before, __global real* lane_normal_force) {
     const lane_place place = lane_place_of(get_global_id(0));
     if (!lane_place_used(place, item_count))
         return;

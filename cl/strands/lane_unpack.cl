@@ -92,11 +92,10 @@ static inline void unpack_padding(const unpack_strands* to, uint row_stride,
     }
 }
 
-__kernel void plait_lane_unpack(const uint item_count, const plait_lane_unpack_params params,
-                                __global const uint* lane_strand, __global const uint* vertex_count,
-                                __global const real* lane_x, __global const real* lane_v,
-                                __global float4* position, __global float4* position_prev,
-                                __global float4* tangent) {
+__kernel PLAIT_WIDE void plait_lane_unpack(
+    const uint item_count, const plait_lane_unpack_params params, __global const uint* lane_strand,
+    __global const uint* vertex_count, __global const real* lane_x, __global const real* lane_v,
+    __global float4* position, __global float4* position_prev, __global float4* tangent) {
     const lane_place place = lane_place_of(get_global_id(0));
     if (!lane_place_used(place, item_count))
         return;

@@ -13,11 +13,12 @@
 #include "base/lane_step.clh"
 #include "grid/lane_nodes.clh"
 
-__kernel void plait_volume_gather(const uint item_count, const plait_lane_volume_params params,
-                                  __global const uint* lane_strand,
-                                  __global const uint* vertex_count, __global const real* lane_x,
-                                  __global const float4* volume_pull, __global real* lane_v,
-                                  __global real* lane_v_before, __global real* lane_pressure) {
+__kernel PLAIT_WIDE void
+plait_volume_gather(const uint item_count, const plait_lane_volume_params params,
+                    __global const uint* lane_strand, __global const uint* vertex_count,
+                    __global const real* lane_x, __global const float4* volume_pull,
+                    __global real* lane_v, __global real* lane_v_before,
+                    __global real* lane_pressure) {
     const lane_place place = lane_place_of(get_global_id(0));
     if (!lane_place_used(place, item_count))
         return;

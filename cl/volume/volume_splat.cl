@@ -62,13 +62,12 @@ SUMS_INLINE uint splat_item(uint item_count, const plait_lane_volume_params* par
     return outside;
 }
 
-__kernel void plait_volume_splat(const uint item_count, const plait_lane_volume_params params,
-                                 __global const uint* lane_strand,
-                                 __global const uint* vertex_count,
-                                 __global const float* strand_wetness,
-                                 __global const real* lane_share, __global const real* lane_x,
-                                 __global const real* lane_v, __global uint* grid_sum,
-                                 __global uint* grid_outside) {
+__kernel PLAIT_WIDE void
+plait_volume_splat(const uint item_count, const plait_lane_volume_params params,
+                   __global const uint* lane_strand, __global const uint* vertex_count,
+                   __global const float* strand_wetness, __global const real* lane_share,
+                   __global const real* lane_x, __global const real* lane_v,
+                   __global uint* grid_sum, __global uint* grid_outside) {
     SUMS_BEGIN(sums, grid_sum);
     const uint outside = splat_item(item_count, &params, lane_strand, vertex_count, strand_wetness,
                                     lane_share, lane_x, lane_v, sums);

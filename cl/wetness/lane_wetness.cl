@@ -21,10 +21,10 @@ static inline void put(__global real* lane_material, size_t at, mask moved, real
     lane_material[at] = pick(moved, value, lane_material[at]);
 }
 
-__kernel void plait_lane_wetness(const uint item_count, const plait_lane_wetness_params params,
-                                 __global const uint* lane_strand,
-                                 __global const float* wetness_held, __global const real* lane_dry,
-                                 __global real* lane_material) {
+__kernel PLAIT_WIDE void
+plait_lane_wetness(const uint item_count, const plait_lane_wetness_params params,
+                   __global const uint* lane_strand, __global const float* wetness_held,
+                   __global const real* lane_dry, __global real* lane_material) {
     const lane_place place = lane_place_of(get_global_id(0));
     if (!lane_place_used(place, item_count))
         return;

@@ -75,7 +75,7 @@ static inline void fetch_row(const lane_step* step, lane_buffers state,
     lane_fetch(lane_spring, place, 4, row);
 }
 
-__kernel void plait_lane_wind(
+__kernel PLAIT_WIDE void plait_lane_wind(
     const uint item_count, const plait_lane_wind_params params, __global const uint* lane_strand,
     __global const uint* vertex_count, __global const float4* rest, __global const float4* pose,
     __global const float4* acceleration, __global const float4* wind_velocity,

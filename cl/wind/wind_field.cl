@@ -117,8 +117,9 @@ static inline vec3 turbulence_at(const plait_wind_field_params* params, vec3 fro
     return sum;
 }
 
-__kernel void plait_wind_field(const uint item_count, const plait_wind_field_params params,
-                               __global float4* wind_velocity) {
+__kernel PLAIT_WIDE void plait_wind_field(const uint item_count,
+                                          const plait_wind_field_params params,
+                                          __global float4* wind_velocity) {
     const uint first = get_global_id(0) * PLAIT_LANES, n = params.edge_count;
     if (first >= item_count)
         return;

@@ -75,11 +75,11 @@ static inline real node_number(__global const float* data, mask node) {
     return number;
 }
 
-__kernel void plait_wind_shelter(const uint item_count, const plait_wind_shelter_params params,
-                                 __global const float* wind_extinction,
-                                 __global const float* grid_density,
-                                 __global const float4* grid_velocity, __global float* wind_depth,
-                                 __global float4* wind_velocity) {
+__kernel PLAIT_WIDE void
+plait_wind_shelter(const uint item_count, const plait_wind_shelter_params params,
+                   __global const float* wind_extinction, __global const float* grid_density,
+                   __global const float4* grid_velocity, __global float* wind_depth,
+                   __global float4* wind_velocity) {
     const uint n = params.edge_count, nodes = min(item_count, n * n);
     const uint item = get_global_id(0) * PLAIT_LANES;
     if (item >= nodes)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace plait {
 namespace {
@@ -173,7 +174,8 @@ void Director::took(double ms, double dt) {
     took_[measured_++ % took_.size()] = ms;
     std::array<double, 5> sorted = took_;
     const size_t count = std::min<size_t>(measured_, sorted.size());
-    std::sort(sorted.begin(), sorted.begin() + count);
+    std::fill(sorted.begin() + count, sorted.end(), std::numeric_limits<double>::infinity());
+    std::sort(sorted.begin(), sorted.end());
     const double usual = sorted[(count - 1) / 2]; // two frames that stumbled say nothing
     fit_fixed(usual, dt);
     const double price = std::max(usual - fixed_, 0.2 * usual) / work_;
