@@ -33,12 +33,6 @@ double third_largest_side(const std::vector<Vec3>& roots) {
 }
 
 // The cubic through a and b that leaves a along a_way and reaches b along b_way.
-Vec3 hermite(Vec3 a, Vec3 a_way, Vec3 b, Vec3 b_way, double t) {
-    const double u = 1 - t;
-    return u * u * (1 + 2 * t) * a + t * u * u * a_way + t * t * (1 + 2 * u) * b -
-           t * t * u * b_way;
-}
-
 } // namespace
 
 BraidedHair::BraidedHair(const Style& style, const std::vector<Vec3>& roots)

@@ -104,6 +104,12 @@ Path wind(const Path& axis, const Helix& helix) {
     return out;
 }
 
+Vec3 hermite(Vec3 a, Vec3 a_way, Vec3 b, Vec3 b_way, double t) {
+    const double u = 1 - t;
+    return u * u * (1 + 2 * t) * a + t * u * u * a_way + t * t * (1 + 2 * u) * b -
+           t * t * u * b_way;
+}
+
 void push_out(Path& path, const Field& field, double clearance, double onset) {
     const std::vector<double> at = running_length(path);
     for (size_t i = 1; i < path.size(); ++i) {

@@ -33,6 +33,9 @@ struct Helix {
 // The helix around an axis whose points lie much closer than a turn.
 Path wind(const Path& axis, const Helix& helix);
 
+// The cubic from `a` to `b` that leaves by `a_way` and arrives by `b_way`; t in [0, 1].
+Vec3 hermite(Vec3 a, Vec3 a_way, Vec3 b, Vec3 b_way, double t);
+
 // Out of the head: point i to at least `clearance`, reached gradually over the first `onset`
 // metres.
 void push_out(Path& path, const Field& field, double clearance, double onset);

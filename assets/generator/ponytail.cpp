@@ -18,12 +18,6 @@ constexpr double taper = 0.55;        // share of that width that it loses by it
 
 enum Stream : uint64_t { place_radius = 40, place_angle, tail_length, layer };
 
-Vec3 hermite(Vec3 a, Vec3 a_way, Vec3 b, Vec3 b_way, double t) {
-    const double u = 1 - t;
-    return u * u * (1 + 2 * t) * a + t * u * u * a_way + t * t * (1 + 2 * u) * b -
-           t * t * u * b_way;
-}
-
 } // namespace
 
 TiedHair::TiedHair(const Style& style, const std::vector<Vec3>& roots)

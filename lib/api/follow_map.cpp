@@ -51,10 +51,6 @@ Status fill(FollowMap& map, const plait_follow_map_desc& desc) {
     return set_guides(map, guides, weights);
 }
 
-template <typename T> std::span<const std::byte> bytes_of(const std::pmr::vector<T>& values) {
-    return std::as_bytes(std::span(values.data(), values.size()));
-}
-
 Result<std::span<const std::byte>> field_bytes(const FollowMap& map, plait_follow_map_field field) {
     switch (field) {
     case PLAIT_FOLLOW_MAP_FIELD_GUIDES:

@@ -136,10 +136,6 @@ plait_groom_info describe(const Groom& groom) {
     return info;
 }
 
-template <typename T> std::span<const std::byte> bytes_of(const std::pmr::vector<T>& values) {
-    return std::as_bytes(std::span(values.data(), values.size()));
-}
-
 Result<std::span<const std::byte>> field_bytes(const StrandSet& set, plait_groom_field field) {
     switch (field) {
     case PLAIT_GROOM_FIELD_POSITIONS:

@@ -1,10 +1,11 @@
-// Input arrays: checked, then copied out of whatever stride the caller has.
+// Arrays: input is checked, then copied out of whatever stride the caller has; output is bytes.
 #pragma once
 
 #include "api/wall.hpp"
 
 #include <cstring>
 #include <memory_resource>
+#include <span>
 #include <vector>
 
 namespace plait::api {
@@ -33,6 +34,10 @@ Status copy_view(const plait_view& view, size_t width, const char* name, std::pm
     for (size_t i = 0; stride != element_size && i < view.count; ++i)
         std::memcpy(to.data() + i * width, from + i * stride, element_size);
     return {};
+}
+
+template <typename T> std::span<const std::byte> bytes_of(const std::pmr::vector<T>& values) {
+    return std::as_bytes(std::span(values.data(), values.size()));
 }
 
 } // namespace plait::api

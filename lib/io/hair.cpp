@@ -7,7 +7,7 @@ namespace plait {
 namespace {
 
 constexpr uint64_t HEADER_SIZE = 128;
-constexpr uint64_t STRANDS_AT = 4, POINTS_AT = 8, FLAGS_AT = 12, SEGMENTS_AT = 16,
+constexpr uint64_t HAIR_STRANDS_AT = 4, POINTS_AT = 8, FLAGS_AT = 12, SEGMENTS_AT = 16,
                    THICKNESS_AT = 20;
 enum Flags : uint32_t {
     HAS_SEGMENTS = 1,
@@ -21,7 +21,7 @@ enum Flags : uint32_t {
 constexpr float NOT_GIVEN = 1.0f;
 constexpr uint32_t MAX_SEGMENTS = 65535; // a strand's are a u16
 
-struct Contents {
+struct HairContents {
     uint64_t strands;
     uint64_t points;
     uint64_t segments_at; // 0: every strand has `segments`
@@ -35,10 +35,10 @@ Status check_header(const ByteReader& file) {
     PLAIT_TRY(file.check_range("header", 0, 0, 1, HEADER_SIZE));
     if (file.text(0, 4) != "HAIR")
         return file.bad(0, "signature is not HAIR");
-    for (uint64_t at : {STRANDS_AT, POINTS_AT})
+    for (uint64_t at : {HAIR_STRANDS_AT, POINTS_AT})
         if (file.u32(at) == 0)
             return file.bad(at, format("number of %s is 0; allowed 1 to 4294967295",
-                                       at == STRANDS_AT ? "strands" : "points"));
+                                       at == HAIR_STRANDS_AT ? "strands" : "points"));
     const uint32_t flags = file.u32(FLAGS_AT);
     if (!(flags & HAS_POINTS) || (flags & ~ALL_FLAGS))
         return file.bad(FLAGS_AT, format("flags are 0x%" PRIx32 "; bit 1 (points) must be set and "
@@ -52,13 +52,13 @@ Result<uint64_t> next_array(const ByteReader& file, const char* what, uint32_t f
                             uint64_t element, uint64_t& end) {
     if (!(file.u32(FLAGS_AT) & flag))
         return uint64_t{0};
-    const uint64_t field = flag == HAS_SEGMENTS ? STRANDS_AT : POINTS_AT;
+    const uint64_t field = flag == HAS_SEGMENTS ? HAIR_STRANDS_AT : POINTS_AT;
     PLAIT_TRY(file.check_range(what, field, end, count, element));
     return std::exchange(end, end + count * element);
 }
 
 // The strands' points, segment by segment, must be exactly the points there are.
-Status check_points(const ByteReader& file, const Contents& contents) {
+Status check_points(const ByteReader& file, const HairContents& contents) {
     uint64_t points = contents.strands * (uint64_t{contents.segments} + 1);
     if (contents.segments_at) {
         points = contents.strands;
@@ -72,10 +72,10 @@ Status check_points(const ByteReader& file, const Contents& contents) {
                                       contents.points, points));
 }
 
-Result<Contents> read_contents(const ByteReader& file) {
+Result<HairContents> read_hair_contents(const ByteReader& file) {
     PLAIT_TRY(check_header(file));
     uint64_t end = HEADER_SIZE;
-    const uint64_t strands = file.u32(STRANDS_AT), points = file.u32(POINTS_AT);
+    const uint64_t strands = file.u32(HAIR_STRANDS_AT), points = file.u32(POINTS_AT);
     auto segments = next_array(file, "segments", HAS_SEGMENTS, strands, 2, end);
     PLAIT_TRY(segments);
     auto positions = next_array(file, "points", HAS_POINTS, points, 12, end);
@@ -84,18 +84,18 @@ Result<Contents> read_contents(const ByteReader& file) {
     PLAIT_TRY(thickness);
     PLAIT_TRY(next_array(file, "transparency", HAS_TRANSPARENCY, points, 4, end));
     PLAIT_TRY(next_array(file, "colours", HAS_COLOURS, points, 12, end));
-    const Contents contents = {strands,
-                               points,
-                               *segments,
-                               *positions,
-                               *thickness,
-                               file.u32(SEGMENTS_AT),
-                               file.f32(THICKNESS_AT)};
+    const HairContents contents = {strands,
+                                   points,
+                                   *segments,
+                                   *positions,
+                                   *thickness,
+                                   file.u32(SEGMENTS_AT),
+                                   file.f32(THICKNESS_AT)};
     PLAIT_TRY(check_points(file, contents));
     return contents;
 }
 
-void read_vertex_counts(const ByteReader& file, const Contents& contents, StrandSet& strands) {
+void read_vertex_counts(const ByteReader& file, const HairContents& contents, StrandSet& strands) {
     strands.vertex_counts.assign(static_cast<size_t>(contents.strands), contents.segments + 1);
     if (contents.segments_at)
         for (size_t s = 0; s < strands.vertex_counts.size(); ++s)
@@ -103,7 +103,7 @@ void read_vertex_counts(const ByteReader& file, const Contents& contents, Strand
 }
 
 // A strand's thickness is the mean of its points'.
-void read_thickness(const ByteReader& file, const Contents& contents, float scale,
+void read_thickness(const ByteReader& file, const HairContents& contents, float scale,
                     StrandSet& strands) {
     uint64_t at = contents.thickness_at;
     strands.thickness.reserve(strands.vertex_counts.size());
@@ -148,7 +148,7 @@ void write_header(ByteWriter& out, const StrandSet& strands) {
 } // namespace
 
 Result<StrandSet> read_hair(const ByteReader& file, const ReadOptions& options) {
-    auto contents = read_contents(file);
+    auto contents = read_hair_contents(file);
     PLAIT_TRY(contents);
     StrandSet strands(options.memory);
     read_vertex_counts(file, *contents, strands);

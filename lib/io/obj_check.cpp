@@ -23,8 +23,6 @@
 namespace plait {
 namespace {
 
-constexpr std::string_view BLANKS = " \t";
-
 // Lines that hold no numbers of ours. Those of free-form curves and surfaces, `lod` and commands to
 // a shell (`call`, `csh`) are not among them.
 constexpr std::string_view PASSED_OVER[] = {

@@ -15,7 +15,6 @@
 namespace plait {
 namespace {
 
-constexpr std::string_view BLANKS = " \t";
 constexpr uint32_t NONE = Chains::NONE;
 
 using Point = std::array<float, 3>;

@@ -34,9 +34,9 @@ constexpr Version VERSION_4 = {160,
                                  {"vertex UV", 20, 2, true},
                                  {"strand thickness", 24, 1, false},
                                  {"vertex colour", 28, 4, true}}}};
-constexpr uint64_t STRANDS_AT = 4, VERTICES_AT = 8;
+constexpr uint64_t TFX_STRANDS_AT = 4, VERTICES_AT = 8;
 
-struct Contents {
+struct TfxContents {
     const Version* version;
     uint64_t strands;
     uint64_t vertices; // all strands together
@@ -62,7 +62,7 @@ Result<uint32_t> read_count(const ByteReader& file, const char* what, uint64_t a
     return count;
 }
 
-Result<uint64_t> read_offset(const ByteReader& file, const Contents& contents, SectionId id) {
+Result<uint64_t> read_offset(const ByteReader& file, const TfxContents& contents, SectionId id) {
     const Section& section = contents.version->sections[id];
     const uint64_t at = section.header_offset;
     const uint64_t offset = file.u32(at);
@@ -78,14 +78,14 @@ Result<uint64_t> read_offset(const ByteReader& file, const Contents& contents, S
 }
 
 // Everything the header says, checked against the size of the file.
-Result<Contents> read_contents(const ByteReader& file) {
+Result<TfxContents> read_tfx_contents(const ByteReader& file) {
     auto version = read_version(file);
     PLAIT_TRY(version);
-    auto strands = read_count(file, "number of strands", STRANDS_AT);
+    auto strands = read_count(file, "number of strands", TFX_STRANDS_AT);
     PLAIT_TRY(strands);
     auto vertices = read_count(file, "number of vertices per strand", VERTICES_AT);
     PLAIT_TRY(vertices);
-    Contents contents = {*version, *strands, uint64_t{*strands} * *vertices, *vertices, {}};
+    TfxContents contents = {*version, *strands, uint64_t{*strands} * *vertices, *vertices, {}};
     for (int id = POSITIONS; id < SECTIONS; ++id) {
         auto offset = read_offset(file, contents, static_cast<SectionId>(id));
         PLAIT_TRY(offset);
@@ -96,7 +96,7 @@ Result<Contents> read_contents(const ByteReader& file) {
 
 // The first `kept` floats of each element; in version 4 the fourth of a position is its inverse
 // mass, which plait derives itself (vertices 0 and 1 are pinned).
-void read_floats(const ByteReader& file, const Contents& contents, SectionId id, uint32_t kept,
+void read_floats(const ByteReader& file, const TfxContents& contents, SectionId id, uint32_t kept,
                  float scale, std::pmr::vector<float>& values) {
     const Section& section = contents.version->sections[id];
     const uint64_t count = section.per_vertex ? contents.vertices : contents.strands;
@@ -152,7 +152,7 @@ void write_header(ByteWriter& out, const StrandSet& strands, uint32_t vertices_p
 } // namespace
 
 Result<StrandSet> read_tfx(const ByteReader& file, const ReadOptions& options) {
-    auto contents = read_contents(file);
+    auto contents = read_tfx_contents(file);
     PLAIT_TRY(contents);
     StrandSet strands(options.memory);
     strands.vertex_counts.assign(static_cast<size_t>(contents->strands),

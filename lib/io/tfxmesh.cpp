@@ -10,9 +10,9 @@
 namespace plait {
 namespace {
 
-constexpr std::string_view BLANKS = " \t\r";
+constexpr std::string_view LINE_BLANKS = " \t\r";
 constexpr size_t VERTEX_NUMBERS = 14; // position, normal, four bones, their weights
-constexpr size_t INFLUENCES = 4;
+constexpr size_t VERTEX_INFLUENCES = 4;
 
 // False unless it is all of `word`.
 template <typename T> bool number_of(std::string_view word, T& to) {
@@ -47,7 +47,7 @@ class TfxmeshReader {
             rest_ = left_.substr(0, end);
             left_.remove_prefix(std::min(end + 1, left_.size()));
             ++line_;
-            const size_t first = rest_.find_first_not_of(BLANKS);
+            const size_t first = rest_.find_first_not_of(LINE_BLANKS);
             if (first != rest_.npos && rest_[first] != '#')
                 return {};
         }
@@ -58,7 +58,8 @@ class TfxmeshReader {
     template <typename Line>
     Status section(const char* name, uint32_t most, const Line& read_line) {
         PLAIT_TRY(advance());
-        const std::string_view keyword = next_word(rest_, BLANKS), word = next_word(rest_, BLANKS);
+        const std::string_view keyword = next_word(rest_, LINE_BLANKS),
+                               word = next_word(rest_, LINE_BLANKS);
         uint32_t count = 0;
         if (keyword != name)
             return bad(format("is \"%s\"; allowed is %s", shown(keyword).c_str(), name));
@@ -67,7 +68,7 @@ class TfxmeshReader {
                 format("%s is \"%s\"; allowed 0 to %" PRIu32, name, shown(word).c_str(), most));
         for (uint32_t i = 0; i < count; ++i) {
             PLAIT_TRY(advance());
-            const std::string_view index = next_word(rest_, BLANKS);
+            const std::string_view index = next_word(rest_, LINE_BLANKS);
             uint32_t number = 0;
             if (!number_of(index, number) || number != i)
                 return bad(format("begins with \"%s\"; allowed is its number, %" PRIu32,
@@ -78,17 +79,17 @@ class TfxmeshReader {
     }
 
     Status bone() {
-        rest_.remove_prefix(std::min(rest_.find_first_not_of(BLANKS), rest_.size()));
+        rest_.remove_prefix(std::min(rest_.find_first_not_of(LINE_BLANKS), rest_.size()));
         mesh_.skin.bones.push_back(
-            {bone_name(rest_.substr(0, rest_.find_last_not_of(BLANKS) + 1)), identity_bone});
+            {bone_name(rest_.substr(0, rest_.find_last_not_of(LINE_BLANKS) + 1)), identity_bone});
         return {};
     }
 
     Status vertex() {
         std::array<float, VERTEX_NUMBERS> numbers{};
-        std::array<int64_t, INFLUENCES> bones{};
+        std::array<int64_t, VERTEX_INFLUENCES> bones{};
         for (size_t i = 0; i < VERTEX_NUMBERS; ++i) {
-            const std::string_view word = next_word(rest_, BLANKS);
+            const std::string_view word = next_word(rest_, LINE_BLANKS);
             const bool is_bone = i >= 6 && i < 10;
             const bool good = is_bone ? number_of(word, bones[i - 6])
                                       : number_of(word, numbers[i]) && std::isfinite(numbers[i]);
@@ -104,11 +105,11 @@ class TfxmeshReader {
 
     // An influence of weight 0 may name no bone. Files keep the four largest of possibly more
     // weights: they are scaled to sum 1.
-    Status skin(const std::array<int64_t, INFLUENCES>& bones, const float* weights) {
+    Status skin(const std::array<int64_t, VERTEX_INFLUENCES>& bones, const float* weights) {
         BoneIndices indices{};
         BoneWeights kept{};
         double sum = 0;
-        for (size_t i = 0; i < INFLUENCES; ++i) {
+        for (size_t i = 0; i < VERTEX_INFLUENCES; ++i) {
             if (!(weights[i] >= 0 && weights[i] <= 1))
                 return bad(format("bone weight is %g; allowed 0 to 1", double(weights[i])));
             if (weights[i] == 0)
@@ -131,7 +132,7 @@ class TfxmeshReader {
     Status triangle() {
         Triangle corners{};
         for (uint32_t& corner : corners) {
-            const std::string_view word = next_word(rest_, BLANKS);
+            const std::string_view word = next_word(rest_, LINE_BLANKS);
             const size_t vertices = mesh_.surface.positions.size();
             if (!number_of(word, corner) || corner >= vertices)
                 return bad(format("corner is \"%s\"; %s", shown(word).c_str(),

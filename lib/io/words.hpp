@@ -2,10 +2,17 @@
 #pragma once
 
 #include <algorithm>
+#include <span>
 #include <string>
 #include <string_view>
 
 namespace plait {
+
+constexpr std::string_view BLANKS = " \t"; // of OBJ and its kin
+
+inline bool is_one_of(std::string_view name, std::span<const std::string_view> names) {
+    return std::ranges::find(names, name) != names.end();
+}
 
 // The first word of `rest` between `blanks`; rest goes on after it. "" at the end.
 inline std::string_view next_word(std::string_view& rest, std::string_view blanks) {

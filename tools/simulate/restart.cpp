@@ -22,7 +22,7 @@ struct Head {
     uint64_t checksum; // of what follows it
     uint64_t run_size, sim_size;
 };
-constexpr char magic[8] = {'P', 'L', 'A', 'I', 'T', 'R', 'S', '1'};
+constexpr char restart_magic[8] = {'P', 'L', 'A', 'I', 'T', 'R', 'S', '1'};
 
 uint64_t checksum_of(const std::string& file) {
     constexpr size_t from = offsetof(Head, run_size);
@@ -48,7 +48,7 @@ Snapshot read_snapshot(const std::string& path) {
     if (!stream || file.size() < sizeof head)
         fail_damaged(path, "is no snapshot of a run, or cut short");
     std::memcpy(&head, file.data(), sizeof head);
-    if (std::memcmp(head.magic, magic, sizeof magic) != 0)
+    if (std::memcmp(head.magic, restart_magic, sizeof restart_magic) != 0)
         fail_damaged(path, "is no snapshot of a run of this version");
     const size_t size = file.size() - sizeof head;
     if (head.run_size > size || head.sim_size != size - head.run_size ||
@@ -63,7 +63,7 @@ void write_snapshot(const Snapshot& snapshot, const std::string& path) {
     std::string run;
     Json::to_cbor(snapshot.run, run);
     Head head{{}, 0, run.size(), snapshot.sim.size()};
-    std::memcpy(head.magic, magic, sizeof magic);
+    std::memcpy(head.magic, restart_magic, sizeof restart_magic);
     std::string file(sizeof head, 0);
     std::memcpy(file.data(), &head, sizeof head);
     file += run + snapshot.sim;

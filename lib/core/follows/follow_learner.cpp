@@ -33,7 +33,7 @@ using Eigen::Quaterniond;
 using Eigen::Vector3d;
 using Eigen::Vector4d;
 
-constexpr size_t most = FollowMap::per_strand;
+constexpr size_t per_follow = FollowMap::per_strand;
 // m, rms: what guides differ by less decides nothing, and the map's own weights stay.
 constexpr double unseen = 1e-6;
 // Of what the least squares leave: what weights cannot explain in one motion, others will not explain
@@ -68,7 +68,7 @@ Vector4d turn_at(Turns turns, float place) {
 }
 
 // What would be 0 if the follow moved as a guide alone does, for each guide.
-using Columns = Eigen::Matrix<double, 4, most>;
+using Columns = Eigen::Matrix<double, 4, per_follow>;
 
 // (e q - q r) / q0, the columns of `turns` being q; a vector and a scalar part.
 Columns misses(const Vector3d& e, const Vector3d& r, const Columns& turns, const Vector4d& q0) {
@@ -84,7 +84,7 @@ Columns misses(const Vector3d& e, const Vector3d& r, const Columns& turns, const
 }
 
 Vector4d weights_of(const FollowMap& map, size_t follow) {
-    return Eigen::Map<const Eigen::Vector4f>(&map.weights[most * follow]).cast<double>();
+    return Eigen::Map<const Eigen::Vector4f>(&map.weights[per_follow * follow]).cast<double>();
 }
 
 // Weights that are 0 come last.
@@ -127,8 +127,8 @@ void FollowLearner::place_follows() {
     for (size_t follow = 0; follow < map_.count(); ++follow) {
         const size_t strand = origin_[map_.guide_count + follow];
         const auto own = middles.of(strand);
-        for (size_t k = 0; k < most; ++k) {
-            const auto guide = middles.of(origin_[map_.guides[most * follow + k]]);
+        for (size_t k = 0; k < per_follow; ++k) {
+            const auto guide = middles.of(origin_[map_.guides[per_follow * follow + k]]);
             for (size_t i = 0; i < own.size(); ++i)
                 place_[first_[strand] + i + 1][k] = place_in(guide, own[i]);
         }
@@ -179,12 +179,12 @@ void FollowLearner::add_follow(const RootPoses& roots, const HairFrame& frame, s
     const float* const rest = &rest_.positions[3 * first_[strand]];
     const Vector4d weights = weights_of(map_, follow);
     const int guides = guides_of(weights);
-    std::array<Turns, most> turns;
+    std::array<Turns, per_follow> turns;
     Vector4d signs = Vector4d::Zero(), first = Vector4d::Zero();
     Columns miss = Columns::Zero();
     const Vector3d root = read(frame, strand, 0);
     for (int k = 0; k < guides; ++k) {
-        const size_t guide = map_.guides[most * follow + static_cast<size_t>(k)];
+        const size_t guide = map_.guides[per_follow * follow + static_cast<size_t>(k)];
         const RootPose pose = pose_of(roots, origin_[guide]);
         if (k == 0)
             first = pose.q.coeffs();

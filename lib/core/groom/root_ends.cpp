@@ -8,7 +8,7 @@
 namespace plait {
 namespace {
 
-using Point = std::array<double, 3>;
+using EndPoint = std::array<double, 3>;
 
 constexpr size_t neighbours = 12; // ends of other strands that an end is compared with
 constexpr size_t fewest = 3;      // and without which it tells nothing
@@ -19,7 +19,7 @@ constexpr int agreed = 2;
 // Where this many times as many votes lie between both crowds as beyond half the way, there is one.
 constexpr size_t fading = 3;
 
-double square(const Point& a, const Point& b) {
+double square(const EndPoint& a, const EndPoint& b) {
     const double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
     return x * x + y * y + z * z;
 }
@@ -57,7 +57,7 @@ class Near {
 // three cubes beside each other are one run.
 class Cells {
   public:
-    Cells(const std::pmr::vector<Point>& ends, double edge, std::pmr::memory_resource* memory)
+    Cells(const std::pmr::vector<EndPoint>& ends, double edge, std::pmr::memory_resource* memory)
         : edge_(edge), from_(lowest(ends)), places_(memory) {
         for (uint32_t i = 0; i < ends.size(); ++i)
             places_.push_back({key_of(ends[i]), i, ends[i]});
@@ -82,7 +82,7 @@ class Cells {
     struct Place {
         uint64_t key;
         uint32_t end;
-        Point at;
+        EndPoint at;
     };
     struct Run {
         size_t first, last;
@@ -90,15 +90,15 @@ class Cells {
     static constexpr uint64_t bits =
         20; // of a cube's number along an axis, and one more to either side
 
-    static Point lowest(const std::pmr::vector<Point>& ends) {
-        Point from = ends.front();
-        for (const Point& p : ends)
+    static EndPoint lowest(const std::pmr::vector<EndPoint>& ends) {
+        EndPoint from = ends.front();
+        for (const EndPoint& p : ends)
             for (size_t i = 0; i < 3; ++i)
                 from[i] = std::min(from[i], p[i]);
         return from;
     }
     // Numbers begin anew after a million cubes: what is that far off shares some, and is told by its distance.
-    uint64_t key_of(const Point& p) const {
+    uint64_t key_of(const EndPoint& p) const {
         constexpr uint64_t round = (uint64_t{1} << bits) - 1;
         uint64_t key = 0;
         for (size_t i = 3; i-- > 0;) {
@@ -125,12 +125,12 @@ class Cells {
     }
 
     double edge_;
-    Point from_;
+    EndPoint from_;
     std::pmr::vector<Place> places_;
 };
 
-std::pmr::vector<Point> ends_of(const StrandSet& strands, std::pmr::memory_resource* memory) {
-    std::pmr::vector<Point> ends(memory);
+std::pmr::vector<EndPoint> ends_of(const StrandSet& strands, std::pmr::memory_resource* memory) {
+    std::pmr::vector<EndPoint> ends(memory);
     const float* p = strands.positions.data();
     for (const uint32_t count : strands.vertex_counts) {
         const float* tip = p + 3 * (size_t{count} - 1);
@@ -142,7 +142,7 @@ std::pmr::vector<Point> ends_of(const StrandSet& strands, std::pmr::memory_resou
 }
 
 // An edge of cubes with which two in three ends of a sample have enough neighbours; 0: there is none.
-double edge_for(const std::pmr::vector<Point>& ends, std::pmr::memory_resource* memory) {
+double edge_for(const std::pmr::vector<EndPoint>& ends, std::pmr::memory_resource* memory) {
     double reach = 0;
     for (size_t i = 0; i < ends.size(); i += 2)
         reach += std::sqrt(square(ends[i], ends[i + 1])) / double(ends.size() / 2);
@@ -181,7 +181,7 @@ int median_of(const std::pmr::vector<Votes>& votes, std::pmr::memory_resource* m
 std::pmr::vector<uint32_t> contradicted_roots(const StrandSet& strands,
                                               std::pmr::memory_resource* memory, bool some_are) {
     std::pmr::vector<uint32_t> list(memory);
-    const std::pmr::vector<Point> ends = ends_of(strands, memory);
+    const std::pmr::vector<EndPoint> ends = ends_of(strands, memory);
     const double edge = edge_for(ends, memory);
     if (edge == 0)
         return list;

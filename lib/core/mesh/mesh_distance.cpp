@@ -10,11 +10,17 @@
 #include <numeric>
 
 namespace plait {
+// Where in a triangle the nearest point is: face, an edge, or a corner.
+struct TrianglePlace {
+    Eigen::Vector3d point;
+    int edge = -1, corner = -1;
+};
+
 namespace {
 
 using Vec3 = Eigen::Vector3d;
 
-constexpr uint32_t leaf_triangles = 4;
+constexpr uint32_t node_triangles = 4;
 constexpr size_t deepest = 64; // nodes on the way down; halves of 2^32 triangles take 32
 
 Vec3 unit(const Vec3& v) {
@@ -26,18 +32,12 @@ double angle_between(const Vec3& a, const Vec3& b) {
     return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-// Where in a triangle the nearest point is: face, an edge, or a corner.
-struct Place {
-    Vec3 point;
-    int edge = -1, corner = -1;
-};
-
-Place on_edge(int edge, const Vec3& from, const Vec3& to, double share) {
+TrianglePlace on_edge(int edge, const Vec3& from, const Vec3& to, double share) {
     return {from + share * (to - from), edge, -1};
 }
 
 // By the regions outside of it that its corners and edges own.
-Place place_in(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& x) {
+TrianglePlace place_in(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& x) {
     const Vec3 ab = b - a, ac = c - a, ax = x - a, bx = x - b, cx = x - c;
     const double d1 = ab.dot(ax), d2 = ac.dot(ax);
     if (d1 <= 0 && d2 <= 0)
@@ -70,7 +70,7 @@ double squared_to_box(const Vec3& low, const Vec3& high, const Vec3& x) {
 struct MeshDistance::Found {
     double squared = std::numeric_limits<double>::infinity();
     uint32_t triangle = 0;
-    Place place{};
+    TrianglePlace place{};
 };
 
 Vec3 MeshDistance::corner(uint32_t triangle, size_t k) const {
@@ -125,7 +125,7 @@ uint32_t MeshDistance::build(uint32_t first, uint32_t last) {
     measure(nodes_[index], first, last);
     nodes_[index].first = first;
     nodes_[index].number = last - first;
-    if (last - first <= leaf_triangles)
+    if (last - first <= node_triangles)
         return index;
     Eigen::Index axis = 0;
     (nodes_[index].high - nodes_[index].low).maxCoeff(&axis);
@@ -146,7 +146,8 @@ uint32_t MeshDistance::build(uint32_t first, uint32_t last) {
 }
 
 void MeshDistance::try_triangle(uint32_t triangle, const Vec3& x, Found& found) const {
-    const Place place = place_in(corner(triangle, 0), corner(triangle, 1), corner(triangle, 2), x);
+    const TrianglePlace place =
+        place_in(corner(triangle, 0), corner(triangle, 1), corner(triangle, 2), x);
     const double squared = (x - place.point).squaredNorm();
     if (squared < found.squared)
         found = {squared, triangle, place};

@@ -11,7 +11,7 @@ namespace {
 
 using Vec3 = Eigen::Vector3d;
 
-Vec3 point(const MeshPoint& p) {
+Vec3 vector_of(const MeshPoint& p) {
     return {double(p[0]), double(p[1]), double(p[2])};
 }
 
@@ -27,9 +27,9 @@ struct Component {
 
 // Of the tetrahedron that a triangle spans with `origin`, six times.
 double spanned(const TriangleSet& surface, const Triangle& t, const Vec3& origin) {
-    const Vec3 a = point(surface.positions[t[0]]) - origin;
-    const Vec3 b = point(surface.positions[t[1]]) - origin;
-    const Vec3 c = point(surface.positions[t[2]]) - origin;
+    const Vec3 a = vector_of(surface.positions[t[0]]) - origin;
+    const Vec3 b = vector_of(surface.positions[t[1]]) - origin;
+    const Vec3 c = vector_of(surface.positions[t[2]]) - origin;
     return a.dot(b.cross(c));
 }
 
@@ -69,8 +69,8 @@ std::pmr::vector<Component> components_of(const MeshEdges& edges, const Triangle
     for (Component& component : all) {
         for (const uint32_t t : component.triangles)
             for (const uint32_t corner : surface.triangles[t]) {
-                component.low = component.low.cwiseMin(point(surface.positions[corner]));
-                component.high = component.high.cwiseMax(point(surface.positions[corner]));
+                component.low = component.low.cwiseMin(vector_of(surface.positions[corner]));
+                component.high = component.high.cwiseMax(vector_of(surface.positions[corner]));
             }
         for (const uint32_t t : component.triangles)
             component.volume += (turned[t] ? -1.0 : 1.0) / 6 *
@@ -179,8 +179,9 @@ void measure_mesh(const MeshEdges& edges, Mesh& mesh) {
         shape.bounds_max[k] = static_cast<float>(high[static_cast<int>(k)]);
     }
     for (const Triangle& t : surface.triangles) {
-        const Vec3 a = point(surface.positions[t[0]]);
-        const Vec3 ab = point(surface.positions[t[1]]) - a, ac = point(surface.positions[t[2]]) - a;
+        const Vec3 a = vector_of(surface.positions[t[0]]);
+        const Vec3 ab = vector_of(surface.positions[t[1]]) - a,
+                   ac = vector_of(surface.positions[t[2]]) - a;
         shape.area += 0.5 * ab.cross(ac).norm();
     }
 }

@@ -144,7 +144,7 @@ bool is_read_so(const Context& context, plait_stage stage, const Preparation& of
     }
 }
 
-bool runs(const Context& context, const Need& need, const Preparation& of) {
+bool will_run(const Context& context, const Need& need, const Preparation& of) {
     const uint32_t features = of.features | ~uint32_t{PLAIT_FEATURE_ALL}; // of `always`, too
     return need.models & of.models && need.features & features && need.others & features &&
            is_read_so(context, need.stage, of);
@@ -219,7 +219,7 @@ Status prepare(Context& context, const Preparation& of) {
     const plait_grid_params wind = wind_grid();
     std::vector<std::vector<plait_dispatch>> stages;
     for (const Need& need : needs)
-        if (runs(context, need, of)) {
+        if (will_run(context, need, of)) {
             stages.push_back(dispatches(context, *plait_stage_describe(need.stage), of, wind));
             PLAIT_TRY(check_supported(context.device, stages.back()));
         }

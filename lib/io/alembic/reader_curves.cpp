@@ -1,16 +1,13 @@
 // The properties of an object with curves.
 #include "io/alembic/reader.hpp"
 
-#include <algorithm>
+#include "io/words.hpp"
 
 namespace plait {
 namespace {
 
 // What follows from the points.
 constexpr std::string_view DERIVED[] = {".selfBnds", ".childBnds"};
-bool is_one_of(std::string_view name, std::span<const std::string_view> names) {
-    return std::ranges::find(names, name) != names.end();
-}
 
 } // namespace
 

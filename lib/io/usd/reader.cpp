@@ -1,6 +1,7 @@
 #include "io/usd/reader.hpp"
 
 #include "io/formats.hpp"
+#include "io/words.hpp"
 
 namespace plait {
 namespace {
@@ -13,10 +14,6 @@ constexpr std::string_view QUALIFIERS[] = {"custom", "uniform", "varying", "conf
 // By which a prim brings in what other files or prims have.
 constexpr std::string_view COMPOSED[] = {"references", "payload", "inherits", "specializes",
                                          "subLayers"};
-
-template <size_t N> bool is_one_of(std::string_view name, const std::string_view (&names)[N]) {
-    return std::ranges::find(names, name) != std::end(names);
-}
 
 } // namespace
 

@@ -12,10 +12,6 @@ constexpr std::string_view UV[] = {"primvars:st", "primvars:uv", "primvars:groom
 constexpr std::string_view UV_INDICES[] = {"primvars:st:indices", "primvars:uv:indices"};
 constexpr std::string_view WIDTHS[] = {"widths", "primvars:widths", "primvars:groom_width"};
 
-template <size_t N> bool is_one_of(std::string_view name, const std::string_view (&names)[N]) {
-    return std::ranges::find(names, name) != std::end(names);
-}
-
 PackedFloats floats_of(const ByteWriter& bytes) {
     return {bytes.bytes().data(), bytes.size() / sizeof(float)};
 }

@@ -9,7 +9,7 @@
 namespace plait {
 namespace {
 
-constexpr std::string_view BLANKS = " \t\r\n;";
+constexpr std::string_view SKIPPED = " \t\r\n;";
 constexpr std::string_view ENDS_WORD = " \t\r\n;()[]{}<>,=\"'@#";
 
 } // namespace
@@ -22,7 +22,7 @@ Error UsdText::bad(const std::string& what) const {
 
 void UsdText::skip_blanks() {
     while (true) {
-        at_ = std::min(text_.find_first_not_of(BLANKS, at_), text_.size());
+        at_ = std::min(text_.find_first_not_of(SKIPPED, at_), text_.size());
         if (at_ == text_.size() || text_[at_] != '#')
             return;
         at_ = std::min(text_.find('\n', at_), text_.size());

@@ -38,7 +38,7 @@ Box box_of(const std::string& text, Spot start) {
 std::vector<std::optional<Spot>> place_labels(const std::vector<Label>& labels,
                                               const Surroundings& around) {
     std::vector<Box> taken = around.taken;
-    std::vector<std::optional<Spot>> places;
+    std::vector<std::optional<Spot>> spots;
     for (const Label& label : labels) {
         std::optional<Spot> best;
         long covered = 0;
@@ -59,9 +59,9 @@ std::vector<std::optional<Spot>> place_labels(const std::vector<Label>& labels,
             }
         if (best)
             taken.push_back(box_of(label.text, *best));
-        places.push_back(best);
+        spots.push_back(best);
     }
-    return places;
+    return spots;
 }
 
 } // namespace lab

@@ -88,7 +88,7 @@ class Errors {
 };
 
 struct Entry {
-    Choice choice;
+    follows::Choice choice;
     std::unique_ptr<Run> run; // null: hair goes with the head as it hangs
     Errors errors;
     LevelRow row;
@@ -120,7 +120,7 @@ std::vector<plait_level> list(const plait_levels* levels) {
     return all;
 }
 
-Choice take(const plait_levels* levels, size_t level, uint32_t guides, uint32_t strands) {
+follows::Choice take(const plait_levels* levels, size_t level, uint32_t guides, uint32_t strands) {
     plait_groom* chosen = nullptr;
     plait_follow_map* map = nullptr;
     check(plait_levels_take(levels, level, &chosen, &map));
@@ -215,7 +215,7 @@ class Style {
         });
     }
 
-    Choice whole_;
+    follows::Choice whole_;
     Run truth_;
     Hair hung_;
     std::vector<Entry> entries_;

@@ -4,7 +4,7 @@
 #include "references/elastic.hpp"
 #include "references/modes.hpp"
 
-#include <Eigen/SVD>
+#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -151,13 +151,14 @@ Value tilt(const MetricInput& in) {
 
 Value out_of_plane(const MetricInput& in) {
     const auto& rest = in.recording.rest[in.measure.strand];
-    Eigen::MatrixX3d from_root(rest.size(), 3);
-    for (size_t i = 0; i < rest.size(); ++i)
-        from_root.row(static_cast<Eigen::Index>(i)) = (rest[i] - rest[0]).transpose();
-    const Eigen::JacobiSVD<Eigen::MatrixX3d> svd(from_root, Eigen::ComputeFullV);
-    Vec3 normal = svd.matrixV().col(2);
-    if (svd.singularValues()[1] < 1e-6 * in.length()) // straight: the plane it falls in
-        normal = from_root.row(from_root.rows() - 1).transpose().cross(in.down()).normalized();
+    Eigen::Matrix3d spread = Eigen::Matrix3d::Zero(); // about the root
+    for (const Vec3& x : rest)
+        spread += (x - rest[0]) * (x - rest[0]).transpose();
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(spread); // ascending
+    Vec3 normal = axes.eigenvectors().col(0);
+    if (axes.eigenvalues()[1] <
+        1e-12 * in.length() * in.length()) // straight: the plane it falls in
+        normal = (rest.back() - rest[0]).cross(in.down()).normalized();
     double worst = 0;
     in.each([&](const Frame& frame) {
         for (const Vec3& x : in.x(frame)) {

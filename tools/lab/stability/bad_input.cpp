@@ -19,7 +19,7 @@ constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 constexpr float inf = std::numeric_limits<float>::infinity();
 
 using Strand = std::vector<std::array<float, 3>>;
-using Rows = std::vector<std::array<float, 4>>;
+using Vertices = std::vector<std::array<float, 4>>;
 
 Strand good_strand(float z) {
     Strand strand;
@@ -72,7 +72,7 @@ plait_roots head_at(int frame) {
 }
 
 // Shakes the head for a second; `meddle` may do what it likes before a frame.
-Rows shake(plait_sim* sim, const std::function<void(int)>& meddle = {}) {
+Vertices shake(plait_sim* sim, const std::function<void(int)>& meddle = {}) {
     for (int frame = 0; frame < frames; ++frame) {
         const plait_roots roots = head_at(frame);
         check(plait_sim_set_roots(sim, &roots));
@@ -82,19 +82,19 @@ Rows shake(plait_sim* sim, const std::function<void(int)>& meddle = {}) {
     }
     size_t size = 0;
     check(plait_sim_read(sim, PLAIT_FIELD_POSITION, nullptr, &size));
-    Rows rows(size / sizeof(Rows::value_type));
+    Vertices rows(size / sizeof(Vertices::value_type));
     check(plait_sim_read(sim, PLAIT_FIELD_POSITION, rows.data(), &size));
     return rows;
 }
 
-Rows undisturbed(const Subject& subject) {
+Vertices undisturbed(const Subject& subject) {
     const GroomHandle groom = groom_of(strands_with({}));
     const SimHandle sim = sim_of(subject, groom.get());
     return shake(sim.get());
 }
 
-// Rows without the offender's; whether that is finite goes to `finite`.
-Rows without_offender(Rows rows, bool& finite) {
+// Vertices without the offender's; whether that is finite goes to `finite`.
+Vertices without_offender(Vertices rows, bool& finite) {
     const auto first = rows.begin() + place * vertices, last = first + vertices;
     finite = std::all_of(first, last, [](const auto& p) {
         return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
@@ -103,11 +103,11 @@ Rows without_offender(Rows rows, bool& finite) {
     return rows;
 }
 
-bool same(const Rows& a, const Rows& b) {
+bool same(const Vertices& a, const Vertices& b) {
     return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof a[0]) == 0;
 }
 
-Verdict verdict_on(const std::string& input, const Rows& rows, const Rows& expected,
+Verdict verdict_on(const std::string& input, const Vertices& rows, const Vertices& expected,
                    const std::string& report) {
     if (rows.size() == expected.size())
         return {input, same(rows, expected),
@@ -137,7 +137,7 @@ Verdict try_calls(const Subject& subject, const std::string& input,
     const GroomHandle groom = groom_of(strands_with({}));
     const SimHandle sim = sim_of(subject, groom.get());
     size_t taken = 0;
-    const Rows rows = shake(sim.get(), [&](int frame) {
+    const Vertices rows = shake(sim.get(), [&](int frame) {
         if (frame != 30)
             return;
         for (const plait_result result : calls(sim.get()))
@@ -157,7 +157,7 @@ Verdict try_quaternion(const Subject& subject, const std::string& input,
     const GroomHandle groom = groom_of(strands_with(good_strand(0.5f)));
     const SimHandle sim = sim_of(subject, groom.get());
     std::string report;
-    const Rows rows = shake(sim.get(), [&](int frame) {
+    const Vertices rows = shake(sim.get(), [&](int frame) {
         if (frame == 0)
             return; // where the hair is, as in the run without
         std::vector<plait_pose> poses(neighbours + 1, plait_pose{{0, 0, 0, 1}, {0, 0, 0}});
@@ -189,12 +189,12 @@ Verdict try_nothing(const std::string& input) {
 Verdict try_folded(const Subject& subject, const std::string& input) {
     const GroomHandle groom = groom_of(strands_with(good_strand(0.5f)));
     const SimHandle sim = sim_of(subject, groom.get());
-    const Rows rows = shake(sim.get(), [&](int frame) {
+    const Vertices rows = shake(sim.get(), [&](int frame) {
         if (frame != 0)
             return;
         size_t size = 0;
         check(plait_sim_read(sim.get(), PLAIT_FIELD_POSITION, nullptr, &size));
-        Rows state(size / sizeof(Rows::value_type));
+        Vertices state(size / sizeof(Vertices::value_type));
         check(plait_sim_read(sim.get(), PLAIT_FIELD_POSITION, state.data(), &size));
         for (uint32_t i = 0; i < vertices; ++i)
             state[place * vertices + i][0] *= -1;

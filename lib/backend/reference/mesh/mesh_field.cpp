@@ -51,14 +51,14 @@ std::optional<MeshPlaneAt> met(const MeshField& field, const Vec3& from, const V
 }
 
 // A mesh over a substep.
-struct Body {
-    Body(const mesh_field_args& args, size_t collider, size_t mesh)
+struct FieldBody {
+    FieldBody(const mesh_field_args& args, size_t collider, size_t mesh)
         : field(args, mesh), motion(args.collider, collider) {}
     MeshField field;
     MeshMotion motion;
 };
 
-std::optional<MeshTouch> touch_of(const Body& body, const MeshWays& ways, size_t vertex,
+std::optional<MeshTouch> touch_of(const FieldBody& body, const MeshWays& ways, size_t vertex,
                                   double clearance, double arc) {
     const double depth = body.field.at(body.motion.pose.invert(ways.root)).distance;
     const double offset =
@@ -91,8 +91,8 @@ void mesh_field(uint32_t item_count, const plait_lane_params& params, const mesh
         std::vector<std::optional<MeshTouch>> list(params.vertex_stride);
         find_touches(params, strand, ways, args.mesh_clearance, list,
                      [&](size_t mesh, size_t i, double clearance, double arc) {
-                         return touch_of(Body(args, params.collider_first + mesh, mesh), ways, i,
-                                         clearance, arc);
+                         return touch_of(FieldBody(args, params.collider_first + mesh, mesh), ways,
+                                         i, clearance, arc);
                      });
         store_planes(args.lane_plane, lane, list);
     }

@@ -22,8 +22,8 @@ namespace plait::reference {
 namespace {
 
 // A mesh over a substep.
-struct Body {
-    Body(const mesh_nearest_args& args, size_t collider, size_t mesh)
+struct SurfaceBody {
+    SurfaceBody(const mesh_nearest_args& args, size_t collider, size_t mesh)
         : surface(args, mesh), motion(args.collider, collider),
           bends(surface.bends * (motion.end - motion.begin)) {}
 
@@ -54,7 +54,7 @@ struct Body {
 // The way of a vertex past a mesh, seen from the side where it is.
 class Walk {
   public:
-    Walk(const Body& body, double offset) : body_(body), offset_(offset) {}
+    Walk(const SurfaceBody& body, double offset) : body_(body), offset_(offset) {}
 
     // Before the first look, `from` where the way begins, which is at `rigid` of the frame before the mesh
     // bends. `known`: the row of mesh_side, and what it becomes.
@@ -97,7 +97,7 @@ class Walk {
     }
 
   private:
-    const Body& body_;
+    const SurfaceBody& body_;
     double offset_, side_ = 0;
     bool seen_ = false;
     MeshPlaneAt plane_{Vec3::Zero(), Vec3::Zero(), 0};
@@ -125,7 +125,7 @@ std::optional<MeshPlaneAt> met(Walk walk, const Vec3& from, const Vec3& to, doub
     return nearest;
 }
 
-std::optional<MeshTouch> touch_of(const Body& body, const MeshWays& ways, size_t vertex,
+std::optional<MeshTouch> touch_of(const SurfaceBody& body, const MeshWays& ways, size_t vertex,
                                   double clearance, double depth, double arc, Vec4& known) {
     const double offset = std::min(clearance, depth + PLAIT_CONTACT_ROOT_CLEARANCE * arc);
     const Pose& pose = body.motion.pose;
@@ -188,7 +188,7 @@ void mesh_nearest(uint32_t item_count, const plait_lane_params& params,
             lane, params, args,
             root_of(args.rest, pose_of(args.pose, strand), strand, params.row_stride));
         auto list = touches_left(args, lane, params, ways);
-        std::vector<Body> bodies;
+        std::vector<SurfaceBody> bodies;
         std::vector<double> depths;
         for (size_t mesh = 0; mesh < params.collider_count; ++mesh) {
             bodies.emplace_back(args, params.collider_first + mesh, mesh);

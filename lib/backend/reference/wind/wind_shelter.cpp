@@ -12,7 +12,7 @@ namespace plait::reference {
 namespace {
 
 // A plane of nodes across an axis of the grid.
-struct Plane {
+struct NodePlane {
     size_t nodes, axis, at;
 
     size_t voxel(size_t a, size_t b) const {
@@ -44,8 +44,8 @@ void wind_shelter(uint32_t item_count, const plait_wind_shelter_params& params,
         throw BadDispatch(format("axis is %u, plane %u of %zu", params.axis, params.plane, n));
     item_count = static_cast<uint32_t>(std::min(size_t{item_count}, n * n));
     const size_t plane = params.reversed ? n - 1 - params.plane : params.plane;
-    const Plane here{n, params.axis, plane};
-    const Plane before{n, params.axis, params.reversed ? plane + 1 : plane - 1};
+    const NodePlane here{n, params.axis, plane};
+    const NodePlane before{n, params.axis, params.reversed ? plane + 1 : plane - 1};
     for (size_t item = 0; item < item_count; ++item) {
         const size_t node = here.voxel(item % n, item / n);
         double depth = 0;
