@@ -32,7 +32,6 @@ double third_largest_side(const std::vector<Vec3>& roots) {
     return *third;
 }
 
-// The cubic through a and b that leaves a along a_way and reaches b along b_way.
 } // namespace
 
 BraidedHair::BraidedHair(const Style& style, const std::vector<Vec3>& roots)

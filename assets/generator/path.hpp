@@ -33,7 +33,7 @@ struct Helix {
 // The helix around an axis whose points lie much closer than a turn.
 Path wind(const Path& axis, const Helix& helix);
 
-// The cubic from `a` to `b` that leaves by `a_way` and arrives by `b_way`; t in [0, 1].
+// The cubic through a and b that leaves a along a_way and reaches b along b_way; t in [0, 1].
 Vec3 hermite(Vec3 a, Vec3 a_way, Vec3 b, Vec3 b_way, double t);
 
 // Out of the head: point i to at least `clearance`, reached gradually over the first `onset`
