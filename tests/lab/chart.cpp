@@ -192,7 +192,7 @@ TEST_F(LabFeatures, say_what_leaving_out_moves) {
     EXPECT_TRUE(std::isnan(run.results[0].error_with)); // the scene has no reference
     EXPECT_THAT(lab::features_markdown(run), HasSubstr("| weight | fall |"));
     EXPECT_THAT(lab::features_csv(run), HasSubstr("\nweight,fall,chain 1x1,"));
-    EXPECT_EQ(to_json(run)["features"][0]["feature"], "weight");
+    EXPECT_EQ(nlohmann::json::parse(lab::features_json(run))["features"][0]["feature"], "weight");
 }
 
 TEST_F(LabFeatures, are_of_every_scene_they_name) {

@@ -18,8 +18,12 @@ void write_text(const std::string& text, const std::string& path) {
         throw Failure(path + ": cannot be written");
 }
 
+std::string json_text(const Json& json) {
+    return json.dump(2) + '\n';
+}
+
 void write_json(const Json& json, const std::string& path) {
-    write_text(json.dump(2) + '\n', path);
+    write_text(json_text(json), path);
 }
 
 void make_folder(const std::string& path) {

@@ -7,6 +7,7 @@
 
 namespace common {
 
+std::string json_text(const Json& json); // as write_json writes it
 void write_text(const std::string& text, const std::string& path);
 void write_json(const Json& json, const std::string& path);
 void make_folder(const std::string& path);

@@ -136,6 +136,8 @@ std::string csv_of(const std::vector<Result>& results) {
     return text;
 }
 
+namespace {
+
 Json to_json(const Result& r) {
     Json json{{"row", r.row},         {"variant", r.variant}, {"model", r.model},
               {"setting", r.setting}, {"device", r.device},   {"backend", r.backend},
@@ -144,6 +146,15 @@ Json to_json(const Result& r) {
     if (r.mark)
         json["mark"] = *r.mark;
     return json;
+}
+
+} // namespace
+
+std::string json_of(const std::vector<Result>& results) {
+    Json all = Json::array();
+    for (const Result& result : results)
+        all.push_back(to_json(result));
+    return json_text(all);
 }
 
 } // namespace lab

@@ -36,7 +36,7 @@ class Results {
     size_t taken_up_ = 0;
 };
 
-Json to_json(const Result& result);
+std::string json_of(const std::vector<Result>& results);
 std::string csv_of(const std::vector<Result>& results);
 
 // "a,b" -> "\"a,b\"" where it must be.

@@ -59,7 +59,7 @@ ChartRun run_charts(const ChartOptions& options);
 
 std::string chart_csv(const Chart& chart, const plait_device_info& device);
 std::string charts_csv(const ChartRun& run); // all in one table
-Json to_json(const ChartRun& run);
+std::string charts_json(const ChartRun& run);
 Figure figure_of(const Chart& chart, const plait_device_info& device);
 
 } // namespace lab

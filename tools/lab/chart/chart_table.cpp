@@ -1,4 +1,5 @@
 #include "chart.hpp"
+#include "common/file.hpp"
 #include "common/json_reader.hpp"
 
 #include <cstdio>
@@ -59,7 +60,7 @@ std::string charts_csv(const ChartRun& run) {
     return text;
 }
 
-Json to_json(const ChartRun& run) {
+std::string charts_json(const ChartRun& run) {
     Json figures = Json::array();
     for (const Chart& chart : run.charts) {
         Json points = Json::array();
@@ -72,10 +73,10 @@ Json to_json(const ChartRun& run) {
                            {"points", points},
                            {"left_out", chart.left_out}});
     }
-    return {{"device", run.device.name},
-            {"backend", run.device.backend},
-            {"driver", run.device.driver},
-            {"figures", figures}};
+    return json_text({{"device", run.device.name},
+                      {"backend", run.device.backend},
+                      {"driver", run.device.driver},
+                      {"figures", figures}});
 }
 
 } // namespace lab

@@ -1,7 +1,6 @@
 // plait-lab chart: the figures.
+#include "command.hpp"
 #include "chart.hpp"
-#include "commands.hpp"
-#include "common/json_reader.hpp"
 
 #include <cstdio>
 #include <iostream>
@@ -9,8 +8,6 @@
 namespace lab {
 
 namespace {
-
-using Options = TableCommand<ChartOptions>;
 
 void print_tables(const ChartRun& done) {
     for (const Chart& chart : done.charts) {
@@ -24,27 +21,17 @@ void print_tables(const ChartRun& done) {
         std::printf("wrote %s\n", file.c_str());
 }
 
-Exit run(const Options& options) {
-    const ChartRun done = run_charts(options.on_device());
-    if (options.print.json)
-        std::cout << to_json(done).dump(2) << '\n';
-    else if (options.print.csv)
+} // namespace
+
+Exit run(const Command<ChartOptions>& command) {
+    const ChartRun done = run_charts(command.on_device());
+    if (command.print.json)
+        std::cout << charts_json(done);
+    else if (command.print.csv)
         std::cout << charts_csv(done);
     else
         print_tables(done);
     return Exit::ok;
-}
-
-} // namespace
-
-void add_chart(CLI::App& app, Command& chosen) {
-    auto options = std::make_shared<Options>();
-    CLI::App* command = app.add_subcommand("chart", "cost against accuracy, drawn by gnuplot");
-    command->add_option("--families", options->run.families, "only these figures")->delimiter(',');
-    command->add_option("--table", options->run.table, "the figures [assets/lab/charts.json]");
-    add_table_options(*command, *options);
-    add_cost_options(*command, options->run.costs);
-    command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }
 
 } // namespace lab

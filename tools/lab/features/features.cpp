@@ -1,6 +1,7 @@
 #include "features.hpp"
 
 #include "accuracy/results.hpp"
+#include "common/file.hpp"
 #include "common/json_reader.hpp"
 #include "hash.hpp"
 #include "metrics/metrics.hpp"
@@ -302,7 +303,7 @@ std::string features_csv(const FeatureRun& run) {
     return text;
 }
 
-Json to_json(const FeatureRun& run) {
+std::string features_json(const FeatureRun& run) {
     Json features = Json::array();
     for (const FeatureResult& r : run.results)
         features.push_back({{"feature", r.feature},
@@ -314,10 +315,10 @@ Json to_json(const FeatureRun& run) {
                             {"error_with", r.error_with},
                             {"error_without", r.error_without},
                             {"note", r.note}});
-    return {{"device", run.device.name},
-            {"backend", run.device.backend},
-            {"driver", run.device.driver},
-            {"features", features}};
+    return json_text({{"device", run.device.name},
+                      {"backend", run.device.backend},
+                      {"driver", run.device.driver},
+                      {"features", features}});
 }
 
 } // namespace lab

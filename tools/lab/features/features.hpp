@@ -40,6 +40,6 @@ FeatureRun run_features(const FeatureOptions& options);
 std::string features_text(const FeatureRun& run);
 std::string features_markdown(const FeatureRun& run);
 std::string features_csv(const FeatureRun& run);
-Json to_json(const FeatureRun& run);
+std::string features_json(const FeatureRun& run);
 
 } // namespace lab

@@ -1,24 +1,14 @@
 // plait-lab grid: what lies between strands.
-#include "commands.hpp"
+#include "command.hpp"
 #include "grid.hpp"
 
 #include <cstdio>
 
 namespace lab {
 
-namespace {
-
 using namespace grid;
 
-struct Options {
-    DeviceOptions device;
-    CostOptions costs;
-    std::string out = "out/lab";
-    SlotOptions slots;
-    std::string positions;
-
-    bool chosen() const { return !positions.empty() || slots != SlotOptions{}; }
-};
+namespace {
 
 // What is on the command line may ask for more than there is room for.
 void check_slots(const SlotOptions& slots) {
@@ -31,20 +21,24 @@ void check_slots(const SlotOptions& slots) {
 }
 
 // Of what is asked for alone: row 24.
-Exit run_slots(Options options) {
-    check_slots(options.slots);
-    if (!options.positions.empty())
-        options.slots.positions = read_positions(options.positions, options.slots.edge_count);
-    Contexts contexts(options.device.backend, options.device.device);
+Exit run_slots(const Command<GridOptions>& command) {
+    SlotOptions slots = command.run.slots;
+    check_slots(slots);
+    if (!command.run.positions.empty())
+        slots.positions = read_positions(command.run.positions, slots.edge_count);
+    Contexts contexts(command.device.backend, command.device.device);
     Device device(contexts.device());
-    std::fputs(rows_text(slot_rows(device, options.slots)).c_str(), stdout);
+    std::fputs(rows_text(slot_rows(device, slots)).c_str(), stdout);
     return Exit::ok;
 }
 
-Exit run(const Options& options) {
-    if (options.chosen())
-        return run_slots(options);
-    Contexts contexts(options.device.backend, options.device.device);
+} // namespace
+
+Exit run(const Command<grid::GridOptions>& command) {
+    const GridOptions& options = command.run;
+    if (!options.positions.empty() || options.slots != SlotOptions{})
+        return run_slots(command);
+    Contexts contexts(command.device.backend, command.device.device);
     const GridRun done = run_grid(contexts, options.out, options.costs);
     std::fputs(rows_text(done.rows).c_str(), stdout);
     std::printf("\n%s\n", done.figure.title.c_str());
@@ -53,33 +47,6 @@ Exit run(const Options& options) {
     for (const std::string& file : done.files)
         std::printf("wrote %s\n", file.c_str());
     return Exit::ok;
-}
-
-} // namespace
-
-void add_grid(CLI::App& app, Command& chosen) {
-    auto options = std::make_shared<Options>();
-    CLI::App* command =
-        app.add_subcommand("grid", "the grid between strands: its sums, its slots, their cost");
-    command->add_option("--out", options->out, "folder of the figure")->capture_default_str();
-    auto* counts = command
-                       ->add_option("--counts", options->slots.counts,
-                                    "row 24 alone: numbers of vertices [C/4, C, 4 C]")
-                       ->delimiter(',')
-                       ->check(CLI::Range(1u, 1000000u));
-    command->add_option("--capacity", options->slots.capacity, "... C, slots of a voxel")
-        ->capture_default_str()
-        ->check(CLI::Range(1u, 65536u));
-    command->add_option("--edge-count", options->slots.edge_count, "... voxels along an edge")
-        ->capture_default_str()
-        ->check(CLI::Range(1u, 64u));
-    command
-        ->add_option("--positions", options->positions,
-                     "... file of the vertices, \"x, y, z\" a line [drawn evenly]")
-        ->excludes(counts);
-    add_cost_options(*command, options->costs);
-    add_device_options(*command, options->device);
-    command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }
 
 } // namespace lab

@@ -44,6 +44,14 @@ struct GridRun {
     std::vector<std::string> files; // written
 };
 
+// What the command is asked for. `positions`: a file of them; where it or `slots` says something, row 24 alone.
+struct GridOptions {
+    std::string out = "out/lab";
+    SlotOptions slots;
+    std::string positions;
+    CostOptions costs;
+};
+
 GridRun run_grid(Contexts& contexts, const std::string& out, const CostOptions& options);
 std::string rows_text(const std::vector<GridRow>& rows);
 std::string rows_markdown(const std::vector<GridRow>& rows);

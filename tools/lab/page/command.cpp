@@ -1,5 +1,5 @@
 // plait-lab all: the table, the figures, the features, stability, and a page of them.
-#include "commands.hpp"
+#include "command.hpp"
 #include "page.hpp"
 
 #include "common/progress.hpp"
@@ -11,16 +11,7 @@ namespace lab {
 
 namespace {
 
-struct Options {
-    AccuracyOptions accuracy;
-    ChartOptions charts;
-    FeatureOptions features;
-    DeviceOptions device;
-    Choice choice;
-    std::string write;
-};
-
-stability::SweepOptions stability_options(const Options& o) {
+stability::SweepOptions stability_options(const AllOptions& o) {
     stability::SweepOptions sweep;
     sweep.models.clear();
     for (const Model* model : models_of(o.choice.models, true))
@@ -32,7 +23,7 @@ stability::SweepOptions stability_options(const Options& o) {
 }
 
 // Of each kind the cheapest, a minute or two. None where models are named.
-AccuracyRun run_baselines(const Options& o) {
+AccuracyRun run_baselines(const AllOptions& o) {
     if (!o.choice.models.empty())
         return {};
     AccuracyOptions options = o.accuracy;
@@ -41,7 +32,7 @@ AccuracyRun run_baselines(const Options& o) {
 }
 
 // One after the other, until somebody interrupts.
-Page measure_all(const Options& o) {
+Page measure_all(const AllOptions& o, const DeviceOptions& device) {
     Page page;
     page.accuracy = run_accuracy(o.accuracy);
     std::cout << accuracy_text(page.accuracy) << std::endl;
@@ -54,7 +45,7 @@ Page measure_all(const Options& o) {
     for (const std::string& file : page.charts.files)
         std::printf("wrote %s\n", file.c_str());
     if (!interrupted()) {
-        Contexts contexts(o.device.backend, o.device.device);
+        Contexts contexts(device.backend, device.device);
         page.grid = grid::run_grid(contexts, o.choice.out, o.charts.costs);
         std::cout << grid::rows_text(page.grid.rows);
     }
@@ -63,7 +54,7 @@ Page measure_all(const Options& o) {
     std::cout << features_text(page.features);
     if (!interrupted()) {
         const auto options = stability_options(o);
-        Contexts contexts(o.device.backend, o.device.device);
+        Contexts contexts(device.backend, device.device);
         page.stability = sweep(options, contexts);
         page.places = grid_of(options);
         page.bad_input = try_bad_inputs(options, contexts);
@@ -72,13 +63,16 @@ Page measure_all(const Options& o) {
     return page;
 }
 
-Exit run_all(Options o) {
-    o.accuracy.device = o.charts.device = o.features.device = o.device.device;
-    o.accuracy.backend = o.charts.backend = o.features.backend = o.device.backend;
+} // namespace
+
+Exit run(const Command<AllOptions>& command) {
+    AllOptions o = command.run;
+    o.accuracy.device = o.charts.device = o.features.device = command.device.device;
+    o.accuracy.backend = o.charts.backend = o.features.backend = command.device.backend;
     for (Choice* choice : {static_cast<Choice*>(&o.accuracy), static_cast<Choice*>(&o.charts),
                            static_cast<Choice*>(&o.features)})
         *choice = o.choice;
-    const Page page = measure_all(o);
+    const Page page = measure_all(o, command.device);
     if (o.write.empty())
         return Exit::ok;
     if (interrupted())
@@ -87,18 +81,6 @@ Exit run_all(Options o) {
     for (const std::string& file : write_page(o.write, page, o.choice.out))
         std::printf("wrote %s\n", file.c_str());
     return Exit::ok;
-}
-
-} // namespace
-
-void add_all(CLI::App& app, Command& chosen) {
-    auto options = std::make_shared<Options>();
-    CLI::App* command = app.add_subcommand("all", "accuracy, chart, features and stability");
-    add_choice(*command, options->choice);
-    command->add_option("--write", options->write, "also write a page of results into this folder");
-    add_cost_options(*command, options->charts.costs);
-    add_device_options(*command, options->device);
-    command->callback([options, &chosen] { chosen = [options] { return run_all(*options); }; });
 }
 
 } // namespace lab

@@ -20,6 +20,15 @@ struct Page {
     grid::GridRun grid;
 };
 
+// What the command is asked for; `write`: the folder of the page, or none is written.
+struct AllOptions {
+    AccuracyOptions accuracy;
+    ChartOptions charts;
+    FeatureOptions features;
+    Choice choice;
+    std::string write;
+};
+
 // Writes <folder>/lab-<device>.md and copies one figure of folder `out` beside it; the files
 // written. What stands between by_hand and its end in the page that was there is kept.
 std::vector<std::string> write_page(const std::string& folder, const Page& page,

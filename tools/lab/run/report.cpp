@@ -1,4 +1,5 @@
 #include "report.hpp"
+#include "common/file.hpp"
 #include "common/json_reader.hpp"
 
 #include <cmath>
@@ -118,7 +119,7 @@ void print_report(const RunReport& report) {
         print_cost(report, *report.cost);
 }
 
-Json to_json(const RunReport& report) {
+void print_json(const RunReport& report) {
     const Scene& scene = report.scene;
     Json json{{"scene", scene.file},
               {"title", scene.title},
@@ -141,7 +142,7 @@ Json to_json(const RunReport& report) {
         json["measured"].push_back(to_json(m));
     if (report.cost)
         json["cost"] = to_json(*report.cost);
-    return json;
+    std::fputs(json_text(json).c_str(), stdout);
 }
 
 } // namespace lab

@@ -8,6 +8,14 @@
 
 namespace lab {
 
+// What the command is asked for. `overrides`: "key.of.the.scene", and its value as JSON, a number or a word.
+struct RunOptions {
+    std::string scene;
+    std::vector<std::pair<std::string, std::string>> overrides;
+    bool cost = true;
+    CostOptions costs;
+};
+
 struct Measured {
     Measure measure;
     Value value;
@@ -28,7 +36,7 @@ std::vector<Measured> measure_all(const Scene& scene, const Method& method,
                                   const Recording& recording);
 
 void print_report(const RunReport& report);
-Json to_json(const RunReport& report);
+void print_json(const RunReport& report);
 
 const char* verdict_word(Verdict verdict); // "pass", "MISS", ""
 std::string number(double value);          // short, for tables; "-" for NaN

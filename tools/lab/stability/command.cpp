@@ -1,5 +1,5 @@
 // plait-lab stability: where methods fail, as a map.
-#include "commands.hpp"
+#include "command.hpp"
 #include "search.hpp"
 
 #include "common/file.hpp"
@@ -8,15 +8,11 @@
 #include <cstdio>
 #include <iostream>
 
-namespace lab::stability {
+namespace lab {
+
+using namespace stability;
 
 namespace {
-
-struct Options {
-    SweepOptions sweep;
-    DeviceOptions device;
-    Print print;
-};
 
 void print_verdicts(const Verdicts& verdicts) {
     std::puts("\nbad input");
@@ -35,16 +31,19 @@ Json to_json(const Verdicts& verdicts) {
     return all;
 }
 
-Exit run_sweep(const Options& options) {
-    Contexts contexts(options.device.backend, options.device.device);
-    const Sweep done = sweep(options.sweep, contexts);
-    const auto verdicts = try_bad_inputs(options.sweep, contexts);
+} // namespace
+
+Exit run(const Command<SweepOptions>& command) {
+    const SweepOptions& options = command.run;
+    Contexts contexts(command.device.backend, command.device.device);
+    const Sweep done = sweep(options, contexts);
+    const auto verdicts = try_bad_inputs(options, contexts);
     const Json json{
         {"device", done.device}, {"trials", to_json(done.rows)}, {"bad_input", to_json(verdicts)}};
-    write_json(json, options.sweep.out + "/stability.json");
-    if (options.print.json) {
-        std::cout << json.dump(2) << '\n';
-    } else if (options.print.csv) {
+    write_json(json, options.out + "/stability.json");
+    if (command.print.json) {
+        std::cout << json_text(json);
+    } else if (command.print.csv) {
         write_csv(std::cout, done.rows);
     } else {
         std::printf("%s\n", done.device.c_str());
@@ -55,38 +54,6 @@ Exit run_sweep(const Options& options) {
             print_verdicts(verdicts);
     }
     return Exit::ok;
-}
-
-} // namespace
-
-} // namespace lab::stability
-
-namespace lab {
-
-void add_stability(CLI::App& app, Command& chosen) {
-    auto options = std::make_shared<stability::Options>();
-    CLI::App* command =
-        app.add_subcommand("stability", "shake models and baselines till they fail");
-    command
-        ->add_option("--models", options->sweep.models,
-                     "models and baselines [tressfx,articulated,chain,cosserat,rod]")
-        ->delimiter(',');
-    command
-        ->add_option("--scenes", options->sweep.scenes,
-                     "of these only: " + CLI::detail::join(stability::scene_names(), ", "))
-        ->delimiter(',');
-    command
-        ->add_option("--out", options->sweep.out,
-                     "folder of what is found; a run goes on from there")
-        ->capture_default_str();
-    add_device_options(*command, options->device);
-    command->add_flag("--full", options->sweep.full,
-                      "all rates, segments, gammas and settings: hours");
-    command->add_flag("--fresh", options->sweep.fresh, "forget what an earlier run found");
-    add_print(*command, options->print);
-    command->add_flag("!--no-pictures", options->sweep.pictures, "do not call gnuplot");
-    command->callback(
-        [options, &chosen] { chosen = [options] { return stability::run_sweep(*options); }; });
 }
 
 } // namespace lab
