@@ -340,7 +340,7 @@ class RandomCalls : public testing::TestWithParam<Case> {
     static uint32_t seeds() {
         const bool first =
             GetParam().backend == "reference" && !std::getenv("PLAIT_TEST_ALL_SEEDS");
-        return first ? (PLAIT_TEST_SEEDS + 3) / 4 : PLAIT_TEST_SEEDS;
+        return first ? (PLAIT_TEST_SEEDS + 7) / 8 : PLAIT_TEST_SEEDS;
     }
 
     plait::Context context_ = make_context(GetParam().backend);

@@ -14,4 +14,7 @@ using Quat = Eigen::Quaterniond;
 
 constexpr double standard_gravity = 9.80665; // m/s^2
 constexpr double pi = 3.14159265358979323846;
+
+// The shortest turn from one direction to another, of any lengths.
+Quat turn_between(const Vec3& from, const Vec3& to);
 } // namespace lab

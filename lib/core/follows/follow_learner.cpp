@@ -15,6 +15,7 @@
 #include "core/follows/follow_learner.hpp"
 
 #include "base/format.hpp"
+#include "core/base/turn.hpp"
 #include "core/follows/bind.hpp"
 #include "core/follows/follow_places.hpp"
 #include "core/follows/root_pose.hpp"
@@ -168,7 +169,7 @@ void FollowLearner::turn_guide(const RootPoses& roots, const HairFrame& frame, s
         if (i + 1 < count) {
             const Vector3d r = point(rest + 3 * (i + 1)) - point(rest + 3 * i);
             const Vector3d e = read(frame, strand, i + 1) - read(frame, strand, i);
-            q = (Quaterniond::FromTwoVectors(q * r, e) * q).normalized();
+            q = (turn(q * r, e) * q).normalized();
         }
         Eigen::Map<Vector4d>(turns_[guide * longest_ + i].data()) = q.coeffs();
     }

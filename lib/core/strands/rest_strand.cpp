@@ -1,5 +1,7 @@
 #include "core/strands/rest_strand.hpp"
 
+#include "core/base/turn.hpp"
+
 #include <algorithm>
 
 namespace plait {
@@ -79,7 +81,7 @@ void RestStrand::frame_along(size_t segment, const Vec3& direction) {
     Quat from = frame_before(segment);
     if (segment == 0)
         from = Eigen::AngleAxisd(roll, Vec3::UnitX());
-    frame[segment] = (Quat::FromTwoVectors(from * Vec3::UnitX(), direction) * from).normalized();
+    frame[segment] = (turn(from * Vec3::UnitX(), direction) * from).normalized();
 }
 
 void RestStrand::scale_curl(double by) {

@@ -1,6 +1,6 @@
 #include "core/tressfx/wind_cone.hpp"
 
-#include <Eigen/Geometry>
+#include "core/base/turn.hpp"
 
 namespace plait {
 
@@ -9,8 +9,7 @@ namespace plait {
 // angle is 40 degrees and the speed pulsates with the frame number; ours is steady.
 void wind_cone(const float wind[3], float angle, float corner[16]) {
     const Eigen::Vector3d direction(wind[0], wind[1], wind[2]);
-    const Eigen::Matrix3d towards =
-        Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitX(), direction).matrix();
+    const Eigen::Matrix3d towards = turn(Eigen::Vector3d::UnitX(), direction).matrix();
     const Eigen::Vector3d axes[4] = {Eigen::Vector3d::UnitY(), -Eigen::Vector3d::UnitY(),
                                      Eigen::Vector3d::UnitZ(), -Eigen::Vector3d::UnitZ()};
     for (size_t i = 0; i < 4; ++i) {

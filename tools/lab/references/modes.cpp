@@ -25,8 +25,7 @@ void add_joints(const HangingChain& chain, Eigen::MatrixXd& stiffness) {
 
 // Tension of segment j is the weight of all masses below it: K = sum_j (T_j/l_j)(x_{j+1}-x_j)^2
 // / 2.
-Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solve(const HangingChain& chain,
-                                                                double gravity) {
+Modes solve(const HangingChain& chain, double gravity) {
     const std::vector<double> mass = chain.masses();
     const auto vertices = static_cast<Eigen::Index>(mass.size());
     Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(vertices, vertices);
@@ -45,11 +44,15 @@ Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solve(const HangingCha
     const Eigen::Index free = vertices - chain.pinned;
     const Eigen::VectorXd diagonal =
         Eigen::Map<const Eigen::VectorXd>(mass.data(), vertices).tail(free);
-    return Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(
-        stiffness.bottomRightCorner(free, free), Eigen::MatrixXd(diagonal.asDiagonal()));
+    return modes_of(stiffness.bottomRightCorner(free, free), diagonal.asDiagonal());
 }
 
 } // namespace
+
+Modes modes_of(const Eigen::MatrixXd& stiffness, const Eigen::MatrixXd& mass) {
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> found(stiffness, mass);
+    return {found.eigenvalues(), found.eigenvectors()};
+}
 
 std::vector<double> HangingChain::masses() const {
     std::vector<double> mass(lengths.size() + 1, 0.0);
@@ -61,11 +64,11 @@ std::vector<double> HangingChain::masses() const {
 }
 
 Eigen::VectorXd HangingChain::frequencies(double gravity) const {
-    return solve(*this, gravity).eigenvalues().cwiseSqrt();
+    return solve(*this, gravity).squares.cwiseSqrt();
 }
 
 Eigen::MatrixXd HangingChain::modes(double gravity) const {
-    const Eigen::MatrixXd free = solve(*this, gravity).eigenvectors();
+    const Eigen::MatrixXd free = solve(*this, gravity).shapes;
     Eigen::MatrixXd all = Eigen::MatrixXd::Zero(free.rows() + pinned, free.cols());
     all.bottomRows(free.rows()) = free;
     return all;

@@ -8,6 +8,13 @@
 
 namespace lab {
 
+// Squares of the frequencies of K x = w^2 M x, lowest first; columns are the modes. M is positive definite.
+struct Modes {
+    Eigen::VectorXd squares;
+    Eigen::MatrixXd shapes;
+};
+Modes modes_of(const Eigen::MatrixXd& stiffness, const Eigen::MatrixXd& mass);
+
 // Masses as the models have them: a segment's at its far end, or shared by both ends (`half_tip`).
 // The first `pinned` vertices do not move.
 struct HangingChain {

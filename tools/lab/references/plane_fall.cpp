@@ -1,7 +1,7 @@
 #include "plane_fall.hpp"
+#include "modes.hpp"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -59,9 +59,7 @@ class Equations {
                 stiffness(j - 1, j) -= k;
             }
         }
-        const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(
-            stiffness, mass_, Eigen::EigenvaluesOnly);
-        return std::sqrt(std::max(0.0, modes.eigenvalues().maxCoeff()));
+        return std::sqrt(std::max(0.0, modes_of(stiffness, mass_).squares.maxCoeff()));
     }
 
   private:

@@ -47,7 +47,7 @@ Quat aimed(const Strand& strand, const Vec3& first_chord) {
     else if (strand.aim == Aim::tangent && turn > 0) // of the curve, where it begins
         from = Vec3(0, -std::abs(strand.curvature) / turn, -strand.torsion / turn);
     if (strand.towards.isZero() || strand.curvature == 0)
-        return Quat::FromTwoVectors(from, strand.direction);
+        return turn_between(from, strand.direction);
     // Where the first curve's centre is, seen from where it is aimed.
     const Vec3 centre = axis.cross(strand.aim == Aim::tangent ? from : first_chord);
     return Quat(frame(strand.direction, strand.towards) * frame(from, centre).transpose());

@@ -1,4 +1,5 @@
 #include "axes.hpp"
+#include "common.hpp"
 #include "common/collider_reader.hpp"
 
 #include <cmath>
@@ -280,7 +281,7 @@ Trial stroked(const Subject& subject) {
             const double angle = degrees * pi / 180;
             const Point normal(std::sin(angle), std::cos(angle), 0);
             const Point aside(0.3 * std::cos(angle), -0.3 * std::sin(angle), 0.6);
-            const auto turn = Eigen::Quaterniond::FromTwoVectors(Point::UnitX(), normal + aside);
+            const auto turn = turn_between(Point::UnitX(), normal + aside);
             TrialStrand strand;
             for (const Point& x : shape.rest)
                 strand.rest.push_back((skull + 1e-4) * normal + turn * (x - shape.rest[0]));

@@ -1,5 +1,7 @@
 #include "trial.hpp"
 
+#include "common.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -66,7 +68,7 @@ Elastic::Elastic(const std::vector<Point>& rest, const plait::SimDesc& desc)
     for (size_t i = 1; i < rest.size(); ++i) {
         const Point edge = rest[i] - rest[i - 1];
         lengths_.push_back(edge.norm());
-        const Turn next = Turn::FromTwoVectors(frame * Point::UnitX(), edge) * frame;
+        const Turn next = turn_between(frame * Point::UnitX(), edge) * frame;
         joints_.push_back(frame.conjugate() * next);
         frame = next.normalized();
     }
@@ -106,7 +108,7 @@ double Elastic::most(const std::vector<Point>& x, const Turn& root) const {
     Turn frame = root;
     for (size_t i = 0; i < lengths_.size(); ++i) {
         frame = frame * joints_[i];
-        const Turn bend = Turn::FromTwoVectors(frame * Point::UnitX(), x[i + 1] - x[i]);
+        const Turn bend = turn_between(frame * Point::UnitX(), x[i + 1] - x[i]);
         // 4EI/lbar (1 - cos(angle/2)); the root is a joint of half a length
         const double joint = 0.5 * (lengths_[i] + (i > 0 ? lengths_[i - 1] : 0));
         energy += 2 * EI_ / joint * bend.vec().squaredNorm() / (1 + std::abs(bend.w())) * 2;

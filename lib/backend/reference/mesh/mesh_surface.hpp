@@ -95,7 +95,7 @@ template <typename Args> class MeshSurface {
             Eigen::Matrix3d m;
             m << corner(t, 1, share) - corner(t, 0, share),
                 corner(t, 2, share) - corner(t, 0, share), a - b;
-            const Vec3 s = m.fullPivLu().solve(a - corner(t, 0, share));
+            const Vec3 s = m.inverse() * (a - corner(t, 0, share));
             if (std::abs(m.determinant()) > 0 && s[2] >= 0 && s[2] <= 1 &&
                 s[0] >= -PLAIT_MESH_EDGE && s[1] >= -PLAIT_MESH_EDGE &&
                 s[0] + s[1] <= 1 + PLAIT_MESH_EDGE)
@@ -113,7 +113,7 @@ template <typename Args> class MeshSurface {
         const Vec3 from = outward_of(under, begin, rim), to = outward_of(under, end, rim);
         if (!(from.norm() > 0 && to.norm() > 0))
             return x;
-        const Vec3 moved = point + Quat::FromTwoVectors(from, to) * (x - under.point) - x;
+        const Vec3 moved = point + turn(from, to) * (x - under.point) - x;
         return x + moved * std::min(1.0, most / std::max(moved.norm(), 1e-9));
     }
 

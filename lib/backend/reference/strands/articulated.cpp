@@ -26,7 +26,7 @@ Mat3 cross_matrix(const Vec3& t) {
 }
 
 Quat turned_towards(const Quat& q, const Vec3& direction) {
-    return (Quat::FromTwoVectors(q * Vec3::UnitX(), direction) * q).normalized();
+    return (turn(q * Vec3::UnitX(), direction) * q).normalized();
 }
 
 // What Newton's step turns by need not be an exact rotation vector.
