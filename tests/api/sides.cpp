@@ -192,7 +192,7 @@ ShapeMesh octahedron_of(int halvings, double radius) {
     return mesh;
 }
 
-// The planes of a convex mesh' faces.
+// The faces of a convex mesh, as planes.
 class Faces {
   public:
     explicit Faces(const ShapeMesh& mesh) {

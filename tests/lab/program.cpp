@@ -341,6 +341,10 @@ TEST_F(LabProgram, says_what_is_wrong) {
     EXPECT_EQ(bad.code, 1);
     EXPECT_THAT(bad.text, HasSubstr("command line: strand.length is -0.1, outside ["));
     EXPECT_EQ(lab("run nowhere.json", true).code, 1);
+    const Outcome word = lab("run " + scene() + " --model true", true);
+    EXPECT_THAT(word.text, HasSubstr("model is \"true\", no known model"));
+    const Outcome negative = lab("run " + scene() + " --substeps -1", true);
+    EXPECT_THAT(negative.text, HasSubstr("substeps is -1, outside [1,"));
     EXPECT_EQ(lab("walk", true).code, 1);
     const Outcome device = lab("run " + scene() + " --device nobody", true);
     EXPECT_NE(device.code, 0);

@@ -1,17 +1,20 @@
 // The commands of plait-lab: each is a room with a file command.cpp; its options are read by command_line.cpp.
 #pragma once
 
-#include "choice.hpp"
+#include "common.hpp"
+
+#include <string>
 
 namespace lab {
 
-// What a command is asked for, on which device, and how it prints: tables for people, or one of these.
 struct DeviceOptions {
     std::string device, backend;
 };
+// Tables for people, unless one of these is set.
 struct Print {
     bool json = false, csv = false;
 };
+// What a command measures, on which device, and how it prints it.
 template <typename Options> struct Command {
     Options run;
     DeviceOptions device;
