@@ -68,8 +68,10 @@ Status copy_strands(const plait_groom_desc& desc, float scale, StrandSet& set) {
 }
 
 // Mends what `read` (a callable: memory, notes -> Result<StrandSet>) gives and makes the handle.
+// `file`: null where strands come from memory.
 template <typename Read>
-Status make_groom(const plait_import_options& options, plait_groom** out, const Read& read) {
+Status make_groom(const plait_import_options& options, const char* file, plait_groom** out,
+                  const Read& read) {
     Memory memory(options.allocator);
     auto handle = make_in<plait_groom>(&memory, options.allocator);
     auto raw = read(&memory, handle->notes);
@@ -82,7 +84,9 @@ Status make_groom(const plait_import_options& options, plait_groom** out, const 
         build_groom(*raw, {options.policy, options.min_segment, options.resample, options.root_end},
                     &handle->own);
     if (!groom)
-        return groom.error();
+        return file ? Error{groom.error().code,
+                            format("%s: %s", file, groom.error().message.c_str())}
+                    : groom.error();
     handle->groom = std::move(*groom);
     *out = handle.release();
     return {};
@@ -97,7 +101,7 @@ Status load_groom(const char* path, plait_strand_part part, const plait_import_o
                               PLAIT_STRAND_PART_FOLLOWS));
     plait_import_options rules;
     PLAIT_TRY(read_options(options, rules));
-    return make_groom(rules, out, [&](Memory* memory, std::string& notes) {
+    return make_groom(rules, path, out, [&](Memory* memory, std::string& notes) {
         return read_strands(path, {rules.scale, memory, static_cast<StrandPart>(part), &notes});
     });
 }
@@ -179,11 +183,12 @@ plait_result plait_groom_create(const plait_groom_desc* desc, const plait_import
         PLAIT_TRY(api::read_struct(desc, given, "desc"));
         plait_import_options rules;
         PLAIT_TRY(api::read_options(options, rules));
-        return api::make_groom(rules, out, [&](Memory* memory, std::string&) -> Result<StrandSet> {
-            StrandSet set(memory);
-            PLAIT_TRY(api::copy_strands(given, rules.scale, set));
-            return set;
-        });
+        return api::make_groom(rules, nullptr, out,
+                               [&](Memory* memory, std::string&) -> Result<StrandSet> {
+                                   StrandSet set(memory);
+                                   PLAIT_TRY(api::copy_strands(given, rules.scale, set));
+                                   return set;
+                               });
     });
 }
 

@@ -20,6 +20,11 @@ class Chains {
     void resize(size_t vertices) { vertices_.resize(vertices); }
 
     bool is_free(uint32_t vertex) const { return vertices_[vertex].next[0] == NONE; }
+    // +1 where its only line begins, -1 where that ends, 0 where neither is known.
+    int is_end(uint32_t vertex) const {
+        const Vertex& v = vertices_[vertex];
+        return v.next[1] == NONE ? v.grows[0] : 0;
+    }
     // `grows`: +1 if hair grows from `from` to `to`, -1 for the other way, 0: not known. False: `from`
     // has two lines already.
     bool link(uint32_t from, uint32_t to, int grows) {

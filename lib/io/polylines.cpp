@@ -1,5 +1,6 @@
 // Polylines of OBJ (`l`). Programs write a strand as one line of all its vertices or as one line per
-// segment, in any order and from either end: lines that share a vertex are one strand.
+// segment, in any order and from either end: lines that share a vertex are one strand, but for those of
+// more than a segment that begin, or end, at the same.
 #include "io/chains.hpp"
 #include "io/file.hpp"
 #include "io/formats.hpp"
@@ -42,7 +43,7 @@ class Lines {
   public:
     Lines(const std::string& file, const ReadOptions& options)
         : file_(file), options_(options), points_(options.memory), chains_(options.memory),
-          points_only_(options.memory), line_(options.memory) {}
+          shared_(options.memory), points_only_(options.memory), line_(options.memory) {}
 
     Status read(std::string_view text) {
         for_each_line(text, [&](uint64_t, std::string_view keyword, std::string_view rest) {
@@ -50,6 +51,7 @@ class Lines {
                 add_point(rest);
         });
         chains_.resize(points_.size());
+        shared_.resize(points_.size());
         Status status;
         size_t points_so_far = 0;
         for_each_line(text, [&](uint64_t number, std::string_view keyword, std::string_view rest) {
@@ -115,6 +117,10 @@ class Lines {
             line_.front() = before;
         if (line_.size() == 1)
             points_only_.push_back(line_.front());
+        if (line_.size() > 2 && line_.front() != line_.back()) {
+            give_own(line_.front(), 1);
+            give_own(line_.back(), -1);
+        }
         for (size_t i = 0; i + 1 < line_.size(); ++i) {
             const int grows = line_.size() > 2 ? 1 : 0;
             PLAIT_TRY(link(number, line_[i], line_[i + 1], grows));
@@ -123,12 +129,23 @@ class Lines {
         return {};
     }
 
+    // The end of a line that is that of another, too, is a vertex of its own: they are two strands.
+    void give_own(uint32_t& vertex, int end) {
+        if (chains_.is_end(vertex) != end)
+            return;
+        shared_[vertex] = true;
+        points_.push_back(points_[vertex]);
+        vertex = static_cast<uint32_t>(points_.size() - 1);
+        chains_.resize(points_.size());
+        shared_.resize(points_.size());
+    }
+
     Status link(uint64_t number, uint32_t from, uint32_t to, int grows) {
-        if (chains_.link(from, to, grows))
+        if (!shared_[from] && chains_.link(from, to, grows))
             return {};
         return Error{PLAIT_BAD_DATA,
                      format("%s: line %" PRIu64 ": vertex %u is of three lines; allowed are two, "
-                            "which are one strand",
+                            "which are one strand, and any number that all begin or all end there",
                             file_.c_str(), number, from + 1)};
     }
 
@@ -141,6 +158,7 @@ class Lines {
     const ReadOptions& options_;
     std::pmr::vector<Point> points_;
     Chains chains_;
+    std::pmr::vector<bool> shared_;          // by strands that begin, or end, there
     std::pmr::vector<uint32_t> points_only_; // lines of one place: strands without length
     std::pmr::vector<uint32_t> line_;        // in hand
 };

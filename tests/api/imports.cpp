@@ -280,6 +280,19 @@ TEST(Imports, ABearIsLargeAndItsHairShort) {
 
 // ---- mirrors ------------------------------------------------------------------------------------
 
+TEST(Imports, WhatOfAFileIsNoHairIsSaidWithTheFile) {
+    const std::string path = testing::TempDir() + "far.obj";
+    std::ofstream(path) << "v 0 0 0\nv 1e30 0 0\nl 1 2\n";
+    try {
+        plait::Groom::load(path);
+        FAIL() << "was read";
+    } catch (const plait::Error& error) {
+        EXPECT_NE(std::string(error.what()).find(path + ": no strand can be kept"),
+                  std::string::npos)
+            << error.what();
+    }
+}
+
 TEST(Imports, AMirroredSkinIsRefused) {
     const plait::Context context = make_context("reference");
     const GroomArrays arrays(tuft(2, 4));

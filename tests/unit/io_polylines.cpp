@@ -78,6 +78,20 @@ TEST(IoPolylines, ALineOfThreeAndMoreSaysWhichEndIsTheRoot) {
     expect_x(FIVE + "l 3 2\nl 2 1\n", {0, 1, 2});
 }
 
+// A tuft at one vertex, and tips that meet.
+TEST(IoPolylines, LinesThatBeginOrEndTogetherAreStrandsOfTheirOwn) {
+    auto strands = read_obj(FIVE + "v 5 0 0\nv 6 0 0\nl 1 2 3\nl 1 4 5\nl 1 6 7\n");
+    ASSERT_OK(strands);
+    EXPECT_EQ(strands->vertex_counts, Counts({3, 3, 3}));
+    for (size_t s = 0; s < 3; ++s)
+        EXPECT_EQ(strands->positions[9 * s], 0) << "strand " << s << " begins elsewhere";
+    strands = read_obj(FIVE + "l 1 2 5\nl 3 4 5\n");
+    ASSERT_OK(strands);
+    EXPECT_EQ(strands->vertex_counts, Counts({3, 3}));
+    expect_bad_data(read_obj(FIVE + "l 1 2 3\nl 1 4 5\nl 1 2\n"),
+                    "memory.obj: line 8: ", "vertex 1 is of three lines");
+}
+
 TEST(IoPolylines, AVertexOfThreeLinesIsRefusedByName) {
     expect_bad_data(read_obj(FIVE + "l 1 2\nl 2 3\nl 4 2\n"),
                     "memory.obj: line 8: ", "vertex 2 is of three lines; allowed are two");

@@ -106,6 +106,42 @@ TEST(IoUsd, FirstSamplesOfTimeAreTaken) {
     EXPECT_THAT(file.notes, HasSubstr("move and are read at their first sample: /a"));
 }
 
+TEST(IoUsd, TheEarliestSampleIsTakenWhereverItStands) {
+    const Read file =
+        read(linear("point3f[] points.timeSamples = {5: [(5, 0, 0)], -1: [(1, 0, 0)],\n"
+                    "2: [(2, 0, 0)]}\nint[] curveVertexCounts = [1]"));
+    ASSERT_OK(file.strands);
+    EXPECT_EQ(file.strands->positions[0], 1);
+}
+
+TEST(IoUsd, AMarkOfUtf8AndCarriageReturnsArePassedOver) {
+    std::string text = linear("point3f[] points = [(1, 2, 3)]\nint[] curveVertexCounts = [1]");
+    std::ranges::replace(text, '\n', '\r');
+    const Read file = read("\xef\xbb\xbf" + text);
+    ASSERT_OK(file.strands);
+    EXPECT_EQ(file.strands->positions[2], 3);
+}
+
+// Of a prim that another file may define.
+TEST(IoUsd, OversAreNoHair) {
+    const std::string over = "over BasisCurves \"far\" { int[] curveVertexCounts = [1] }\n";
+    const Read file = read(
+        linear("point3f[] points = [(0, 0, 0)]\nint[] curveVertexCounts = [1]\n" + over) + over);
+    ASSERT_OK(file.strands);
+    EXPECT_EQ(file.strands->vertex_counts.size(), 1u);
+    EXPECT_THAT(file.notes,
+                HasSubstr("2 parts that come from elsewhere are not read: over /c/far, over /far"));
+}
+
+TEST(IoUsd, AFileWithoutCurvesSaysWhatOfItWasNotRead) {
+    const Read file = read("#usda 1.0\n(subLayers = [@a.usda@])\ndef Mesh \"a\" {}\n"
+                           "def BasisCurves \"b\" (active = false) {}\n"
+                           "def \"c\" (references = @b.usda@) {}\n");
+    expect_bad_data(file.strands,
+                    "some.usda: has no curves; 2 prims are not read: Mesh, /b (inactive); ",
+                    "2 parts that come from elsewhere are not read: subLayers, references of /c");
+}
+
 TEST(IoUsd, InactivePrimsAreLeftOut) {
     const std::string two =
         linear("point3f[] points = [(0, 0, 0)]\nint[] curveVertexCounts = [1]") +

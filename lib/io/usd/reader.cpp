@@ -87,7 +87,18 @@ Status UsdReader::read_prim_metadata(const std::string& path, bool& active) {
     return {};
 }
 
-// Behind `def` or `over`: [type] "name" [(metadata)] { body }.
+// Behind `over`, as read_prim(): opinions about a prim that a file which is not read may define.
+Status UsdReader::skip_over(const std::string& path) {
+    if (!text_.next_is('"'))
+        PLAIT_TRY(text_.word());
+    auto name = text_.string();
+    PLAIT_TRY(name);
+    composed_.add("over " + path + "/" + shown(*name));
+    PLAIT_TRY(text_.skip_metadata());
+    return text_.skip_value();
+}
+
+// Behind `def`: [type] "name" [(metadata)] { body }.
 Status UsdReader::read_prim(const Matrix& to_world, const std::string& path, uint32_t level) {
     if (level > MOST_LEVELS)
         return text_.bad(format("prims lie in more than %u levels of others", MOST_LEVELS));
@@ -122,7 +133,9 @@ Status UsdReader::read_body(UsdPrim& prim, uint32_t level) {
     while (!text_.take('}')) {
         auto word = text_.word();
         PLAIT_TRY(word);
-        if (*word == "def" || *word == "over") {
+        if (*word == "over") {
+            PLAIT_TRY(skip_over(prim.path));
+        } else if (*word == "def") {
             if (!has_children) {
                 auto local = transform_of(prim);
                 PLAIT_TRY(local);
@@ -181,7 +194,9 @@ Result<StrandSet> UsdReader::read(Notes& notes) {
     while (!text_.at_end()) {
         auto word = text_.word();
         PLAIT_TRY(word);
-        if (*word == "def" || *word == "over") {
+        if (*word == "over") {
+            PLAIT_TRY(skip_over(""));
+        } else if (*word == "def") {
             PLAIT_TRY(read_prim({}, "", 1));
         } else { // a class, or the order of prims
             while (!text_.next_is('{') && !text_.next_is('['))
@@ -193,16 +208,22 @@ Result<StrandSet> UsdReader::read(Notes& notes) {
                      says_unit_ ? "" : ", USD's default, as it is not given", z_up_ ? "Z" : "Y",
                      says_up_ ? "" : ", USD's default, as it is not given"));
     auto strands = strands_.finish(text_.file(), notes);
-    PLAIT_TRY(strands);
+    Notes left_out;
+    left_out.add("prims are not read", other_prims_);
+    left_out.add("parts that come from elsewhere are not read", composed_);
+    const std::string without = left_out.take();
+    if (!strands)
+        return Error{strands.error().code,
+                     strands.error().message + (without.empty() ? "" : "; " + without)};
     notes.add("properties move and are read at their first sample", moving_);
     notes.add("properties are not read", unused_);
-    notes.add("prims are not read", other_prims_);
-    notes.add("parts that come from elsewhere are not read", composed_);
+    if (!without.empty())
+        notes.add(without);
     return strands;
 }
 
 Result<StrandSet> read_usd(const ByteReader& file, const ReadOptions& options) {
-    const std::string_view text = file.view(0, file.size());
+    const std::string_view text = after_mark(file.view(0, file.size()));
     for (const auto& [signature, what] :
          {std::pair(BINARY, "binary"), std::pair(ZIP, "an archive")})
         if (text.starts_with(signature))

@@ -44,6 +44,7 @@ class UsdReader {
     Status read_stage();
     Status read_up_axis();
     Status read_prim(const Matrix& to_world, const std::string& path, uint32_t level);
+    Status skip_over(const std::string& path);
     Status read_body(UsdPrim& prim, uint32_t level);
     Status read_prim_metadata(const std::string& path, bool& active);
     Status read_property(UsdPrim& prim, std::string_view type);

@@ -22,7 +22,7 @@ PackedIntegers integers_of(const ByteWriter& bytes) {
 
 } // namespace
 
-// A value, or the first of samples: {time: value, ...}. `parse` reads one.
+// A value, or of samples, {time: value, ...}, that of the earliest time. `parse` reads one.
 template <typename Parse>
 Status UsdReader::read_value(const UsdPrim& prim, bool samples, const Parse& parse) {
     if (!samples) {
@@ -31,14 +31,26 @@ Status UsdReader::read_value(const UsdPrim& prim, bool samples, const Parse& par
         return text_.skip_value(); // None
     }
     PLAIT_TRY(text_.need('{'));
-    for (size_t i = 0; !text_.take('}'); ++i) {
-        PLAIT_TRY(text_.word()); // a time, with its colon unless there is a blank
-        text_.take(':');
-        PLAIT_TRY(i == 0 ? parse() : text_.skip_value());
-        if (i == 1)
-            moving_.add(prim.path);
+    size_t count = 0, first = 0;
+    for (double earliest = 0; !text_.take('}'); ++count) {
+        double time = 0;
+        PLAIT_TRY(text_.number(time));
+        PLAIT_TRY(text_.need(':'));
+        if (count == 0 || time < earliest) {
+            earliest = time;
+            first = text_.place();
+        }
+        PLAIT_TRY(text_.skip_value());
         text_.take(',');
     }
+    if (count == 0)
+        return {};
+    if (count > 1)
+        moving_.add(prim.path);
+    const size_t end = text_.place();
+    text_.go_to(first);
+    PLAIT_TRY(parse());
+    text_.go_to(end);
     return {};
 }
 

@@ -25,7 +25,7 @@ void UsdText::skip_blanks() {
         at_ = std::min(text_.find_first_not_of(SKIPPED, at_), text_.size());
         if (at_ == text_.size() || text_[at_] != '#')
             return;
-        at_ = std::min(text_.find('\n', at_), text_.size());
+        at_ = std::min(text_.find_first_of("\r\n", at_), text_.size());
     }
 }
 
@@ -139,7 +139,7 @@ Status UsdText::skip_value() {
     return {};
 }
 
-template <typename T> Status UsdText::number(T& value) {
+template <typename T> Status UsdText::parse(T& value) {
     skip_blanks();
     const char* const first = text_.data() + at_;
     const auto result = std::from_chars(first, text_.data() + text_.size(), value);
@@ -168,7 +168,7 @@ Status UsdText::floats(size_t width, ByteWriter& out) {
             PLAIT_TRY(need('('));
         for (size_t i = 0; i < width; ++i) {
             float value = 0;
-            PLAIT_TRY(number(value));
+            PLAIT_TRY(parse(value));
             out.f32(value);
             if (i + 1 < width)
                 PLAIT_TRY(need(','));
@@ -196,7 +196,7 @@ Status UsdText::integers(ByteWriter& out) {
                                   shown(*truth).c_str()));
             value = *truth == "true";
         } else {
-            PLAIT_TRY(number(value));
+            PLAIT_TRY(parse(value));
         }
         out.u32(static_cast<uint32_t>(value));
         if (!list)
@@ -205,6 +205,10 @@ Status UsdText::integers(ByteWriter& out) {
             return need(']');
     }
     return {};
+}
+
+Status UsdText::number(double& value) {
+    return parse(value);
 }
 
 Status UsdText::doubles(double* out, size_t most, size_t& count) {
@@ -217,7 +221,7 @@ Status UsdText::doubles(double* out, size_t most, size_t& count) {
             --open;
         } else if (open == 0 || !take(',')) {
             double value = 0;
-            PLAIT_TRY(number(value));
+            PLAIT_TRY(parse(value));
             if (count == most)
                 return bad(format("has more than %zu numbers", most));
             out[count++] = value;

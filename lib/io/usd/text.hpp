@@ -14,6 +14,8 @@ class UsdText {
 
     const std::string& file() const { return file_; }
     uint64_t size() const { return text_.size(); }
+    size_t place() const { return at_; }
+    void go_to(size_t place) { at_ = place; }
     Error bad(const std::string& what) const; // BAD_DATA, at the present line
 
     bool at_end(); // past blanks and comments
@@ -34,6 +36,7 @@ class UsdText {
     Status floats(size_t width, ByteWriter& out);
     // Whole numbers and truth values, as 32-bit numbers.
     Status integers(ByteWriter& out);
+    Status number(double& value);
     // Numbers of a value in whatever parentheses, at most `most`.
     Status doubles(double* out, size_t most, size_t& count);
 
@@ -41,7 +44,7 @@ class UsdText {
     void skip_blanks();
     bool take_quotes(std::string_view& mark);
     Status skip_brackets();
-    template <typename T> Status number(T& value);
+    template <typename T> Status parse(T& value);
     size_t list_bytes(char end) const;
 
     std::string_view text_;
