@@ -301,6 +301,35 @@ TEST_P(State, WrittenPositionsAreReadBackAndKeepTheirMass) {
         EXPECT_EQ(back[i], i % 4 == 3 ? mass[i] : p[i]);
 }
 
+// Curls hang in one sim, and their places are written into another, which has them from the groom: there they
+// hang as well, though their twist, which nobody wrote, is another than the groom's.
+TEST_P(State, HairWrittenWhereItHungHangsThere) {
+    Strands curls;
+    for (int s = 0; s < 4; ++s) {
+        Strand& strand = curls.emplace_back();
+        for (int i = 0; i < 24; ++i) {
+            const float angle = 0.6f * static_cast<float>(i + s);
+            strand.push_back({0.006f * static_cast<float>(i), 0.01f * std::cos(angle),
+                              0.01f * std::sin(angle) + 0.05f * static_cast<float>(s)});
+        }
+    }
+    const plait::Groom groom = make_groom(curls);
+    plait::SimDesc desc;
+    desc.params.drag = 20;
+    plait::Sim hung(context, groom, desc), fresh(context, groom, desc);
+    run(hung, 240);
+    const auto there = hung.read(PLAIT_FIELD_POSITION);
+    ASSERT_GT(largest_difference(there, fresh.read(PLAIT_FIELD_POSITION)), 0.03f);
+    fresh.write(PLAIT_FIELD_POSITION, there);
+    fresh.write(PLAIT_FIELD_VELOCITY, std::vector<float>(there.size()));
+    float most = 0;
+    for (int i = 0; i < 30; ++i) {
+        run(fresh, 1);
+        most = std::max(most, largest_difference(fresh.read(PLAIT_FIELD_POSITION), there));
+    }
+    EXPECT_LT(most, 1e-4f);
+}
+
 TEST_P(State, WrittenVelocityIsReadBack) {
     plait::Sim sim(context, make_groom(tuft(2, 4)));
     std::vector<float> v(2 * 4 * 4, 0.0f);

@@ -401,7 +401,7 @@ std::vector<uint32_t> other_order(uint32_t strands, uint32_t count) {
     return list;
 }
 
-Setup reordered(Setup setup) {
+Setup reordered(Setup setup, std::initializer_list<size_t> buffers) {
     const std::vector<uint32_t> list = other_order(setup.items, setup.items);
     const auto reorder = [&](Array& rows) {
         const size_t width = rows.floats.size() / setup.items;
@@ -411,8 +411,8 @@ Setup reordered(Setup setup) {
     };
     setup.name += ", reordered";
     setup.buffers[0] = uints(list);
-    reorder(setup.buffers[1]);
-    reorder(setup.buffers[2]);
+    for (const size_t buffer : buffers)
+        reorder(setup.buffers[buffer]);
     return setup;
 }
 

@@ -41,9 +41,9 @@ LaneHair make_lane_hair_wrung(const Size& size, uint32_t seed);
 // `count` different numbers below `strands`, not in order where there is a choice.
 std::vector<uint32_t> other_order(uint32_t strands, uint32_t count);
 
-// The same strands in the same lanes, whose rows of `rest` and `pose`, buffers 1 and 2, lie in
-// another order.
-Setup reordered(Setup setup);
+// The same strands in the same lanes, whose rows of `buffers` lie in another order: of `rest` and `pose`
+// where none are named.
+Setup reordered(Setup setup, std::initializer_list<size_t> buffers = {1, 2});
 
 // A long substep under strong forces, so that 1 % of any of them shows.
 plait_lane_params lane_params(const Size& size, uint32_t iterations, uint32_t bdf2);

@@ -109,7 +109,9 @@ void LanePart::adopt(Schedule& schedule, const StepInput& at, Changed by) const 
     if (by == Changed::places || (before && history_.x))
         schedule.add(PLAIT_STAGE_lane_orient, stepped_,
                      plait_lane_orient_params{lanes_.row, lanes_.tile, before},
-                     {&x_, &history_.x, &q_, &q_before_}, lanes_.row);
+                     {&lane_strand_, &at.state.pose, &fill_.material, &fill_.rest, &x_, &history_.x,
+                      &q_, &q_before_},
+                     lanes_.row);
 }
 
 void LanePart::reset(Schedule& schedule, const StepInput& at) {
