@@ -1,0 +1,23 @@
+# Read by ctest: see PlaitSuites.cmake, which sets `program`, the `command` that runs it, `prefix`, `apart` and `filter`.
+if(NOT EXISTS "${program}")
+  add_test("${prefix}NOT_BUILT" "${program}")
+  return()
+endif()
+execute_process(COMMAND ${command} --gtest_list_tests "--gtest_filter=*${filter}" OUTPUT_VARIABLE listed
+                RESULT_VARIABLE status TIMEOUT 120)
+if(NOT status EQUAL 0)
+  message(FATAL_ERROR "${program} does not list its tests (${status}):\n${listed}")
+endif()
+string(REGEX REPLACE "\r| *#[^\n]*" "" listed "${listed}") # values of parameters may hold anything
+string(REPLACE "\n" ";" listed "${listed}")
+set(suite "")
+foreach(line IN LISTS listed)
+  if(line MATCHES "^([^ ]+)\\.$")
+    set(suite "${CMAKE_MATCH_1}")
+    if(NOT apart OR NOT suite MATCHES "${apart}")
+      add_test("${prefix}${suite}" ${command} "--gtest_filter=${suite}.*${filter}")
+    endif()
+  elseif(line MATCHES "^  (.+)$" AND apart AND suite MATCHES "${apart}")
+    add_test("${prefix}${suite}.${CMAKE_MATCH_1}" ${command} "--gtest_filter=${suite}.${CMAKE_MATCH_1}")
+  endif()
+endforeach()
