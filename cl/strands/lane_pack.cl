@@ -7,7 +7,7 @@
  *         lane_normal_force is 0 where a vertex was moved.
  *         What is as lane_unpack wrote it stays as it is here, to the bit: a place in the world has lost
  *         digits that an offset from the root has.
- *         With params.history 2 the step before of a vertex with another velocity is x - h v, v.
+ *         With params.history 2 a vertex had the velocity that it gains for a step.
  * Source  ours: what changed the velocity changes that of the step before by as much. BDF2, which
  *         goes on from (4v - v_before)/3, would else make 3/2 of it in the end.
  */
@@ -54,17 +54,13 @@ __kernel void plait_lane_pack(const uint item_count, const plait_lane_history_pa
         return;
     }
     const vec3 v = div3(sub3(x, prev), params.h);
-    if (params.history == 2u) {
-        const vec3 root_v = lane_read3(
-            lane_v, lane_row(item / params.vertex_stride, 0, 3, params.vertex_stride, params.tile),
-            params.tile);
-        lane_write3(lane_x_before, here, params.tile,
-                    axpy3(-params.h, sub3(v, root_v), lane_read3(lane_x, here, params.tile)));
-        lane_write3(lane_v_before, here, params.tile, v);
-    } else if (params.history) {
+    if (params.history) {
         const vec3 gained = sub3(v, was);
         lane_write3(lane_v_before, here, params.tile,
                     add3(lane_read3(lane_v_before, here, params.tile), gained));
+        if (params.history == 2u)
+            lane_write3(lane_x_before, here, params.tile,
+                        axpy3(-params.h, gained, lane_read3(lane_x_before, here, params.tile)));
     }
     lane_write3(lane_v, here, params.tile, v);
 }

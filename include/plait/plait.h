@@ -596,8 +596,8 @@ PLAIT_API plait_result plait_sim_set_roots(plait_sim* sim, const plait_roots* ro
 /* Carries the hair rigidly to new roots, and to their scale, at once, without dynamics. Hair keeps
  * its motion relative to the head. It feels nothing if the head moves on as before, turned by the
  * teleport; if the head's velocity in the next step differs by 0.9 m/s or more, hair takes on the
- * new one. Colliders are at once where their poses were last set: set those that go along first.
- * `roots` are those of plait_sim_set_roots. */
+ * new one. Colliders are at once where their poses were last set: set those that go along first. A
+ * fixed step begins: a part of one that waits is left out. `roots`: as in plait_sim_set_roots. */
 PLAIT_API plait_result plait_sim_teleport(plait_sim* sim, const plait_roots* roots);
 
 /* ---- time ----------------------------------------------------------------------------------- */

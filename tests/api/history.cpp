@@ -28,6 +28,8 @@ struct Model {
     plait_model model;
     uint32_t bdf2;
     uint32_t substeps = 1;
+    bool wind = false; // of still air
+    float beside = 0;  // m, the root, of the axis
 };
 constexpr Model models[] = {
     {"articulated_bdf2", PLAIT_MODEL_ARTICULATED, PLAIT_BDF2_OF_MODEL},
@@ -70,7 +72,7 @@ plait_pose as_floats(const Pose& pose) {
     return floats;
 }
 
-// A strand that hangs from the origin, and a body that goes along, out of its way.
+// A strand that hangs from the origin or beside it, and a body that goes along, out of its way.
 class Ride {
   public:
     Ride(const plait::Context& context, const Motion& motion, const Model& model)
@@ -84,7 +86,7 @@ class Ride {
     plait::Sim make() const {
         Strand strand;
         for (size_t i = 0; i < vertices; ++i)
-            strand.push_back({0, -length * static_cast<float>(i) / (vertices - 1), 0});
+            strand.push_back({model_.beside, -length * static_cast<float>(i) / (vertices - 1), 0});
         plait::SimDesc desc;
         desc.model = model_.model;
         desc.substeps = model_.substeps;
@@ -98,7 +100,10 @@ class Ride {
             desc.params.gravity[1] = 0;
             desc.tressfx.damping = desc.tressfx.vsp_coeff = 0;
         }
-        return plait::Sim(context_, make_groom({strand}), desc);
+        plait::Sim sim(context_, make_groom({strand}), desc);
+        if (model_.wind)
+            sim.set_wind(plait_wind_desc_defaults());
+        return sim;
     }
 
     Pose pose() const {
@@ -115,11 +120,13 @@ class Ride {
             sim_.set_collider_pose(body_, roots.head);
     }
     void step(int count = 1) {
-        for (int i = 0; i < count; ++i) {
-            frame_ += 1;
-            aim();
-            sim_.step(frame);
-        }
+        for (int i = 0; i < count; ++i)
+            step_by(1);
+    }
+    void step_by(double frames) {
+        frame_ += frames;
+        aim();
+        sim_.step(frames * frame);
     }
     // The head goes on from `by` after where it is, as it moved, turned as well.
     void displace(const Pose& by) { base_ = after(by, base_); }
@@ -182,7 +189,7 @@ struct Call {
     std::vector<const char*> functions;
     std::function<void(Ride&)> make;
     bool lanes_only = false; // of the model articulated
-    bool scales = false;     // places in the world are not those of a grid of float32 then
+    bool rounds = false;     // places in the world are not those of a grid of float32 then
 };
 
 void with_params(Ride& ride, const std::function<void(plait_sim_params&)>& change) {
@@ -439,6 +446,25 @@ std::vector<Call> calls() {
              }
              r.sim().no_frame();
          }},
+        {"a_frame_that_is_told_after_a_teleport",
+         {"plait_sim_set_frame", "plait_sim_teleport"},
+         [](Ride& r) {
+             auto frame_of = plait_frame_desc_defaults();
+             for (int i = 0; i < 8; ++i) {
+                 if (i == 4) {
+                     r.displace(turned(1, {1, 0.5, -1}));
+                     r.teleport();
+                 }
+                 r.wait(1);
+                 r.aim();
+                 frame_of.pose = as_floats(r.pose());
+                 r.sim().set_frame(frame_of);
+                 r.sim().step(frame);
+             }
+             r.sim().no_frame();
+         },
+         false,
+         true},
         {"wind_off", {"plait_sim_set_wind"}, [](Ride& r) { r.sim().stop_wind(); }},
         {"detail_off",
          {"plait_sim_set_detail"},
@@ -515,20 +541,8 @@ std::vector<Call> calls() {
              (void)r.sim().fence_reached(r.sim().fence());
              r.sim().fence_wait(fence);
          }},
-        {"dropped_steps",
-         {"plait_sim_step"},
-         [](Ride& r) {
-             r.wait(30);
-             r.aim();
-             r.sim().step(30 * frame);
-         }},
-        {"a_long_sleep",
-         {"plait_sim_step"},
-         [](Ride& r) {
-             r.wait(900);
-             r.aim();
-             r.sim().step(900 * frame);
-         }},
+        {"dropped_steps", {"plait_sim_step"}, [](Ride& r) { r.step_by(30); }},
+        {"a_long_sleep", {"plait_sim_step"}, [](Ride& r) { r.step_by(900); }},
         {"steps_of_no_time",
          {"plait_sim_step"},
          [](Ride& r) {
@@ -564,9 +578,7 @@ std::vector<Call> calls() {
          [](Ride& r) {
              for (const float scale : {1.4f, 1.2f, 1.0f}) {
                  r.resize(scale);
-                 r.wait(0.7);
-                 r.aim();
-                 r.sim().step(0.7 * frame);
+                 r.step_by(0.7);
              }
          },
          false,
@@ -574,21 +586,20 @@ std::vector<Call> calls() {
         {"uneven_steps",
          {"plait_sim_step"},
          [](Ride& r) {
-             for (const double part : {0.4, 0.35, 0.25, 1.5, 2.0, 0.5}) {
-                 r.wait(part);
-                 r.aim();
-                 r.sim().step(part * frame);
-             }
+             for (const double part : {0.4, 0.35, 0.25, 1.5, 2.0, 0.5, 2.5})
+                 r.step_by(part);
          }},
     };
 }
 
 class History : public OnBackend {
   protected:
-    // m: the farthest that hair goes in the second after the call.
-    double thrown(const Motion& motion, const Model& model, const Call& call) {
+    // m: the farthest that hair goes in the second after the call, so many steps after one ended.
+    double thrown(const Motion& motion, const Model& model, const Call& call, double late = 0) {
         Ride ride(context, motion, model);
         ride.step(static_cast<int>(-first));
+        if (late > 0)
+            ride.step_by(late);
         const auto before = ride.hair();
         call.make(ride);
         double most = 0;
@@ -616,13 +627,62 @@ TEST_P(History, NoCallThrowsHairInUniformMotion) {
             for (const Call& call : list) {
                 if (call.lanes_only && model.model == PLAIT_MODEL_TRESSFX)
                     continue;
-                const bool rounds = call.scales && model.model == PLAIT_MODEL_TRESSFX;
+                const bool rounds = call.rounds && model.model == PLAIT_MODEL_TRESSFX;
                 // a third of the step makes thrice the speed of what places are rounded by
                 const double bar =
                     motion.turns > 0 || rounds ? 5e-5 : (model.substeps > 1 ? 4e-5 : 1e-5);
                 EXPECT_LE(thrown(motion, model, call), bar + rounding)
                     << call.name << ", the head " << motion.name << ", " << model.name;
             }
+        }
+}
+
+// A game's frame ends where it does: no call is tied to the end of a step.
+TEST_P(History, NoCallBetweenTwoStepsThrowsHair) {
+    for (const Model& model : {models[0], models[3]})
+        for (const Motion& motion : {motions[2], motions[3]})
+            for (const Call& call : calls()) {
+                const bool tressfx = model.model == PLAIT_MODEL_TRESSFX;
+                if (tressfx && (call.lanes_only || motion.turns > 0))
+                    continue; // places in the world are those of a grid of float32
+                EXPECT_LE(thrown(motion, model, call, 0.4), tressfx ? 1e-4 : 5e-5)
+                    << call.name << ", the head " << motion.name << ", " << model.name;
+            }
+}
+
+// Hair that is swung out goes round, and what leaves it as it is lets it.
+TEST_P(History, HairBesideTheAxisGoesOnRound) {
+    const std::set<std::string> keep = {"nothing",
+                                        "teleport_to_where_it_is",
+                                        "teleport_by_an_offset",
+                                        "write_positions",
+                                        "teleport_by_a_turn",
+                                        "write_positions_before",
+                                        "write_velocities",
+                                        "write_accelerations",
+                                        "restore_into_another_sim",
+                                        "restore",
+                                        "steps_of_no_time",
+                                        "uneven_steps",
+                                        "look"};
+    for (Model model : {models[0], models[2]})
+        for (const double late : {0.0, 0.4})
+            for (const Call& call : calls()) {
+                model.beside = 0.1f;
+                if (keep.count(call.name) > 0) {
+                    EXPECT_LE(thrown(motions[3], model, call, late), 5e-5)
+                        << call.name << ", " << model.name << ", " << late << " of a step late";
+                }
+            }
+}
+
+// Wind is sheltered by the hair as a step begins, wherever it was put before.
+TEST_P(History, NoCallInStillWindThrowsHair) {
+    Model model = models[0];
+    model.wind = true;
+    for (const Call& call : calls())
+        if (std::string(call.name) != "grid_of_parts") { // which refuse shelter
+            EXPECT_LE(thrown(motions[1], model, call), 2e-5) << call.name;
         }
 }
 

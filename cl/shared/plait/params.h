@@ -684,7 +684,7 @@ typedef struct plait_lane_history_params {
     plait_u32 row_stride;
     float h; /* s: the step before is h ago */
     /* 0: lane_x_before, lane_v_before are null; 1: BDF2's step before goes along with what is changed;
-       2: of a vertex whose velocity is changed it is that of one that moved so then, too */
+       2: a vertex had the velocity that it gains for a step, too */
     plait_u32 history;
 } plait_lane_history_params;
 

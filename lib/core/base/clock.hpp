@@ -33,6 +33,8 @@ class Clock {
     double time() const { return double(steps) * step_; }
 
     Tick advance(double dt);
+    // Time that waits is left out: a step begins now.
+    void begin_step() { waiting = 0; }
     void reset();
 
     // Plain state, saved and restored.

@@ -3,6 +3,7 @@
 #include "base/format.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 namespace plait {
@@ -35,6 +36,20 @@ Result<plait_frame_desc> checked_frame(const plait_frame_desc& desc) {
     return checked;
 }
 
+namespace {
+
+// m, of a frame about a metre in size.
+double way_between(const plait_pose& from, const plait_pose& to) {
+    float turned[4];
+    turn(from, to, turned);
+    double square = 0;
+    for (size_t i = 0; i < 3; ++i)
+        square += std::pow(double(to.t[i]) - double(from.t[i]), 2) + std::pow(double(turned[i]), 2);
+    return std::sqrt(square);
+}
+
+} // namespace
+
 bool Frame::aim(const plait_frame_desc* desc) {
     if (!desc) {
         const bool carried = known_ >= its_way;
@@ -48,12 +63,21 @@ bool Frame::aim(const plait_frame_desc* desc) {
     target_ = desc->pose;
     if (known_ == no_frame)
         at_ = from_ = to_ = target_;
+    else if (way_between(along_, target_) < way_between(at_, target_))
+        at_ = from_ = to_ = along_;
+    along_ = at_;
     const bool changes = known_ == its_place || (known_ >= its_way && otherwise);
     known_ = std::max(known_, std::min<uint32_t>(known_ + 1, its_way));
     air_ = desc->air;
     felt_translation_ = desc->felt_translation;
     felt_rotation_ = desc->felt_rotation;
     return changes;
+}
+
+void Frame::arrive() {
+    if (same_pose(along_, at_))
+        along_ = target_;
+    at_ = target_;
 }
 
 void Frame::advance(double end) {
@@ -66,13 +90,20 @@ void Frame::advance(double end) {
         known_ = way_before;
 }
 
+std::optional<std::pair<plait_pose, plait_pose>> Frame::driven(double end, double part) const {
+    if (known_ != its_way || end >= part)
+        return std::nullopt;
+    return std::pair(carried(at_, interpolate(at_, target_, part - end), at_),
+                     interpolate(at_, target_, end));
+}
+
 void Frame::jump(double end) {
     advance(end);
     from_ = to_;
 }
 
 void Frame::rescale(double ratio) {
-    for (plait_pose* pose : {&at_, &target_, &from_, &to_, &unfelt_before_, &unfelt_})
+    for (plait_pose* pose : {&at_, &target_, &from_, &to_, &unfelt_before_, &unfelt_, &along_})
         plait::rescale(*pose, ratio);
 }
 
@@ -109,9 +140,16 @@ std::array<float, 3> Frame::air(const float p[3], double step) const {
 }
 
 Frame::State Frame::state() const {
-    return {
-        known_, static_cast<uint32_t>(air_), felt_translation_, felt_rotation_, at_, target_, from_,
-        to_};
+    return {known_,
+            static_cast<uint32_t>(air_),
+            felt_translation_,
+            felt_rotation_,
+            at_,
+            target_,
+            from_,
+            to_,
+            unfelt_,
+            along_};
 }
 
 void Frame::restore(const State& state) {
@@ -124,6 +162,7 @@ void Frame::restore(const State& state) {
     from_ = state.from;
     to_ = state.to;
     unfelt_ = state.unfelt;
+    along_ = state.along;
 }
 
 } // namespace plait

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <optional>
+#include <utility>
 
 namespace plait {
 
@@ -21,9 +22,16 @@ class Frame {
     bool is_on() const { return known_ > no_frame; }
     // As Roots.
     void advance(double end);
-    void arrive() { at_ = target_; }
+    // Where the way of a step of `part` of the call is the first that is known, and began before the call: its
+    // begin and end, had the frame driven on as now. advance() takes what was come from.
+    std::optional<std::pair<plait_pose, plait_pose>> driven(double end, double part) const;
+    void come_from(const plait_pose& pose) { to_ = pose; }
+    void arrive();
     void stop() { from_ = to_ = at_; }
     void jump(double end);
+    // The head was put elsewhere, from one pose to the other: if the next aim is nearer to where that
+    // would put the frame than to where it is, the frame went along.
+    void leave(const plait_pose& from, const plait_pose& to) { along_ = carried(along_, from, to); }
     // As Roots, with its target.
     void rescale(double ratio);
 
@@ -47,6 +55,7 @@ class Frame {
         float felt_translation = 1, felt_rotation = 1;
         plait_pose at = identity_pose, target = identity_pose;
         plait_pose from = identity_pose, to = identity_pose, unfelt = identity_pose;
+        plait_pose along = identity_pose;
     };
     State state() const;
     void restore(const State& state);
@@ -63,6 +72,7 @@ class Frame {
     plait_pose at_ = identity_pose, target_ = identity_pose;
     plait_pose from_ = identity_pose, to_ = identity_pose;
     plait_pose unfelt_before_ = identity_pose, unfelt_ = identity_pose;
+    plait_pose along_ = identity_pose; // at_, taken along with the head that was put elsewhere
     std::optional<plait_pose> unfelt_then_;
 };
 

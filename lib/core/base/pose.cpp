@@ -51,14 +51,18 @@ plait_pose interpolate(const plait_pose& from, const plait_pose& to, double shar
     double dot = 0;
     for (size_t i = 0; i < 4; ++i)
         dot += double(from.q[i]) * to.q[i];
-    const double sign = dot < 0 ? -1 : 1;
+    // At one angular velocity: a call may be long, and steps that end in it would go unevenly on a chord.
+    const double angle = std::acos(std::min(std::abs(dot), 1.0));
+    const bool turns = angle > 1e-3;
+    const double before = turns ? std::sin((1 - share) * angle) : 1 - share;
+    const double after = std::copysign(turns ? std::sin(share * angle) : share, dot);
     double q[4];
     double square = 0;
     for (size_t i = 0; i < 4; ++i) {
-        q[i] = (1 - share) * from.q[i] + share * sign * to.q[i];
+        q[i] = before * from.q[i] + after * to.q[i];
         square += q[i] * q[i];
     }
-    const double norm = std::sqrt(square); // >= sqrt(1/2): the arc is the shorter one
+    const double norm = std::sqrt(square);
     for (size_t i = 0; i < 4; ++i)
         pose.q[i] = static_cast<float>(q[i] / norm);
     return pose;

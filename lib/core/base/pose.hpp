@@ -1,4 +1,4 @@
-// Poses on the host: checks and interpolation as the stage `roots` does it.
+// Poses on the host: checks and interpolation.
 #pragma once
 
 #include "base/result.hpp"
@@ -31,7 +31,7 @@ bool same_pose(const plait_pose& a, const plait_pose& b);
 // `name` says which pose it is.
 Result<plait_pose> checked_pose(const plait_pose& pose, const char* name);
 
-// Normalised linear blend of the rotations along the shorter arc, linear blend of translations.
+// At one angular velocity along the shorter arc, and at one velocity of the translation.
 plait_pose interpolate(const plait_pose& from, const plait_pose& to, double share);
 
 // At `share` of the way from `from` to `to` on the parabola through `before`, which lies as long ago as

@@ -77,6 +77,8 @@ class Roots {
     // Head at the begin and at the end of the last fixed step.
     const plait_pose& step_begin() const { return from_.head; }
     const plait_pose& step_head() const { return to_.head; }
+    // At the end of the last call.
+    const plait_pose& call_head() const { return at_.head; }
 
     // The state as saved: each one's head, whether its roots have poses of their own, and the
     // buffer that holds them.
@@ -101,6 +103,8 @@ class Roots {
     uint32_t samples() const { return samples_; }
     // In this step, as far as the host can tell.
     bool stands() const { return from_.is_at(to_); }
+    // Since the last step ended, as far as the host can tell.
+    bool left_step() const { return !to_.is_at(at_); }
     // In this step and the one before.
     bool rest() const { return before_.is_at(from_) && from_.is_at(to_); }
     // In this step, beside the head's.

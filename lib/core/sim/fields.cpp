@@ -1,9 +1,8 @@
-// Reading and writing the fields of a sim.
+// Reading the fields of a sim.
 #include "base/format.hpp"
 #include "core/sim/sim.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace plait {
 namespace {
@@ -14,38 +13,10 @@ Error is_off(const char* what) {
     return {PLAIT_INVALID_STATE, format("%s is off", what)};
 }
 
-// What the caller may write: as far as grooms and heads may be, and as fast as gravity may get hair
-// in a second.
-constexpr float farthest = 1e6f;                     // m
-constexpr float fastest = 1e4f;                      // m/s
-constexpr float strongest = PLAIT_MOST_ACCELERATION; // m/s^2
-
-// Of xyz; w is not read.
-Status check_vectors(const float* values, size_t count, const char* field, float most) {
-    for (size_t i = 0; i < count; ++i)
-        if (i % 4 != 3 && !(std::abs(values[i]) <= most))
-            return Error{PLAIT_INVALID_ARGUMENT,
-                         format("%s[%zu].%c is %g, range is [%g, %g]", field, i / 4, "xyz"[i % 4],
-                                double(values[i]), double(-most), double(most))};
-    return {};
-}
-
 // xyz of each, as the world has it.
 void multiply(std::span<float> values, float scale) {
     for (size_t i = 0; i < values.size(); ++i)
         values[i] *= i % 4 == 3 ? 1 : scale;
-}
-
-// Whether `world`, m, was read from `own`, which was multiplied before or after it was rounded.
-bool was_read(float world, float own, float scale) {
-    constexpr float rounding = 2.5e-7f;
-    return scale == 1 ? world == own : std::abs(world - own * scale) <= rounding * std::abs(world);
-}
-
-// A place of the world, m, in the groom's units; what was read from there keeps its bits.
-void take_place(const float* world, float scale, Float4& own) {
-    for (size_t i = 0; i < 3; ++i)
-        own[i] = was_read(world[i], own[i], scale) ? own[i] : world[i] / scale;
 }
 
 } // namespace
@@ -196,152 +167,6 @@ Status Sim::read_velocity(std::span<float> dst) {
     for (size_t i = 0; i < dst.size(); ++i)
         dst[i] = i % 4 == 3 || i >= stepped ? 0 : (dst[i] - before[i]) * rate;
     return {};
-}
-
-// Both histories, as if the vertex had moved at this velocity for two substeps.
-Status Sim::write_velocity(const float* src) {
-    const size_t count = size_t{4} * layout_.guide_vertices();
-    std::pmr::vector<float> now(count, &context_.memory);
-    std::pmr::vector<float> history(count, &context_.memory);
-    PLAIT_TRY(device().read(state_.position, 0, layout_.guide_vertices(), now.data()));
-    for (const int steps : {1, 2}) {
-        const float h = static_cast<float>(steps) * substep_length() / scale_;
-        for (size_t i = 0; i < count; ++i)
-            history[i] = i % 4 == 3 ? now[i] : now[i] - h * src[i];
-        const Buffer& to = steps == 1 ? state_.position_prev : state_.position_prev2;
-        if (to) // the step before the last, where the model keeps it
-            PLAIT_TRY(device().write(to, history.data()));
-    }
-    return {};
-}
-
-// w is kept.
-Status Sim::write_places(const Buffer& to, const float* src) {
-    const size_t vertices = layout_.guide_vertices();
-    std::pmr::vector<Float4> merged(vertices, &context_.memory);
-    PLAIT_TRY(device().read(to, 0, vertices, merged.data()));
-    for (size_t i = 0; i < vertices; ++i)
-        take_place(src + 4 * i, scale_, merged[i]);
-    return device().write(to, 0, vertices, merged.data());
-}
-
-// Hair that is put elsewhere keeps its velocity, and may be on the other side of a sheet.
-Status Sim::write_positions(const float* src) {
-    const size_t vertices = layout_.guide_vertices();
-    std::pmr::vector<Float4> now(vertices, &context_.memory), history(vertices, &context_.memory);
-    PLAIT_TRY(device().read(state_.position, 0, vertices, now.data()));
-    std::pmr::vector<unsigned char> moved(vertices, &context_.memory);
-    for (size_t i = 0; i < vertices; ++i)
-        moved[i] = !std::equal(src + 4 * i, src + 4 * i + 3, now[i].begin(),
-                               [&](float x, float own) { return was_read(x, own, scale_); });
-    for (const Buffer* to : {&state_.position_prev, &state_.position_prev2}) {
-        if (!*to)
-            continue;
-        PLAIT_TRY(device().read(*to, history.data()));
-        for (size_t i = 0; i < vertices; ++i)
-            for (size_t k = 0; moved[i] && k < 3; ++k)
-                history[i][k] += src[4 * i + k] / scale_ - now[i][k];
-        PLAIT_TRY(device().write(*to, history.data()));
-    }
-    PLAIT_TRY(bending_.forget_sides(device(), moved));
-    for (size_t i = 0; i < vertices; ++i)
-        take_place(src + 4 * i, scale_, now[i]);
-    return device().write(state_.position, 0, vertices, now.data());
-}
-
-Status Sim::write_acceleration(std::span<const float> src) {
-    const auto buffer = field_buffer(PLAIT_FIELD_ACCELERATION);
-    if (!buffer)
-        return buffer.error();
-    PLAIT_TRY(check_vectors(src.data(), src.size(), "acceleration", strongest));
-    return device().write(state_.acceleration, src.data());
-}
-
-Status Sim::write_pins(std::span<const float> src) {
-    PLAIT_TRY(check_takes_pins());
-    PLAIT_TRY(check_vectors(src.data(), src.size(), "pin", farthest));
-    PLAIT_TRY(check_pin_stiffness(src, layout_.row));
-    PLAIT_TRY(open_pins());
-    return device().write(state_.pin, src.data());
-}
-
-Status Sim::check_takes_pins() const {
-    if (desc_.model == PLAIT_MODEL_ARTICULATED)
-        return {};
-    return Error{PLAIT_INVALID_STATE,
-                 "the sim is of model 0 (tressfx), whose strands take no pins; those of "
-                 "articulated do"};
-}
-
-// Where nothing is pinned yet, and the stages that pins take can be built.
-Status Sim::open_pins() {
-    if (state_.pin)
-        return {};
-    PLAIT_TRY(plait::open_pins(device(), layout_, state_, &context_.memory));
-    Status status = model_->open(device(), part_needs());
-    if (status)
-        status = check_stages();
-    if (status)
-        return status;
-    close_pins(state_);
-    (void)model_->open(device(), part_needs()); // which makes nothing
-    return status;
-}
-
-Status Sim::write_wetness(std::span<const float> src) {
-    PLAIT_TRY(check_wetness(src));
-    if (std::ranges::all_of(src, [](float w) { return w == 0; })) {
-        close_wetness();
-        return {};
-    }
-    const bool opens = !state_.wetness;
-    if (opens)
-        PLAIT_TRY(open_wetness());
-    const Status status = wetness_.give(device(), state_, src);
-    if (!status && opens)
-        close_wetness();
-    return status;
-}
-
-Status Sim::set_pins(std::span<const plait_pin> pins) {
-    PLAIT_TRY(check_takes_pins());
-    if (pins.empty()) {
-        close_pins(state_);
-        return model_->open(device(), part_needs());
-    }
-    PLAIT_TRY(pin_table_.fill(device(), layout_, state_));
-    const auto rows = pin_table_.rows(pins);
-    if (!rows)
-        return rows.error();
-    PLAIT_TRY(open_pins());
-    return device().upload(state_.pin, rows->data());
-}
-
-Status Sim::write(plait_field field, const void* src) {
-    const auto* values = static_cast<const float*>(src);
-    const size_t vertices = layout_.guide_vertices();
-    if (field == PLAIT_FIELD_ACCELERATION)
-        return write_acceleration({values, 4 * vertices});
-    if (field == PLAIT_FIELD_PIN)
-        return write_pins({values, 4 * vertices});
-    if (field == PLAIT_FIELD_WETNESS)
-        return write_wetness({values, layout_.guides});
-    const bool velocity = field == PLAIT_FIELD_VELOCITY;
-    PLAIT_TRY(check_vectors(values, 4 * vertices, velocity ? "velocity" : "position",
-                            velocity ? fastest : farthest));
-    if (velocity) { // in the world: nothing of the head's motion is to be added
-        motion_.give();
-        PLAIT_TRY(write_velocity(values));
-        schedule_.clear();
-        model_->adopt(schedule_, present(), Changed::velocities);
-        return submit();
-    }
-    const bool places = field == PLAIT_FIELD_POSITION;
-    PLAIT_TRY(places ? write_positions(values) : write_places(state_.position_prev, values));
-    schedule_.clear();
-    model_->adopt(schedule_, present(), places ? Changed::places : Changed::velocities);
-    append_shown();
-    return submit();
 }
 
 } // namespace plait

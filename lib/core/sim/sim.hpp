@@ -191,10 +191,11 @@ class Sim {
     // The last substep of some strands: colliders are there at the end of the step.
     StepInput first_group() const { return at({substeps_.front(), 0}, substeps_.front() - 1); }
     StepInput at_shown() const;
-    Status fixed_step(double end, uint32_t step, uint32_t steps);
-    void append_carried(double end);
+    Status fixed_step(const Tick& tick, uint32_t step);
+    void append_carried(double end, double part);
     void append_set_off();
     plait_pose unfelt_then() const;
+    bool drove(const plait_pose& was, const plait_pose& now, const plait_pose& driven) const;
     void append_reframed();
     bool goes_on_as_put() const;
     Status skip(double end);
@@ -299,6 +300,8 @@ class Sim {
     Status read_velocity(std::span<float> dst);
     Status write_velocity(const float* src);
     Status write_places(const Buffer& to, const float* src);
+    Status take_seen(const float* src, std::span<std::array<float, 4>> now,
+                     std::span<unsigned char> moved);
     Status write_positions(const float* src);
     Status write_acceleration(std::span<const float> src);
     Status write_pins(std::span<const float> src);

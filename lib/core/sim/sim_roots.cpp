@@ -178,12 +178,15 @@ void Sim::append_placed() {
 // The same with all that goes along with the head, which has come no way either.
 Status Sim::place() {
     append_last_motion();
-    const plait_pose before = roots_.step_head();
+    if (roots_.left_step()) // it would go less than a step's way in the step that is under way
+        clock_.begin_step();
+    const plait_pose left = roots_.call_head(), before = roots_.step_head();
     roots_.arrive();
     roots_.stop(schedule_);
     PLAIT_TRY(forget_sides_of_left(before, roots_.step_head()));
     frame_.arrive();
     frame_.stop();
+    frame_.leave(left, roots_.step_head());
     colliders_.place();
     bending_.arrive();
     bending_.stop(schedule_);

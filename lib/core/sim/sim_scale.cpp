@@ -82,7 +82,11 @@ Status Sim::rescale(float scale) {
         model_->set_off(schedule_, at(group, 0), pose_before_[before++], pose_was_, pose_next_, 0);
         return submit();
     };
-    return moves ? for_each_group(set_off) : Status{};
+    if (!moves)
+        return {};
+    PLAIT_TRY(for_each_group(set_off));
+    model_->publish(schedule_, present());
+    return submit();
 }
 
 } // namespace plait

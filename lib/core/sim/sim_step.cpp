@@ -53,7 +53,7 @@ Status Sim::step(double dt) {
     if (tick.dropped > 0)
         PLAIT_TRY(skip(tick.end_of_dropped()));
     for (uint32_t k = 0; k < tick.steps; ++k)
-        PLAIT_TRY(fixed_step(tick.end_of(k), k, tick.steps));
+        PLAIT_TRY(fixed_step(tick, k));
     roots_.arrive();
     frame_.arrive();
     colliders_.arrive();
@@ -98,7 +98,7 @@ bool Sim::ends_between_steps(double dt) const {
         return false;
     Clock clock = clock_;
     clock.advance(dt);
-    constexpr double least = 1e-3; // of a step: less is what sums of frames round to
+    constexpr double least = 1e-5; // of a step: less is what sums of frames round to
     const double after = clock.remainder();
     return after > least && after < 1 - least;
 }
@@ -121,8 +121,10 @@ Status Sim::skip(double end) {
     return submit();
 }
 
-Status Sim::fixed_step(double end, uint32_t step, uint32_t steps) {
-    append_carried(end);
+Status Sim::fixed_step(const Tick& tick, uint32_t step) {
+    const double end = tick.end_of(step);
+    const uint32_t steps = tick.steps;
+    append_carried(end, tick.step / tick.dt);
     if (motion_.puts_bodies())
         colliders_.place();
     roots_.advance(end);
@@ -157,9 +159,21 @@ Status Sim::fixed_step(double end, uint32_t step, uint32_t steps) {
     return {};
 }
 
+// Whether the head, which came from `was`, came as a frame that drives takes it, to `driven`, rather than as one
+// that stands leaves it.
+bool Sim::drove(const plait_pose& was, const plait_pose& now, const plait_pose& driven) const {
+    const auto middle = cube().middle();
+    return way_between(driven, now, middle.data()) < way_between(was, now, middle.data());
+}
+
 // What hair does not feel of its frame's motion takes all along that hair knows of: its state, and the
-// paths on which it was moved and touched so far. The rest of the step is then as it is felt.
-void Sim::append_carried(double end) {
+// paths on which it was moved and touched so far. The rest of the step is then as it is felt. The step
+// is `part` of the call.
+void Sim::append_carried(double end, double part) {
+    const plait_pose& was = roots_.step_begin();
+    if (const auto way = frame_.driven(end, part))
+        if (drove(was, roots_.step_head(), carried(was, way->first, way->second)))
+            frame_.come_from(way->first);
     frame_.advance(end);
     const plait_pose motion = frame_.unfelt();
     if (same_pose(motion, identity_pose))
@@ -196,6 +210,7 @@ void Sim::append_set_off() {
                         jump);
         return Status{};
     });
+    model_->publish(schedule_, present());
     if (how.waits) // hair has none of the head's motion now
         append_no_motion();
 }
@@ -214,12 +229,9 @@ bool Sim::goes_on_as_put() const {
 plait_pose Sim::unfelt_then() const {
     if (frame_.unfelt_then() || !frame_.is_on())
         return frame_.unfelt_then().value_or(identity_pose);
-    const plait_pose &was = roots_.before(0), &now = roots_.step_begin();
-    const auto middle = cube().middle();
+    const plait_pose was = roots_.before(0);
     const plait_pose driven = carried(was, identity_pose, frame_.motion());
-    const bool drove =
-        way_between(driven, now, middle.data()) < way_between(was, now, middle.data());
-    return drove ? frame_.unfelt() : identity_pose;
+    return drove(was, roots_.step_begin(), driven) ? frame_.unfelt() : identity_pose;
 }
 
 // Hair has had the head's motion of the step before less what was not felt then, and gets it less what
@@ -238,6 +250,7 @@ void Sim::append_reframed() {
         model_->set_off(schedule_, at(group, 0), pose_before, pose_was_, pose_next_, 0);
         return Status{};
     });
+    model_->publish(schedule_, present());
     roots_.come_from(felt_from);
     motion_.end_reframing();
 }

@@ -33,7 +33,7 @@ struct Kind {
 constexpr Kind kinds[block_kinds] = {
     {"sim", "sim ", 2, true, sizeof(SavedSim)},
     {"roots", "root", 3, true, sizeof(SavedRoots)},
-    {"frame", "fram", 2, true, sizeof(Frame::State)},
+    {"frame", "fram", 3, true, sizeof(Frame::State)},
     {"bodies", "body", 2, true, 0},
     {"settings", "sett", 1, false, 0},
     {"hair", "hair", 1, true, 0},
@@ -140,7 +140,8 @@ Result<BlockBytes> split(std::span<const unsigned char> bytes) {
 }
 
 static Status check_frame(const Frame::State& frame, float scale) {
-    for (const plait_pose* pose : {&frame.at, &frame.target, &frame.from, &frame.to, &frame.unfelt})
+    for (const plait_pose* pose :
+         {&frame.at, &frame.target, &frame.from, &frame.to, &frame.unfelt, &frame.along})
         PLAIT_TRY(check_pose(*pose, "frame", scale));
     if (frame.known > 3 || frame.air > PLAIT_FRAME_AIR_WORLD)
         return malformed(

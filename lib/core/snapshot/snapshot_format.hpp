@@ -72,7 +72,7 @@ struct SavedWetness {
 struct SavedVolume {
     uint32_t nodes; // per edge of the grid whose pressure is carried
 };
-static_assert(sizeof(SavedSim) == 64 && sizeof(SavedRoots) == 244 && sizeof(Frame::State) == 156 &&
+static_assert(sizeof(SavedSim) == 64 && sizeof(SavedRoots) == 244 && sizeof(Frame::State) == 184 &&
                   sizeof(SavedWind) == 48 && sizeof(SimLevels::Kept) == 40,
               "no padding: they are saved as bytes");
 

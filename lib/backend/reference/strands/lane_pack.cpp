@@ -34,14 +34,11 @@ void lane_pack(uint32_t item_count, const plait_lane_history_params& params,
         }
         const Vec3 v = (x - prev) / params.h;
         const Vec3 gained = v - was;
-        if (params.history == 2) {
-            const Vec3 from_root = v - lane.vector(args.lane_v, 0);
-            lane.store(args.lane_x_before, i,
-                       Vec3(lane.vector(args.lane_x, i) - params.h * from_root));
-            lane.store(args.lane_v_before, i, v);
-        } else if (params.history) {
+        if (params.history)
             lane.store(args.lane_v_before, i, Vec3(lane.vector(args.lane_v_before, i) + gained));
-        }
+        if (params.history == 2)
+            lane.store(args.lane_x_before, i,
+                       Vec3(lane.vector(args.lane_x_before, i) - params.h * gained));
         lane.store(args.lane_v, i, v);
     }
 }
