@@ -69,11 +69,11 @@ typedef struct plait_frame_desc {
 } plait_frame_desc;
 PLAIT_STRUCT(plait_frame_desc)
 
-/* Where the frame will be, once per frame, beside plait_sim_set_roots; on the way it interpolates. NULL: none.
- * The first call, a teleport and a step of 0 s put it there at once; told after a teleport, it went along if
- * that brings it nearer. Roots, colliders, pins and winds stay places in the world, whether they go along or
- * not, and gravity keeps its direction. With shares of 1 and air UNFELT steps give the bits of no frame; with
- * shares of 0 hair moves as if the frame stood still. Snapshots hold it. */
+/* Where the frame will be, once per frame, beside plait_sim_set_roots; on the way it interpolates. The
+ * first call, also after NULL, a teleport and a step of 0 s put it there at once. Told after a teleport
+ * it went along, if that is nearer. NULL: none. Roots, colliders, pins and winds stay places in the
+ * world; gravity keeps its direction. With shares of 1 and air UNFELT steps give the bits of no frame;
+ * with shares of 0 hair moves as if the frame stood still. Snapshots hold it. */
 PLAIT_API plait_result plait_sim_set_frame(plait_sim* sim, const plait_frame_desc* desc);
 
 /* ---- volume ------------------------------------------------------------------------------------- */
