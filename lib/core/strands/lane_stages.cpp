@@ -109,7 +109,7 @@ void LanePart::adopt(Schedule& schedule, const StepInput& at, Changed by) const 
     if (by == Changed::places || (before && history_.x))
         schedule.add(PLAIT_STAGE_lane_orient, stepped_,
                      plait_lane_orient_params{lanes_.row, lanes_.tile, before},
-                     {&lane_strand_, &at.state.pose, &fill_.material, &fill_.rest, &x_, &history_.x,
+                     {&lane_strand_, &at.state.pose, &material(), &fill_.rest, &x_, &history_.x,
                       &q_, &q_before_},
                      lanes_.row);
 }
