@@ -97,7 +97,22 @@ TEST_F(SceneFile, says_how_a_file_lies) {
     EXPECT_EQ(scene.groom.axes, PLAIT_AXES_Z_UP);
     EXPECT_EQ(scene.groom.root_end, PLAIT_ROOT_END_AGREED);
     EXPECT_THAT(refusal(R"({"axes": "z_up"})"), HasSubstr("is for files"));
+    EXPECT_THAT(refusal(R"({"scale": 2})"), HasSubstr("scale is for files; \"long\" is generated"));
     EXPECT_THAT(refusal(R"({"groom": "a.tfx", "axes": "x_up"})"), HasSubstr("not one of y_up"));
+}
+
+TEST_F(SceneFile, outputs_have_a_file_each_in_a_folder_that_is_there) {
+    EXPECT_THAT(refusal(R"({"json": "a.json", "trace": "b/../a.json"})"),
+                HasSubstr("which json writes, too"));
+    EXPECT_THAT(refusal(R"({"out": "o", "cache": "o/stats.json"})"),
+                HasSubstr("which out writes, too"));
+    EXPECT_THAT(refusal(R"({"json": "/no/such/a.json"})"),
+                HasSubstr("in a folder that is not there"));
+    EXPECT_EQ(read(R"({"out": "o", "json": "o/a.json"})").cache, "");
+}
+
+TEST_F(SceneFile, a_number_beyond_all_is_refused_with_the_file) {
+    EXPECT_THAT(refusal(R"({"seconds": 1e999})"), HasSubstr(".json: "));
 }
 
 TEST_F(SceneFile, says_of_which_program_a_file_is_and_other_keys_win) {
@@ -307,8 +322,8 @@ TEST_F(SceneFile, a_key_stands_once_in_its_object) {
 }
 
 TEST_F(SceneFile, scale_is_a_number_or_auto) {
-    EXPECT_FLOAT_EQ(read(R"({"scale": 0.01})").groom.scale, 0.01f);
-    EXPECT_TRUE(read(R"({"scale": "auto"})").groom.scale_by_size);
+    EXPECT_FLOAT_EQ(read(R"({"groom": "a.tfx", "scale": 0.01})").groom.scale, 0.01f);
+    EXPECT_TRUE(read(R"({"groom": "a.tfx", "scale": "auto"})").groom.scale_by_size);
     EXPECT_THAT(refusal(R"({"scale": "cm"})"), HasSubstr("neither a number nor \"auto\""));
     EXPECT_THAT(refusal(R"({"scale": 0})"), HasSubstr("scale is 0"));
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <numeric>
 
@@ -201,7 +202,7 @@ void JsonReader::finish() const {
 
 Json read_json(Origin& origin) {
     std::ifstream stream(origin.file);
-    if (!stream)
+    if (!stream || std::filesystem::is_directory(origin.file))
         throw Failure(origin.file + ": cannot be opened");
     const std::string text{std::istreambuf_iterator<char>(stream), {}};
     try {
@@ -213,7 +214,7 @@ Json read_json(Origin& origin) {
                           duplicates[0].path + " stands here again, after line " +
                           std::to_string(duplicates[0].first));
         return document;
-    } catch (const Json::parse_error& error) {
+    } catch (const Json::exception& error) { // of syntax, or of a number beyond all
         throw Failure(origin.file + ": " + error.what());
     }
 }

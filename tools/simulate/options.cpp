@@ -28,6 +28,18 @@ void option(CLI::App& app, Json& keys, const char* flag, const char* key, const 
         ->type_name(type);
 }
 
+// As a scene has it, whose reader refuses what is below 0: an unsigned number of CLI11's would wrap.
+void count_option(CLI::App& app, Json& keys, const char* flag, const char* key, const char* type,
+                  const char* help) {
+    app.add_option_function<int64_t>(
+           flag,
+           [&keys, key](int64_t value) {
+               keys[key] = value < 0 ? Json(value) : Json(static_cast<uint64_t>(value));
+           },
+           help)
+        ->type_name(type);
+}
+
 // "tressfx, ... [the library's default]"
 std::string model_choices() {
     std::string list;
@@ -40,7 +52,7 @@ void add_options(CLI::App& app, CommandLine& line) {
     Json& keys = line.keys;
     const auto text = [&](auto... rest) { option<std::string>(app, keys, rest...); };
     const std::string models = model_choices();
-    const auto count = [&](auto... rest) { option<uint64_t>(app, keys, rest...); };
+    const auto count = [&](auto... rest) { count_option(app, keys, rest...); };
     app.add_option("--scene", line.scene_files,
                    "scene files; options win over them. Of several each leaves its results in a "
                    "folder of its name in --out")

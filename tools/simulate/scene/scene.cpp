@@ -12,6 +12,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <sstream>
 
 namespace simulate {
@@ -77,13 +78,14 @@ void read_style(const JsonReader& top, const Json& value, Style& style) {
 }
 
 // A number, or "auto" for files.
-void read_scale(JsonReader& top, GroomChoice& groom) {
+bool read_scale(JsonReader& top, GroomChoice& groom) {
     const Json* value = top.value("scale");
     groom.scale_by_size = value && *value == "auto";
     if (value && value->is_string() && !groom.scale_by_size)
         top.fail("scale", "is " + value->dump() + ", neither a number nor \"auto\"");
     if (!groom.scale_by_size)
         top.number("scale", groom.scale, 1e-6, 1e6);
+    return value;
 }
 
 // The axes and the unit of a program's own space; what the scene says of them beside it wins.
@@ -177,7 +179,7 @@ void read_groom(JsonReader& top, const Origin& origin, Scene& scene) {
     if (groom.guides > 0 && scene.sim.follows_per_guide > 0)
         top.fail("guides", "are given, and follows_per_guide, too: hair follows in one way");
     const bool has_program = read_program(top, groom);
-    read_scale(top, groom);
+    const bool has_scale = read_scale(top, groom);
     constexpr const char* axes[] = {"y_up", "z_up", "y_up_left_handed", "z_up_left_handed"};
     constexpr const char* ends[] = {"first", "last", "agreed"};
     const bool has_axes = top.choice("axes", groom.axes, axes);
@@ -194,10 +196,11 @@ void read_groom(JsonReader& top, const Origin& origin, Scene& scene) {
         groom.name = resolve(groom.name, "groom", origin);
         return;
     }
-    if (has_program || has_axes || has_end)
+    if (has_program || has_axes || has_end || has_scale)
         top.fail(has_program ? "program"
                  : has_axes  ? "axes"
-                             : "root_end",
+                 : has_end   ? "root_end"
+                             : "scale",
                  "is for files; \"" + groom.name + "\" is generated");
     groom.style = make_style(*known);
     groom.style.seed = scene.seed;
@@ -507,6 +510,29 @@ void read_simulation(JsonReader& top, Scene& scene) {
     scene.sim.seed = scene.seed;
 }
 
+// A file that two outputs write would be that of the last, and a folder that is not there would be noticed when
+// the run is over, but for that of the cache, which a run opens first.
+void check_files(JsonReader& top, const Scene& scene) {
+    namespace fs = std::filesystem;
+    const auto whole = [](const std::string& path) {
+        return fs::weakly_canonical(path).lexically_normal();
+    };
+    std::map<fs::path, std::string> written;
+    for (const char* name : {"stats.json", "sheet.png", "ab.png", "motion.gif", "motion.mp4"})
+        written[whole(scene.out + '/' + name)] = "out";
+    for (const auto& [key, path] :
+         {std::pair{"cache", &scene.cache}, {"json", &scene.json}, {"trace", &scene.trace}}) {
+        if (path->empty())
+            continue;
+        const fs::path file = whole(*path);
+        if (const auto [other, is_new] = written.emplace(file, key); !is_new)
+            top.fail(key, "is \"" + *path + "\", which " + other->second + " writes, too");
+        if (std::string_view(key) != "cache" && !fs::is_directory(file.parent_path()) &&
+            file.parent_path() != whole(scene.out))
+            top.fail(key, "is \"" + *path + "\", in a folder that is not there");
+    }
+}
+
 void read_output(JsonReader& top, const Origin& origin, Scene& scene) {
     for (const auto& [key, target] : {std::pair{"out", &scene.out},
                                       {"cache", &scene.cache},
@@ -515,6 +541,7 @@ void read_output(JsonReader& top, const Origin& origin, Scene& scene) {
                                       {"replay", &scene.replay}})
         if (top.text(key, *target))
             *target = resolve(*target, key, origin);
+    check_files(top, scene);
     top.flag("pictures", scene.pictures.wanted);
     top.flag("profile", scene.profile);
     if (!scene.replay.empty() && (scene.profile || !scene.trace.empty()))
