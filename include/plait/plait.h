@@ -688,9 +688,9 @@ PLAIT_API plait_result plait_collider_create(plait_sim* sim, const plait_collide
 PLAIT_API plait_result plait_collider_set_pose(plait_sim* sim, plait_collider_id collider,
                                                const plait_pose* pose);
 /* Puts it elsewhere at once, as if it had been there all the time, so that it sweeps no hair along;
- * positions that were set for a mesh of form NEAREST are where it is now, too. Hair that is inside
- * then is let out, and hair is on that side of a sheet where it is. Waits only of a sheet of form
- * NEAREST. */
+ * positions that were set for a mesh of form NEAREST are where it is now, too. Hair inside is let out
+ * (of a mesh of form NEAREST: up to 1 cm deep), and is on that side of a sheet where it is. Waits
+ * only of a sheet of form NEAREST. */
 PLAIT_API plait_result plait_collider_place(plait_sim* sim, plait_collider_id collider,
                                             const plait_pose* pose);
 /* Shape and friction of `desc`, from the next fixed step on; hair that is inside then is pushed
