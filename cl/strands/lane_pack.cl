@@ -7,7 +7,7 @@
  *         lane_normal_force is 0 where a vertex was moved.
  *         What is as lane_unpack wrote it stays as it is here, to the bit: a place in the world has lost
  *         digits that an offset from the root has.
- *         With params.history 2 a vertex had the velocity that it gains for a step.
+ *         With params.history 2 a vertex was as much faster in the step before.
  * Source  ours: what changed the velocity changes that of the step before by as much. BDF2, which
  *         goes on from (4v - v_before)/3, would else make 3/2 of it in the end.
  */

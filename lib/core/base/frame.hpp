@@ -23,7 +23,7 @@ class Frame {
     // As Roots.
     void advance(double end);
     // Where the way of a step of `part` of the call is the first that is known, and began before the call: its
-    // begin and end, had the frame driven on as now. advance() takes what was come from.
+    // begin and end, had the frame driven on as now.
     std::optional<std::pair<plait_pose, plait_pose>> driven(double end, double part) const;
     void come_from(const plait_pose& pose) { to_ = pose; }
     void arrive();

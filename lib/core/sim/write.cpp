@@ -46,15 +46,6 @@ plait_pose pose_at(std::span<const std::array<float, 4>> rows, size_t first) {
     return pose;
 }
 
-plait_pose inverse(const plait_pose& pose) {
-    plait_pose back = {{-pose.q[0], -pose.q[1], -pose.q[2], pose.q[3]}, {}};
-    float t[3];
-    transform(back, pose.t, t);
-    for (size_t i = 0; i < 3; ++i)
-        back.t[i] = -t[i];
-    return back;
-}
-
 } // namespace
 
 // Both histories, as if a vertex had been faster by its gain. What is written as it was read keeps their bits.
@@ -112,10 +103,11 @@ Status Sim::take_seen(const float* src, std::span<Float4> now, std::span<unsigne
             continue;
         const size_t root = PLAIT_POSE_STRIDE * (i / layout_.row);
         take_place(src + 4 * i, scale_, seen[i]);
-        float local[3];
-        transform(inverse(pose_at(shown, root)), seen[i].data(), local);
-        std::copy_n(local, 3, kept[i].data());
-        transform(pose_at(last, root), local, now[i].data());
+        plait_pose at = identity_pose;
+        std::copy_n(seen[i].begin(), 3, at.t);
+        const plait_pose from = pose_at(shown, root);
+        std::copy_n(carried(at, from, identity_pose).t, 3, kept[i].data());
+        std::copy_n(carried(at, from, pose_at(last, root)).t, 3, now[i].data());
     }
     return device().write(display_.kept(), kept.data());
 }

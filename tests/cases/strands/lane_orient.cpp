@@ -2,8 +2,7 @@
 
 namespace plait::cases {
 
-// A turn is a product of up to 256 rounded quaternions between directions, as in guide_turns. Twist is found
-// to what a float32 turn of a strand's joints loses.
+// A turn is a product of up to 256 rounded quaternions between directions, as in guide_turns.
 Case lane_orient_case() {
     Case result = {PLAIT_STAGE_lane_orient, {}, {{"lane_q", 1e-5}, {"lane_q_before", 1e-5}}, {}};
     result.unread = {"lane_material.length",
