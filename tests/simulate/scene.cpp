@@ -112,8 +112,7 @@ TEST_F(SceneFile, outputs_have_a_file_each_in_a_folder_that_is_there) {
 }
 
 TEST_F(SceneFile, a_number_beyond_all_is_refused_with_the_file) {
-    EXPECT_THAT(refusal(R"({"seconds": 1e999})"),
-                AllOf(HasSubstr(".json: "), HasSubstr("1e999")));
+    EXPECT_THAT(refusal(R"({"seconds": 1e999})"), AllOf(HasSubstr(".json: "), HasSubstr("1e999")));
 }
 
 TEST_F(SceneFile, says_of_which_program_a_file_is_and_other_keys_win) {
