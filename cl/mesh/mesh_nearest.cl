@@ -5,12 +5,14 @@
  * Reads   lane_strand, rest, pose, lane_material, collider, mesh_first, mesh_box, mesh_tree,
  *         mesh_triangle, mesh_ring, mesh_from, mesh_to, mesh_bends, mesh_clearance,
  *         lane_acceleration, lane_pin, lane_x, lane_v, and the steps before.
- * Writes  lane_plane, which holds planes of other meshes where params.planes is 1; mesh_side of sheets.
+ * Writes  lane_plane, which holds planes of other meshes where params.planes is 1; mesh_side and lane_hollow of
+ *         sheets.
  * Source  Ericson 2005, 5.1.5; Baerentzen & Aanaes 2005; ours: the way as in mesh_field, carried
  *         by the nearest triangle.
  */
 #include "mesh/lane_nearest.clh"
 #include "mesh/mesh_planes.clh"
+#include "mesh/near_hollow.clh"
 
 /* A mesh over a substep. */
 typedef struct {
@@ -208,11 +210,6 @@ static inline real near_side_of(const near_body* body, const near_side* last, re
     return side;
 }
 
-/* From the mesh's own frame to the world, less its origin. */
-static inline vec3 near_turned(const mesh_motion* motion, vec3 x) {
-    return add3(x, mesh_turn(motion->orientation, x));
-}
-
 /* Seen from the side on which it came; beyond a rim a sheet has no sides. */
 static inline mesh_plane near_plane(const near_body* body, const near_sample* sample, vec3 point,
                                     real offset, real* side) {
@@ -222,7 +219,8 @@ static inline mesh_plane near_plane(const near_body* body, const near_sample* sa
         *side = pick(sample->rim, own, *side);
         sign = *side;
     }
-    const mask some = sample->some & (fabs(sample->distance) <= (real)(PLAIT_MESH_ROOM));
+    const real far = body->mesh.two_sided ? sign * sample->distance : fabs(sample->distance);
+    const mask some = sample->some & (far <= (real)(PLAIT_MESH_ROOM));
     const vec3 none = vec3_of((real)(0.0f), (real)(0.0f), (real)(0.0f));
     const mesh_plane plane = {pick3(some, scale3(sample->normal, sign), none), point,
                               sign * sample->distance - offset};
@@ -276,10 +274,10 @@ static inline real near_rounding(vec3 x) {
 }
 
 /* Of a row, in the lanes `near`. `there`: at the end of the way; `last`: of sheets, what was known of
- * their sides, and what is from now on. */
+ * their sides, and what is from now on. `wall`: the plane, if there is one. */
 static inline mesh_touch near_meet(const near_body* body, const near_way* at,
                                    const near_sample* there, real offset, real gap, mask near,
-                                   near_side* last) {
+                                   near_side* last, near_wall* wall) {
     mesh_touch touch;
     /* m: f at the end of the way, from where no place is farther off the mesh than it is from there */
     const real nearest = fabs(there->distance) + near_rounding(at->to);
@@ -310,8 +308,14 @@ static inline mesh_touch near_meet(const near_body* body, const near_way* at,
             pick(known, pick(side == own, side, PLAIT_MESH_SIDE_ASTRAY * side), (real)(0.0f));
     }
     mesh_plane plane = near_plane(body, &first, from, offset, &side);
+    wall->side = side;
     touch.start = plane.height;
     touch.some = first.some & (touch.start <= room);
+    /* from neither end of the way the sheet is nearer */
+    const real ends = pick(first.some, 0.5f * (fabs(first.distance) - nearest - way), -way);
+    wall->room = fmax(nearest + ends, (real)(PLAIT_MESH_ROOM));
+    wall->near = near & (fabs(there->distance) <= 2.0f * way + (real)(3 * PLAIT_MESH_ROOM));
+    wall->some = touch.some & mesh_plane_is(plane);
     if (!any_lane(touch.some))
         return touch;
     real side_there = side;
@@ -322,9 +326,14 @@ static inline mesh_touch near_meet(const near_body* body, const near_way* at,
         plane = near_march(body, from, at->to, offset, plane, &side, crosses);
     plane = near_plane_at_end(plane, end, way);
     touch.some &= mesh_plane_is(plane);
+    wall->some = touch.some;
     touch.some &= !(mesh_plane_height(plane, at->to) >= gap);
     touch.normal = near_turned(&body->motion, plane.normal);
     touch.height = mesh_plane_height(plane, from);
+    wall->from = from;
+    wall->to = at->to;
+    wall->plane = plane;
+    wall->offset = offset;
     return touch;
 }
 
@@ -344,7 +353,7 @@ static inline real near_depth(const near_body* body, const mesh_ways* ways) {
 /* Row by row, root to tip: a search from where a way ends tells whether anything is near there, and
  * how far it is no nearer, so that rows are passed over that are nearer to each other than the mesh is. */
 static inline void near_find(const near_body* body, const mesh_ways* ways, mesh_planes* planes,
-                             __global float4* sides) {
+                             __global float4* sides, __global real* lane_hollow) {
     const vec3 root = ways->step->pose.root;
     const real arm = mesh_arm(&body->motion, root);
     real least = (real)(-1.0f); /* m: the distance of the vertex before is no less */
@@ -383,13 +392,22 @@ static inline void near_find(const near_body* body, const mesh_ways* ways, mesh_
         if (body->mesh.two_sided)
             was = near_side_load(planes, sides, i);
         near_side now = was;
-        mesh_touch touch = near_meet(body, &at, &there, vertex.offset, vertex.gap, near, &now);
+        near_wall wall;
+        mesh_touch touch =
+            near_meet(body, &at, &there, vertex.offset, vertex.gap, near, &now, &wall);
         touch.some &= near;
         if (body->mesh.two_sided) {
             now.side = pick(near, now.side, (real)(0.0f));
             near_side_store(planes, sides, i, &was, &now);
         }
         mesh_scatter_row(ways, planes, i, body->motion.friction, &touch);
+        const lane_place place = ways->step->place;
+        if (lane_hollow && body->mesh.two_sided)
+            near_room(touch.anchor, wall.room, wall.near & !wall.some, place, i, lane_hollow);
+        if (lane_hollow && any_lane(touch.some)) {
+            wall.some = touch.some;
+            near_hollows(&body->mesh, body->end, &body->motion, &wall, place, i, lane_hollow);
+        }
     }
 }
 
@@ -403,7 +421,8 @@ __kernel PLAIT_WIDE void plait_mesh_nearest(
     __global const float* mesh_bends, __global const float* mesh_clearance,
     __global const real* lane_acceleration, __global const real* lane_pin,
     __global const real* lane_x, __global const real* lane_v, __global const real* lane_x_before,
-    __global const real* lane_v_before, __global real* lane_plane, __global float4* mesh_side) {
+    __global const real* lane_v_before, __global real* lane_plane, __global float4* mesh_side,
+    __global real* lane_hollow) {
     lane_step step;
     if (!lane_begin(&step, item_count, &params, lane_strand, rest, pose, lane_material,
                     lane_acceleration, lane_pin))
@@ -425,6 +444,9 @@ __kernel PLAIT_WIDE void plait_mesh_nearest(
     mesh_fetch_clearance(&planes);
     mesh_ways ways;
     mesh_ways_of(&ways, &step, &params, state);
+    for (int i = 1; params.hollows && i <= step.segments; ++i)
+        lane_hollow[lane_index(step.place, PLAIT_LANE_HOLLOW_COMPONENTS, (size_t)i,
+                               PLAIT_LANE_HOLLOW_KIND)] = (real)(PLAIT_HOLLOW_NONE);
     for (uint mesh = 0; mesh < params.collider_count; ++mesh) {
         const near_body body =
             near_body_at(collider, params.collider_first + mesh,
@@ -432,7 +454,7 @@ __kernel PLAIT_WIDE void plait_mesh_nearest(
                                       mesh_from, mesh_to, mesh_bends, mesh));
         planes.mesh = mesh;
         planes.others = mesh > 0 || params.planes;
-        near_find(&body, &ways, &planes, mesh_side);
+        near_find(&body, &ways, &planes, mesh_side, params.hollows ? lane_hollow : 0);
     }
     lane_plane[head] = LANE_REAL(last);
 }

@@ -1,7 +1,8 @@
 /* articulated: one substep of an inextensible rod.
  *
  * Items   strands, over lanes.
- * Reads   lane_strand, rest, pose, lane_material, lane_rest, collider.
+ * Reads   lane_strand, rest, pose, lane_material, lane_rest, collider,
+ *         lane_plane, lane_hollow.
  * Moves   lane_x, lane_v, lane_q, and the steps before; lane_normal_force.
  * Source  strands/articulated.clh: the potential, the recursion, and what of both is ours.
  */
@@ -70,7 +71,8 @@ plait_articulated(const uint item_count, const plait_lane_params params,
                   __global const real* lane_acceleration, __global const real* lane_pin,
                   __global const real* lane_plane, __global real* lane_x, __global real* lane_v,
                   __global real* lane_q, __global real* lane_q_before, __global real* lane_x_before,
-                  __global real* lane_v_before, __global real* lane_normal_force) {
+                  __global real* lane_v_before, __global real* lane_normal_force,
+                  __global const real* lane_hollow) {
     HOLD_IDLE_LOCAL(item_count, lane_x)
     lane_step step;
     if (!lane_begin(&step, item_count, &params, lane_strand, rest, pose, lane_material,
@@ -82,6 +84,7 @@ plait_articulated(const uint item_count, const plait_lane_params params,
     lane_predict(&step, &params, state, y, w);
     lane_contacts contacts;
     contact_begin(&contacts, &step, &params, collider, lane_plane, lane_x);
+    contacts.nearby.hollow = params.hollows ? lane_hollow : 0;
     contact_aim(&contacts, y);
     const rod_problem rod =
         rod_problem_of(&step, y, lane_rest, contact_may_be(&params) ? &contacts : 0);

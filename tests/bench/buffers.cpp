@@ -594,6 +594,8 @@ std::vector<uint32_t> typical_buffer(const plait_stage_info& stage, const plait_
     if (!finds_planes(stage.stage) && stage.stage != PLAIT_STAGE_strand_contact &&
         name == "lane_plane")
         return {}; // and that is near no mesh
+    if (name == "lane_hollow")
+        return {}; // nor any sheet
     if (name == "mesh_solid" && arg.access == PLAIT_ACCESS_READ)
         return {}; // a grid without meshes
     if ((finds_planes(stage.stage) || finds_solids(stage.stage) ||

@@ -139,6 +139,7 @@ void fill(plait_lane_params& p, const Shape& shape) {
          1e-6f,
          0,
          0,
+         0,
          0};
 }
 void fill(plait_pair_params& p, const Shape& shape) {

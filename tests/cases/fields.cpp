@@ -20,10 +20,10 @@ constexpr std::string_view of_layout[] = {
     "mesh",          "least",      "most",     "strand_first"};
 // uint that takes one of two values
 constexpr std::string_view choices[] = {
-    "per_root", "accelerates", "pins",     "planes",       "history", "bdf2",     "shock_form",
-    "form",     "slot_hash",   "tent",     "diffuse_rule", "field",   "pressure", "moves",
-    "carried",  "colour",      "reversed", "turbulent",    "meshes",  "wet",      "soaked",
-    "shown",    "others",      "whole",    "each"};
+    "per_root",   "accelerates", "pins",      "planes",   "hollows",      "history", "bdf2",
+    "shock_form", "form",        "slot_hash", "tent",     "diffuse_rule", "field",   "pressure",
+    "moves",      "carried",     "colour",    "reversed", "turbulent",    "meshes",  "wet",
+    "soaked",     "shown",       "others",    "whole",    "each"};
 // float4 of which w is not used
 constexpr std::string_view vectors[] = {"head_from_t", "head_to_t", "t", "wind", "corner"};
 

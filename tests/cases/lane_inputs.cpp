@@ -453,8 +453,8 @@ LaneHair make_lane_hair_wrung(const Size& size, uint32_t seed) {
 
 plait_lane_params lane_params(const Size& size, uint32_t iterations, uint32_t bdf2) {
     plait_lane_params params = {
-        size.stride, 1, size.stride, 1.0f / 30, iterations, bdf2, 4, {20, -40, 30},
-        {9, 8, -7},  0, 0,           0,         0,          0,    0, 0};
+        size.stride, 1, size.stride, 1.0f / 30, iterations, bdf2, 4, {20, -40, 30}, {9, 8, -7}, 0,
+        0,           0, 0,           0,         0,          0,    0};
     params.contact_rate = 3e5f; // what starts inside is pushed out by millimetres
     params.contact_slip = 0.03f;
     params.accelerates = 1;
@@ -500,8 +500,12 @@ Setup lane_setup(const Size& size, const LaneHair& lanes, const plait_lane_param
     // kept even where BDF2 is off, so that turning it on is a fair disturbance
     setup.buffers.push_back(lane_floats(lanes.x_before, 3));
     setup.buffers.push_back(lane_floats(lanes.v_before, 3));
-    if (bends)
+    if (bends) {
         setup.buffers.push_back(lane_floats(lanes.normal_force, 1));
+        setup.buffers.push_back(
+            lane_floats(std::vector<float>(lanes.q.size() / 4 * PLAIT_LANE_HOLLOW_COMPONENTS, 0),
+                        PLAIT_LANE_HOLLOW_COMPONENTS));
+    }
     plait_lane_params with_capsules = params;
     with_capsules.collider_count = with_capsules.collider_first =
         static_cast<uint32_t>(lanes.capsules.size() / (4 * PLAIT_COLLIDER_STRIDE));
@@ -649,12 +653,52 @@ Setup on_planes(Setup setup, const LaneHair& lanes, float friction, bool bends, 
     return setup.with(params);
 }
 
+// Sheets: where there is a plane more of them around it, across the way of forces in a hollow; else room.
+Setup in_hollows(Setup setup, const LaneHair& lanes) {
+    auto params = setup.params_as<plait_lane_params>();
+    params.hollows = 1;
+    setup.name += ", in hollows";
+    Random random(params.vertex_stride + 8);
+    std::vector<float>& hollows = setup.buffers.back().floats;
+    const std::vector<float>& planes = setup.buffers[8].floats;
+    for (size_t s = 0; s < setup.items; ++s)
+        for (size_t i = 1; i < lanes.hair.vertex_count[s]; ++i) {
+            const size_t row = s * setup.width + i;
+            const float* plane = &planes[PLAIT_LANE_PLANE_COMPONENTS * row];
+            std::vector<double> values;
+            if (i % 3 == 2 && i % 2 == 0) {
+                values = {double(PLAIT_HOLLOW_PLANES)};
+                for (int k = 0; k < PLAIT_LANE_HOLLOW_PLANES; ++k) {
+                    const Point normal = direction_of(sum({-20, 40, -30}, random_step(random, 40)));
+                    const double some = size_t(k) == i / 6 % 6 ? 0 : 1;
+                    values.insert(
+                        values.end(),
+                        {some * normal[0], some * normal[1], some * normal[2],
+                         double(plane[PLAIT_LANE_PLANE_HEIGHT]) + random.uniform(-0.004, 0.008)});
+                }
+            } else if (i % 3 == 1) {
+                const Point off = random_step(random, 0.004);
+                const size_t root = s * setup.width;
+                values = {double(PLAIT_HOLLOW_ROOM)};
+                for (size_t k = 0; k < 3; ++k)
+                    values.push_back(double(lanes.x[3 * root + k]) -
+                                     double(lanes.x_before[3 * root + k]) +
+                                     double(lanes.x[3 * row + k]) + off[k]);
+                values.push_back(random.uniform(0.003, 0.01));
+            }
+            std::ranges::transform(values, &hollows[PLAIT_LANE_HOLLOW_COMPONENTS * row],
+                                   [](double value) { return static_cast<float>(value); });
+        }
+    return setup.with(params);
+}
+
 void add_rods_on_planes(Case& result) {
     for (const Size& size : contact_sizes())
         for (const uint32_t bdf2 : {0u, 1u}) {
             const LaneHair lanes = make_lane_hair(size, 33);
             result.setups.push_back(on_planes(
                 lane_setup(size, lanes, lane_params(size, 1, bdf2), true), lanes, 100.0f, true));
+            result.setups.push_back(in_hollows(result.setups.back(), lanes));
             const LaneHair calm = make_lane_hair_calm(size, 44);
             result.setups.push_back(on_planes(
                 lane_setup(size, calm, lane_params(size, 1, bdf2), true), calm, 1.0f, true, true));

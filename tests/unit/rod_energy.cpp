@@ -70,7 +70,8 @@ class Strand {
                          q,
                          q_before,
                          {x, v, none, none, material, acceleration, pin, plane},
-                         none},
+                         none,
+                         plane},
                         params, 0);
     }
     double* joint(size_t i) { return &material_[i * PLAIT_LANE_MATERIAL_COMPONENTS]; }

@@ -88,6 +88,13 @@
  * the mean of the triangles' around it. Ours. */
 #define PLAIT_MESH_TOUCH PLAIT_NUMBER(5e-5)
 
+/* m: what rises no more than this lies in a plane. Ours. */
+#define PLAIT_MESH_FLAT PLAIT_NUMBER(1e-4)
+/* m: what goes less far along a plane has no direction there in float32. Ours. */
+#define PLAIT_MESH_SLIDE PLAIT_NUMBER(1e-3)
+/* Of the way of a vertex in a substep: how far around it the planes of a hollow are found. Ours. */
+#define PLAIT_MESH_HOLLOW PLAIT_NUMBER(0.5)
+
 /* ---- strand against strand ---------------------------------------------------------------------
  */
 

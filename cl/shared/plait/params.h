@@ -380,8 +380,9 @@ typedef struct plait_lane_params {
     float contact_slip; /* m: the displacement per substep at which friction is all of mu N */
     plait_u32 accelerates; /* 1: vertices have accelerations; 0: lane_acceleration is null */
     plait_u32 pins;        /* 1: vertices may be pinned; 0: lane_pin is null */
-    plait_u32 planes; /* 1: vertices may have planes of meshes, 2: and of strands; 0: lane_plane
+    plait_u32 planes;  /* 1: vertices may have planes of meshes, 2: and of strands; 0: lane_plane
                               is null, and of mesh_nearest not read */
+    plait_u32 hollows; /* 1: there may be sheets, and lane_hollow is there; 0: it is null */
 } plait_lane_params;
 
 /* contact_pair_count, contact_pair_fill, contact_pair_find. */
@@ -723,6 +724,20 @@ typedef struct plait_lane_move_params {
 #define PLAIT_LANE_PLANE_START 7    /* m, of the anchor above the mesh */
 #define PLAIT_LANE_PLANE_FRICTION 8 /* Coulomb coefficient */
 #define PLAIT_LANE_PLANE_COMPONENTS 9
+
+/* lane_hollow: of each vertex near a sheet what keeps it on its side: of one that has the sheet's plane and is
+ * fast, the planes around that one, for in a hollow the wall rises from a plane; of one that has none, how far it may
+ * go off its way. */
+#define PLAIT_LANE_HOLLOW_KIND 0 /* one of these; the others hold anything that it does not name: */
+#define PLAIT_HOLLOW_NONE 0.0f
+#define PLAIT_HOLLOW_PLANES 1.0f
+#define PLAIT_HOLLOW_ROOM 2.0f
+#define PLAIT_LANE_HOLLOW_PLANE 1  /* the first: xyz as NORMAL; m, of ANCHOR above it */
+#define PLAIT_LANE_HOLLOW_STRIDE 4 /* from one to the next */
+#define PLAIT_LANE_HOLLOW_PLANES 6
+#define PLAIT_LANE_HOLLOW_ANCHOR 1 /* xyz, as ANCHOR: where its way begins */
+#define PLAIT_LANE_HOLLOW_ROOM 4   /* m: no place on its way is nearer to the sheet */
+#define PLAIT_LANE_HOLLOW_COMPONENTS 25
 
 /* output: interpolate the finished steps and attach the result to the roots of now. */
 typedef struct plait_output_params {

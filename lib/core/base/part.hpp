@@ -40,6 +40,7 @@ struct Part {
     const Buffer& push;   // 3: m/s^2, added to gravity; holds the pressure, too
     const Buffer& spring; // 4: m and N/m, an implicit spring to a point
     const Buffer& plane;  // PLAIT_LANE_PLANE_COMPONENTS: that a vertex stays above, with friction
+    const Buffer& hollow; // PLAIT_LANE_HOLLOW_COMPONENTS: planes around that, of sheets
 
     // What pushes, where anything does.
     const Buffer& pushed() const { return push ? push : pressure; }
@@ -49,6 +50,7 @@ struct Part {
 struct Doors {
     bool spring = false;
     bool plane = false;  // by bodies
+    bool hollow = false; // by sheets
     bool strand = false; // planes of other strands, after those of bodies
 };
 
@@ -67,6 +69,7 @@ inline plait_lane_params solve_params(const Part& part, const Doors& doors,
     params.accelerates = part.pushed() ? 1 : 0;
     params.pins = doors.spring ? 1 : 0;
     params.planes = doors.strand ? 2 : doors.plane ? 1 : 0;
+    params.hollows = doors.hollow ? 1 : 0;
     return params;
 }
 

@@ -208,12 +208,13 @@ void BendingMeshes::fill(Schedule& schedule, const Part& part, const ColliderRow
         return;
     const BendingBuffers& b = set_.buffers;
     const SurfaceGeometry& g = *b.surfaces;
+    doors.hollow = bool(part.hollow);
     schedule.add(PLAIT_STAGE_mesh_nearest, part.lanes.strands, solve_params(part, doors, rows),
-                 {&part.strand, &part.rest, &part.pose, &part.material, &rows.buffer,
-                  &g.first,     &b.box,     &g.tree,    &g.triangle,    &g.ring,
-                  &b.from,      &b.to,      &b.bends,   &b.clearance,   &part.pushed(),
-                  &part.spring, &part.x,    &part.v,    &part.x_before, &part.v_before,
-                  &part.plane,  &b.side},
+                 {&part.strand, &part.rest, &part.pose,  &part.material, &rows.buffer,
+                  &g.first,     &b.box,     &g.tree,     &g.triangle,    &g.ring,
+                  &b.from,      &b.to,      &b.bends,    &b.clearance,   &part.pushed(),
+                  &part.spring, &part.x,    &part.v,     &part.x_before, &part.v_before,
+                  &part.plane,  &b.side,    &part.hollow},
                  part.lanes.row);
     doors.plane = true;
 }

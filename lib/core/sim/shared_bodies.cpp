@@ -95,7 +95,7 @@ Status Sim::take_bodies(Sim& from) {
     const auto own = colliders_.slots();
     Undo undo{this, &*sets, {own.begin(), own.end(), &context_.memory}};
     if (from.colliders_.meshes() > 0)
-        PLAIT_TRY(open_planes());
+        PLAIT_TRY(open_planes(from.bending_.has_sheets()));
     PLAIT_TRY(colliders_.take(device(), from.colliders_));
     swap(*sets);
     undo.swapped = true;

@@ -272,7 +272,7 @@ class Sim {
     Result<plait_collider_id> create_field(const Mesh& mesh, const plait_collider_mesh_desc& desc);
     Result<plait_collider_id> create_bending(const Mesh& mesh,
                                              const plait_collider_mesh_desc& desc);
-    Status open_planes();
+    Status open_planes(bool of_sheets);
     Status check_meets_meshes(const Sim& asked) const;
     // shared_bodies.cpp
     bool shares_with(const Sim& other) const;

@@ -104,9 +104,10 @@ Status Sim::check_meets_meshes(const Sim& asked) const {
                         &asked == this ? "the sim is" : "one of the sims that share colliders is")};
 }
 
-Status Sim::open_planes() {
+Status Sim::open_planes(bool of_sheets) {
     PartNeeds needs = part_needs();
     needs.plane = true;
+    needs.hollow = needs.hollow || of_sheets;
     return model_->open(device(), needs);
 }
 
@@ -122,12 +123,18 @@ Result<plait_collider_id> Sim::create_field(const Mesh& mesh,
     Memory* const memory = &context_.memory;
     const auto field = share_in<MeshField>(memory, memory);
     PLAIT_TRY(bake_field(mesh, {desc.cells, desc.two_sided != 0}, *field));
+    if (desc.two_sided && context_.log.callback)
+        context_.log(
+            PLAIT_LOG_LEVEL_WARNING,
+            "sim: a sheet (two_sided) of form FIELD keeps no hair on its side: what a step "
+            "carries through it stays there; a hood, a collar or a sleeve is of form "
+            "NEAREST");
     return create_in_all([&](Sim& sim, Change& change) -> Status {
         const auto id = sim.colliders_.create_mesh(sim.device(), desc);
         if (!id)
             return id.error();
         change.made = *id;
-        PLAIT_TRY(sim.open_planes());
+        PLAIT_TRY(sim.open_planes(false));
         MeshColliders::Entry entry{*sim.colliders_.find(*id), field,
                                    ClearanceRules{desc.margin, desc.clearance},
                                    std::pmr::vector<float>(memory)};
@@ -157,7 +164,7 @@ Result<plait_collider_id> Sim::create_bending(const Mesh& mesh,
         if (!id)
             return id.error();
         change.made = *id;
-        PLAIT_TRY(sim.open_planes());
+        PLAIT_TRY(sim.open_planes(desc.two_sided != 0));
         BendingMeshes::Entry entry(*sim.colliders_.find(*id), surface, memory);
         entry.rules = {desc.margin, desc.clearance};
         entry.begin();

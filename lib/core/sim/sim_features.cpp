@@ -87,7 +87,8 @@ Status Sim::set_params(const Params& params) {
 
 PartNeeds Sim::part_needs() const {
     return {state_.acceleration || wind_.blows(), state_.pin || wind_.blows(),
-            meshes_.buffers() || bending_.buffers() || pairs_.buffers(), bool(state_.wetness)};
+            meshes_.buffers() || bending_.buffers() || pairs_.buffers(), bending_.has_sheets(),
+            bool(state_.wetness)};
 }
 
 Status Sim::set_materials(StrandMaterialsPtr materials) {

@@ -46,6 +46,7 @@ Status Sim::measure(BendingMeshes::Entry& entry, const MeshDistance& distance,
 Status Sim::take_meshes(MeshColliders::Entries&& meshes, BendingMeshes::Entries&& bending) {
     PartNeeds needs = part_needs();
     needs.plane = !meshes.empty() || !bending.empty() || pairs_.buffers();
+    needs.hollow = std::ranges::any_of(bending, &BendingMeshes::Entry::two_sided);
     PLAIT_TRY(model_->open(device(), needs));
     auto fields = meshes_.make(device(), std::move(meshes), meshes_.set());
     if (!fields)

@@ -75,6 +75,8 @@ Status LanePart::open_doors(Device& device) {
         PLAIT_TRY(make(device, spring_, 4, "lane_spring"));
     if (!plane_ && needs.plane)
         PLAIT_TRY(make(device, plane_, PLAIT_LANE_PLANE_COMPONENTS, "lane_plane"));
+    if (!hollow_ && needs.hollow)
+        PLAIT_TRY(make(device, hollow_, PLAIT_LANE_HOLLOW_COMPONENTS, "lane_hollow"));
     if (!fill_.wet && fill_.material && needs.wet)
         PLAIT_TRY(make_wet(device, fill_));
     return {};
@@ -88,6 +90,8 @@ void LanePart::close_doors() {
         spring_ = {};
     if (!needs.plane)
         plane_ = {};
+    if (!needs.hollow)
+        hollow_ = {};
     if (!needs.wet)
         fill_.wet = {};
 }

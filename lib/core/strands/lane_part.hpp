@@ -158,8 +158,8 @@ class LanePart {
     Fill fill_, next_fill_;
     bool has_next_fill_ = false, has_next_history_ = false, has_next_volume_ = false;
     Buffer x_, v_, q_, q_before_;
-    Buffer normal_force_;          // of contact in the last substep, N
-    Buffer push_, spring_, plane_; // doors
+    Buffer normal_force_;                   // of contact in the last substep, N
+    Buffer push_, spring_, plane_, hollow_; // doors
     History history_, next_history_;
     Pressed volume_, next_volume_;
     Buffer lane_strand_; // uint [lanes of whole tiles]

@@ -74,7 +74,8 @@ Part LanePart::part(const StepInput& at, float mean_length) const {
             volume_.pressure,
             push_,
             spring_,
-            plane_};
+            plane_,
+            hollow_};
 }
 
 void LanePart::substep(Schedule& schedule, const StepInput& at, const Part& part,
@@ -83,7 +84,7 @@ void LanePart::substep(Schedule& schedule, const StepInput& at, const Part& part
     schedule.add(PLAIT_STAGE_articulated, stepped_, solve_params(part, doors, bodies),
                  {&lane_strand_, &part.rest, &part.pose, &part.material, &fill_.rest,
                   &bodies.buffer, &part.pushed(), &spring_, &plane_, &x_, &v_, &q_, &q_before_,
-                  &history_.x, &history_.v, &normal_force_},
+                  &history_.x, &history_.v, &normal_force_, &hollow_},
                  lanes_.row);
 }
 
@@ -181,7 +182,7 @@ uint64_t LanePart::device_bytes() const {
     uint64_t bytes = 0;
     for (const Buffer* buffer :
          {&fill_.material, &fill_.wet, &fill_.groom, &fill_.rest, &fill_.start, &x_, &v_, &q_,
-          &q_before_, &normal_force_, &history_.x, &history_.v, &push_, &spring_, &plane_,
+          &q_before_, &normal_force_, &history_.x, &history_.v, &push_, &spring_, &plane_, &hollow_,
           &lane_strand_, &volume_.share, &volume_.pressure})
         bytes += buffer->bytes();
     return bytes;

@@ -55,8 +55,8 @@ struct PartShape {
 
 // Which buffers beside their state parts have.
 struct PartNeeds {
-    bool push = false, spring = false, plane = false; // their doors
-    bool wet = false;                                 // material that wetness scales
+    bool push = false, spring = false, plane = false, hollow = false; // their doors
+    bool wet = false; // material that wetness scales
 };
 
 // Strands that followed and are stepped from now on, and where they were shown; positions are float4

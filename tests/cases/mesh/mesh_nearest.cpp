@@ -56,8 +56,12 @@ Setup nearest_setup(const Size& size, uint32_t bdf2, bool after_others, uint32_t
     buffers.push_back(std::move(planes));
     Random random(seed + 2);
     buffers.push_back(float4s(make_sides(size, random)));
+    buffers.push_back(lane_floats(
+        std::vector<float>(size_t{PLAIT_LANE_HOLLOW_COMPONENTS} * size.strands * size.stride, 9),
+        PLAIT_LANE_HOLLOW_COMPONENTS));
     auto params = setup.params_as<plait_lane_params>();
     params.collider_count = params.collider_first = size.strands;
+    params.hollows = 1;
     return setup.with(params);
 }
 
@@ -65,7 +69,9 @@ Setup nearest_setup(const Size& size, uint32_t bdf2, bool after_others, uint32_t
 
 // The way from an edge a millimetre off has no direction to more than 1e-4, places being known to 1e-7 m.
 Case mesh_nearest_case() {
-    Case result = {PLAIT_STAGE_mesh_nearest, {}, {{"lane_plane", 1e-4}, {"mesh_side", 1e-5}}};
+    Case result = {PLAIT_STAGE_mesh_nearest,
+                   {},
+                   {{"lane_plane", 1e-4}, {"mesh_side", 1e-5}, {"lane_hollow", 1e-4}}};
     result.unread = {"iterations",
                      "contact_rate",
                      "contact_slip",

@@ -105,12 +105,13 @@ void a_table_of_distances(Bench& bench) {
               null_array(),
               lane_floats(std::vector<float>(size_t{2} * PLAIT_LANE_PLANE_COMPONENTS * strands, 9),
                           PLAIT_LANE_PLANE_COMPONENTS),
-              float4s(std::vector<float>(size_t{8} * strands, 0))}) // no side of a closed mesh
+              float4s(std::vector<float>(size_t{8} * strands, 0)), // no side of a closed mesh
+              null_array()})
             buffers.push_back(each);
         const Outputs out =
             bench.run(PLAIT_STAGE_mesh_nearest, strands, 2, params, std::move(buffers));
         ASSERT_FALSE(out.empty());
-        const std::vector<float>& planes = out[out.size() - 2].floats;
+        const std::vector<float>& planes = out[out.size() - 3].floats;
         for (size_t i = 0; i < here.size(); ++i) {
             const float* row = &planes[2 * PLAIT_LANE_PLANE_COMPONENTS * i];
             ASSERT_EQ(row[PLAIT_LANE_PLANE_LAST], 1.0f) << "point " << i;

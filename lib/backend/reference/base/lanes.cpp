@@ -75,6 +75,33 @@ std::vector<std::optional<MeshPlane>> mesh_planes_of(const Lane& lane,
     return list;
 }
 
+std::vector<Hollow> hollows_of(const Lane& lane, const plait_lane_params& params,
+                               const View<const double>& hollows) {
+    if (!params.hollows)
+        return {};
+    std::vector<Hollow> list(params.vertex_stride);
+    for (size_t i = 1; i < list.size(); ++i) {
+        const auto at = [&](size_t component) {
+            return hollows[lane.index(i, component, PLAIT_LANE_HOLLOW_COMPONENTS)];
+        };
+        const auto vector = [&](size_t first) -> Vec3 {
+            return {at(first), at(first + 1), at(first + 2)};
+        };
+        const double kind = at(PLAIT_LANE_HOLLOW_KIND);
+        for (size_t k = 0; kind == double(PLAIT_HOLLOW_PLANES) && k < PLAIT_LANE_HOLLOW_PLANES;
+             ++k) {
+            const size_t first = PLAIT_LANE_HOLLOW_PLANE + k * PLAIT_LANE_HOLLOW_STRIDE;
+            if (!vector(first).isZero(0))
+                list[i].walls.push_back({vector(first), at(first + 3)});
+        }
+        if (kind == double(PLAIT_HOLLOW_ROOM)) {
+            list[i].room = at(PLAIT_LANE_HOLLOW_ROOM);
+            list[i].begin = vector(PLAIT_LANE_HOLLOW_ANCHOR);
+        }
+    }
+    return list;
+}
+
 Vec3 Motion::goal(size_t vertex, double mass) const {
     const auto& [target, k] = pin[vertex];
     const double mu = mass * inertia;

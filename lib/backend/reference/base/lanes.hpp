@@ -112,4 +112,18 @@ struct MeshPlane {
 std::vector<std::optional<MeshPlane>>
 mesh_planes_of(const Lane& lane, const plait_lane_params& params, const View<const double>& planes);
 
+// What else keeps a vertex on its side of a sheet.
+struct Hollow {
+    struct Wall {
+        Vec3 normal;
+        double height; // of the anchor of its plane above this one
+    };
+    std::vector<Wall> walls;    // of one that has the sheet's plane
+    std::optional<double> room; // m, that one that has none may go off its way,
+    Vec3 begin = Vec3::Zero();  // which begins here, relative to the root
+};
+// One per vertex, or none at all.
+std::vector<Hollow> hollows_of(const Lane& lane, const plait_lane_params& params,
+                               const View<const double>& hollows);
+
 } // namespace plait::reference

@@ -91,8 +91,9 @@ void Shape::check_items(const plait_dispatch& dispatch, plait_space space) const
 size_t Shape::elements(BufferName buffer) const {
     constexpr bool ALWAYS = true;
     const bool PER_ROOT = per_root_, BENDS = bends_, HISTORY = history_, ACCELERATES = accelerates_,
-               PINS = pins_, FIELD = field_, PLANES = planes_, PRESSURE = pressure_,
-               CARRIED = carried_, WET = wet_, SHOWN = shown_, MESHES = meshes_;
+               PINS = pins_, FIELD = field_, PLANES = planes_, HOLLOWS = hollows_,
+               PRESSURE = pressure_, CARRIED = carried_, WET = wet_, SHOWN = shown_,
+               MESHES = meshes_;
     const size_t ITEMS = items_, STRANDS = strands_, VERTICES = vertices_, TILED = tiled_vertices_,
                  FOLLOWERS = followers_, ROW = stride_, COLLIDERS = colliders_, VOXELS = voxels_,
                  SLOTS = capacity_, POINTS = points_;

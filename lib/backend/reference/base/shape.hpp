@@ -51,6 +51,8 @@ class Shape {
             field_ = params.field != 0;
         if constexpr (requires { params.planes; })
             planes_ = params.planes != 0;
+        if constexpr (requires { params.hollows; })
+            hollows_ = params.hollows != 0;
         if constexpr (requires { params.pressure; })
             pressure_ = params.pressure != 0;
         if constexpr (requires { params.carried; })
@@ -107,6 +109,7 @@ class Shape {
     bool accelerates_ = true, pins_ = true, field_ = true, pressure_ = true, carried_ = true,
          wet_ = true, shown_ = true, meshes_ = true;
     bool planes_ = false; // mesh_field makes them, and checks on access
+    bool hollows_ = false;
 };
 
 } // namespace plait::reference

@@ -11,10 +11,11 @@ namespace plait::reference {
 
 Contacts::Contacts(const plait_lane_params& params, const View<const Vec4>& colliders,
                    const Motion& motion, std::vector<double> length, std::vector<double> stretch,
-                   std::vector<double> mass, std::vector<std::optional<MeshPlane>> planes)
+                   std::vector<double> mass, std::vector<std::optional<MeshPlane>> planes,
+                   std::vector<Hollow> hollows)
     : params_(params), colliders_(colliders), motion_(motion), length_(std::move(length)),
       stretch_(std::move(stretch)), mass_(std::move(mass)), arc_(length_.size()),
-      planes_(std::move(planes)), at_(params.vertex_stride) {
+      planes_(std::move(planes)), hollows_(std::move(hollows)), at_(params.vertex_stride) {
     std::partial_sum(length_.begin(), length_.end(), arc_.begin());
 }
 
@@ -66,23 +67,40 @@ void Contacts::aim(std::vector<Vec3> y) {
         }
 }
 
-Vec3 Contacts::astray(size_t vertex, const Vec3& p) const {
-    const Vec3 from = motion_.start[vertex] - motion_.start[0], way = y_[vertex] - from;
-    const double share = way.dot(p - from) / std::max(way.squaredNorm(), 1e-30);
-    return p - from - std::clamp(share, 0.0, 1.0) * way;
+// From the nearest place on its way from `begin` to its inertial target.
+Vec3 Contacts::off_way(size_t vertex, const Vec3& begin, const Vec3& p) const {
+    const Vec3 way = y_[vertex] - begin;
+    const double share = way.dot(p - begin) / std::max(way.squaredNorm(), 1e-30);
+    return p - begin - std::clamp(share, 0.0, 1.0) * way;
 }
 
+Vec3 Contacts::astray(size_t vertex, const Vec3& p) const {
+    return off_way(vertex, motion_.start[vertex] - motion_.start[0], p);
+}
+
+namespace {
+
+// No farther off than `most`.
+Vec3 kept(const Vec3& to, const Vec3& off, double most) {
+    return off.norm() > most ? Vec3(to - (1 - most / off.norm()) * off) : to;
+}
+
+} // namespace
+
 // A mesh that goes along with the root and gave the vertex no plane is farther than PLAIT_MESH_ROOM from all of its
-// way.
+// way; a sheet is as far as it says.
 Vec3 Contacts::within(size_t vertex, const Vec3& to) const {
-    if (!along_ || planes_.empty() || y_.empty() || of_strands() || planes_[vertex])
+    if (y_.empty() || of_strands())
         return to;
-    const auto next = planes_.begin() + static_cast<std::ptrdiff_t>(vertex) + 1;
-    if (std::none_of(next, planes_.end(), [](const auto& plane) { return plane.has_value(); }))
-        return to;
-    const Vec3 off = astray(vertex, to);
-    const double far = off.norm();
-    return far > PLAIT_MESH_ROOM ? Vec3(to - (1 - PLAIT_MESH_ROOM / far) * off) : to;
+    Vec3 p = to;
+    if (along_ && !planes_.empty() && !planes_[vertex]) {
+        const auto next = planes_.begin() + static_cast<std::ptrdiff_t>(vertex) + 1;
+        if (std::any_of(next, planes_.end(), [](const auto& plane) { return plane.has_value(); }))
+            p = kept(p, astray(vertex, p), PLAIT_MESH_ROOM);
+    }
+    if (!hollows_.empty() && hollows_[vertex].room)
+        p = kept(p, off_way(vertex, hollows_[vertex].begin, p), *hollows_[vertex].room);
+    return p;
 }
 
 Vec3 Contacts::lifted(size_t vertex, const Vec3& to) const {

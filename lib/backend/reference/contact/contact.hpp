@@ -14,11 +14,12 @@ using Mat3 = Eigen::Matrix3d;
 
 class Contacts {
   public:
-    // `planes`: of meshes, as mesh_planes_of. `length[i]` and `stretch[i]`, EA/l, of the segment before vertex i, 0 past the tip; `mass[i]`
+    // `planes`: of meshes, as mesh_planes_of; `hollows` as hollows_of. `length[i]` and `stretch[i]`, EA/l, of the segment before vertex i, 0 past the tip; `mass[i]`
     // of vertex i.
     Contacts(const plait_lane_params& params, const View<const Vec4>& colliders,
              const Motion& motion, std::vector<double> length, std::vector<double> stretch,
-             std::vector<double> mass, std::vector<std::optional<MeshPlane>> planes);
+             std::vector<double> mass, std::vector<std::optional<MeshPlane>> planes,
+             std::vector<Hollow> hollows);
 
     // `y`: inertial targets of all vertices, which planes of meshes were found on the way to.
     void aim(std::vector<Vec3> y);
@@ -46,7 +47,7 @@ class Contacts {
     // nearest place on it.
     Vec3 astray(size_t vertex, const Vec3& p) const;
     // Where a step leaves the vertex that would carry it to `to`, if it has no plane of a mesh, and one
-    // nearer to the tip has.
+    // nearer to the tip has, or a sheet is near.
     Vec3 within(size_t vertex, const Vec3& to) const;
     // `to`, or the place above it where nothing pushes the vertex.
     Vec3 lifted(size_t vertex, const Vec3& to) const;
@@ -71,7 +72,10 @@ class Contacts {
     const View<const Vec4>& colliders_;
     const Motion& motion_;
     std::vector<double> length_, stretch_, mass_, arc_; // arc_[i]: from the root to vertex i
+    Vec3 off_way(size_t vertex, const Vec3& begin, const Vec3& p) const;
+
     std::vector<std::optional<MeshPlane>> planes_;
+    std::vector<Hollow> hollows_;
     std::vector<Vec3> y_;
     std::vector<Contact> at_;
     bool along_ = true; // meshes go along with the root

@@ -38,6 +38,17 @@ const MeshPlane* ContactPlacer::mesh(size_t vertex) const {
     return planes.empty() || !planes[vertex] ? nullptr : &*planes[vertex];
 }
 
+Hollow::Wall ContactPlacer::deepest(size_t vertex, const MeshPlane& plane, const Vec3& p) const {
+    const Vec3 way = p - plane.anchor;
+    Hollow::Wall least{plane.normal, plane.height + plane.normal.dot(way)};
+    if (contacts_.hollows_.empty() || contacts_.of_strands())
+        return least;
+    for (const Hollow::Wall& wall : contacts_.hollows_[vertex].walls)
+        if (const double height = wall.height + wall.normal.dot(way); height < least.height)
+            least = {wall.normal, height};
+    return least;
+}
+
 double ContactPlacer::tolerance(size_t vertex) const {
     return PLAIT_CONTACT_TOLERANCE * contacts_.length_[vertex];
 }
@@ -157,13 +168,13 @@ std::optional<ContactPlacer::Nearest> ContactPlacer::nearest(size_t vertex, doub
     const MeshPlane* plane = mesh(vertex);
     if (!plane || (contacts_.of_strands() && body && body->gap < 0))
         return body;
-    const double height = plane->height + plane->normal.dot(p - plane->anchor);
+    const auto [normal, height] = deepest(vertex, *plane, p);
     if (height >= (body ? body->gap : reach))
         return body;
-    const Nearest found{height, plane->friction, plane->normal, plane->anchor, false};
+    const Nearest found{height, plane->friction, normal, plane->anchor, false};
     if (!contacts_.of_strands() || height >= 0)
         return found;
-    const Vec3 lifted = p - height * plane->normal;
+    const Vec3 lifted = p - height * normal;
     const auto behind = nearest_body(vertex, lifted, 0, false);
     if (behind)
         p = lifted;
@@ -254,9 +265,9 @@ double ContactPlacer::behind(size_t vertex, const Vec3& x) {
     auto found = nearest_body(vertex, x, -most, false);
     const MeshPlane* plane = contacts_.of_strands() ? nullptr : mesh(vertex);
     if (plane) {
-        const double height = plane->height + plane->normal.dot(x - plane->anchor);
+        const auto [normal, height] = deepest(vertex, *plane, x);
         if (height < (found ? found->gap : -most))
-            found = Nearest{height, plane->friction, plane->normal, plane->anchor, false};
+            found = Nearest{height, plane->friction, normal, plane->anchor, false};
     }
     if (!found)
         return 0;

@@ -38,6 +38,8 @@ class ContactPlacer {
     Vec3 carried(const Collider& collider, size_t vertex) const; // relative to the root
     void begin(size_t vertex);
     const MeshPlane* mesh(size_t vertex) const; // null: it has none
+    // The deepest of that one and those around it, at p.
+    Hollow::Wall deepest(size_t vertex, const MeshPlane& plane, const Vec3& p) const;
     double grip(size_t vertex, const Vec3& normal, const Vec3& anchor) const;
     std::optional<Tangent> crossing(const Collider& collider, size_t vertex, const Vec3& p) const;
     std::optional<Nearest> nearest_body(size_t vertex, const Vec3& p, double reach, bool sweeps);

@@ -85,12 +85,15 @@ class Walk {
             sign = side_;
         }
         const double height = sign * sample->distance - offset_;
-        if (std::abs(sample->distance) <= PLAIT_MESH_ROOM && sample->normal.norm() > 0.5) {
+        const double far =
+            body_.surface.two_sided ? sign * sample->distance : std::abs(sample->distance);
+        if (far <= PLAIT_MESH_ROOM && sample->normal.norm() > 0.5) {
             seen_ = true;
             plane_ = {sign * sample->normal, x, height};
         }
         return height;
     }
+    double side() const { return side_; }
     // Of what was looked at last.
     std::optional<MeshPlaneAt> plane() const {
         return seen_ ? std::optional(plane_) : std::nullopt;
@@ -104,8 +107,8 @@ class Walk {
 };
 
 // The plane of the place with the least f - o on the way, up to where that is nothing.
-std::optional<MeshPlaneAt> met(Walk walk, const Vec3& from, const Vec3& to, double start,
-                               double offset) {
+std::optional<MeshPlaneAt> met_on_the_way(Walk walk, const Vec3& from, const Vec3& to, double start,
+                                          double offset) {
     const double way = (to - from).norm();
     std::optional<MeshPlaneAt> nearest = walk.plane();
     double distance = start, t = 0;
@@ -125,26 +128,67 @@ std::optional<MeshPlaneAt> met(Walk walk, const Vec3& from, const Vec3& to, doub
     return nearest;
 }
 
-std::optional<MeshTouch> touch_of(const SurfaceBody& body, const MeshWays& ways, size_t vertex,
-                                  double clearance, double depth, double arc, Vec4& known) {
+// What a vertex meets of a mesh.
+struct Met {
+    std::optional<MeshTouch> touch;
+    std::optional<double> room; // m, of one without a plane, to a sheet that is near
+    Vec3 anchor;                // relative to the root: where its way begins
+    std::vector<Hollow::Wall> walls;
+    bool fast = false; // it goes along the plane of a sheet
+};
+
+// The planes of a sheet around the one that a vertex has, each in front of the other.
+std::vector<Hollow::Wall> walls_around(const SurfaceBody& body, const MeshPlaneAt& plane,
+                                       const Vec3& from, const Vec3& to, double offset,
+                                       double side) {
+    const Vec3 &n = plane.normal, way = to - from, along = way - n.dot(way) * n;
+    const double far = std::max(PLAIT_MESH_HOLLOW * way.norm(), double{PLAIT_MESH_ROOM});
+    const Vec3 ahead = far * along.normalized(), aside = n.cross(ahead),
+               below = to - plane.height_of(to) * n,
+               foot = plane.point - (plane.height + offset) * n;
+    std::vector<Hollow::Wall> walls;
+    for (const Vec3& way_out :
+         {ahead, Vec3(-ahead), aside, Vec3(-aside), Vec3(2 * ahead), Vec3(-2 * ahead)}) {
+        walls.push_back({Vec3::Zero(), 0});
+        const auto sample = body.at(below + way_out, way_out.norm() + 2 * PLAIT_MESH_ROOM);
+        if (!sample || sample->rim)
+            continue;
+        const Vec3 normal = side * sample->normal, rise = sample->point - foot;
+        const double height = normal.dot(from - sample->point) - offset;
+        if (height >= 0 && n.dot(rise) >= -PLAIT_MESH_FLAT && normal.dot(rise) <= PLAIT_MESH_FLAT)
+            walls.back() = {body.motion.pose.q * normal, height};
+    }
+    return walls;
+}
+
+Met met_by(const SurfaceBody& body, const MeshWays& ways, size_t vertex, double clearance,
+           double depth, double arc, Vec4& known) {
     const double offset = std::min(clearance, depth + PLAIT_CONTACT_ROOT_CLEARANCE * arc);
     const Pose& pose = body.motion.pose;
     const Vec3 rigid = pose.invert(body.motion.carried(ways.root + ways.begin[vertex]));
     const Vec3 to = pose.invert(ways.root + ways.end[vertex]);
     const Vec3 from = body.carried(rigid, to);
-    const double room = (to - from).norm() + PLAIT_MESH_ROOM;
+    const double way = (to - from).norm(), room = way + PLAIT_MESH_ROOM;
+    Met met;
+    met.anchor = pose.apply(from) - ways.root;
     Walk walk(body, offset);
     if (body.surface.two_sided)
         walk.belong(from, rigid, room, known);
     const auto start = walk.look(from, room + std::max(offset, 0.0));
+    const double side = walk.side();
+    if (body.surface.two_sided)
+        if (const auto there = body.at(to, 2 * way + 3 * PLAIT_MESH_ROOM)) {
+            const double last = std::abs(there->distance),
+                         least = start ? (std::abs(*start + offset) + last - way) / 2 : last - way;
+            met.room = std::max(least, double{PLAIT_MESH_ROOM});
+        }
     if (!start || *start > room)
-        return {};
+        return met;
     Walk last = walk;
-    const double way = (to - from).norm();
     const auto height = last.look(to, std::abs(*start + offset) + way + 1e-5);
     auto plane = walk.plane();
     if (height && *start + *height < way)
-        plane = met(walk, from, to, *start, offset);
+        plane = met_on_the_way(walk, from, to, *start, offset);
     const auto end = last.plane();
     if (end && plane) {
         const double off = std::abs(end->height - plane->height_of(to));
@@ -155,12 +199,63 @@ std::optional<MeshTouch> touch_of(const SurfaceBody& body, const MeshWays& ways,
         plane = end;
     }
     if (!plane)
-        return {};
-    return MeshTouch{{pose.q * plane->normal, pose.apply(from) - ways.root, plane->height_of(from)},
-                     *start,
-                     body.motion.friction,
-                     plane->height_of(to)};
+        return met;
+    met.room.reset();
+    met.touch = {{pose.q * plane->normal, met.anchor, plane->height_of(from)},
+                 *start,
+                 body.motion.friction,
+                 plane->height_of(to)};
+    const Vec3 along = to - from - plane->normal.dot(to - from) * plane->normal;
+    met.fast = body.surface.two_sided && way > PLAIT_MESH_ROOM && along.norm() > PLAIT_MESH_SLIDE;
+    if (met.fast)
+        met.walls = walls_around(body, *plane, from, to, offset, side);
+    return met;
 }
+
+// Rows of lane_hollow.
+class Hollows {
+  public:
+    Hollows(const View<double>& rows, const Lane& lane, size_t vertices)
+        : rows_(rows), lane_(lane) {
+        for (size_t i = 1; i < vertices; ++i)
+            at(i, PLAIT_LANE_HOLLOW_KIND) = double(PLAIT_HOLLOW_NONE);
+    }
+
+    // `deepest`: a plane of the mesh is the one that the vertex has.
+    void take(size_t vertex, const Met& met, bool deepest) {
+        if (met.touch && deepest)
+            take_walls(vertex, met);
+        else if (met.room && least_room(vertex) > *met.room)
+            store(vertex, PLAIT_LANE_HOLLOW_ANCHOR,
+                  {met.anchor.x(), met.anchor.y(), met.anchor.z(), *met.room}, PLAIT_HOLLOW_ROOM);
+    }
+
+  private:
+    double& at(size_t vertex, size_t component) {
+        return rows_[lane_.index(vertex, component, PLAIT_LANE_HOLLOW_COMPONENTS)];
+    }
+    double least_room(size_t vertex) {
+        const double kind = at(vertex, PLAIT_LANE_HOLLOW_KIND);
+        return kind == double(PLAIT_HOLLOW_ROOM)   ? at(vertex, PLAIT_LANE_HOLLOW_ROOM)
+               : kind == double(PLAIT_HOLLOW_NONE) ? std::numeric_limits<double>::infinity()
+                                                   : 0;
+    }
+    void take_walls(size_t vertex, const Met& met) {
+        std::vector<double> values;
+        for (const auto& [normal, height] : met.walls)
+            values.insert(values.end(), {normal.x(), normal.y(), normal.z(), height});
+        store(vertex, PLAIT_LANE_HOLLOW_PLANE, values,
+              met.fast ? PLAIT_HOLLOW_PLANES : PLAIT_HOLLOW_NONE);
+    }
+    void store(size_t vertex, size_t first, const std::vector<double>& values, float kind) {
+        at(vertex, PLAIT_LANE_HOLLOW_KIND) = double(kind);
+        for (size_t c = 0; c < values.size(); ++c)
+            at(vertex, first + c) = values[c];
+    }
+
+    const View<double>& rows_;
+    const Lane& lane_;
+};
 
 // What meshes before it have left.
 std::vector<std::optional<MeshTouch>> touches_left(const mesh_nearest_args& args, const Lane& lane,
@@ -201,15 +296,22 @@ void mesh_nearest(uint32_t item_count, const plait_lane_params& params,
                     args.mesh_side[(strand * params.row_stride + row) * params.collider_count +
                                    mesh]
                         .setZero();
-        find_touches(params, strand, ways, args.mesh_clearance, list,
-                     [&](size_t mesh, size_t i, double clearance, double arc) {
-                         Vec4 none = Vec4::Zero();
-                         const size_t row = strand * params.row_stride + i;
-                         return touch_of(bodies[mesh], ways, i, clearance, depths[mesh], arc,
-                                         bodies[mesh].surface.two_sided
-                                             ? args.mesh_side[row * params.collider_count + mesh]
-                                             : none);
-                     });
+        std::optional<Hollows> hollows;
+        if (params.hollows)
+            hollows.emplace(args.lane_hollow, lane, params.vertex_stride);
+        find_touches(
+            params, strand, ways, args.mesh_clearance, list,
+            [&](size_t mesh, size_t i, double clearance, double arc) {
+                Vec4 none = Vec4::Zero();
+                const size_t row = strand * params.row_stride + i;
+                const Met met = met_by(bodies[mesh], ways, i, clearance, depths[mesh], arc,
+                                       bodies[mesh].surface.two_sided
+                                           ? args.mesh_side[row * params.collider_count + mesh]
+                                           : none);
+                if (hollows)
+                    hollows->take(i, met, !list[i] || (met.touch && met.touch->gap < list[i]->gap));
+                return met.touch;
+            });
         store_planes(args.lane_plane, lane, list);
     }
 }

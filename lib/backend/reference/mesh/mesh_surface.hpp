@@ -24,6 +24,7 @@ struct SurfaceSample {
     double distance; // negative inside
     Vec3 normal;
     bool rim;
+    Vec3 point; // the nearest
 };
 
 inline Vec3 unit(const Vec3& v) {
@@ -86,7 +87,8 @@ template <typename Args> class MeshSurface {
         const Vec3 outward = outward_of(*found, share, rim), way = x - found->point;
         const double sign = way.dot(outward) < 0 ? -1 : 1;
         const bool round = found->shares.minCoeff() <= 0 && found->distance > PLAIT_MESH_TOUCH;
-        return SurfaceSample{sign * found->distance, unit(round ? Vec3(sign * way) : outward), rim};
+        return SurfaceSample{sign * found->distance, unit(round ? Vec3(sign * way) : outward), rim,
+                             found->point};
     }
 
     // Does the straight way from a to b pass through a triangle, or by its edge?

@@ -272,7 +272,8 @@ void articulated(uint32_t item_count, const plait_lane_params& params,
                              {args.lane_x, args.lane_v, args.lane_x_before, args.lane_v_before,
                               args.lane_material, args.lane_acceleration, args.lane_pin,
                               args.lane_plane},
-                             args.lane_normal_force};
+                             args.lane_normal_force,
+                             args.lane_hollow};
     for (size_t slot = 0; slot < item_count; ++slot) {
         RodModel rod(buffers, params, slot);
         const Lane lane(slot, params.vertex_stride, params.tile);

@@ -51,7 +51,8 @@ RodModel::RodModel(const RodBuffers& buffers, const plait_lane_params& params, s
         return;
     contacts_ = std::make_shared<Contacts>(params, buffers.colliders, motion_, length_before_,
                                            stretch_before, mass_,
-                                           mesh_planes_of(lane_, params, buffers.state.plane));
+                                           mesh_planes_of(lane_, params, buffers.state.plane),
+                                           hollows_of(lane_, params, buffers.hollow));
 }
 
 void RodModel::shorten(double share) {

@@ -28,6 +28,7 @@ struct RodBuffers {
     const View<double>& q_before;
     LaneState state;
     const View<double>& normal_force;
+    const View<const double>& hollow; // of sheets, where there are any
 };
 
 class RodModel {
