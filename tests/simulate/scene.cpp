@@ -111,6 +111,17 @@ TEST_F(SceneFile, outputs_have_a_file_each_in_a_folder_that_is_there) {
     EXPECT_THAT(read(R"({"out": "o", "json": "o/a.json"})").json, HasSubstr("o/a.json"));
 }
 
+TEST_F(SceneFile, a_radius_of_follows_that_are_not_there_is_refused) {
+    EXPECT_THAT(refusal(R"({"follow_radius": 0.01})"), HasSubstr("follows_per_guide is 0"));
+    read(R"({"follow_radius": 0.01, "follows_per_guide": 2})");
+    read(R"({"follow_radius": 0.01, "groom": "dreadlocks"})");
+}
+
+TEST_F(SceneFile, nested_beyond_reason_is_refused_at_once) {
+    const std::string deep(20000, '[');
+    EXPECT_THAT(refusal("{\"groom\": " + deep), HasSubstr("nested more than 100 deep"));
+}
+
 TEST_F(SceneFile, a_number_beyond_all_is_refused_with_the_file) {
     EXPECT_THAT(refusal(R"({"seconds": 1e999})"), AllOf(HasSubstr(".json: "), HasSubstr("1e999")));
 }
@@ -186,6 +197,10 @@ TEST_F(SceneFile, has_meshes) {
     EXPECT_THAT(refusal(R"({"meshes": [{"file": "a.obj", "cells": 7}]})"),
                 AllOf(HasSubstr("meshes[0].cells"), HasSubstr("7"), HasSubstr("[8,256]")));
     EXPECT_THAT(refusal(R"({"meshes": [{"file": "a.obj", "thin": 1}]})"), HasSubstr("thin"));
+    EXPECT_THAT(refusal(R"({"meshes": [{"file": "a.obj", "form": "nearest", "cells": 64}]})"),
+                HasSubstr("only a field has cells"));
+    EXPECT_THAT(refusal(R"({"meshes": [{"file": "a.obj", "form": "hull", "two_sided": true}]})"),
+                HasSubstr("form hull, too"));
     EXPECT_THAT(refusal(R"({"model": "tressfx", "meshes": [{"file": "a.obj"}]})"),
                 HasSubstr("tressfx"));
 }

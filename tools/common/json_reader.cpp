@@ -200,13 +200,22 @@ void JsonReader::finish() const {
             fail(key, "is no known key" + proposal(key, known_));
 }
 
+// Levels; no scene has ten.
+constexpr int deepest = 100;
+
 Json read_json(Origin& origin) {
     std::ifstream stream(origin.file);
     if (!stream || std::filesystem::is_directory(origin.file))
         throw Failure(origin.file + ": cannot be opened");
     const std::string text{std::istreambuf_iterator<char>(stream), {}};
     try {
-        Json document = Json::parse(text, nullptr, true, true); // comments are welcome
+        const auto shallow = [&](int depth, Json::parse_event_t, const Json&) {
+            if (depth > deepest)
+                throw Failure(origin.file + ": is nested more than " + std::to_string(deepest) +
+                              " deep");
+            return true;
+        };
+        Json document = Json::parse(text, shallow, true, true); // comments are welcome
         std::vector<DuplicateKey> duplicates;
         origin.lines = find_lines(text, duplicates);
         if (!duplicates.empty()) // the parser keeps the last and says nothing

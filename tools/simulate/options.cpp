@@ -4,6 +4,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cctype>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 
@@ -24,7 +26,14 @@ template <typename T>
 void option(CLI::App& app, Json& keys, const char* flag, const char* key, const char* type,
             const char* help) {
     app.add_option_function<T>(
-           flag, [&keys, key](const T& value) { keys[key] = value; }, help)
+           flag,
+           [&keys, key, flag](const T& value) {
+               if constexpr (std::is_floating_point_v<T>)
+                   if (!std::isfinite(value))
+                       throw CLI::ValidationError(flag, "is no finite number");
+               keys[key] = value;
+           },
+           help)
         ->type_name(type);
 }
 
@@ -37,6 +46,11 @@ void count_option(CLI::App& app, Json& keys, const char* flag, const char* key, 
                keys[key] = value < 0 ? Json(value) : Json(static_cast<uint64_t>(value));
            },
            help)
+        ->check([](const std::string& given) -> std::string { // CLI11 would read it as octal
+            return given.size() > 1 && given[0] == '0' && std::isdigit(given[1])
+                       ? given + " begins with 0"
+                       : "";
+        })
         ->type_name(type);
 }
 

@@ -57,6 +57,7 @@ Case mesh_field_case() {
                      "contact_rate",
                      "contact_slip",
                      "planes",
+                     "hollows",
                      "collider.begin.a.radius",
                      "collider.end.a.radius",
                      "collider.end.b",

@@ -38,9 +38,13 @@ void read_mesh(JsonReader& in, const std::string& folder, MeshChoice& mesh) {
     in.number("scale", mesh.scale, 1e-6, 1e6);
     in.number("margin", mesh.desc.margin, 0, 0.05);
     in.number("friction", mesh.desc.friction, 0, 10);
-    in.integer("cells", mesh.desc.cells, 8, 256);
+    if (in.integer("cells", mesh.desc.cells, 8, 256) && form != PLAIT_MESH_FORM_FIELD)
+        in.fail("cells", std::string("is given, and form ") + form_names[form] +
+                             ", too: only a field has cells");
     bool two_sided = false;
     in.flag("two_sided", two_sided);
+    if (two_sided && mesh.hull)
+        in.fail("two_sided", "is given, and form hull, too, which always has an inside");
     mesh.desc.two_sided = two_sided ? 1 : 0;
     in.flag("drawn", mesh.drawn);
 }

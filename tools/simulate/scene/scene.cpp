@@ -484,7 +484,10 @@ void read_simulation(JsonReader& top, Scene& scene) {
     top.choice("bind", scene.bind, bind_names);
     top.choice("sag_free", scene.sim.sag_free, sag_free_names);
     top.integer("follows_per_guide", scene.sim.follows_per_guide, 0, 64);
-    top.number("follow_radius", scene.sim.follow_radius, 0, 1);
+    if (top.number("follow_radius", scene.sim.follow_radius, 0, 1) &&
+        scene.sim.follows_per_guide == 0)
+        top.fail("follow_radius", "is given, and follows_per_guide is 0: hair that follows in "
+                                  "another way has roots of its own");
     top.text("device", scene.device);
     top.text("backend", scene.backend);
     const bool own = scene.sim.model == PLAIT_MODEL_TRESSFX;
