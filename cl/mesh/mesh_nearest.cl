@@ -315,7 +315,7 @@ static inline mesh_touch near_meet(const near_body* body, const near_way* at,
     const real ends = pick(first.some, 0.5f * (fabs(first.distance) - nearest - way), -way);
     wall->room = fmax(nearest + ends, (real)(PLAIT_MESH_ROOM));
     wall->near = near & (fabs(there->distance) <= 2.0f * way + (real)(3 * PLAIT_MESH_ROOM));
-    wall->some = touch.some & mesh_plane_is(plane);
+    wall->some = touch.some;
     if (!any_lane(touch.some))
         return touch;
     real side_there = side;

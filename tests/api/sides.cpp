@@ -353,8 +353,8 @@ TEST_P(Sides, HairStaysInsideOfASleeveThatTurnsAndSetsOff) {
     RecordProperty("outside_mm", std::to_string(worst * 1e3));
 }
 
-// Form FIELD cannot, and says so.
-TEST(SidesOfAField, AreNotKept) {
+// Form FIELD has no memory of sides.
+TEST(SheetOfAField, SaysThatItKeepsNoSides) {
     std::string said;
     auto desc = plait_context_desc_defaults();
     desc.backend = "reference";

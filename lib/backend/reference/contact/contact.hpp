@@ -67,13 +67,12 @@ class Contacts {
     };
     Vec3 slip_of(const Contact& at, const Vec3& x) const;
     double released(size_t vertex, const Vec3& x, double begin) const;
+    Vec3 off_way(size_t vertex, const Vec3& begin, const Vec3& p) const;
 
     const plait_lane_params& params_;
     const View<const Vec4>& colliders_;
     const Motion& motion_;
     std::vector<double> length_, stretch_, mass_, arc_; // arc_[i]: from the root to vertex i
-    Vec3 off_way(size_t vertex, const Vec3& begin, const Vec3& p) const;
-
     std::vector<std::optional<MeshPlane>> planes_;
     std::vector<Hollow> hollows_;
     std::vector<Vec3> y_;
