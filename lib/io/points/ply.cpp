@@ -44,6 +44,7 @@ class Ply {
             PLAIT_TRY(read_element(element));
         if (points_.empty())
             return bad("has no vertices");
+        PLAIT_TRY(check_end());
         if (has_edges_)
             PLAIT_TRY(take_chains());
         else
@@ -70,6 +71,19 @@ class Ply {
         return bad(format("element %s: %" PRIu64 " of at least %" PRIu64
                           " bytes do not fit in what is left of the file of %" PRIu64 " bytes",
                           shown(element.name).c_str(), element.count, least, file_.size()));
+    }
+
+    // Values left over: of a row too many or, of text, of a row too long, which has moved all that follow.
+    Status check_end() const {
+        std::string_view rest = file_.view(at_, file_.size() - at_);
+        if (format_ != PlyFormat::TEXT && !rest.empty())
+            return bad(format("%zu bytes follow the last element; allowed is the end of the file",
+                              rest.size()));
+        const std::string_view word = next_word(rest, " \t\r\n");
+        if (!word.empty())
+            return bad(format("\"%s\" follows the last element; allowed is the end of the file",
+                              shown(word).c_str()));
+        return {};
     }
 
     Status read_element(const PlyElement& element) {
