@@ -122,6 +122,11 @@ TEST_F(SceneFile, nested_beyond_reason_is_refused_at_once) {
     EXPECT_THAT(refusal("{\"groom\": " + deep), HasSubstr("nested more than 100 deep"));
 }
 
+TEST_F(SceneFile, a_text_that_the_file_system_would_cut_short_is_refused) {
+    EXPECT_THAT(refusal(R"({"out": "here\u0000there"})"),
+                HasSubstr(R"("here\u0000there" has the character 0)"));
+}
+
 TEST_F(SceneFile, a_number_beyond_all_is_refused_with_the_file) {
     EXPECT_THAT(refusal(R"({"seconds": 1e999})"), AllOf(HasSubstr(".json: "), HasSubstr("1e999")));
 }

@@ -209,13 +209,17 @@ Json read_json(Origin& origin) {
         throw Failure(origin.file + ": cannot be opened");
     const std::string text{std::istreambuf_iterator<char>(stream), {}};
     try {
-        const auto shallow = [&](int depth, Json::parse_event_t, const Json&) {
+        const auto check = [&](int depth, Json::parse_event_t, const Json& value) {
             if (depth > deepest)
                 throw Failure(origin.file + ": is nested more than " + std::to_string(deepest) +
                               " deep");
+            if (value.is_string() &&
+                value.get_ref<const std::string&>().find('\0') != std::string::npos)
+                throw Failure(origin.file + ": " + value.dump() +
+                              " has the character 0, which would end a file's name");
             return true;
         };
-        Json document = Json::parse(text, shallow, true, true); // comments are welcome
+        Json document = Json::parse(text, check, true, true); // comments are welcome
         std::vector<DuplicateKey> duplicates;
         origin.lines = find_lines(text, duplicates);
         if (!duplicates.empty()) // the parser keeps the last and says nothing
