@@ -282,8 +282,8 @@ TEST_P(Sides, HairStaysInsideOfAHoodThatTurnsAndSetsOff) {
             desc.capsule.a[1] = desc.box.centre[1] = -0.02f;
             desc.capsule.b[1] = 0.02f;
             desc.capsule.radius_a = desc.capsule.radius_b = 0.085f;
-            desc.box.half_extents[0] = desc.box.half_extents[1] = desc.box.half_extents[2] = 0.075f;
-            desc.box.rounding = 0.01f;
+            desc.box.half_extents[0] = desc.box.half_extents[1] = desc.box.half_extents[2] = 0.085f;
+            desc.box.rounding = 0; // two faces hold a vertex in an edge
             id = sim.create_collider(desc);
         }
         EXPECT_EQ(sim.describe_collider(id).inward, 1u);
@@ -292,10 +292,9 @@ TEST_P(Sides, HairStaysInsideOfAHoodThatTurnsAndSetsOff) {
                 return std::hypot(p[0], p[1] - std::clamp(p[1], -0.02, 0.02), p[2]) - 0.085;
             if (kind == PLAIT_COLLIDER_KIND_BOX) {
                 const double y = p[1] + 0.02;
-                return std::hypot(std::max(std::abs(p[0]) - 0.075, 0.0),
-                                  std::max(std::abs(y) - 0.075, 0.0),
-                                  std::max(std::abs(p[2]) - 0.075, 0.0)) -
-                       0.01;
+                return std::hypot(std::max(std::abs(p[0]) - 0.085, 0.0),
+                                  std::max(std::abs(y) - 0.085, 0.0),
+                                  std::max(std::abs(p[2]) - 0.085, 0.0));
             }
             return faces.outside(p);
         };

@@ -257,18 +257,24 @@ void ContactPlacer::bring(size_t vertex, const Vec3& to, const Vec3& x) {
     at.offset += std::clamp(at.normal.dot(x - to), -tolerance(vertex), tolerance(vertex));
 }
 
+// The body or, where no strands meet, the mesh in which x is too deep.
+std::optional<ContactPlacer::Nearest> ContactPlacer::holder(size_t vertex, const Vec3& x) {
+    const double most = PLAIT_CONTACT_MAX_PENETRATION * contacts_.length_[vertex];
+    auto found = nearest_body(vertex, x, -most, false);
+    const MeshPlane* plane = contacts_.of_strands() ? nullptr : mesh(vertex);
+    if (!plane)
+        return found;
+    const auto [normal, height] = deepest(vertex, *plane, x);
+    if (height < (found ? found->gap : -most))
+        found = Nearest{height, plane->friction, normal, plane->anchor, false};
+    return found;
+}
+
 // A vertex that touches no body but is left too deep in one touches it from now on: its depth, or 0.
 double ContactPlacer::behind(size_t vertex, const Vec3& x) {
     if (held_ || contacts_.length_[vertex] == 0)
         return 0;
-    const double most = PLAIT_CONTACT_MAX_PENETRATION * contacts_.length_[vertex];
-    auto found = nearest_body(vertex, x, -most, false);
-    const MeshPlane* plane = contacts_.of_strands() ? nullptr : mesh(vertex);
-    if (plane) {
-        const auto [normal, height] = deepest(vertex, *plane, x);
-        if (height < (found ? found->gap : -most))
-            found = Nearest{height, plane->friction, normal, plane->anchor, false};
-    }
+    const auto found = holder(vertex, x);
     if (!found)
         return 0;
     arrive(vertex, *found);
@@ -285,6 +291,55 @@ bool ContactPlacer::strays(size_t vertex, const Vec3& p) const {
            PLAIT_CONTACT_ROOM * contacts_.length_[vertex] - PLAIT_CONTACT_REACH * tolerance(vertex);
 }
 
+// Of `out`, of that length, which is so deep below a plane: on the circle in which the plane cuts the sphere.
+Vec3 on_circle(const Vec3& n, const Vec3& out, double depth, double length) {
+    const double above = std::clamp(n.dot(out) + depth, -length, length);
+    const Vec3 across = out - n.dot(out) * n;
+    const double size = across.norm();
+    return above * n + std::sqrt((length - above) * (length + above)) *
+                           (size > 1e-30 ? Vec3(across / size) : n);
+}
+
+// Where two planes cut the sphere of radius `length`, `one` and `two` m off its centre: the middle of the two places, and
+// the way from there to that on the side of `out`.
+struct Cut {
+    Vec3 middle, way;
+};
+
+std::optional<Cut> on_both(const Vec3& n, double one, const Vec3& m, double two, const Vec3& out,
+                           double length) {
+    const double same = n.dot(m), square = 1 - same * same;
+    if (square < PLAIT_CONTACT_EDGE)
+        return {};
+    const Vec3 middle = ((one - same * two) * n + (two - same * one) * m) / square;
+    const double rest = length * length - middle.squaredNorm();
+    if (rest < 0)
+        return {};
+    const Vec3 along = n.cross(m).normalized();
+    return Cut{middle, std::copysign(std::sqrt(rest), along.dot(out)) * along};
+}
+
+// Of a vertex at `out` from its leader, on a surface of normal n, that another surface holds: in the edge of a box
+// from inside, or between two bodies. A corner takes more rounds; where all have failed, the other place on the last
+// edge is the one inside.
+Vec3 ContactPlacer::in_edge(size_t vertex, const Vec3& leader, Vec3 n, Vec3 out) {
+    const double length = contacts_.length_[vertex];
+    std::optional<Cut> cut;
+    for (int k = 0; k < PLAIT_CONTACT_EDGE_ROUNDS; ++k) {
+        const auto other = holder(vertex, leader + out);
+        const double same = other ? n.dot(other->normal) : 0;
+        if (!other || (same < 0 && 1 - same * same < PLAIT_CONTACT_EDGE)) // against each other
+            break;
+        if (cut && k + 1 == PLAIT_CONTACT_EDGE_ROUNDS)
+            return cut->middle - cut->way;
+        const Vec3& m = other->normal;
+        cut = on_both(n, n.dot(out), m, m.dot(out) - other->gap, out, length);
+        out = cut ? Vec3(cut->middle + cut->way) : on_circle(m, out, -other->gap, length);
+        n = m;
+    }
+    return out;
+}
+
 // Past the first steps, where strands meet and of what strays, what is left too deep comes to the surface.
 Vec3 ContactPlacer::left(size_t vertex, const Vec3& to, const Vec3& leader, const Vec3& x) {
     const bool keeps = contacts_.of_strands() || step_ >= PLAIT_CONTACT_NEWTON_STEPS || astray_;
@@ -295,16 +350,13 @@ Vec3 ContactPlacer::left(size_t vertex, const Vec3& to, const Vec3& leader, cons
     if (!(behind > 0))
         bring(vertex, to, x);
     deep_ = deep_ || behind > 0 || under;
-    if (!keeps || !(behind > 0 || under))
+    const bool moves = behind > 0 || under;
+    if (!keeps || at.stiffness == 0 || (contacts_.of_strands() && !moves))
         return x;
-    // the circle of that height on the sphere around the leader
-    const Vec3 &n = at.normal, out = x - leader;
-    const double above = std::clamp(n.dot(out) + depth, -length, length);
-    const Vec3 across = out - n.dot(out) * n;
-    const double size = across.norm();
-    return leader + above * n +
-           std::sqrt((length - above) * (length + above)) *
-               (size > 1e-30 ? Vec3(across / size) : n);
+    const Vec3 out = x - leader, on = moves ? on_circle(at.normal, out, depth, length) : out;
+    const Vec3 kept = in_edge(vertex, leader, at.normal, on);
+    deep_ = deep_ || kept != on;
+    return kept == out ? x : Vec3(leader + kept);
 }
 
 void ContactPlacer::placed() {

@@ -44,7 +44,9 @@ class ContactPlacer {
     std::optional<Tangent> crossing(const Collider& collider, size_t vertex, const Vec3& p) const;
     std::optional<Nearest> nearest_body(size_t vertex, const Vec3& p, double reach, bool sweeps);
     std::optional<Nearest> nearest(size_t vertex, double reach, Vec3& p);
+    std::optional<Nearest> holder(size_t vertex, const Vec3& x);
     double behind(size_t vertex, const Vec3& x);
+    Vec3 in_edge(size_t vertex, const Vec3& leader, Vec3 n, Vec3 out);
     void arrive(size_t vertex, const Nearest& found);
     void rub(Contact& at, const Vec3& to);
     void bring(size_t vertex, const Vec3& to, const Vec3& x);
