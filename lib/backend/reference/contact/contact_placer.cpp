@@ -291,55 +291,6 @@ bool ContactPlacer::strays(size_t vertex, const Vec3& p) const {
            PLAIT_CONTACT_ROOM * contacts_.length_[vertex] - PLAIT_CONTACT_REACH * tolerance(vertex);
 }
 
-// Of `out`, of that length, which is so deep below a plane: on the circle in which the plane cuts the sphere.
-Vec3 on_circle(const Vec3& n, const Vec3& out, double depth, double length) {
-    const double above = std::clamp(n.dot(out) + depth, -length, length);
-    const Vec3 across = out - n.dot(out) * n;
-    const double size = across.norm();
-    return above * n + std::sqrt((length - above) * (length + above)) *
-                           (size > 1e-30 ? Vec3(across / size) : n);
-}
-
-// Where two planes cut the sphere of radius `length`, `one` and `two` m off its centre: the middle of the two places, and
-// the way from there to that on the side of `out`.
-struct Cut {
-    Vec3 middle, way;
-};
-
-std::optional<Cut> on_both(const Vec3& n, double one, const Vec3& m, double two, const Vec3& out,
-                           double length) {
-    const double same = n.dot(m), square = 1 - same * same;
-    if (square < PLAIT_CONTACT_EDGE)
-        return {};
-    const Vec3 middle = ((one - same * two) * n + (two - same * one) * m) / square;
-    const double rest = length * length - middle.squaredNorm();
-    if (rest < 0)
-        return {};
-    const Vec3 along = n.cross(m).normalized();
-    return Cut{middle, std::copysign(std::sqrt(rest), along.dot(out)) * along};
-}
-
-// Of a vertex at `out` from its leader, on a surface of normal n, that another surface holds: in the edge of a box
-// from inside, or between two bodies. A corner takes more rounds; where all have failed, the other place on the last
-// edge is the one inside.
-Vec3 ContactPlacer::in_edge(size_t vertex, const Vec3& leader, Vec3 n, Vec3 out) {
-    const double length = contacts_.length_[vertex];
-    std::optional<Cut> cut;
-    for (int k = 0; k < PLAIT_CONTACT_EDGE_ROUNDS; ++k) {
-        const auto other = holder(vertex, leader + out);
-        const double same = other ? n.dot(other->normal) : 0;
-        if (!other || (same < 0 && 1 - same * same < PLAIT_CONTACT_EDGE)) // against each other
-            break;
-        if (cut && k + 1 == PLAIT_CONTACT_EDGE_ROUNDS)
-            return cut->middle - cut->way;
-        const Vec3& m = other->normal;
-        cut = on_both(n, n.dot(out), m, m.dot(out) - other->gap, out, length);
-        out = cut ? Vec3(cut->middle + cut->way) : on_circle(m, out, -other->gap, length);
-        n = m;
-    }
-    return out;
-}
-
 // Past the first steps, where strands meet and of what strays, what is left too deep comes to the surface.
 Vec3 ContactPlacer::left(size_t vertex, const Vec3& to, const Vec3& leader, const Vec3& x) {
     const bool keeps = contacts_.of_strands() || step_ >= PLAIT_CONTACT_NEWTON_STEPS || astray_;

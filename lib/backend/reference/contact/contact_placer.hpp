@@ -46,6 +46,7 @@ class ContactPlacer {
     std::optional<Nearest> nearest(size_t vertex, double reach, Vec3& p);
     std::optional<Nearest> holder(size_t vertex, const Vec3& x);
     double behind(size_t vertex, const Vec3& x);
+    static Vec3 on_circle(const Vec3& n, const Vec3& out, double depth, double length);
     Vec3 in_edge(size_t vertex, const Vec3& leader, Vec3 n, Vec3 out);
     void arrive(size_t vertex, const Nearest& found);
     void rub(Contact& at, const Vec3& to);
