@@ -529,6 +529,70 @@ TEST_P(Sides, AHardShakePushesNoHairIntoTheHead) {
     }
 }
 
+// Strands of 25 cm from the faces of a cube: out, sideways to beyond its edge, then down.
+Strands on_a_cube(double half_size, size_t number) {
+    Strands strands;
+    for (size_t s = 0; s < number; ++s) {
+        const double h = 1 - 1.15 * (double(s) + 0.5) / double(number), az = 2.39996 * double(s);
+        const double r = std::sqrt(1 - h * h), way[3] = {r * std::cos(az), h, r * std::sin(az)};
+        const size_t face = static_cast<size_t>(
+            std::max_element(way, way + 3,
+                             [](double a, double b) { return std::abs(a) < std::abs(b); }) -
+            way);
+        std::array<double, 3> x{};
+        for (size_t k = 0; k < 3; ++k)
+            x[k] = half_size * way[k] / std::abs(way[face]);
+        Strand strand;
+        for (int i = 0; i < 16; ++i) {
+            strand.push_back({float(x[0]), float(x[1]), float(x[2])});
+            const bool over = std::max(std::abs(x[0]), std::abs(x[2])) < half_size + 0.012;
+            if (i == 0)
+                x[face] += std::copysign(0.25 / 15, way[face]);
+            else if (over)
+                x = {x[0] + way[0] / r * 0.25 / 15, x[1], x[2] + way[2] / r * 0.25 / 15};
+            else
+                x[1] -= 0.25 / 15;
+        }
+        strands.push_back(strand);
+    }
+    return strands;
+}
+
+// A vertex that its segment carries round a sharp edge is in another face than the one it was pressed to.
+TEST_P(Sides, SharpEdgesKeepHairOut) {
+    const double half_size = 0.08;
+    const auto groom = make_groom(on_a_cube(half_size, is_reference() ? 60 : 500));
+    for (const bool turns : {true, false}) {
+        plait::Sim sim(context, groom);
+        auto desc = smooth_collider();
+        desc.kind = PLAIT_COLLIDER_KIND_BOX;
+        desc.friction = 0.2f;
+        for (float& half : desc.box.half_extents)
+            half = float(half_size);
+        const plait_collider_id id = sim.create_collider(desc);
+        double deepest = -1;
+        for (int i = 1; i <= (is_reference() ? 120 : 200); ++i) {
+            plait_pose pose = driven(turns ? i : 0);
+            pose.t[0] = static_cast<float>(turns ? 0 : 3 * std::max(0, i - 60) * frame);
+            auto roots = plait_roots_defaults();
+            roots.head = pose;
+            sim.set_roots(roots);
+            sim.set_collider_pose(id, pose);
+            sim.step(frame);
+            const auto x = sim.read(PLAIT_FIELD_POSITION);
+            for (size_t k = 0; k < x.size(); k += 4) {
+                const auto p = own_of(pose, &x[k]);
+                if (k % 64 != 0) // but roots
+                    deepest = std::max(
+                        deepest,
+                        half_size - std::max({std::abs(p[0]), std::abs(p[1]), std::abs(p[2])}));
+            }
+        }
+        EXPECT_LT(deepest, 5e-4) << (turns ? "turns" : "sets off");
+        RecordProperty(turns ? "turns_mm" : "sets_off_mm", std::to_string(deepest * 1e3));
+    }
+}
+
 // A head that sets off with 5 g to 5 m/s and turns to and fro, drawn at any rate: no vertex is drawn deeper
 // than a millimetre in the head where it is drawn.
 TEST_P(Sides, NoHairIsDrawnInTheHeadAtAnyRateOfFrames) {

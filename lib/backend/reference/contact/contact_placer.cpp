@@ -293,8 +293,12 @@ bool ContactPlacer::strays(size_t vertex, const Vec3& p) const {
 
 // Past the first steps, where strands meet and of what strays, what is left too deep comes to the surface.
 Vec3 ContactPlacer::left(size_t vertex, const Vec3& to, const Vec3& leader, const Vec3& x) {
+    const double length = contacts_.length_[vertex];
     const bool keeps = contacts_.of_strands() || step_ >= PLAIT_CONTACT_NEWTON_STEPS || astray_;
-    const double length = contacts_.length_[vertex], behind = keeps ? this->behind(vertex, x) : 0;
+    // what its segment's length has carried off may be in what `to` is not
+    const bool off = (x - to).norm() > PLAIT_CONTACT_MAX_PENETRATION * length;
+    deep_ = deep_ || (!keeps && off && holder(vertex, x));
+    const double behind = keeps ? this->behind(vertex, x) : 0;
     const Contact& at = contacts_.at_[vertex];
     const double depth = behind > 0 ? behind : depth_ + at.normal.dot(to - x);
     const bool under = held_ && at.stiffness > 0 && depth > PLAIT_CONTACT_MAX_PENETRATION * length;
