@@ -315,6 +315,45 @@ TEST_P(Sides, HairStaysInsideOfAHoodThatTurnsAndSetsOff) {
     }
 }
 
+// Strands of 35 cm in a box 20 cm high lie on its bottom and in its edges: in those a vertex would belong to one
+// face and the other in turn.
+TEST_P(Sides, HairInABoxComesToRest) {
+    const double spacing = 0.35 / 15;
+    Strands strands;
+    for (size_t s = 0; s < (is_reference() ? 40 : 200); ++s) {
+        const double h = 1 - (double(s) + 0.5) / 100, az = 2.39996 * double(s);
+        const double r = 0.08 * std::sqrt(1 - h * h / 4);
+        Strand strand;
+        for (int i = 0; i < 16; ++i)
+            strand.push_back(
+                {float(r * std::cos(az)), float(0.04 * h - spacing * i), float(r * std::sin(az))});
+        strands.push_back(strand);
+    }
+    const auto groom = make_groom(strands);
+    plait::Sim sim(context, groom);
+    auto desc = smooth_collider();
+    desc.kind = PLAIT_COLLIDER_KIND_BOX;
+    desc.inward = 1;
+    desc.friction = 0.2f;
+    for (float& half : desc.box.half_extents)
+        half = 0.12f;
+    desc.box.centre[1] = -0.06f;
+    sim.create_collider(desc);
+    for (int i = 0; i < 400; ++i)
+        sim.step(frame);
+    double farthest = 0; // m, in a frame
+    auto before = sim.read(PLAIT_FIELD_POSITION);
+    for (int i = 0; i < 60; ++i) {
+        sim.step(frame);
+        const auto x = sim.read(PLAIT_FIELD_POSITION);
+        for (size_t k = 0; k < x.size(); ++k)
+            farthest = std::max(farthest, std::abs(double(x[k]) - double(before[k])));
+        before = x;
+    }
+    EXPECT_LT(farthest, 1e-4);
+    RecordProperty("farthest_mm", std::to_string(farthest * 1e3));
+}
+
 // Hair hangs in a collar or a sleeve, an open tube: what is in it stays in it.
 TEST_P(Sides, HairStaysInsideOfASleeveThatTurnsAndSetsOff) {
     constexpr double radius = 0.05, low = -0.2, high = 0.2;

@@ -16,8 +16,20 @@ namespace {
 
 constexpr size_t collider_floats = size_t{4} * PLAIT_COLLIDER_STRIDE;
 
+// m: a vertex in a sharp edge of a box from inside belongs to one face and the other in turn, and never rests.
+constexpr float least_rounding = 2e-3f;
+
+void round_edges(Colliders::Slot& slot) {
+    const float least = *std::min_element(slot.half_extents, slot.half_extents + 3);
+    const float more = std::clamp(least_rounding - slot.rounding, 0.0f, least / 4);
+    std::for_each(slot.half_extents, slot.half_extents + 3, [&](float& x) { x -= more; });
+    slot.rounding += more;
+}
+
 // Its shape, `size` times as large.
 Colliders::Slot resized(Colliders::Slot slot, float size) {
+    if (slot.kind == PLAIT_COLLIDER_KIND_BOX && Colliders::is_inward(slot))
+        round_edges(slot);
     for (float* vector : {slot.a, slot.b, slot.half_extents})
         std::for_each(vector, vector + 3, [&](float& x) { x *= size; });
     for (float* length : {&slot.radius_a, &slot.radius_b, &slot.rounding})
