@@ -41,7 +41,7 @@ Vec3 ContactPlacer::on_circle(const Vec3& n, const Vec3& out, double depth, doub
 
 // Of a vertex at `out` from its leader, on a surface of normal n, that another surface holds: in the edge of a box
 // from inside, or between two bodies. A corner takes more rounds; where all have failed, the other place on the last
-// edge is the one inside.
+// edge may be less deep.
 Vec3 ContactPlacer::in_edge(size_t vertex, const Vec3& leader, Vec3 n, Vec3 out) {
     const double length = contacts_.length_[vertex];
     std::optional<Cut> cut;
@@ -50,8 +50,11 @@ Vec3 ContactPlacer::in_edge(size_t vertex, const Vec3& leader, Vec3 n, Vec3 out)
         const double same = other ? n.dot(other->normal) : 0;
         if (!other || (same < 0 && 1 - same * same < PLAIT_CONTACT_EDGE)) // against each other
             break;
-        if (cut && k + 1 == PLAIT_CONTACT_EDGE_ROUNDS)
-            return cut->middle - cut->way;
+        if (cut && k + 1 == PLAIT_CONTACT_EDGE_ROUNDS) {
+            const Vec3 beyond = cut->middle - cut->way;
+            const auto there = holder(vertex, leader + beyond);
+            return there && there->gap < other->gap ? out : beyond;
+        }
         const Vec3& m = other->normal;
         cut = on_both(n, n.dot(out), m, m.dot(out) - other->gap, out, length);
         out = cut ? Vec3(cut->middle + cut->way) : on_circle(m, out, -other->gap, length);
