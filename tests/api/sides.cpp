@@ -234,6 +234,15 @@ plait_pose driven(int step) {
     return pose;
 }
 
+// Head and collider are there at the step's end.
+void step_to(plait::Sim& sim, plait_collider_id id, const plait_pose& pose) {
+    auto roots = plait_roots_defaults();
+    roots.head = pose;
+    sim.set_roots(roots);
+    sim.set_collider_pose(id, pose);
+    sim.step(frame);
+}
+
 // In the head's frame.
 std::array<double, 3> own_of(const plait_pose& pose, const float* x) {
     const double c = 1 - 2 * double(pose.q[1]) * double(pose.q[1]),
@@ -301,11 +310,7 @@ TEST_P(Sides, HairStaysInsideOfAHoodThatTurnsAndSetsOff) {
         double worst = -1;
         for (int i = 1; i <= (is_reference() ? 90 : 240); ++i) {
             const plait_pose pose = driven(i);
-            auto roots = plait_roots_defaults();
-            roots.head = pose;
-            sim.set_roots(roots);
-            sim.set_collider_pose(id, pose);
-            sim.step(frame);
+            step_to(sim, id, pose);
             const auto x = sim.read(PLAIT_FIELD_POSITION);
             for (size_t k = 0; k < x.size(); k += 4)
                 worst = std::max(worst, outside(own_of(pose, &x[k])));
@@ -375,11 +380,7 @@ TEST_P(Sides, HairStaysInsideOfASleeveThatTurnsAndSetsOff) {
     double worst = -1;
     for (int i = 1; i <= (is_reference() ? 90 : 240); ++i) {
         const plait_pose pose = driven(i);
-        auto roots = plait_roots_defaults();
-        roots.head = pose;
-        sim.set_roots(roots);
-        sim.set_collider_pose(id, pose);
-        sim.step(frame);
+        step_to(sim, id, pose);
         const auto x = sim.read(PLAIT_FIELD_POSITION);
         for (size_t k = 0; k < x.size(); k += 4) {
             const auto p = own_of(pose, &x[k]);
@@ -613,11 +614,7 @@ TEST_P(Sides, SharpEdgesKeepHairOut) {
         for (int i = 1; i <= (is_reference() ? 120 : 200); ++i) {
             plait_pose pose = driven(turns ? i : 0);
             pose.t[0] = static_cast<float>(turns ? 0 : 3 * std::max(0, i - 60) * frame);
-            auto roots = plait_roots_defaults();
-            roots.head = pose;
-            sim.set_roots(roots);
-            sim.set_collider_pose(id, pose);
-            sim.step(frame);
+            step_to(sim, id, pose);
             const auto x = sim.read(PLAIT_FIELD_POSITION);
             for (size_t k = 0; k < x.size(); k += 4) {
                 const auto p = own_of(pose, &x[k]);

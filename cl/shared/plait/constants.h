@@ -60,7 +60,7 @@
 #define PLAIT_CONTACT_NEWTON_STEPS 2
 /* Squared sine of 30 degrees: surfaces at a greater angle meet in an edge, in which a vertex is put on both. Ours. */
 #define PLAIT_CONTACT_EDGE PLAIT_NUMBER(0.25)
-/* Surfaces, one after the other, on which such a vertex is put: a corner has three. Ours. */
+/* Most surfaces on which such a vertex is put, one after the other: a corner has three. Ours. */
 #define PLAIT_CONTACT_EDGE_ROUNDS 4
 /* Newton steps to the first crossing; exact to 1e-3 r at half a radius off the axis. Ours. */
 #define PLAIT_SWEEP_STEPS 4

@@ -77,12 +77,14 @@ class Ply {
     Status check_end() const {
         std::string_view rest = file_.view(at_, file_.size() - at_);
         if (format_ != PlyFormat::TEXT && !rest.empty())
-            return bad(format("%zu bytes follow the last element; allowed is the end of the file",
-                              rest.size()));
+            return file_.bad(
+                at_, format("%zu bytes follow the last element; allowed is the end of the file",
+                            rest.size()));
         const std::string_view word = next_word(rest, " \t\r\n");
         if (!word.empty())
-            return bad(format("\"%s\" follows the last element; allowed is the end of the file",
-                              shown(word).c_str()));
+            return file_.bad(
+                at_, format("\"%s\" follows the last element; allowed is the end of the file",
+                            shown(word).c_str()));
         return {};
     }
 

@@ -9,8 +9,8 @@
 namespace plait::reference {
 namespace {
 
-// Where two planes cut the sphere of radius `length`, `one` and `two` m off its centre: the middle of the two places, and
-// the way from there to that on the side of `out`.
+// Two planes, `one` and `two` m off its centre, cut the sphere of radius `length` in two places: their middle, and the
+// way from it to the place nearer to `out`.
 struct Cut {
     Vec3 middle, way;
 };
@@ -30,7 +30,7 @@ std::optional<Cut> on_both(const Vec3& n, double one, const Vec3& m, double two,
 
 } // namespace
 
-// Of `out`, of that length, which is so deep below a plane: on the circle in which the plane cuts the sphere.
+// The place nearest to `out` where a plane `depth` above it cuts the sphere.
 Vec3 ContactPlacer::on_circle(const Vec3& n, const Vec3& out, double depth, double length) {
     const double above = std::clamp(n.dot(out) + depth, -length, length);
     const Vec3 across = out - n.dot(out) * n;
@@ -39,9 +39,9 @@ Vec3 ContactPlacer::on_circle(const Vec3& n, const Vec3& out, double depth, doub
                            (size > 1e-30 ? Vec3(across / size) : n);
 }
 
-// Of a vertex at `out` from its leader, on a surface of normal n, that another surface holds: in the edge of a box
-// from inside, or between two bodies. A corner takes more rounds; where all have failed, the other place on the last
-// edge may be less deep.
+// A vertex lies on a surface of normal n, `out` from its leader: where it goes if another surface holds it too deep, in
+// an inward box' edge or between two bodies. A corner takes more rounds; where all have failed, the other place on the
+// last edge may be less deep.
 Vec3 ContactPlacer::in_edge(size_t vertex, const Vec3& leader, Vec3 n, Vec3 out) {
     const double length = contacts_.length_[vertex];
     std::optional<Cut> cut;

@@ -295,7 +295,7 @@ bool ContactPlacer::strays(size_t vertex, const Vec3& p) const {
 Vec3 ContactPlacer::left(size_t vertex, const Vec3& to, const Vec3& leader, const Vec3& x) {
     const double length = contacts_.length_[vertex];
     const bool keeps = contacts_.of_strands() || step_ >= PLAIT_CONTACT_NEWTON_STEPS || astray_;
-    // what its segment's length has carried off may be in what `to` is not
+    // where its segment's length has carried it off, it may be deep
     const bool off = (x - to).norm() > PLAIT_CONTACT_MAX_PENETRATION * length;
     deep_ = deep_ || (!keeps && off && holder(vertex, x));
     const double behind = keeps ? this->behind(vertex, x) : 0;
