@@ -3,7 +3,7 @@
  * Items   vertices: of each that it begins no segment, and places in cell_segment: the segment there.
  * Reads   vertex_count, rest, cell_end, cell_segment, cell_line, cell_moves.
  * Writes  pair_segment, pair_offset: the diameter, or how far apart they are at rest if that is
- *         less; pair_dropped counts those that there is no room for.
+ *         less; pair_dropped counts the segments that more are near than there is room for.
  * Source  Ericson 2005, 5.1.9 (segments); ours: the order, by distance and then by number, which makes
  *         the result that of any order in the cells; the way through the cells.
  *
@@ -15,23 +15,28 @@
 #define PLAIT_LANES PLAIT_DEVICE_LANES
 #include "strand_contact/pair.clh"
 
+/* One more than is kept: whether there is one. */
+#define PAIR_PLACES (PLAIT_PAIR_COUNT + 1u)
+
 typedef struct {
-    uint count;                       /* of all that are near */
-    float distance[PLAIT_PAIR_COUNT]; /* m, squared; ascending */
-    uint segment[PLAIT_PAIR_COUNT];
+    float distance[PAIR_PLACES]; /* m, squared; ascending */
+    uint segment[PAIR_PLACES];
+    float within; /* m: no place for what is farther */
 } pair_list;
 
 static inline bool pair_before(float d, uint one, float e, uint other) {
     return d < e || (d == e && one < other);
 }
 
-/* Keeps the nearest. */
+/* Keeps the nearest, each once. */
 static inline void pair_insert(pair_list* list, float distance, uint other) {
-    const uint last = PLAIT_PAIR_COUNT - 1u;
-    ++list->count;
+    const uint last = PAIR_PLACES - 1u;
     if (!pair_before(distance, other, list->distance[last], list->segment[last]))
         return;
-    for (uint k = 0; k < PLAIT_PAIR_COUNT; ++k) {
+    for (uint k = 0; k < last; ++k)
+        if (list->segment[k] == other)
+            return;
+    for (uint k = 0; k < PAIR_PLACES; ++k) {
         if (!pair_before(distance, other, list->distance[k], list->segment[k]))
             continue;
         const float pushed = list->distance[k];
@@ -67,20 +72,20 @@ static inline vec3 pair_read3(const pair_cells* cells, uint component, uint k) {
                    pair_read(cells, component + 2u, k));
 }
 
-/* 0, 1, ... */
-static inline mask pair_lane_numbers(void) {
-    mask number;
-    for (uint lane = 0; lane < PLAIT_LANES; ++lane)
-        LANE_OF_MASK(number, lane) = (int)lane;
-    return number;
-}
+/* 0, 1, ... Put together by a loop it would be so for every register of segments. */
+#if PLAIT_LANES == 16
+#define PAIR_LANE_NUMBERS ((mask)(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15))
+#elif PLAIT_LANES == 8
+#define PAIR_LANE_NUMBERS ((mask)(0, 1, 2, 3, 4, 5, 6, 7))
+#elif PLAIT_LANES == 4
+#define PAIR_LANE_NUMBERS ((mask)(0, 1, 2, 3))
+#else
+#define PAIR_LANE_NUMBERS ((mask)(0))
+#endif
 
-/* The lanes of a mask as bits: `any_lane` is their sum. */
+/* The lanes of a mask as bits. */
 static inline uint pair_bits(mask found) {
-    mask bit;
-    for (uint lane = 0; lane < PLAIT_LANES; ++lane)
-        LANE_OF_MASK(bit, lane) = 1 << lane;
-    return (uint)any_lane(found & bit);
+    return (uint)or_lanes(found & ((mask)(1) << PAIR_LANE_NUMBERS));
 }
 
 /* ---- what one is looked for by ---------------------------------------------------------------- */
@@ -93,16 +98,18 @@ typedef struct {
     vec3 middle, half_edges; /* m, of the box around it */
     vec3 moves;              /* m: what its middle moves by in a substep */
     vec3 change;             /* m: what its second vertex moves by less its first */
-    real spread;             /* m: how much else its points move by than its middle */
     float near, most;        /* m: so near it is a pair however slow, and so near however fast */
+    float rounding;          /* m: by which gaps between boxes may be off */
 } pair_search;
 
-/* m, along the axis along which it is widest: between the box around the own segment and those around
- * others. */
-static inline real pair_gap(const pair_search* search, const pair_cells* cells, uint k) {
+/* Are the boxes around segments k and after it within `limit`, m, of that around the own, along each axis? */
+static inline mask pair_boxes_near(const pair_search* search, const pair_cells* cells, uint k,
+                                   real limit) {
     const vec3 off = sub3(pair_read3(cells, PLAIT_PAIR_MIDDLE, k), search->middle);
-    const vec3 edges = add3(pair_read3(cells, PLAIT_PAIR_HALF, k), search->half_edges);
-    return fmax(fmax(fabs(off.x) - edges.x, fabs(off.y) - edges.y), fabs(off.z) - edges.z);
+    const vec3 its = pair_read3(cells, PLAIT_PAIR_HALF, k);
+    return (fabs(off.x) <= its.x + (search->half_edges.x + limit)) &
+           (fabs(off.y) <= its.y + (search->half_edges.y + limit)) &
+           (fabs(off.z) <= its.z + (search->half_edges.z + limit));
 }
 
 /* Segments of one strand meet where it has an arc between them; a segment does not meet itself. */
@@ -129,32 +136,33 @@ static inline real pair_apart(const pair_search* search, const pair_cells* cells
     return length3(sub3(own, axpy3(foot.t - to_middle, change, moves)));
 }
 
-/* Looks at segments k and after it, of which there are no more than `end`: first by their boxes, then
- * by no more than they move, then at themselves. */
+/* m: no segment farther than that gets a place. */
+static inline float pair_limit(const pair_search* search, const pair_list* list) {
+    return fmin(search->most, list->within + search->rounding);
+}
+
+/* Looks at segments k and after it, of which there are no more than `end`: first at their boxes, then at
+ * themselves. */
 static inline void pair_look_at(const pair_search* search, const pair_cells* cells, uint k,
                                 uint end, pair_list* list) {
-    const real gap = pair_gap(search, cells, k), rounded = (real)(1.0f - 1e-5f);
-    mask found = (pair_lane_numbers() < (mask)((int)(end - k))) & (gap <= (real)(search->most));
-    if (!any_lane(found))
-        return;
-    const vec3 moves = pair_read3(cells, PLAIT_PAIR_MOVES, k);
-    const real spread = search->spread + pair_read(cells, PLAIT_PAIR_SPREAD, k);
-    const real at_most = length3(sub3(search->moves, moves)) + spread;
-    found &= gap * rounded <= pair_reach(search, at_most);
+    mask found = (PAIR_LANE_NUMBERS < (mask)((int)(end - k))) &
+                 pair_boxes_near(search, cells, k, (real)(pair_limit(search, list)));
     if (!any_lane(found))
         return;
     const segment its = {pair_read3(cells, PLAIT_PAIR_FROM, k),
                          pair_read3(cells, PLAIT_PAIR_WAY, k)};
     const segment_foot foot = segment_nearest(search->own, its);
     const real squared = dot3(foot.apart, foot.apart), square = dot3(its.way, its.way);
+    const vec3 moves = pair_read3(cells, PLAIT_PAIR_MOVES, k);
     const real reach = pair_reach(search, pair_apart(search, cells, k, moves, foot));
-    found &= squared <= reach * reach;
+    found &= (squared <= reach * reach) & (squared <= (real)(list->distance[PAIR_PLACES - 1u]));
     for (uint bits = pair_bits(found); bits != 0u; bits &= bits - 1u) {
         const uint lane = 31u - clz(bits & (0u - bits)); /* the lowest */
         const uint other = cells->segment[k + lane];
         if (!pair_along(search, other, LANE(square, lane)))
             pair_insert(list, LANE(squared, lane), other);
     }
+    list->within = sqrt(list->distance[PAIR_PLACES - 1u]);
 }
 
 /* ---- the way through the cells ---------------------------------------------------------------- */
@@ -213,7 +221,7 @@ static inline real pair_left(real square, pair_part part, const pair_axis* axis,
 
 /* first, first + 1, ... */
 static inline real pair_numbers(float first) {
-    return (real)(first) + LANE_REAL(pair_lane_numbers());
+    return (real)(first) + LANE_REAL(PAIR_LANE_NUMBERS);
 }
 
 /* m: where to look for middles of segments of which a point is that near. */
@@ -239,13 +247,23 @@ static inline void pair_look_in_row(const pair_search* search, const pair_cells*
         pair_look_along(search, cells, row, count - before, list);
 }
 
+/* The cell of its middle, where most of the nearest are: those leave little to look at in others. */
+static inline void pair_look_in_own(const pair_search* search, const pair_axis* x,
+                                    const pair_axis* y, const pair_axis* z, const pair_cells* cells,
+                                    pair_list* list) {
+    const int own = pair_cell_of(0.5f * x->way + x->from, x->edge);
+    const int3 row = (int3)(0, pair_cell_of(0.5f * y->way + y->from, y->edge),
+                            pair_cell_of(0.5f * z->way + z->from, z->edge));
+    pair_look_in_row(search, cells, pair_number(row, search->params->edge_count), own, own, list);
+}
+
 /* Every cell that comes near the segment, not all of the box around it: of a row only what is near the
  * part of the segment that is near the row. Over lanes the rows of a layer are found at once. */
 static inline void pair_look_around(const pair_search* search, const pair_axis* x,
                                     const pair_axis* y, const pair_axis* z, const pair_cells* cells,
                                     pair_list* list) {
     const uint n = search->params->edge_count;
-    const float far = pair_far(search->params, search->most);
+    const float far = pair_far(search->params, pair_limit(search, list));
     const real reach = (real)(far), rounding = (real)(1e-3f * far);
     const pair_part whole = {(real)(0.0f), (real)(1.0f)};
     const pair_run layers = pair_cells_near(whole, z, reach, n);
@@ -327,7 +345,6 @@ static inline void pair_look_for(const plait_pair_params* params, const pair_cel
     search.middle = spread3(pair_read_one(cells, PLAIT_PAIR_MIDDLE, k));
     search.half_edges = spread3(pair_read_one(cells, PLAIT_PAIR_HALF, k));
     search.moves = spread3(moves);
-    search.spread = (real)(spread);
     search.near = PLAIT_PAIR_NEAR * params->diameter;
     const float others =
         pair_others_move(params, from, way, search.near + params->room, cell_moves);
@@ -336,6 +353,8 @@ static inline void pair_look_for(const plait_pair_params* params, const pair_cel
     const pair_axis x = pair_axis_of(params, from.x, way.x);
     const pair_axis y = pair_axis_of(params, from.y, way.y);
     const pair_axis z = pair_axis_of(params, from.z, way.z);
+    search.rounding = 1e-6f * (length(from) + params->longest);
+    pair_look_in_own(&search, &x, &y, &z, cells, list);
     pair_look_around(&search, &x, &y, &z, cells, list);
 }
 
@@ -382,8 +401,8 @@ __kernel PLAIT_WIDE void plait_contact_pair_find(
     if (item >= item_count)
         return;
     pair_list list;
-    list.count = 0;
-    for (uint k = 0; k < PLAIT_PAIR_COUNT; ++k) {
+    list.within = MAXFLOAT;
+    for (uint k = 0; k < PAIR_PLACES; ++k) {
         list.distance[k] = MAXFLOAT;
         list.segment[k] = PLAIT_PAIR_NONE;
     }
@@ -395,6 +414,6 @@ __kernel PLAIT_WIDE void plait_contact_pair_find(
     const pair_cells cells = {cell_end, cell_segment, cell_line, pair_line_stride(item_count)};
     pair_look_for(&params, &cells, item, cell_moves, &list);
     pair_store(rest, cell_segment[item], params.diameter, &list, pair_segment, pair_offset);
-    if (list.count > PLAIT_PAIR_COUNT)
-        atomic_add(pair_dropped, list.count - PLAIT_PAIR_COUNT);
+    if (list.segment[PLAIT_PAIR_COUNT] != PLAIT_PAIR_NONE)
+        atomic_add(pair_dropped, 1u);
 }

@@ -770,8 +770,8 @@ typedef struct plait_sim_measures {
     float max_speed;       /* m/s */
     uint64_t nonfinite;    /* vertices; and those whose ACCELERATION is taken as 0 */
     uint64_t grid_outside; /* vertices outside the grid in the last fixed step */
-    uint64_t
-        pairs_dropped; /* of strand contact: beyond the four nearest of each segment, likewise */
+    /* strand contact: segments with more than four others near; the four nearest count, likewise */
+    uint64_t pairs_dropped;
 } plait_sim_measures;
 PLAIT_STRUCT(plait_sim_measures)
 

@@ -113,7 +113,7 @@ void contact_pair_find(uint32_t item_count, const plait_pair_params& params,
             args.pair_offset[at] = std::min(double(params.diameter), rest.apart.norm());
         }
         if (list.size() > PLAIT_PAIR_COUNT)
-            args.pair_dropped[0] += static_cast<uint32_t>(list.size() - PLAIT_PAIR_COUNT);
+            ++args.pair_dropped[0];
     }
 }
 
