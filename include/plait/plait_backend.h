@@ -193,11 +193,7 @@ typedef struct plait_open_info {
     plait_allocator allocator; /* functions may be NULL */
     const plait_stage_source* stage_sources;
     size_t stage_source_count;
-    uint32_t lanes; /* as in plait_context_desc */
-    /* To measure how many strands a GPU is best given at a time: local memory that each work-group of
-     * articulated holds and does not use. A multiple of 4, at most the
-     * device's; 0: none. opencl; others ignore it. */
-    uint32_t idle_local_bytes;
+    uint32_t lanes;             /* as in plait_context_desc */
     const char* program_folder; /* as in plait_context_desc; may be NULL, and may be ignored */
     const void* native; /* backend-specific handles to adopt; NULL: the backend makes its own */
 } plait_open_info;

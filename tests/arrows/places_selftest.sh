@@ -13,7 +13,7 @@ plant() {
     echo '__kernel void plait_drag(' >cl/air/drag.cl
     echo x | tee lib/backend/reference/air/drag.cpp tests/cases/air/drag.cpp >/dev/null
     echo '## drag' >docs/stages/air.md
-    printf '%s\n' '| [drag](air.md#drag) | vertex | air |' '| [air](../air.md) | another table |' >docs/stages/README.md
+    echo '| [air](air.md) | how air moves hair |' >docs/stages/README.md
 }
 must_name() {
     if "$check" "$root" >output; then echo "let through: $1"; exit 1; fi
@@ -38,11 +38,9 @@ must_name cl/air/drag.cl
 plant
 echo '# drag' >docs/stages/air.md
 must_name docs/stages/air.md
-for row in '| [drag](air.md#drag) | vertex | water |' '| [drag](air.md#drag) | strand | air |' '| [drag](drag.md) | vertex | air |'; do
-    plant
-    echo "$row" >docs/stages/README.md
-    must_name docs/stages/README.md
-done
+plant
+echo '| [water](water.md) | how water does |' >docs/stages/README.md
+must_name docs/stages/README.md
 for kernel in cl/left_over.cl cl/air/left_over.cl cl/water/drag.cl; do
     plant
     mkdir -p "$(dirname "$kernel")"

@@ -12,10 +12,9 @@
 namespace bench {
 
 void register_ceilings(uint32_t device, Results& results);
-void register_stages(uint32_t device, Results& results);
 void register_steps(uint32_t device, Results& results);
 void register_characters(uint32_t device, Results& results);
-void register_extras(uint32_t device, Results& results);
+void register_features(uint32_t device, Results& results);
 void register_levels(uint32_t device, Results& results);
 
 // Prints what the solves over strands take while each work-group holds so much idle local memory.

@@ -37,7 +37,7 @@ class Stage {
         : context_(make_context(device)), together_(crowd.together) {
         for (uint32_t i = 0; i < crowd.sims; ++i) {
             characters_.emplace_back(context_.get(), groom, desc_of(model, scene),
-                                     scene != Scene::alone);
+                                     Bodies{scene == Scene::alone ? Shape::none : Shape::capsules});
             sims_.push_back(characters_.back().sim());
         }
     }

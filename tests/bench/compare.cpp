@@ -42,7 +42,7 @@ Json parse(const std::string& path) {
     }
 }
 
-// "device:1/stage/wind/manual_time" -> {"device:1", "stage/wind/manual_time"}
+// "device:1/feature/wind/manual_time" -> {"device:1", "feature/wind/manual_time"}
 std::pair<std::string, std::string> split(const std::string& path, const std::string& name) {
     const size_t slash = name.find('/');
     if (!name.starts_with("device:") || slash == std::string::npos)
@@ -62,7 +62,12 @@ void add_row(const std::string& path, const Json& context, const Json& row, Run&
         row.at("real_time").get<double>() * seconds_of(path, row.at("time_unit"));
     if (!(seconds > 0))
         refuse(path, "real_time of \"" + name + "\" is not above 0");
-    run.devices[context.at(device).get<std::string>()][rest].seconds.push_back(seconds);
+    auto& rows = run.devices[context.at(device).get<std::string>()];
+    rows[rest].seconds.push_back(seconds);
+    // The stages of a feature: "us:mesh_nearest". 0 where the driver reports no times.
+    for (const auto& [key, value] : row.items())
+        if (key.starts_with("us:") && value.get<double>() > 0)
+            rows[rest + "/" + key.substr(3)].seconds.push_back(1e-6 * value.get<double>());
 }
 
 std::string devices_of(const Run& run) {

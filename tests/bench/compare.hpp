@@ -17,7 +17,7 @@ struct Samples {
 
 // What a file of Google Benchmark's JSON format holds.
 struct Run {
-    std::string size;                                              // of the rows of stages
+    std::string size;                                              // of the rows of features
     std::map<std::string, std::map<std::string, Samples>> devices; // by "name; platform" and row
 };
 

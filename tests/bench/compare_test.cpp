@@ -88,6 +88,19 @@ TEST_F(Compare, KnowsUnits) {
     EXPECT_DOUBLE_EQ(comparison.rows.at(0).ratio(), 2);
 }
 
+TEST_F(Compare, TakesTheStagesOfAFeature) {
+    const auto feature = [](double whole, double stage) {
+        return R"({"name": "device:0/feature/mesh", "run_type": "iteration", "time_unit": "us", "real_time": )" +
+               std::to_string(whole) + R"(, "us:skin": )" + std::to_string(stage) +
+               R"(, "us:roots": 0})";
+    };
+    const auto comparison =
+        compare_runs(run("old.json", feature(10, 2)), run("new.json", feature(10, 3)));
+    ASSERT_EQ(comparison.rows.size(), 2u) << "roots took no time";
+    EXPECT_EQ(comparison.rows[1].row, "feature/mesh/skin");
+    EXPECT_DOUBLE_EQ(comparison.rows[1].ratio(), 1.5);
+}
+
 // A device keeps its rows where another driver changes its number.
 TEST_F(Compare, GoesByTheDevicesName) {
     const auto comparison =

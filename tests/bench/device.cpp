@@ -21,14 +21,12 @@ std::vector<plait_device_info> opencl_devices() {
     return devices;
 }
 
-Device::Device(uint32_t index, std::span<const plait_stage_source> sources,
-               uint32_t idle_local_bytes) {
+Device::Device(uint32_t index, std::span<const plait_stage_source> sources) {
     plait_open_info info{};
     info.struct_size = sizeof info;
     info.device_index = index;
     info.stage_sources = sources.data();
     info.stage_source_count = sources.size();
-    info.idle_local_bytes = idle_local_bytes;
     plait_device* device = nullptr;
     char error[4096] = "";
     if (opencl().open(&info, &device, error, sizeof error) != PLAIT_OK)

@@ -16,8 +16,7 @@ std::vector<plait_device_info> opencl_devices();
 
 class Device {
   public:
-    explicit Device(uint32_t index, std::span<const plait_stage_source> sources = {},
-                    uint32_t idle_local_bytes = 0);
+    explicit Device(uint32_t index, std::span<const plait_stage_source> sources = {});
 
     struct Release {
         plait_device* device;

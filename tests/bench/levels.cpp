@@ -41,7 +41,7 @@ class Crowd {
         if (budget > 0)
             desc.levels = levels_.get();
         for (uint32_t i = 0; i < heads; ++i) {
-            characters_.emplace_back(context_.get(), groom_.get(), desc, true);
+            characters_.emplace_back(context_.get(), groom_.get(), desc, Bodies{Shape::capsules});
             sims_.push_back(characters_.back().sim());
             plait_character directed = plait_character_defaults();
             directed.sim = sims_.back();

@@ -1,78 +1,94 @@
-// The solves over strands while each work-group holds local memory that it does not use: the more, the
+// The solve over strands while each work-group holds local memory that it does not use: the more, the
 // fewer strands a GPU has at a time, and the more of its caches each has for private memory.
 #include "bench.hpp"
-#include "rig.hpp"
+#include "sim.hpp"
 
 #include <algorithm>
 #include <cstdio>
+#include <optional>
 
 namespace bench {
 namespace {
 
-constexpr plait_stage solves[] = {PLAIT_STAGE_articulated};
+constexpr uint32_t settling = 30; // frames before those that count
 constexpr int rounds = 15;
 
-// A device that was opened so, or why it was not.
+// Hair whose solve was built so, or why it was not.
 struct Column {
     uint32_t bytes;
-    std::unique_ptr<Device> device;
+    Context context;
+    std::optional<Character> character;
     std::string refused;
 };
 
-std::vector<Column> open_columns(uint32_t index, const std::vector<uint32_t>& list) {
-    std::vector<Column> columns;
-    for (const uint32_t bytes : list)
-        try {
-            columns.push_back(
-                {bytes,
-                 std::make_unique<Device>(index, std::span<const plait_stage_source>{}, bytes),
-                 ""});
-        } catch (const std::exception& error) {
-            columns.push_back({bytes, nullptr, error.what()});
-        }
-    return columns;
+// Seconds of the solve in a frame.
+double frame(Character& character) {
+    character.aim();
+    check(plait_sim_step(character.sim(), 1.0 / 60 + 1e-9));
+    return take_stage_sums(character.sim())["articulated"].seconds;
+}
+
+Column open_column(const plait_device_info& device, plait_groom* groom, uint32_t bytes) {
+    // The kernel as it is, but that cl/base/idle_local.clh finds how much to hold.
+    const std::string text = "#define PLAIT_IDLE_LOCAL " + std::to_string(bytes) +
+                             "\n#include \"strands/articulated.cl\"\n";
+    const plait_stage_source source{"articulated", text.c_str(), "idle_local.cl"};
+    Column column{bytes, {}, {}, ""};
+    if (bytes % 4 != 0 || bytes > device.local_memory_bytes) { // which drivers end a program for
+        column.refused = "not a multiple of 4 up to the device's local memory, " +
+                         std::to_string(device.local_memory_bytes);
+        return column;
+    }
+    try {
+        const std::span<const plait_stage_source> sources(&source, bytes > 0 ? 1 : 0);
+        column.context = make_context(device, {.profile = true, .sources = sources});
+        column.character.emplace(column.context.get(), groom, plait::SimDesc(),
+                                 Bodies{Shape::capsules});
+        frame(*column.character); // builds for this many vertices
+    } catch (const std::exception& error) {
+        column.refused = error.what();
+        column.character.reset();
+    }
+    return column;
 }
 
 // Median nanoseconds per vertex, 0 where a column was refused. Amounts take turns, so that what disturbs
-// one disturbs all; each has buffers of its own, that go through the same steps.
-std::vector<double> measure(std::vector<Column>& columns, plait_stage stage, const Shape& shape) {
-    std::vector<std::unique_ptr<Rig>> rigs;
-    for (Column& column : columns)
-        rigs.push_back(column.device ? std::make_unique<Rig>(*column.device, stage, shape)
-                                     : nullptr);
+// one disturbs all; each goes through the same frames.
+std::vector<double> measure(std::vector<Column>& columns, uint32_t strands) {
     std::vector<std::vector<double>> seconds(columns.size());
-    for (int round = 0; round < rounds; ++round)
-        for (size_t i = 0; i < rigs.size(); ++i)
-            seconds[i].push_back(rigs[i] ? rigs[i]->run() : 0);
+    for (uint32_t round = 0; round < settling + rounds; ++round)
+        for (size_t i = 0; i < columns.size(); ++i) {
+            const double one = columns[i].character ? frame(*columns[i].character) : 0;
+            if (round >= settling)
+                seconds[i].push_back(one);
+        }
     std::vector<double> row;
     for (std::vector<double>& times : seconds) {
         std::ranges::nth_element(times, times.begin() + rounds / 2);
-        row.push_back(1e9 * times[rounds / 2] / static_cast<double>(shape.total()));
+        row.push_back(1e9 * times[rounds / 2] / (static_cast<double>(strands) * model_vertices));
     }
     return row;
 }
 
-void sweep(uint32_t index, const plait_device_info& info, const Options& options) {
-    const Shape shape{options.strands, options.vertices, info.tile};
-    std::printf(
-        "\n%s (%s): ns per vertex, %u strands of %u vertices, %u a work-item, by bytes of idle "
-        "local memory a work-group\n\n| solve |",
-        info.name, info.platform, shape.strands, shape.vertices, info.lanes);
+void sweep(const plait_device_info& info, const Options& options) {
+    const Groom groom = long_hair(options.strands);
+    std::vector<Column> columns;
     for (const uint32_t bytes : options.local_memory)
-        std::printf(" %u |", bytes);
-    std::printf("\n|---|");
-    for (size_t i = 0; i < options.local_memory.size(); ++i)
+        columns.push_back(open_column(info, groom.get(), bytes));
+    std::printf("\n%s (%s): ns per vertex and frame of articulated, %u strands of %u vertices with "
+                "14 capsules, %u a work-item, by bytes of idle local memory a work-group\n\n|",
+                info.name, info.platform, options.strands, model_vertices, info.lanes);
+    for (const Column& column : columns)
+        std::printf(" %u |", column.bytes);
+    std::printf("\n|");
+    for (size_t i = 0; i < columns.size(); ++i)
         std::printf("---:|");
-    std::vector<Column> columns = open_columns(index, options.local_memory);
-    for (const plait_stage stage : solves) {
-        std::printf("\n| %s |", plait_stage_describe(stage)->name);
-        for (const double ns : measure(columns, stage, shape))
-            ns > 0 ? std::printf(" %.3f |", ns) : std::printf(" |");
-        std::fflush(stdout);
-    }
+    std::printf("\n|");
+    for (const double ns : measure(columns, options.strands))
+        ns > 0 ? std::printf(" %.3f |", ns) : std::printf(" |");
     std::printf("\n");
     for (const Column& column : columns)
-        if (!column.device)
+        if (!column.character)
             std::printf("%u: %s\n", column.bytes, column.refused.c_str());
 }
 
@@ -80,7 +96,7 @@ void sweep(uint32_t index, const plait_device_info& info, const Options& options
 
 void sweep_local_memory(const Results& results) {
     for (const auto& [index, device] : results.devices)
-        sweep(index, device.device, results.options);
+        sweep(device.device, results.options);
 }
 
 } // namespace bench

@@ -18,18 +18,18 @@ namespace {
 
 constexpr char usage[] =
     "plait-bench [options] [Google Benchmark's options]\n"
-    "  --strands=N     strands of the stage rows, 1 to 1000000 (10000)\n"
-    "  --vertices=V    vertices per strand, 2 to 256 (32)\n"
+    "  --strands=N     strands of the rows of features, 10 to 1000000 (10000)\n"
+    "  --vertices=V    vertices per strand of the rows of the thesis's table, 2 to 256 (32)\n"
     "  --write=FOLDER  write bench-<device>.md there\n"
     "  --csv=FOLDER    write bench-<device>.csv there\n"
     "  --json=FOLDER   write bench-<device>.json there, for compare\n"
-    "  --local-memory=0,16384,...  instead of the rows: the solves over strands while each\n"
+    "  --local-memory=0,16384,...  instead of the rows: the solve over strands while each\n"
     "                  work-group holds so many bytes of local memory that it does not use\n"
     "plait-bench compare OLD.json NEW.json [--least=PERCENT]\n"
     "  prints every row of both runs, and which became faster or slower: where no repetition\n"
     "  of one run is within the other's, and the medians are PERCENT (5) apart at least. That\n"
     "  takes three repetitions or more: --benchmark_repetitions=5\n"
-    "The rest goes to Google Benchmark, such as --benchmark_filter=stage/wind, --help.\n";
+    "The rest goes to Google Benchmark, such as --benchmark_filter=feature/wind, --help.\n";
 
 uint32_t number(std::string_view argument, std::string_view value, uint32_t low, uint32_t high) {
     uint32_t parsed = 0;
@@ -60,7 +60,7 @@ Options take_options(int& argc, char** argv) {
         const std::string_view value =
             argument.substr(std::min(argument.find('=') + 1, argument.size()));
         if (argument.starts_with("--strands="))
-            options.strands = number(argument, value, 1, 1000000);
+            options.strands = number(argument, value, 10, 1000000);
         else if (argument.starts_with("--vertices="))
             options.vertices = number(argument, value, 2, PLAIT_MAX_VERTICES);
         else if (argument.starts_with("--write="))
@@ -90,7 +90,8 @@ int run(int argc, char** argv) {
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv))
         return 2;
-    benchmark::AddCustomContext("size", std::to_string(results.options.strands) + " strands of " +
+    benchmark::AddCustomContext("size", std::to_string(results.options.strands) +
+                                            " strands; thesis's of " +
                                             std::to_string(results.options.vertices) + " vertices");
     const auto devices = opencl_devices();
     for (uint32_t index = 0; index < devices.size(); ++index) {
@@ -102,10 +103,9 @@ int run(int argc, char** argv) {
                                         devices[index].platform);
         benchmark::AddCustomContext("driver:" + std::to_string(index), devices[index].driver);
         register_ceilings(index, results);
-        register_stages(index, results);
         register_steps(index, results);
         register_characters(index, results);
-        register_extras(index, results);
+        register_features(index, results);
         register_levels(index, results);
     }
     if (!results.options.local_memory.empty()) {

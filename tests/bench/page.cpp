@@ -1,8 +1,6 @@
 #include "page.hpp"
 #include "sim.hpp"
 
-#include <plait/plait_backend.h>
-
 #include <algorithm>
 #include <cctype>
 #include <chrono>
@@ -11,6 +9,7 @@
 #include <ctime>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <set>
 #include <stdexcept>
 #include <thread>
@@ -81,23 +80,74 @@ std::string ceilings(const DeviceResults& results) {
         1e-9 * results.copy_rate, 1e-9 * results.flop_rate);
 }
 
-std::string stage_table(const Options& options, const DeviceResults& results) {
-    if (results.stages.empty())
+// "articulated 71 %, mesh_nearest 20 %, output 4 %": by what they take, to nine tenths of all.
+std::string split(const FeatureRow& row) {
+    std::vector<std::pair<double, std::string>> list;
+    double all = 0, told = 0;
+    for (const auto& [stage, sum] : row.stages) {
+        list.emplace_back(sum.seconds, stage);
+        all += sum.seconds;
+    }
+    if (all == 0)
+        return "the driver reports no times"; // of launches
+    std::ranges::sort(list, std::greater{});
+    std::string line;
+    for (const auto& [seconds, stage] : list) {
+        if (told > 0.9 * all)
+            break;
+        line += text("%s%s %.0f %%", line.empty() ? "" : ", ", stage.c_str(), 100 * seconds / all);
+        told += seconds;
+    }
+    return line;
+}
+
+std::string feature_table(const Options& options, const DeviceResults& results) {
+    if (results.features.empty())
         return ""; // filtered out
-    std::string page = text(
-        "\n## Stages\n\n%u strands of %u vertices; the grid has 8x8x8 voxels of 1024 slots. "
-        "*bytes* is the least a stage has to move through memory: each buffer once for reading and "
-        "once for writing. *x copy* is its time over that of a kernel that copies as many bytes, "
-        "measured beside it.\n\n"
-        "| stage | ns/vertex | bytes/vertex | GB/s | x copy |\n|---|---:|---:|---:|---:|\n",
-        options.strands, options.vertices);
-    const double vertices = static_cast<double>(options.strands) * options.vertices;
-    for (const auto& [stage, row] : results.stages)
-        page += text("| %s | %.3f | %.1f | %.2f | %.2f |\n",
-                     plait_stage_describe(static_cast<plait_stage>(stage))->name,
-                     1e9 * row.seconds / vertices, row.bytes / vertices,
-                     1e-9 * row.bytes / row.seconds, row.seconds / row.copy_seconds);
-    return page;
+    std::map<std::string, double> seconds;
+    for (const FeatureRow& row : results.features)
+        seconds[row.name] = row.seconds;
+    std::string rows;
+    for (const FeatureRow& row : results.features) {
+        rows += text("| %s | %.3g |", row.name.c_str(), 1e3 * row.seconds);
+        rows += row.over != row.name && seconds.contains(row.over)
+                    ? text(" %.2f of %s |", row.seconds / seconds[row.over], row.over.c_str())
+                    : " |";
+        rows += text(" %s |\n", split(row).c_str());
+    }
+    return text("\n## Features\n\nA frame of %u strands of %u vertices on a head that turns to and "
+                "fro, with one feature: milliseconds, times what it takes without, and the stages "
+                "that nine tenths of the device's time go to. *field*, *nearest*: the head as a "
+                "mesh; *far*: the mesh 3 m away; *ball*: hair that lies on a ball in place of the "
+                "head; *guides*: a tenth of the strands, whom in *follows* and *detail* the others "
+                "follow.\n\n"
+                "| feature | ms a frame | times | stages |\n|---|---:|---:|---|\n",
+                options.strands, model_vertices) +
+           rows;
+}
+
+// Each stage in the feature where it takes the most.
+std::string stage_table(const DeviceResults& results) {
+    std::map<std::string, std::pair<const FeatureRow*, StageSums>> most;
+    for (const FeatureRow& row : results.features)
+        for (const auto& [stage, sum] : row.stages)
+            if (auto& [feature, best] = most[stage]; !feature || sum.seconds > best.seconds)
+                most[stage] = {&row, sum};
+    std::string rows;
+    for (const auto& [stage, where] : most)
+        if (const auto& [feature, sum] = where; sum.seconds > 0)
+            rows += text("| %s | %s | %llu | %.1f | %.2f |\n", stage.c_str(), feature->name.c_str(),
+                         static_cast<unsigned long long>(sum.calls),
+                         1e6 * sum.seconds / static_cast<double>(sum.calls),
+                         1e-9 * static_cast<double>(sum.bytes) / sum.seconds);
+    return rows.empty() ? ""
+                        : "\n## Stages\n\nEach in the feature above where it takes the most: "
+                          "launches a frame, what one takes, and the rate at which it moves the "
+                          "least it has to through memory, each buffer once for reading and once "
+                          "for writing.\n\n"
+                          "| stage | feature | launches | us each | GB/s |\n"
+                          "|---|---|---:|---:|---:|\n" +
+                              rows;
 }
 
 std::set<uint32_t> strand_counts(const DeviceResults& results) {
@@ -203,34 +253,6 @@ std::string character_table(const DeviceResults& results) {
            rows;
 }
 
-std::string extra_table(const DeviceResults& results) {
-    if (results.extra_seconds.empty())
-        return "";
-    std::string rows;
-    for (const NamedModel& named : models) {
-        const auto alone = results.extra_seconds.find({named.name, 0});
-        if (alone == results.extra_seconds.end())
-            continue;
-        rows += text("| %s | %.3g |", named.name, 1e3 * alone->second);
-        for (size_t extra = 1; extra < std::size(extra_names); ++extra) {
-            const auto found = results.extra_seconds.find({named.name, extra});
-            rows += found == results.extra_seconds.end()
-                        ? " - |"
-                        : text(" %.2f |", found->second / alone->second);
-        }
-        rows += "\n";
-    }
-    return text("\n## The grid, volume and wind\n\nThe same hair, %u strands, without colliders: "
-                "milliseconds of a frame, and in times of that, of one with the grid between "
-                "strands "
-                "(exact sums), with volume in its place, by 16 and 32 nodes along an edge, and "
-                "with wind of 3 m/s in the open, with shelter, and with shelter and eddies.\n\n"
-                "| model | alone, ms | + grid | + volume, 16 | + volume, 32 | + wind | with "
-                "shelter | and eddies |\n|---|---:|---:|---:|---:|---:|---:|---:|\n",
-                extra_strands) +
-           rows;
-}
-
 // Over one sim of as many strands; 0: not measured.
 double over_one(const DeviceResults& results, const CrowdKey& key, double seconds) {
     const auto one =
@@ -289,32 +311,32 @@ std::string csv(const Options& options, const DeviceResults& results) {
     const plait_device_info& device = results.device;
     std::string rows = text("# %s; %s; driver %s; %s\n", device.name, device.platform,
                             device.driver, today().c_str()) +
-                       "row,strands,vertices,seconds,bytes,copy_seconds\n";
-    for (const auto& [stage, row] : results.stages)
-        rows += text("%s,%u,%u,%.9g,%.9g,%.9g\n",
-                     plait_stage_describe(static_cast<plait_stage>(stage))->name, options.strands,
-                     options.vertices, row.seconds, row.bytes, row.copy_seconds);
+                       "row,strands,vertices,seconds\n";
+    for (const FeatureRow& feature : results.features) {
+        rows += text("feature %s,%u,%u,%.9g\n", feature.name.c_str(), options.strands,
+                     model_vertices, feature.seconds);
+        for (const auto& [stage, sum] : feature.stages)
+            rows += text("feature %s %s,%u,%u,%.9g\n", feature.name.c_str(), stage.c_str(),
+                         options.strands, model_vertices, sum.seconds);
+    }
     constexpr const char* names[] = {"step", "step+thesis", "step+slots", "step+exact"};
     for (const auto& [key, seconds] : results.step_seconds)
-        rows += text("%s,%u,%u,%.9g,,\n", names[static_cast<int>(key.second)], key.first,
+        rows += text("%s,%u,%u,%.9g\n", names[static_cast<int>(key.second)], key.first,
                      options.vertices, seconds);
     for (const auto& [key, seconds] : results.model_seconds)
         rows +=
-            text("model %s,%u,%u,%.9g,,\n", key.second.c_str(), key.first, model_vertices, seconds);
+            text("model %s,%u,%u,%.9g\n", key.second.c_str(), key.first, model_vertices, seconds);
     constexpr const char* scenes[] = {"alone", "bodies", "everything"};
     for (const auto& [key, seconds] : results.character_seconds)
-        rows += text("character %s %s,%u,%u,%.9g,,\n", key.model.c_str(),
+        rows += text("character %s %s,%u,%u,%.9g\n", key.model.c_str(),
                      scenes[static_cast<int>(key.scene)], key.strands, model_vertices, seconds);
     for (const auto& [key, seconds] : results.crowd_seconds)
-        rows += text("sims:%u%s %s %s,%u,%u,%.9g,,\n", key.sims, key.together ? "" : " apart",
+        rows += text("sims:%u%s %s %s,%u,%u,%.9g\n", key.sims, key.together ? "" : " apart",
                      key.model.c_str(), scenes[static_cast<int>(key.scene)], key.strands,
                      model_vertices, seconds);
-    for (const auto& [key, seconds] : results.extra_seconds)
-        rows += text("extra %s %s,%u,%u,%.9g,,\n", key.first.c_str(), extra_names[key.second],
-                     extra_strands, model_vertices, seconds);
     for (const auto& [budget, row] : results.levels)
         rows +=
-            text("levels budget:%u,%u,%u,%.9g,,\n", budget, 21 * 4000, model_vertices, row.median);
+            text("levels budget:%u,%u,%u,%.9g\n", budget, 21 * 4000, model_vertices, row.median);
     return rows;
 }
 
@@ -336,17 +358,17 @@ void write_file(const std::filesystem::path& folder, const std::string& name,
 
 void write_pages(const Results& results) {
     for (const auto& [index, device] : results.devices) {
-        if (device.stages.empty() && device.step_seconds.empty() && device.model_seconds.empty() &&
-            device.character_seconds.empty() && device.crowd_seconds.empty() &&
-            device.extra_seconds.empty() && device.levels.empty())
+        if (device.features.empty() && device.step_seconds.empty() &&
+            device.model_seconds.empty() && device.character_seconds.empty() &&
+            device.crowd_seconds.empty() && device.levels.empty())
             continue; // filtered out
         const std::string name = "bench-" + slug(device.device);
         write_file(results.options.csv, name + ".csv", csv(results.options, device));
         write_file(results.options.write, name + ".md",
                    header(results.options, device.device) + ceilings(device) +
-                       stage_table(results.options, device) + step_table(results.options, device) +
-                       model_table(device) + character_table(device) + extra_table(device) +
-                       crowd_table(device) + levels_table(device));
+                       feature_table(results.options, device) + stage_table(device) +
+                       step_table(results.options, device) + model_table(device) +
+                       character_table(device) + crowd_table(device) + levels_table(device));
     }
 }
 

@@ -13,21 +13,28 @@
 namespace bench {
 
 struct Options {
-    uint32_t strands = 10000; // of the stage rows
-    uint32_t vertices = 32;   // per strand, of the rows of stages and of the thesis's table
-    std::string write;        // folder for the page; empty: none
-    std::string csv;          // folder for the CSV file; empty: none
-    std::string json;         // folder for a file of the rows of each device; empty: none
+    uint32_t strands = 10000;           // of the rows of features
+    uint32_t vertices = 32;             // per strand, of the rows of the thesis's table
+    std::string write;                  // folder for the page; empty: none
+    std::string csv;                    // folder for the CSV file; empty: none
+    std::string json;                   // folder for a file of the rows of each device; empty: none
     std::vector<uint32_t> local_memory; // bytes, of the sweep; empty: none, but the rows
     double load = 0;                    // of the host in the minute before
 };
 
 constexpr uint32_t model_vertices = 16; // per strand, of the models' rows
 
-struct StageRow {
-    double seconds = 0;      // of one dispatch
-    double bytes = 0;        // that it must move at least
-    double copy_seconds = 0; // of a kernel that copies as many
+// What a stage's launches take.
+struct StageSums {
+    double seconds = 0;
+    uint64_t calls = 0, bytes = 0; // bytes that have to move through memory at least
+};
+
+// A frame with a feature. Its stages, by name, take device time.
+struct FeatureRow {
+    std::string name, over; // the feature whose time it is held against
+    double seconds = 0;
+    std::map<std::string, StageSums> stages;
 };
 
 enum class Interhair { off, thesis, slots, exact };
@@ -41,13 +48,6 @@ struct SceneKey {
     Scene scene;
     auto operator<=>(const SceneKey&) const = default;
 };
-
-// What a step of a model may have besides: the grid between strands, volume in its place with so many
-// nodes along an edge, and wind in the open, with shelter, with shelter and eddies.
-enum class Extra { none, grid, volume_16, volume_32, wind, shelter, eddies };
-constexpr const char* extra_names[] = {"alone", "grid",    "volume:16", "volume:32",
-                                       "wind",  "shelter", "eddies"};
-constexpr uint32_t extra_strands = 10000;
 
 // So many sims on one context, each with so many strands, in one call or in one for each.
 struct CrowdKey {
@@ -66,15 +66,14 @@ struct LevelsRow {
 
 struct DeviceResults {
     plait_device_info device{};
-    std::map<int, StageRow> stages;                                   // by plait_stage
+    std::vector<FeatureRow> features;
     std::map<std::pair<uint32_t, Interhair>, double> step_seconds;    // of tressfx, by strands
     std::map<std::pair<uint32_t, std::string>, double> model_seconds; // by strands and model
     std::map<SceneKey, double> character_seconds;
-    std::map<CrowdKey, double> crowd_seconds;                       // of a frame of all of them
-    std::map<std::pair<std::string, size_t>, double> extra_seconds; // by model and Extra
-    std::map<uint32_t, LevelsRow> levels; // by the budget, ms; 0: all strands of all
-    double copy_rate = 0;                 // bytes/s, read and written; 0: not measured
-    double flop_rate = 0;                 // of multiply-adds, two each
+    std::map<CrowdKey, double> crowd_seconds; // of a frame of all of them
+    std::map<uint32_t, LevelsRow> levels;     // by the budget, ms; 0: all strands of all
+    double copy_rate = 0;                     // bytes/s, read and written; 0: not measured
+    double flop_rate = 0;                     // of multiply-adds, two each
 };
 
 struct Results {

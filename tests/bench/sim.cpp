@@ -1,7 +1,5 @@
 #include "sim.hpp"
 
-#include "results.hpp"
-
 #include <generator/generator.hpp>
 
 #include <cmath>
@@ -9,6 +7,8 @@
 
 namespace bench {
 namespace {
+
+constexpr float far_away = 3; // m: farther than any strand reaches
 
 plait_collider_desc desc_of(const plait_generator::Capsule& capsule) {
     plait_collider_desc desc = plait_collider_desc_defaults();
@@ -22,6 +22,19 @@ plait_collider_desc desc_of(const plait_generator::Capsule& capsule) {
     return desc;
 }
 
+Groom grown(plait_generator::Hairstyle hairstyle, uint32_t strands) {
+    plait_generator::Style style = plait_generator::make_style(hairstyle);
+    style.strands = strands;
+    style.vertices = model_vertices;
+    const plait_generator::Strands hair = plait_generator::make_groom(style);
+    plait_groom_desc desc = plait_groom_desc_defaults();
+    desc.positions = {hair.positions.data(), hair.positions.size() / 3, 0};
+    desc.vertices_per_strand = model_vertices;
+    plait_groom* groom = nullptr;
+    check(plait_groom_create(&desc, nullptr, &groom));
+    return Groom(groom);
+}
+
 } // namespace
 
 void check(plait_result result) {
@@ -29,10 +42,13 @@ void check(plait_result result) {
         throw std::runtime_error(plait_last_error());
 }
 
-Context make_context(const plait_device_info& device) {
+Context make_context(const plait_device_info& device, const ContextOptions& options) {
     plait_context_desc desc = plait_context_desc_defaults();
     desc.backend = "opencl";
     desc.device = device.name;
+    desc.profile = options.profile ? 1 : 0;
+    desc.stage_sources = options.sources.data();
+    desc.stage_source_count = options.sources.size();
     plait_context* context = nullptr;
     check(plait_context_create(&desc, &context));
     return Context(context);
@@ -45,16 +61,11 @@ Sim make_sim(plait_context* context, plait_groom* groom, const plait::SimDesc& d
 }
 
 Groom long_hair(uint32_t strands) {
-    plait_generator::Style style = plait_generator::make_style(plait_generator::Hairstyle::Long);
-    style.strands = strands;
-    style.vertices = model_vertices;
-    const plait_generator::Strands hair = plait_generator::make_groom(style);
-    plait_groom_desc desc = plait_groom_desc_defaults();
-    desc.positions = {hair.positions.data(), hair.positions.size() / 3, 0};
-    desc.vertices_per_strand = model_vertices;
-    plait_groom* groom = nullptr;
-    check(plait_groom_create(&desc, nullptr, &groom));
-    return Groom(groom);
+    return grown(plait_generator::Hairstyle::Long, strands);
+}
+
+Groom ball_hair(uint32_t strands) {
+    return grown(plait_generator::Hairstyle::Ball, strands);
 }
 
 plait_pose turned_head(uint32_t number) {
@@ -64,12 +75,29 @@ plait_pose turned_head(uint32_t number) {
 }
 
 Character::Character(plait_context* context, plait_groom* groom, const plait::SimDesc& sim,
-                     bool bodies)
-    : sim_(make_sim(context, groom, sim)) {
-    if (!bodies)
-        return;
-    for (const auto& capsule : plait_generator::head_colliders()) {
-        const plait_collider_desc desc = desc_of(capsule);
+                     Bodies bodies)
+    : sim_(make_sim(context, groom, sim)), bodies_(bodies) {
+    if (bodies.shape == Shape::capsules)
+        add_capsules();
+    else if (bodies.shape != Shape::none)
+        add_mesh();
+}
+
+void Character::aim() {
+    plait_roots roots = plait_roots_defaults();
+    roots.head = turned_head(number_++);
+    check(plait_sim_set_roots(sim_.get(), &roots));
+    plait_pose pose = roots.head;
+    pose.t[1] += bodies_.far ? far_away : 0;
+    for (const plait_collider_id collider : on_head_)
+        check(plait_collider_set_pose(sim_.get(), collider, &pose));
+}
+
+void Character::add_capsules() {
+    for (const auto& capsule :
+         bodies_.ball ? plait_generator::ball_colliders() : plait_generator::head_colliders()) {
+        plait_collider_desc desc = desc_of(capsule);
+        desc.pose.t[1] = bodies_.far ? far_away : 0;
         plait_collider_id id{};
         check(plait_collider_create(sim_.get(), &desc, &id));
         if (capsule.moves_with_head)
@@ -77,12 +105,35 @@ Character::Character(plait_context* context, plait_groom* groom, const plait::Si
     }
 }
 
-void Character::aim() {
-    plait_roots roots = plait_roots_defaults();
-    roots.head = turned_head(number_++);
-    check(plait_sim_set_roots(sim_.get(), &roots));
-    for (const plait_collider_id collider : on_head_)
-        check(plait_collider_set_pose(sim_.get(), collider, &roots.head));
+void Character::add_mesh() {
+    const plait_generator::HeadMesh mesh =
+        bodies_.ball ? plait_generator::make_ball() : plait_generator::make_head_parts().head;
+    plait_mesh_desc shape = plait_mesh_desc_defaults();
+    shape.positions = {mesh.positions.data(), mesh.positions.size() / 3, 0};
+    shape.triangles = {mesh.triangles.data(), mesh.triangles.size() / 3, 0};
+    plait_collider_mesh_desc desc = plait_collider_mesh_desc_defaults();
+    desc.form = bodies_.shape == Shape::field ? PLAIT_MESH_FORM_FIELD : PLAIT_MESH_FORM_NEAREST;
+    desc.friction = 0;
+    desc.pose.t[1] = bodies_.far ? far_away : 0;
+    plait_collider_id id{};
+    check(plait_collider_create_mesh(sim_.get(), plait::Mesh(shape).get(), &desc, &id));
+    on_head_.push_back(id);
+}
+
+std::map<std::string, StageSums> take_stage_sums(plait_sim* sim) {
+    size_t count = 0;
+    check(plait_sim_take_launches(sim, nullptr, &count));
+    std::vector<plait_launch> launches(count, plait_launch_defaults());
+    check(plait_sim_take_launches(sim, launches.data(), &count));
+    launches.resize(count);
+    std::map<std::string, StageSums> sums;
+    for (const plait_launch& launch : launches) {
+        StageSums& stage = sums[launch.stage];
+        stage.seconds += 1e-9 * static_cast<double>(launch.end_ns - launch.begin_ns);
+        stage.bytes += launch.bytes;
+        ++stage.calls;
+    }
+    return sums;
 }
 
 } // namespace bench

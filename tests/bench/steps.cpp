@@ -2,8 +2,10 @@
 // two columns of table 5.1 of Ugurca 2015, by its own hash and rule, and two more for slots and
 // exact sums as they are by default. Of both models as they are by default, without.
 #include "bench.hpp"
-#include "inputs.hpp"
 #include "sim.hpp"
+
+#include <cmath>
+#include <numbers>
 
 namespace bench {
 namespace {
@@ -27,19 +29,26 @@ constexpr Column columns[] = {{Interhair::off, false, PLAIT_GRID_FORM_EXACT,
                               {Interhair::exact, true, PLAIT_GRID_FORM_EXACT,
                                PLAIT_SLOT_HASH_RULE_PCG, PLAIT_DIFFUSE_RULE_FLOORED, "exact"}};
 
-Groom make_groom(const Shape& shape) {
-    const auto roots = root_positions(shape.strands);
+// Strands of 0.25 m that hang from roots spread evenly over the upper half of a ball (a Fibonacci lattice).
+Groom make_groom(uint32_t strands, uint32_t vertices) {
+    constexpr float length = 0.25f, ball_radius = 0.1f; // m
+    const float golden = std::numbers::pi_v<float> * (3 - std::sqrt(5.0f));
     std::vector<float> positions;
-    for (uint32_t strand = 0; strand < shape.strands; ++strand)
-        for (uint32_t vertex = 0; vertex < shape.vertices; ++vertex) {
+    for (uint32_t strand = 0; strand < strands; ++strand) {
+        const float height = (static_cast<float>(strand) + 0.5f) / static_cast<float>(strands);
+        const float radius = std::sqrt(1 - height * height);
+        const float angle = golden * static_cast<float>(strand);
+        for (uint32_t vertex = 0; vertex < vertices; ++vertex) {
             const float along =
-                strand_length * static_cast<float>(vertex) / static_cast<float>(shape.vertices - 1);
-            const float* root = &roots[3 * size_t{strand}];
-            positions.insert(positions.end(), {root[0], root[1] - along, root[2]});
+                length * static_cast<float>(vertex) / static_cast<float>(vertices - 1);
+            positions.insert(positions.end(),
+                             {ball_radius * radius * std::cos(angle), ball_radius * height - along,
+                              ball_radius * radius * std::sin(angle)});
         }
+    }
     plait_groom_desc desc = plait_groom_desc_defaults();
-    desc.positions = {positions.data(), shape.total(), 0};
-    desc.vertices_per_strand = shape.vertices;
+    desc.positions = {positions.data(), positions.size() / 3, 0};
+    desc.vertices_per_strand = vertices;
     plait_groom* groom = nullptr;
     check(plait_groom_create(&desc, nullptr, &groom));
     return Groom(groom);
@@ -80,10 +89,10 @@ double frame(plait_sim* sim, uint32_t number) {
 }
 
 // Seconds of a step.
-double measure(benchmark::State& state, const plait_device_info& device, const Shape& shape,
-               const plait::SimDesc& desc) {
+double measure(benchmark::State& state, const plait_device_info& device, uint32_t strands,
+               uint32_t vertices, const plait::SimDesc& desc) {
     const Context context = make_context(device);
-    const Groom groom = make_groom(shape);
+    const Groom groom = make_groom(strands, vertices);
     const Sim sim = make_sim(context.get(), groom.get(), desc);
     uint32_t number = 0;
     frame(sim.get(), number++); // compiles
@@ -95,7 +104,7 @@ double measure(benchmark::State& state, const plait_device_info& device, const S
     }
     const double seconds = total / static_cast<double>(state.iterations());
     state.counters["steps/s"] = 1 / seconds;
-    state.counters["ns/vertex"] = 1e9 * seconds / static_cast<double>(shape.total());
+    state.counters["ns/vertex"] = 1e9 * seconds / (static_cast<double>(strands) * vertices);
     return seconds;
 }
 
@@ -105,20 +114,20 @@ void register_steps(uint32_t index, Results& results) {
     const std::string on = "device:" + std::to_string(index);
     for (const uint32_t strands : strand_counts) {
         const std::string of = "/strands:" + std::to_string(strands) + "/";
-        const Shape shape{strands, results.options.vertices};
         for (const Column& column : columns)
             register_row(on + "/step" + of + column.name, results,
-                         [index, shape, &column, &results](benchmark::State& state) {
+                         [index, strands, &column, &results](benchmark::State& state) {
                              DeviceResults& device = results.devices[index];
-                             device.step_seconds[{shape.strands, column.interhair}] =
-                                 measure(state, device.device, shape, desc_of(column));
+                             device.step_seconds[{strands, column.interhair}] =
+                                 measure(state, device.device, strands, results.options.vertices,
+                                         desc_of(column));
                          });
         for (const NamedModel& named : models)
             register_row(on + "/model" + of + named.name, results,
                          [index, strands, &named, &results](benchmark::State& state) {
                              DeviceResults& device = results.devices[index];
                              device.model_seconds[{strands, named.name}] =
-                                 measure(state, device.device, {strands, model_vertices},
+                                 measure(state, device.device, strands, model_vertices,
                                          desc_of(named.model));
                          });
     }

@@ -212,23 +212,6 @@ TEST_P(Devices, refuse_handles_that_do_not_belong_together) {
     EXPECT_FALSE(open_device(GetParam(), {.native = &handles}).ok());
 }
 
-TEST_P(Devices, hold_no_more_local_memory_than_there_is) {
-    const auto device = open_device(GetParam());
-    ASSERT_TRUE(device.ok());
-    const plait_device_info& info = (*device)->info();
-    const auto most = static_cast<uint32_t>(info.local_memory_bytes);
-    EXPECT_TRUE(open_device(GetParam(), {.idle_local_bytes = most}).ok());
-    for (const uint32_t bytes : {2u, most + 4}) {
-        const auto refused = open_device(GetParam(), {.idle_local_bytes = bytes});
-        ASSERT_FALSE(refused.ok());
-        EXPECT_EQ(refused.error().code, PLAIT_INVALID_ARGUMENT);
-        EXPECT_EQ(refused.error().message,
-                  "idle_local_bytes is " + std::to_string(bytes) + ", range is [0, " +
-                      std::to_string(most) +
-                      "] in steps of 4, the local memory of a work-group of " + info.name);
-    }
-}
-
 TEST_P(Devices, refuse_an_out_of_order_queue) {
     const Own own(GetParam(), CL_QUEUE_OUT_OF_ORDER_EXEC_MODE_ENABLE);
     if (!own.queue)

@@ -39,7 +39,6 @@ struct OpenOptions {
     bool profile = false;
     Calls calls = {};
     std::string* log = nullptr;
-    uint32_t idle_local_bytes = 0;
 };
 
 inline Result<std::unique_ptr<Device>> open_device(uint32_t index,
@@ -53,7 +52,6 @@ inline Result<std::unique_ptr<Device>> open_device(uint32_t index,
     info.stage_sources = options.sources.data();
     info.stage_source_count = options.sources.size();
     info.native = options.native;
-    info.idle_local_bytes = options.idle_local_bytes;
     return Device::open(info, options.calls);
 }
 

@@ -61,8 +61,6 @@ std::string build_options(const Candidate& device, plait_space space, const Vari
                           device.info.lanes, device.info.tile, variant.vertices);
     if (variant.group_sums > 0)
         options += format(" -DPLAIT_GROUP_SUMS=%u", variant.group_sums);
-    if (variant.idle_local_bytes > 0)
-        options += format(" -DPLAIT_IDLE_LOCAL=%u", variant.idle_local_bytes);
     // Oclgrind 21.10 does not know the intrinsics that LLVM's optimiser leaves in its input
     // (llvm.experimental.noalias.scope.decl).
     if (std::string_view(device.info.platform) == "Oclgrind")

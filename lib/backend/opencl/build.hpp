@@ -31,7 +31,6 @@ inline constexpr uint32_t usual_vertices = 16;
 struct Variant {
     uint32_t vertices = usual_vertices; // per strand: of the stages over lanes
     uint32_t group_sums = 0;            // words, as of group_sums()
-    uint32_t idle_local_bytes = 0;      // as of plait_open_info: of the solves over strands
 
     auto operator<=>(const Variant&) const = default;
 };

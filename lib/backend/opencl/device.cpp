@@ -50,8 +50,6 @@ Variant Device::variant_of(const plait_stage_info& stage, const plait_dispatch& 
     if (own_texts_.test(stage.stage))
         return variant;
     variant.group_sums = group_sums(dispatch, info());
-    if (stage.stage == PLAIT_STAGE_articulated)
-        variant.idle_local_bytes = session_.idle_local_bytes;
     return variant;
 }
 

@@ -33,7 +33,6 @@ struct Session {
     std::shared_ptr<Programs> programs; // and the cl_context they are of
     Queue queue;
     bool profile;
-    uint32_t idle_local_bytes = 0; // of the solves over strands
 };
 
 class Device {

@@ -85,16 +85,6 @@ const plait_stage_info* find_stage(const char* name) {
     return nullptr;
 }
 
-Status check_idle_local(uint32_t bytes, const plait_device_info& device) {
-    if (bytes % sizeof(uint32_t) == 0 && bytes <= device.local_memory_bytes)
-        return {};
-    return Error{
-        PLAIT_INVALID_ARGUMENT,
-        format("idle_local_bytes is %u, range is [0, %llu] in steps of 4, the local memory of "
-               "a work-group of %s",
-               bytes, static_cast<unsigned long long>(device.local_memory_bytes), device.name)};
-}
-
 } // namespace
 
 // The user's own kernels are built at once, so that what is wrong with them is told now.
@@ -124,8 +114,6 @@ Result<std::unique_ptr<Device>> Device::open(const plait_open_info& info, const 
     PLAIT_TRY(session);
     if (info.lanes != 0)
         PLAIT_TRY(set_lanes(session->candidate.info, info.lanes));
-    PLAIT_TRY(check_idle_local(info.idle_local_bytes, session->candidate.info));
-    session->idle_local_bytes = info.idle_local_bytes;
     ProgramFolder folder;
     if (info.program_folder) {
         auto opened = ProgramFolder::open(info.program_folder);

@@ -53,8 +53,17 @@ plait_device* Subject::device() {
         open.device_index = index_;
         if (const char* lanes = std::getenv("PLAIT_TEST_LANES"); lanes && !is_reference(info_))
             open.lanes = static_cast<uint32_t>(std::stoul(lanes));
-        if (const char* bytes = std::getenv("PLAIT_TEST_IDLE_LOCAL"); bytes && !is_reference(info_))
-            open.idle_local_bytes = static_cast<uint32_t>(std::stoul(bytes));
+        // As plait-bench --local-memory builds the solve.
+        std::string text;
+        plait_stage_source source = {"articulated", nullptr, "idle_local.cl"};
+        if (const char* bytes = std::getenv("PLAIT_TEST_IDLE_LOCAL");
+            bytes && !is_reference(info_)) {
+            text = std::string("#define PLAIT_IDLE_LOCAL ") + bytes +
+                   "\n#include \"strands/articulated.cl\"\n";
+            source.source = text.c_str();
+            open.stage_sources = &source;
+            open.stage_source_count = 1;
+        }
         char error[2000] = "";
         plait_device* handle = nullptr;
         if (api_.open(&open, &handle, error, sizeof error) == PLAIT_OK)
