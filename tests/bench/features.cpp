@@ -72,6 +72,7 @@ const Feature features[] = {
     {.name = "field:far", .over = "alone", .bodies = {Shape::field, false, true}},
     {.name = "nearest", .over = "alone", .bodies = {Shape::nearest}},
     {.name = "nearest:far", .over = "alone", .bodies = {Shape::nearest, false, true}},
+    {.name = "nearest:bends", .over = "alone", .bodies = {Shape::nearest, false, false, true}},
     {.name = "ball:alone", .over = "ball:alone", .bodies = on_ball},
     {.name = "ball:capsule", .over = "ball:alone", .bodies = {Shape::capsules, true}},
     {.name = "ball:field", .over = "ball:alone", .bodies = {Shape::field, true}},

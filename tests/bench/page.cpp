@@ -118,7 +118,8 @@ std::string feature_table(const Options& options, const DeviceResults& results) 
     return text("\n## Features\n\nA frame of %u strands of %u vertices on a head that turns to and "
                 "fro, with one feature: milliseconds, times what it takes without, and the stages "
                 "that nine tenths of the device's time go to. *field*, *nearest*: the head as a "
-                "mesh; *far*: the mesh 3 m away; *ball*: hair that lies on a ball in place of the "
+                "mesh; *far*: the mesh 3 m away; *bends*: its vertices are posed each frame; "
+                "*ball*: hair that lies on a ball in place of the "
                 "head; *guides*: a tenth of the strands, whom in *follows* and *detail* the others "
                 "follow.\n\n"
                 "| feature | ms a frame | times | stages |\n|---|---:|---:|---|\n",

@@ -91,6 +91,13 @@ void Character::aim() {
     pose.t[1] += bodies_.far ? far_away : 0;
     for (const plait_collider_id collider : on_head_)
         check(plait_collider_set_pose(sim_.get(), collider, &pose));
+    if (!bodies_.bends)
+        return;
+    std::vector<float> posed = rest_;
+    for (float& x : posed)
+        x *= 1 + 0.01f * roots.head.q[1]; // grows and shrinks as it turns
+    const plait_view vertices = {posed.data(), posed.size() / 3, 0};
+    check(plait_collider_set_positions(sim_.get(), on_head_.front(), &vertices));
 }
 
 void Character::add_capsules() {
@@ -116,7 +123,9 @@ void Character::add_mesh() {
     desc.friction = 0;
     desc.pose.t[1] = bodies_.far ? far_away : 0;
     plait_collider_id id{};
-    check(plait_collider_create_mesh(sim_.get(), plait::Mesh(shape).get(), &desc, &id));
+    const plait::Mesh made(shape);
+    check(plait_collider_create_mesh(sim_.get(), made.get(), &desc, &id));
+    rest_ = made.read<float>(PLAIT_MESH_FIELD_POSITIONS);
     on_head_.push_back(id);
 }
 

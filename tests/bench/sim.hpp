@@ -40,8 +40,9 @@ plait_pose turned_head(uint32_t number); // where that frame ends
 enum class Shape { none, capsules, field, nearest };
 struct Bodies {
     Shape shape = Shape::none;
-    bool ball = false; // of hair that lies on a ball, in place of the mannequin
-    bool far = false;  // 3 m away
+    bool ball = false;  // of hair that lies on a ball, in place of the mannequin
+    bool far = false;   // 3 m away
+    bool bends = false; // a mesh whose vertices the caller poses each frame
 };
 
 // Hair on the mannequin, whose head turns.
@@ -60,6 +61,7 @@ class Character {
     Sim sim_;
     Bodies bodies_;
     std::vector<plait_collider_id> on_head_;
+    std::vector<float> rest_; // xyz of the mesh's vertices, m
     uint32_t number_ = 0;
 };
 
