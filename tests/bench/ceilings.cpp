@@ -87,7 +87,7 @@ class Pair {
 
     // Seconds.
     double run() {
-        const plait_layout_params params{2}; // the stage does not look at rows
+        const plait_last_frame_params params{2, 0}; // the kernel does not look at rows
         plait_buffer* const handles[] = {buffers_[0].get(), buffers_[1].get()};
         const plait_dispatch dispatch{stage, count_, 1, &params, sizeof params, 2, handles, 0};
         const auto start = std::chrono::steady_clock::now();
