@@ -15,13 +15,13 @@
 #define PLAIT_LANES PLAIT_DEVICE_LANES
 #include "strand_contact/pair.clh"
 
-/* One more than is kept: whether there is one. */
+/* One place more than is kept tells whether a pair has no place. */
 #define PAIR_PLACES (PLAIT_PAIR_COUNT + 1u)
 
 typedef struct {
     float distance[PAIR_PLACES]; /* m, squared; ascending */
     uint segment[PAIR_PLACES];
-    float within; /* m: no place for what is farther */
+    float within; /* m: a segment farther than that gets no place */
 } pair_list;
 
 static inline bool pair_before(float d, uint one, float e, uint other) {
@@ -72,7 +72,7 @@ static inline vec3 pair_read3(const pair_cells* cells, uint component, uint k) {
                    pair_read(cells, component + 2u, k));
 }
 
-/* 0, 1, ... Put together by a loop it would be so for every register of segments. */
+/* 0, 1, ...: constants, because PoCL runs a loop that fills them once for every register of segments. */
 #if PLAIT_LANES == 16
 #define PAIR_LANE_NUMBERS ((mask)(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15))
 #elif PLAIT_LANES == 8
@@ -136,7 +136,7 @@ static inline real pair_apart(const pair_search* search, const pair_cells* cells
     return length3(sub3(own, axpy3(foot.t - to_middle, change, moves)));
 }
 
-/* m: no segment farther than that gets a place. */
+/* m: a segment farther than that is no pair, or gets no place. */
 static inline float pair_limit(const pair_search* search, const pair_list* list) {
     return fmin(search->most, list->within + search->rounding);
 }
