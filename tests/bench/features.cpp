@@ -63,20 +63,22 @@ void pin_middles(plait_sim* sim) {
     check(plait_sim_set_pins(sim, pins.data(), pins.size()));
 }
 
-constexpr Bodies on_ball{Shape::none, true, false};
-
 const Feature features[] = {
     {.name = "alone", .over = "alone"},
     {.name = "capsules", .over = "alone", .bodies = {Shape::capsules}},
     {.name = "field", .over = "alone", .bodies = {Shape::field}},
-    {.name = "field:far", .over = "alone", .bodies = {Shape::field, false, true}},
+    {.name = "field:far", .over = "alone", .bodies = {.shape = Shape::field, .far = true}},
     {.name = "nearest", .over = "alone", .bodies = {Shape::nearest}},
-    {.name = "nearest:far", .over = "alone", .bodies = {Shape::nearest, false, true}},
-    {.name = "nearest:bends", .over = "alone", .bodies = {Shape::nearest, false, false, true}},
-    {.name = "ball:alone", .over = "ball:alone", .bodies = on_ball},
-    {.name = "ball:capsule", .over = "ball:alone", .bodies = {Shape::capsules, true}},
-    {.name = "ball:field", .over = "ball:alone", .bodies = {Shape::field, true}},
-    {.name = "ball:nearest", .over = "ball:alone", .bodies = {Shape::nearest, true}},
+    {.name = "nearest:far", .over = "alone", .bodies = {.shape = Shape::nearest, .far = true}},
+    {.name = "nearest:bends", .over = "alone", .bodies = {.shape = Shape::nearest, .bends = true}},
+    {.name = "ball:alone", .over = "ball:alone", .bodies = {.ball = true}},
+    {.name = "ball:capsule",
+     .over = "ball:alone",
+     .bodies = {.shape = Shape::capsules, .ball = true}},
+    {.name = "ball:field", .over = "ball:alone", .bodies = {.shape = Shape::field, .ball = true}},
+    {.name = "ball:nearest",
+     .over = "ball:alone",
+     .bodies = {.shape = Shape::nearest, .ball = true}},
     {.name = "grid", .over = "alone", .choose = [](plait::SimDesc& desc) { desc.grid.on = true; }},
     {.name = "volume:16", .over = "alone", .choose = with_volume<16>},
     {.name = "volume:32", .over = "alone", .choose = with_volume<32>},

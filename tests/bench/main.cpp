@@ -90,8 +90,8 @@ int run(int argc, char** argv) {
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv))
         return 2;
-    benchmark::AddCustomContext("size", std::to_string(results.options.strands) +
-                                            " strands; thesis's of " +
+    benchmark::AddCustomContext("size", "features of " + std::to_string(results.options.strands) +
+                                            " strands, the thesis's table of " +
                                             std::to_string(results.options.vertices) + " vertices");
     const auto devices = opencl_devices();
     for (uint32_t index = 0; index < devices.size(); ++index) {

@@ -137,10 +137,8 @@ std::string stage_table(const DeviceResults& results) {
     std::string rows;
     for (const auto& [stage, where] : most)
         if (const auto& [feature, sum] = where; sum.seconds > 0)
-            rows += text("| %s | %s | %llu | %.1f | %.2f |\n", stage.c_str(), feature->name.c_str(),
-                         static_cast<unsigned long long>(sum.calls),
-                         1e6 * sum.seconds / static_cast<double>(sum.calls),
-                         1e-9 * static_cast<double>(sum.bytes) / sum.seconds);
+            rows += text("| %s | %s | %.3g | %.1f | %.2f |\n", stage.c_str(), feature->name.c_str(),
+                         sum.calls, 1e6 * sum.seconds / sum.calls, 1e-9 * sum.bytes / sum.seconds);
     return rows.empty() ? ""
                         : "\n## Stages\n\nEach in the feature above where it takes the most: "
                           "launches a frame, what one takes, and the rate at which it moves the "

@@ -26,8 +26,8 @@ constexpr uint32_t model_vertices = 16; // per strand, of the models' rows
 
 // What a stage's launches take.
 struct StageSums {
-    double seconds = 0;
-    uint64_t calls = 0, bytes = 0; // bytes that have to move through memory at least
+    double seconds = 0, calls = 0;
+    double bytes = 0; // that have to move through memory at least
 };
 
 // A frame with a feature. Its stages, by name, take device time.

@@ -26,13 +26,7 @@ Groom grown(plait_generator::Hairstyle hairstyle, uint32_t strands) {
     plait_generator::Style style = plait_generator::make_style(hairstyle);
     style.strands = strands;
     style.vertices = model_vertices;
-    const plait_generator::Strands hair = plait_generator::make_groom(style);
-    plait_groom_desc desc = plait_groom_desc_defaults();
-    desc.positions = {hair.positions.data(), hair.positions.size() / 3, 0};
-    desc.vertices_per_strand = model_vertices;
-    plait_groom* groom = nullptr;
-    check(plait_groom_create(&desc, nullptr, &groom));
-    return Groom(groom);
+    return groom_of(plait_generator::make_groom(style).positions, model_vertices);
 }
 
 } // namespace
@@ -58,6 +52,15 @@ Sim make_sim(plait_context* context, plait_groom* groom, const plait::SimDesc& d
     plait_sim* sim = nullptr;
     check(plait::create_sim(context, groom, desc, &sim));
     return Sim(sim);
+}
+
+Groom groom_of(const std::vector<float>& positions, uint32_t vertices) {
+    plait_groom_desc desc = plait_groom_desc_defaults();
+    desc.positions = {positions.data(), positions.size() / 3, 0};
+    desc.vertices_per_strand = vertices;
+    plait_groom* groom = nullptr;
+    check(plait_groom_create(&desc, nullptr, &groom));
+    return Groom(groom);
 }
 
 Groom long_hair(uint32_t strands) {
@@ -139,8 +142,8 @@ std::map<std::string, StageSums> take_stage_sums(plait_sim* sim) {
     for (const plait_launch& launch : launches) {
         StageSums& stage = sums[launch.stage];
         stage.seconds += 1e-9 * static_cast<double>(launch.end_ns - launch.begin_ns);
-        stage.bytes += launch.bytes;
-        ++stage.calls;
+        stage.bytes += static_cast<double>(launch.bytes);
+        stage.calls += 1;
     }
     return sums;
 }

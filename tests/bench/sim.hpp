@@ -29,6 +29,8 @@ struct ContextOptions {
 Context make_context(const plait_device_info& device, const ContextOptions& options = {});
 Sim make_sim(plait_context* context, plait_groom* groom, const plait::SimDesc& desc);
 
+Groom groom_of(const std::vector<float>& positions, uint32_t vertices); // xyz [strands][vertices]
+
 // Of model_vertices.
 Groom long_hair(uint32_t strands); // on the mannequin
 Groom ball_hair(uint32_t strands); // in a layer on a ball
@@ -65,13 +67,13 @@ class Character {
     uint32_t number_ = 0;
 };
 
+// What a sim's launches took since the last call, by stage. Its context has a profile.
+std::map<std::string, StageSums> take_stage_sums(plait_sim* sim);
+
 struct NamedModel {
     plait_model model;
     const char* name;
 };
-// What its launches took since the last call, by stage. Its context has a profile.
-std::map<std::string, StageSums> take_stage_sums(plait_sim* sim);
-
 inline constexpr NamedModel models[] = {{PLAIT_MODEL_TRESSFX, "tressfx"},
                                         {PLAIT_MODEL_ARTICULATED, "articulated"}};
 

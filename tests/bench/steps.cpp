@@ -46,12 +46,7 @@ Groom make_groom(uint32_t strands, uint32_t vertices) {
                               ball_radius * radius * std::sin(angle)});
         }
     }
-    plait_groom_desc desc = plait_groom_desc_defaults();
-    desc.positions = {positions.data(), positions.size() / 3, 0};
-    desc.vertices_per_strand = vertices;
-    plait_groom* groom = nullptr;
-    check(plait_groom_create(&desc, nullptr, &groom));
-    return Groom(groom);
+    return groom_of(positions, vertices);
 }
 
 // The settings of TressFX's own demonstration hair (pipeline's "mohawk").
