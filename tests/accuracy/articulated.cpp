@@ -1,7 +1,7 @@
 // The model `articulated` on the float64 reference: converged solutions of the same discretisation
 // (tests/data/README.md), statics against an independent minimiser, lengths and energy. The kernel
 // is held to the reference by the conformance tests.
-#include "conformance/table.hpp"
+#include "fall_table.hpp"
 #include "stability/one_strand.hpp"
 
 namespace plait::test {
@@ -42,30 +42,6 @@ OneStrand level(uint32_t segments, const plait::SimDesc& desc) {
     return {straight({segments + 1, 1.0f, {1.0f, 0.0f, 0.0f}}), segments + 1, desc, reference()};
 }
 
-// Rows (t, vertex, x, y) until `end`: rms distance in lengths.
-double trajectory_error(OneStrand& strand, const std::string& table, int steps_per_sample,
-                        double end) {
-    const auto rows = read_table(table);
-    EXPECT_GT(rows.size(), 900u) << table;
-    double sum = 0, sample = 0, count = 0;
-    std::vector<std::array<float, 4>> x;
-    for (const auto& row : rows) {
-        if (row[0] > end)
-            break;
-        if (row[0] > sample) {
-            for (int i = 0; i < steps_per_sample; ++i)
-                strand.step();
-            sample = row[0];
-            x = strand.read(PLAIT_FIELD_POSITION);
-        }
-        const auto& at = x[static_cast<size_t>(row[1])];
-        sum += std::pow(double(at[0]) - row[2], 2) + std::pow(double(at[1]) - row[3], 2) +
-               std::pow(double(at[2]), 2);
-        ++count;
-    }
-    return std::sqrt(sum / count);
-}
-
 // The fall alone: the first 6 sqrt(L/g). The step before of a strand that is let go has stood, so
 // that its weight comes a third of a step late: first order, whatever BDF2 is later.
 TEST(ArticulatedFall, is_that_of_the_converged_rod) {
@@ -73,9 +49,9 @@ TEST(ArticulatedFall, is_that_of_the_converged_rod) {
          {std::pair{1, 0.002}, std::pair{10, 0.0045}, std::pair{100, 0.0065}}) {
         const std::string table = "rod_fall_gamma" + std::to_string(gamma) + "_N16_drag2.csv";
         OneStrand once = level(16, rod_desc(1, gamma, 2)), fine = level(16, rod_desc(4, gamma, 2));
-        const double error = trajectory_error(once, table, 5, 6);
+        const double error = fall_error(once, table, 5, 6);
         EXPECT_LT(error, bar) << "gamma " << gamma;
-        EXPECT_LT(trajectory_error(fine, table, 5, 6), error / 3.5) << "gamma " << gamma;
+        EXPECT_LT(fall_error(fine, table, 5, 6), error / 3.5) << "gamma " << gamma;
     }
 }
 

@@ -1,6 +1,6 @@
 // The baselines of tools/lab, so that what plait is compared with is no strawman: each comes to
 // the right answer with many substeps, and the explicit ones hold and fail where theory says.
-#include "conformance/table.hpp"
+#include "fall_table.hpp"
 #include "lab/baselines/source.hpp"
 #include "stability/one_strand.hpp"
 
@@ -65,25 +65,6 @@ void make_rod(plait::SimDesc& desc, float gamma, float drag) {
     desc.params.drag = drag / unit_time;
 }
 
-// rms distance in lengths from a table's rows (t, vertex, x, y), one per `per_sample` steps.
-double trajectory_error(OneStrand& strand, const std::string& table, int per_sample) {
-    const auto rows = read_table(table);
-    EXPECT_GT(rows.size(), 900u);
-    double sum = 0.0, sample = 0.0;
-    std::vector<std::array<float, 4>> x;
-    for (const auto& row : rows) {
-        if (row[0] > sample) {
-            for (int i = 0; i < per_sample; ++i)
-                strand.step();
-            sample = row[0];
-            x = strand.read(PLAIT_FIELD_POSITION);
-        }
-        const auto& at = x[static_cast<size_t>(row[1])];
-        sum += std::pow(double(at[0]) - row[2], 2) + std::pow(double(at[1]) - row[3], 2);
-    }
-    return std::sqrt(sum / static_cast<double>(rows.size()));
-}
-
 // ---- the right answer with many substeps --------------------------------------------------------
 
 struct Fall {
@@ -105,7 +86,7 @@ TEST_P(BaselineFall, converges_to_the_true_trajectory) {
     make_rod(desc, fall.gamma, 2.0f);
     OneStrand strand = strand_of(fall.baseline, desc, level);
     const std::string name = "rod_fall_gamma" + std::to_string(std::lround(fall.gamma));
-    EXPECT_LT(trajectory_error(strand, name + "_N16_drag2.csv", 5), fall.bar);
+    EXPECT_LT(fall_error(strand, name + "_N16_drag2.csv", 5), fall.bar);
 }
 
 // What the table's inextensible rod is away. Limp ones: tests/lab/plane_fall.cpp.

@@ -1,7 +1,7 @@
 // Hair with curls: a hanging helix against the Kirchhoff rod, its fall against the converged
 // solution of the same discretisation; tests/data/README.md says how these were computed. 1 m of
 // arc, three turns, z up, twist stiffness GJ = 0.6897 EI.
-#include "conformance/table.hpp"
+#include "fall_table.hpp"
 #include "stability/one_strand.hpp"
 
 #include <numbers>
@@ -83,21 +83,12 @@ class HelixFall : public testing::TestWithParam<FallCase> {};
 
 // rms over all samples of all vertices but the root, in lengths.
 TEST_P(HelixFall, stays_near_the_converged_trajectory) {
-    const auto rows = read_table("helix_fall_gamma100_N16_drag2.csv");
-    ASSERT_EQ(rows.size(), 80u * 16);
     plait::SimDesc desc = desc_of(100.0f, 2.0f);
     desc.params.iterations = GetParam().iterations;
     desc.params.bdf2 = GetParam().bdf2;
     desc.substeps = GetParam().substeps;
     OneStrand strand(helix(16), desc);
-    double sum = 0.0;
-    for (size_t row = 0; row < rows.size(); row += 16) {
-        strand.step();
-        const auto x = strand.read(PLAIT_FIELD_POSITION);
-        for (size_t i = 0; i < 16; ++i)
-            sum += std::pow(distance(x[i + 1], &rows[row + i][2]), 2);
-    }
-    const double error = std::sqrt(sum / static_cast<double>(rows.size()));
+    const double error = fall_error(strand, "helix_fall_gamma100_N16_drag2.csv", 1);
     std::printf("%.5f L\n", error);
     EXPECT_LT(error, GetParam().bar);
 }

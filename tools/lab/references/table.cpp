@@ -1,6 +1,7 @@
 #include "table.hpp"
 #include "common/json_reader.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <limits>
@@ -36,6 +37,26 @@ double number_of(const std::string& cell) {
     return end != cell.c_str() && *end == '\0' ? value : std::numeric_limits<double>::quiet_NaN();
 }
 
+// A table of one row a moment (t, x, y, x, y, ...: the columns again for each vertex) as one of a row a
+// vertex (t, vertex, x, y), vertices counted from 1; any other as it is.
+Table by_vertex(Table table) {
+    const auto& columns = table.columns;
+    const auto again = std::find(columns.begin() + std::min<size_t>(2, columns.size()),
+                                 columns.end(), columns[columns.size() > 1]);
+    if (again == columns.end())
+        return table;
+    const std::ptrdiff_t group = again - columns.begin() - 1;
+    Table all{table.file, {columns[0], "vertex"}, {}};
+    all.columns.insert(all.columns.end(), columns.begin() + 1, again);
+    for (const auto& row : table.rows)
+        for (auto cell = row.begin() + 1; row.end() - cell >= group; cell += group) {
+            auto& of = all.rows.emplace_back(
+                std::vector{row[0], double((cell - row.begin()) / group + 1)});
+            of.insert(of.end(), cell, cell + group);
+        }
+    return all;
+}
+
 Table read_table(const std::string& name) {
     const std::string path = folder() + "/" + name;
     std::ifstream stream(path);
@@ -55,7 +76,7 @@ Table read_table(const std::string& name) {
                           std::to_string(table.columns.size()));
         table.rows.push_back(std::move(row));
     }
-    return table;
+    return by_vertex(std::move(table));
 }
 
 bool close(double a, double b) {

@@ -1,4 +1,5 @@
-// Reference tables: CSV with one line of column names.
+// Reference tables: CSV with one line of column names. Of a trajectory a row is a vertex at a moment
+// (t, vertex, x, y), or a moment (t, x, y, x, y, ...: vertex 1, vertex 2), which is read as the former.
 #pragma once
 
 #include "scene/scene.hpp"
