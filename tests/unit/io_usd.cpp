@@ -1,9 +1,12 @@
 #include "io_support.hpp"
 
 #include "io/curves/clip.hpp"
+#include "io/curves/number.hpp"
 #include "io/curves/save.hpp"
 
 #include <gmock/gmock.h>
+
+#include <bit>
 
 namespace plait {
 namespace {
@@ -239,6 +242,25 @@ TEST(IoUsd, AFrameIsASampleAndVelocitiesFollow) {
     const Read again = read(bytes);
     ASSERT_OK(again.strands);
     EXPECT_EQ(again.strands->positions, strands.positions);
+}
+
+// Of every exponent: both signs, both ends and many between.
+TEST(IoUsd, NumbersAreReadBackToTheBit) {
+    const auto text_of = [](float value) {
+        char text[24];
+        return std::string(text, put_number(text, value));
+    };
+    for (uint32_t bits = 0; bits < 0x7f800000u; bits += 4093) // which 2^23 is no multiple of
+        for (const uint32_t near : {bits, bits & 0xff800000u, bits | 0x7fffffu})
+            for (const float value : {std::bit_cast<float>(near), -std::bit_cast<float>(near)}) {
+                const std::string text = text_of(value);
+                EXPECT_EQ(std::strtof(text.c_str(), nullptr), value) << text;
+                EXPECT_EQ(static_cast<float>(std::strtod(text.c_str(), nullptr)), value) << text;
+            }
+    EXPECT_EQ(text_of(1), "1");
+    EXPECT_EQ(text_of(-12), "-12");
+    EXPECT_EQ(text_of(0.25f), "0.25000000");
+    EXPECT_EQ(text_of(-0.0f), "-0");
 }
 
 TEST(IoUsd, LeftHandedAxesAreRefused) {

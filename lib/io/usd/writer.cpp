@@ -40,7 +40,12 @@ Status TextFile::add(std::string_view text) {
     return {};
 }
 
-template <typename T> void TextFile::put(T value) {
+void TextFile::put(float value) {
+    char* const first = &text_[used_];
+    used_ += static_cast<size_t>(put_number(first, value) - first);
+}
+
+void TextFile::put(uint32_t value) {
     char* const first = &text_[used_];
     used_ += static_cast<size_t>(std::to_chars(first, first + LONGEST_NUMBER, value).ptr - first);
 }

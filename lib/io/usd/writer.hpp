@@ -1,5 +1,5 @@
-// Curves to USD text: /hair, a transform, above /hair/strands, the curves. Numbers are as short as they can
-// be and still be read to the bit.
+// Curves to USD text: /hair, a transform, above /hair/strands, the curves. Numbers are read back to the
+// bit.
 #pragma once
 
 #include "io/curves/clip.hpp"
@@ -29,7 +29,8 @@ class TextFile {
 
     // For a few numbers and signs between them.
     Status make_room() { return used_ + 4 * LONGEST_NUMBER < LONG_TEXT ? Status() : flush(); }
-    template <typename T> void put(T value);
+    void put(float value);
+    void put(uint32_t value);
     void put(std::string_view signs) { used_ += signs.copy(&text_[used_], signs.size()); }
 
     NewFile file_;
