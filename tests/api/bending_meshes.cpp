@@ -263,26 +263,27 @@ TEST_P(BendingMeshes, NothingIsScheduledWithoutThem) {
     const plait::Context profiled(desc);
     plait::Sim sim(profiled, make_groom(tuft(3, 9)));
     const auto mesh = make_mesh(tube_mesh());
+    using Counts = std::array<ptrdiff_t, 2>;
     const auto launched = [&] {
         sim.take_launches();
         run(sim, 2);
         const auto stages = launched_stages(sim);
-        return std::pair(std::ranges::count(stages, "mesh_field"),
-                         std::ranges::count(stages, "mesh_nearest"));
+        return Counts{std::ranges::count(stages, "mesh_field"),
+                      std::ranges::count(stages, "mesh_nearest")};
     };
     for (const auto id : {sim.create_collider(mesh), sim.create_collider(mesh)})
         sim.destroy_collider(id); // what lists colliders keeps the room of two
     const auto bytes = sim.describe().device_bytes;
-    EXPECT_EQ(launched(), std::pair(0l, 0l));
+    EXPECT_EQ(launched(), (Counts{0, 0}));
     const auto id = sim.create_collider(mesh, nearest_desc());
-    EXPECT_EQ(launched(), std::pair(0l, 2l));
+    EXPECT_EQ(launched(), (Counts{0, 2}));
     EXPECT_GT(sim.describe().device_bytes, bytes);
     const auto other = sim.create_collider(mesh);
-    EXPECT_EQ(launched(), std::pair(2l, 2l));
+    EXPECT_EQ(launched(), (Counts{2, 2}));
     sim.destroy_collider(id);
-    EXPECT_EQ(launched(), std::pair(2l, 0l));
+    EXPECT_EQ(launched(), (Counts{2, 0}));
     sim.destroy_collider(other);
-    EXPECT_EQ(launched(), std::pair(0l, 0l));
+    EXPECT_EQ(launched(), (Counts{0, 0}));
     EXPECT_EQ(sim.describe().device_bytes, bytes);
 }
 

@@ -3,6 +3,7 @@
 #include "support.hpp"
 
 #include <cstring>
+#include <numbers>
 
 namespace {
 
@@ -17,7 +18,7 @@ plait::Mesh make_mesh(const ShapeMesh& shape) {
 ShapeMesh cone_mesh(double a, double b, double length) {
     const double tilt = std::asin((a - b) / length);
     return revolved_mesh(64, 96, false, [=](double u, double v) -> std::array<double, 3> {
-        const double first = tilt - M_PI / 2 + 0.02, last = M_PI / 2 - 0.02;
+        const double first = tilt - std::numbers::pi / 2 + 0.02, last = std::numbers::pi / 2 - 0.02;
         // a third of the rows each: the ball at 0, the side, the ball at `length`
         const double third = 3 * v;
         const double angle = third < 1   ? first + third * (tilt - first)
@@ -26,7 +27,8 @@ ShapeMesh cone_mesh(double a, double b, double length) {
         const double share = third < 1 ? 0 : third < 2 ? third - 1 : 1;
         const double radius = a + share * (b - a);
         const double away = radius * std::cos(angle);
-        return {away * std::cos(2 * M_PI * u), away * std::sin(2 * M_PI * u),
+        return {away * std::cos(2 * std::numbers::pi * u),
+                away * std::sin(2 * std::numbers::pi * u),
                 share * length + radius * std::sin(angle)};
     });
 }

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <random>
 #include <sstream>
 
 namespace bench {
@@ -16,9 +17,10 @@ constexpr char copper[] = R"("device:0": "copper; Oxide")";
 class Compare : public testing::Test {
   protected:
     void SetUp() override {
-        std::string pattern = (std::filesystem::temp_directory_path() / "plait-XXXXXX").string();
-        ASSERT_NE(mkdtemp(pattern.data()), nullptr);
-        folder_ = pattern;
+        const auto folder = std::filesystem::temp_directory_path() /
+                            ("plait-" + std::to_string(std::random_device{}()));
+        ASSERT_TRUE(std::filesystem::create_directory(folder));
+        folder_ = folder.string();
     }
     void TearDown() override { std::filesystem::remove_all(folder_); }
 

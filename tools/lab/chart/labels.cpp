@@ -41,7 +41,7 @@ std::vector<std::optional<Spot>> place_labels(const std::vector<Label>& labels,
     std::vector<std::optional<Spot>> spots;
     for (const Label& label : labels) {
         std::optional<Spot> best;
-        long covered = 0;
+        ptrdiff_t covered = 0;
         for (const double gap : gaps)
             for (const Side side : sides) {
                 const Spot start = start_of(label, side, gap);
