@@ -323,8 +323,7 @@ typedef struct plait_groom_info {
     uint64_t repairs[PLAIT_REPAIR_COUNT]; /* strands or segments repaired, by kind */
     uint64_t repairs_total;
     char first_repair[192];      /* "strand 17, vertex 3: segment of 0 m ..." or "" */
-    uint64_t roots_contradicted; /* strands likely stored from tip to root: only the tip lies among
-                                    the other roots */
+    uint64_t roots_contradicted; /* strands likely stored tip first: their tip is among the roots */
     uint64_t thickness_unlikely; /* strands whose diameter is no hair's, 10 um to 1 mm */
     char warning[512];           /* what of this is likely wrong, in sentences; "": nothing */
 } plait_groom_info;
@@ -338,6 +337,7 @@ typedef enum plait_groom_field {
     PLAIT_GROOM_FIELD_THICKNESS = 3,     /* float [strands] */
     PLAIT_GROOM_FIELD_BONE_INDICES = 4,  /* uint32_t[4] [strands] */
     PLAIT_GROOM_FIELD_BONE_WEIGHTS = 5,  /* float[4] [strands] */
+    PLAIT_GROOM_FIELD_GROUP = 6, /* uint32_t [strands]: its file's groom_group_id; or empty */
     PLAIT_GROOM_FIELD_FORCE_32 = 0x7fffffff
 } plait_groom_field;
 
@@ -714,7 +714,7 @@ PLAIT_API plait_result plait_collider_destroy(plait_sim* sim, plait_collider_id 
 typedef enum plait_field {
     PLAIT_FIELD_POSITION = 0,     /* float[4] [strands][V]: x, y, z, inverse mass; for display */
     PLAIT_FIELD_TANGENT = 1,      /* float[4] [strands][V], unit, towards the tip */
-    PLAIT_FIELD_VELOCITY = 2,     /* float[4] [guides][V], m/s */
+    PLAIT_FIELD_VELOCITY = 2,     /* float[4] [guides][V], m/s; past a tip the tip's */
     PLAIT_FIELD_REST = 3,         /* float[4] [guides][V], at the groom's size */
     PLAIT_FIELD_VERTEX_COUNT = 4, /* uint32_t [strands] */
     /* float [nv^3], voxel y*nv^2 + z*nv + x; of hair at the groom's size, as GRID_VELOCITY */

@@ -25,6 +25,15 @@ PLAIT_API plait_result plait_groom_load_part(const char* path, plait_strand_part
                                              const plait_import_options* options,
                                              plait_groom** out);
 
+/* Both at once: `guides` for plait_sim_create, and the others as `map`, which follows them, for
+ * plait_sim_desc.follow_map: by groom_closest_guides and groom_guide_weights where the file has them, as
+ * Unreal's schema does, and otherwise each the four guides nearest to it, as of plait_groom_guides. Caller
+ * owns both. @errors as plait_groom_load_part; BAD_DATA (also weights below 0 or without a sum, a guide
+ * that is none of the file's, two guides of one groom_id, by strand and value) */
+PLAIT_API plait_result plait_groom_load_guides(const char* path,
+                                               const plait_import_options* options,
+                                               plait_groom** guides, plait_follow_map** map);
+
 /* What was taken from the groom's file beside its strands, and what of it was not read, in sentences:
  * units and axes it declares, cubic curves that became polylines, properties by name. "" for a groom
  * that is not from .abc or .usda, or where there is nothing to say. Bytes, with the NUL at its end. */

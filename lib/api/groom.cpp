@@ -4,6 +4,7 @@
 #include "api/structs.hpp"
 #include "api/view.hpp"
 #include "core/base/units.hpp"
+#include "core/follows/follow_map.hpp"
 #include "core/groom/root_ends.hpp"
 #include "core/sim/import_frame.hpp"
 #include "io/io.hpp"
@@ -11,6 +12,7 @@
 #include <plait/plait_formats.h>
 
 #include <cmath>
+#include <memory>
 
 namespace plait::api {
 namespace {
@@ -106,6 +108,18 @@ Status load_groom(const char* path, plait_strand_part part, const plait_import_o
     });
 }
 
+struct Destroy {
+    void operator()(plait_groom* groom) const { destroy(groom); }
+};
+using GroomPtr = std::unique_ptr<plait_groom, Destroy>;
+
+Result<GroomPtr> load_part(const char* path, plait_strand_part part,
+                           const plait_import_options* options) {
+    plait_groom* groom = nullptr;
+    PLAIT_TRY(load_groom(path, part, options, &groom));
+    return GroomPtr(groom);
+}
+
 plait_groom_info empty_info() {
     plait_groom_info info{};
     info.likely_scale = 1;
@@ -154,9 +168,10 @@ Result<std::span<const std::byte>> field_bytes(const StrandSet& set, plait_groom
         return bytes_of(set.bone_indices);
     case PLAIT_GROOM_FIELD_BONE_WEIGHTS:
         return bytes_of(set.bone_weights);
+    case PLAIT_GROOM_FIELD_GROUP:
+        return bytes_of(set.group);
     default:
-        return invalid(
-            format("field is %d, range is [0, %d]", field, PLAIT_GROOM_FIELD_BONE_WEIGHTS));
+        return invalid(format("field is %d, range is [0, %d]", field, PLAIT_GROOM_FIELD_GROUP));
     }
 }
 
@@ -201,6 +216,27 @@ plait_result plait_groom_load(const char* path, const plait_import_options* opti
 plait_result plait_groom_load_part(const char* path, plait_strand_part part,
                                    const plait_import_options* options, plait_groom** out) {
     return api::guard(__func__, [&] { return api::load_groom(path, part, options, out); });
+}
+
+plait_result plait_groom_load_guides(const char* path, const plait_import_options* options,
+                                     plait_groom** guides, plait_follow_map** map) {
+    return api::guard(__func__, [&]() -> Status {
+        PLAIT_TRY(api::need(guides, "guides"));
+        PLAIT_TRY(api::need(map, "map"));
+        auto kept = api::load_part(path, PLAIT_STRAND_PART_GUIDES, options);
+        PLAIT_TRY(kept);
+        const auto follows = api::load_part(path, PLAIT_STRAND_PART_FOLLOWS, options);
+        PLAIT_TRY(follows);
+        const plait_allocator allocator = (*kept)->own.allocator();
+        Memory memory(allocator);
+        auto made = make_in<plait_follow_map>(&memory, allocator);
+        const Status named = follow_named((*kept)->groom, (*follows)->groom, made->map);
+        if (!named)
+            return Error{named.error().code, format("%s: %s", path, named.error().message.c_str())};
+        *guides = kept->release();
+        *map = made.release();
+        return {};
+    });
 }
 
 plait_result plait_groom_read_notes(const plait_groom* groom, char* dst, size_t* size) {

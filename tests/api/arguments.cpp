@@ -198,6 +198,14 @@ TEST(Arguments, NullPointers) {
          [](O&) {
              return plait_groom_load_part("x.abc", PLAIT_STRAND_PART_ALL, nullptr, nullptr);
          }},
+        {"path is NULL",
+         [](O& o) {
+             return plait_groom_load_guides(nullptr, nullptr, &o.no_groom, &o.no_map);
+         }},
+        {"guides is NULL",
+         [](O& o) { return plait_groom_load_guides("x.abc", nullptr, nullptr, &o.no_map); }},
+        {"map is NULL",
+         [](O& o) { return plait_groom_load_guides("x.abc", nullptr, &o.no_groom, nullptr); }},
         {"groom is NULL", [](O& o) { return plait_groom_read_notes(nullptr, nullptr, &o.size); }},
         {"size is NULL", [](O& o) { return plait_groom_read_notes(o.groom, nullptr, nullptr); }},
         {"path is NULL",

@@ -186,11 +186,6 @@ TEST_F(Recorders, PositionsThatWereKeptAreRecordedAsTheSimIs) {
     }
 }
 
-void expect_failure(plait_result result, plait_result expected, const char* text) {
-    EXPECT_EQ(result, expected) << plait_last_error();
-    EXPECT_NE(std::strstr(plait_last_error(), text), nullptr) << plait_last_error();
-}
-
 TEST_F(Recorders, PositionsOfAnotherShapeAreRefused) {
     const Recorder recorder = record(path("a.abc"));
     const std::vector<float> positions(3 * 9, 0.5f);

@@ -339,6 +339,18 @@ TEST_P(State, WrittenVelocityIsReadBack) {
     EXPECT_LT(largest_difference(sim.read(PLAIT_FIELD_VELOCITY), v), 2e-5f);
 }
 
+// Rows past a tip are the tip's, as of positions.
+TEST_P(State, VelocitiesPastTheTipAreTheTips) {
+    plait::Sim sim(context, make_groom({tuft(1, 9)[0], tuft(1, 5)[0]}), busy());
+    run(sim, 10);
+    const auto velocity = sim.read(PLAIT_FIELD_VELOCITY);
+    const size_t row = velocity.size() / 4 / 2;
+    for (size_t i = 5; i < row; ++i)
+        for (size_t k = 0; k < 4; ++k)
+            EXPECT_EQ(velocity[4 * (row + i) + k], velocity[4 * (row + 4) + k]) << i;
+    EXPECT_NE(velocity[4 * (row + 4) + 1], 0);
+}
+
 TEST_P(State, ValuesOutsideTheirRangeAreRefusedWithTheirIndex) {
     plait::Sim sim(context, make_groom(tuft(2, 4)));
     const uint64_t hash = sim.hash();

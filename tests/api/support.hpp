@@ -122,6 +122,11 @@ class OnBackend : public testing::TestWithParam<std::string> {
     INSTANTIATE_TEST_SUITE_P(Backends, suite, testing::ValuesIn(backends()),                       \
                              [](const auto& backend) { return backend.param; })
 
+inline void expect_failure(plait_result result, plait_result expected, const char* text) {
+    EXPECT_EQ(result, expected) << plait_last_error();
+    EXPECT_NE(std::string(plait_last_error()).find(text), std::string::npos) << plait_last_error();
+}
+
 constexpr double frame = 1.0 / 60;
 
 inline void run(plait::Sim& sim, int steps) {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 namespace plait {
 namespace {
@@ -45,6 +46,22 @@ std::array<float, FollowMap::per_strand> weights_of(const Nearest& list) {
     return weights;
 }
 
+// `guides` and `follows` say where in `roots` theirs are; the map's guides are counted as in `guides`.
+Status set_nearest(const StrandRoots& roots, std::span<const uint32_t> guides,
+                   std::span<const uint32_t> follows, FollowMap& map) {
+    std::pmr::memory_resource* const memory = map.guides.get_allocator().resource();
+    std::pmr::vector<uint32_t> of(memory);
+    std::pmr::vector<float> weights(memory);
+    for (const uint32_t strand : follows) {
+        const Nearest list = nearest_roots<nearest + 1>(roots, strand, guides);
+        const auto shares = weights_of(list);
+        for (size_t k = 0; k < FollowMap::per_strand; ++k)
+            of.push_back(list[k].index);
+        weights.insert(weights.end(), shares.begin(), shares.end());
+    }
+    return set_guides(map, of, weights);
+}
+
 } // namespace
 
 StrandRoots roots_of(const StrandSet& strands, std::pmr::memory_resource* memory) {
@@ -73,16 +90,23 @@ Status follow_nearest(const Groom& groom, const StrandRoots& roots,
     map.guide_count = static_cast<uint32_t>(guides.size());
     map.origin.assign(guides.begin(), guides.end());
     map.origin.insert(map.origin.end(), follows.begin(), follows.end());
-    std::pmr::vector<uint32_t> of(memory);
-    std::pmr::vector<float> weights(memory);
-    for (const uint32_t strand : follows) {
-        const Nearest list = nearest_roots<nearest + 1>(roots, strand, guides);
-        const auto shares = weights_of(list);
-        for (size_t k = 0; k < FollowMap::per_strand; ++k)
-            of.push_back(list[k].index);
-        weights.insert(weights.end(), shares.begin(), shares.end());
+    return set_nearest(roots, guides, follows, map);
+}
+
+// Roots of guides, then of follows.
+Status follow_nearest(const Groom& guides, FollowMap& map) {
+    std::pmr::memory_resource* const memory = map.guides.get_allocator().resource();
+    StrandSet both(memory);
+    for (const StrandSet* from : {&guides.strands, static_cast<const StrandSet*>(&map.strands)}) {
+        both.positions.insert(both.positions.end(), from->positions.begin(), from->positions.end());
+        both.vertex_counts.insert(both.vertex_counts.end(), from->vertex_counts.begin(),
+                                  from->vertex_counts.end());
     }
-    return set_guides(map, of, weights);
+    std::pmr::vector<uint32_t> numbers(both.vertex_counts.size(), 0, memory);
+    std::iota(numbers.begin(), numbers.end(), 0u);
+    const std::span<const uint32_t> all = numbers;
+    return set_nearest(roots_of(both, memory), all.first(guides.shape.strands),
+                       all.subspan(guides.shape.strands), map);
 }
 
 Status choose_guides(const Groom& groom, size_t guides, uint64_t seed, Groom& out, FollowMap& map) {

@@ -1,4 +1,4 @@
-// Guides that are strands of a groom, and others of its strands that follow the nearest of them.
+// Guides and strands that follow the nearest of them: other strands of their groom, or those of another.
 #pragma once
 
 #include "core/follows/follow_map.hpp"
@@ -14,5 +14,8 @@ StrandRoots roots_of(const StrandSet& strands, std::pmr::memory_resource* memory
 Status follow_nearest(const Groom& groom, const StrandRoots& roots,
                       std::span<const uint32_t> guides, std::span<const uint32_t> follows,
                       Groom& out, FollowMap& map);
+
+// The strands of `map`, which has no guides yet, follow the nearest of `guides`.
+Status follow_nearest(const Groom& guides, FollowMap& map);
 
 } // namespace plait

@@ -30,6 +30,10 @@ void append_strand(StrandSet& to, const StrandSet& from, size_t index, const Poi
     append(to.thickness, from.thickness, index, 1);
     append(to.bone_indices, from.bone_indices, index, 4);
     append(to.bone_weights, from.bone_weights, index, 4);
+    append(to.group, from.group, index, 1);
+    append(to.id, from.id, index, 1);
+    append(to.guide_ids, from.guide_ids, index, StrandSet::guides_of_file);
+    append(to.guide_weights, from.guide_weights, index, StrandSet::guides_of_file);
 }
 
 void read_strand(const StrandSet& raw, size_t first, size_t count, Points& strand) {

@@ -156,7 +156,7 @@ Result<uint64_t> Sim::read_later(plait_field field, void* dst) {
     return fence;
 }
 
-// Verlet velocity over the last substep; padding has that of its strand's history, at rest 0. Strands
+// Verlet velocity over the last substep; padding has the tip's, as its positions are copies of the tip. Strands
 // that are not stepped have none.
 Status Sim::read_velocity(std::span<float> dst) {
     std::pmr::vector<float> before(dst.size(), &context_.memory);
@@ -166,6 +166,13 @@ Status Sim::read_velocity(std::span<float> dst) {
     const size_t stepped = size_t{4} * this->stepped().guide_vertices();
     for (size_t i = 0; i < dst.size(); ++i)
         dst[i] = i % 4 == 3 || i >= stepped ? 0 : (dst[i] - before[i]) * rate;
+    std::pmr::vector<uint32_t> counts(layout_.guides, &context_.memory);
+    PLAIT_TRY(device().read(state_.vertex_count, 0, counts.size(), counts.data()));
+    for (size_t strand = 0; strand < counts.size(); ++strand) {
+        float* const end = &dst[4 * (strand * layout_.row + counts[strand])];
+        for (size_t i = 0; i < size_t{4} * (layout_.row - counts[strand]); ++i)
+            end[i] = end[static_cast<std::ptrdiff_t>(i % 4) - 4];
+    }
     return {};
 }
 

@@ -97,6 +97,13 @@ Status AlembicReader::read_attribute(const AlembicProperty& property, CurveObjec
         return keep(samples_.integers(out.place, property), out.guide);
     if (name == "groom_group_id")
         return keep(samples_.integers(out.place, property), out.group);
+    if (name == "groom_id")
+        return keep(samples_.integers(out.place, property), out.id);
+    if (name == "groom_closest_guides")
+        return keep(samples_.integers(out.place, property), out.guide_ids);
+    if (name == "groom_guide_weights")
+        return keep(samples_.floats(out.place, property, StrandSet::guides_of_file),
+                    out.guide_weights);
     if (name == "groom_version_major" || name == "groom_version_minor")
         return take_version(property, out.place);
     return note_unused(property);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 namespace plait {
 namespace {
@@ -86,6 +87,7 @@ Status StrandBuilder::check(const CurveObject& object) {
                        format("%s has %zu values; allowed are 1, or one for each of the %zu "
                               "curves",
                               name, count, object.counts.size()));
+    PLAIT_TRY(check_guides(object));
     if (!object.to_world.is_finite())
         return bad(object, "its transform has a number that is not finite");
     taken_ += 12 * points + 12 * object.counts.size();
@@ -94,6 +96,21 @@ Status StrandBuilder::check(const CurveObject& object) {
                      format("%s: the file's objects share arrays: their points would take %" PRIu64
                             " bytes, allowed are three times the file's %" PRIu64,
                             object.place.c_str(), taken_, budget_)};
+    return {};
+}
+
+Status StrandBuilder::check_guides(const CurveObject& object) const {
+    const size_t curves = object.counts.size(), followed = StrandSet::guides_of_file * curves;
+    const std::tuple<const char*, size_t, size_t> lists[] = {
+        {"id", object.id.size(), curves},
+        {"closest_guides", object.guide_ids.size(), followed},
+        {"guide_weights", object.guide_weights.size(), followed}};
+    for (const auto& [name, count, wanted] : lists)
+        if (count > 0 && count != wanted)
+            return bad(object, format("%s has %zu values; allowed are %zu, %zu for each curve",
+                                      name, count, wanted, wanted / curves));
+    if (object.guide_ids.empty() != object.guide_weights.empty())
+        return bad(object, "closest_guides and guide_weights: one is given, both belong together");
     return {};
 }
 
@@ -178,6 +195,32 @@ void StrandBuilder::count_groups(const CurveObject& object) {
         }
 }
 
+// Which group a strand is of; and what it is called or follows, where that is asked for.
+Status StrandBuilder::add_names(const CurveObject& object, size_t curve) {
+    constexpr size_t each = StrandSet::guides_of_file;
+    const auto add = [&](const char* what, int64_t value, auto& to) -> Status {
+        if (value < 0 || value > std::numeric_limits<int32_t>::max())
+            return bad(object, format("%s of curve %zu is %" PRId64 "; allowed are 0 to 2^31 - 1",
+                                      what, curve, value));
+        to.push_back(static_cast<uint32_t>(value));
+        return {};
+    };
+    if (!object.group.empty())
+        PLAIT_TRY(
+            add("group id", object.group[object.group.size() == 1 ? 0 : curve], strands_.group));
+    if (options_.part == StrandPart::GUIDES && !object.id.empty())
+        PLAIT_TRY(add("id", object.id[curve], strands_.id));
+    says_what_follows_ = says_what_follows_ || !object.guide_ids.empty();
+    if (options_.part != StrandPart::FOLLOWS || object.guide_ids.empty())
+        return {};
+    for (size_t k = each * curve; k < each * (curve + 1); ++k) {
+        const float weight = object.guide_weights[k];
+        PLAIT_TRY(add("closest_guides", weight == 0 ? 0 : object.guide_ids[k], strands_.guide_ids));
+        strands_.guide_weights.push_back(weight);
+    }
+    return {};
+}
+
 Status StrandBuilder::add(const CurveObject& object) {
     if (object.counts.empty() && object.points.empty())
         return {};
@@ -186,8 +229,6 @@ Status StrandBuilder::add(const CurveObject& object) {
         strands_.positions.reserve(object.points.size());
         strands_.vertex_counts.reserve(object.counts.size());
     }
-    without_width_ += object.widths.empty();
-    without_uv_ += object.uv.empty();
     count_groups(object);
     const float factor = options_.scale * static_cast<float>(object.to_world.scale() * object.unit);
     for (size_t curve = 0, first = 0; curve < object.counts.size(); ++curve) {
@@ -197,6 +238,7 @@ Status StrandBuilder::add(const CurveObject& object) {
             PLAIT_TRY(add_points(object, curve, first, points));
             if (!object.widths.empty())
                 strands_.thickness.push_back(width_of(object, curve, first, points, factor));
+            PLAIT_TRY(add_names(object, curve));
             for (size_t i = 0; i < 2 && !object.uv.empty(); ++i)
                 strands_.strand_uv.push_back(
                     object.uv[2 * index_of(object, object.uv.size() / 2, curve, first) + i]);
@@ -204,6 +246,18 @@ Status StrandBuilder::add(const CurveObject& object) {
         first += points;
     }
     return {};
+}
+
+// Of some strands only: none are used.
+template <typename T>
+void StrandBuilder::drop_partial(const char* what, size_t width, std::pmr::vector<T>& values,
+                                 Notes& notes) {
+    const size_t strands = strands_.vertex_counts.size(), have = values.size() / width;
+    if (have == strands || have == 0)
+        return;
+    values.clear();
+    notes.add(
+        format("%s are not used: %zu of %zu strands have none", what, strands - have, strands));
 }
 
 Result<StrandSet> StrandBuilder::finish(const std::string& file, Notes& notes) {
@@ -215,7 +269,6 @@ Result<StrandSet> StrandBuilder::finish(const std::string& file, Notes& notes) {
                          options_.part == StrandPart::GUIDES ? "guides" : "strands beside guides",
                          curves_)
                 : format("%s: has no curves", file.c_str())};
-    const size_t strands = strands_.vertex_counts.size();
     if (says_guides_)
         notes.add(format("%" PRIu64 " of its %" PRIu64 " curves are guides", guides_, curves_));
     notes.add("runs of curves with one group id", groups_);
@@ -224,16 +277,15 @@ Result<StrandSet> StrandBuilder::finish(const std::string& file, Notes& notes) {
     if (sharp_spans_ > 0)
         notes.add(format("%" PRIu64 " of their spans bend too sharply for %zu chords each",
                          sharp_spans_, CubicCurve::MOST_CHORDS));
-    if (strands_.thickness.size() != strands && !strands_.thickness.empty()) {
-        strands_.thickness.clear();
-        notes.add(format("widths are not used: %" PRIu64 " of %" PRIu64 " objects have none",
-                         without_width_, objects_));
-    }
-    if (strands_.strand_uv.size() != 2 * strands && !strands_.strand_uv.empty()) {
-        strands_.strand_uv.clear();
-        notes.add(format("uv is not used: %" PRIu64 " of %" PRIu64 " objects have none",
-                         without_uv_, objects_));
-    }
+    drop_partial("widths", 1, strands_.thickness, notes);
+    drop_partial("uv", 2, strands_.strand_uv, notes);
+    drop_partial("group ids", 1, strands_.group, notes);
+    drop_partial("ids", 1, strands_.id, notes);
+    drop_partial("closest_guides", StrandSet::guides_of_file, strands_.guide_ids, notes);
+    if (strands_.guide_ids.empty())
+        strands_.guide_weights.clear();
+    if (says_what_follows_ && options_.part == StrandPart::ALL)
+        notes.add("it says which guides its strands follow, which plait_groom_load_guides reads");
     return std::move(strands_);
 }
 

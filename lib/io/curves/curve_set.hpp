@@ -25,7 +25,11 @@ struct CurveObject {
     PackedFloats uv;       // 2 each
     PackedFloats knots;    // of B-splines, four more than points for each curve; or empty
     PackedIntegers guide;  // of the object or each curve: whether it is a guide; or empty
-    PackedIntegers group;  // of each curve, or empty
+    PackedIntegers group;  // of the object or each curve, or empty
+    PackedIntegers id;     // of each curve, or empty
+    // Of each curve what it follows: 3 ids of guides and their weights; or both empty.
+    PackedIntegers guide_ids;
+    PackedFloats guide_weights;
 };
 
 class StrandBuilder {
@@ -46,6 +50,10 @@ class StrandBuilder {
     bool is_wanted(const CurveObject& object, size_t curve);
     void push(const CurveObject& object, const CurvePoint& point);
     void count_groups(const CurveObject& object);
+    Status check_guides(const CurveObject& object) const;
+    Status add_names(const CurveObject& object, size_t curve);
+    template <typename T>
+    void drop_partial(const char* what, size_t width, std::pmr::vector<T>& values, Notes& notes);
 
     const ReadOptions& options_;
     StrandSet strands_;
@@ -55,9 +63,8 @@ class StrandBuilder {
     uint64_t taken_ = 0;
     uint64_t curves_ = 0, guides_ = 0; // of the file
     uint64_t cubic_ = 0, sharp_spans_ = 0;
-    uint64_t without_width_ = 0, without_uv_ = 0; // objects
     uint64_t objects_ = 0;
-    bool says_guides_ = false;
+    bool says_guides_ = false, says_what_follows_ = false;
     Names groups_;
     int64_t last_group_ = -1;
 };

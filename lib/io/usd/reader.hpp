@@ -14,7 +14,7 @@ namespace plait {
 struct UsdPrim {
     explicit UsdPrim(std::pmr::memory_resource* memory)
         : points(memory), counts(memory), widths(memory), uv(memory), uv_indices(memory),
-          guide(memory), group(memory) {}
+          guide(memory), group(memory), id(memory), guide_ids(memory), guide_weights(memory) {}
 
     std::string type, path;
     Matrix to_world; // of its parents
@@ -27,7 +27,7 @@ struct UsdPrim {
     std::map<std::string, Operand> operands; // by the operation's name
     // of curves
     std::string curve_type = "cubic", basis = "bezier", wrap = "nonperiodic"; // USD's defaults
-    ByteWriter points, counts, widths, uv, uv_indices, guide, group;
+    ByteWriter points, counts, widths, uv, uv_indices, guide, group, id, guide_ids, guide_weights;
 };
 
 class UsdReader {

@@ -125,6 +125,12 @@ Status UsdReader::take_curves(UsdPrim& prim, std::string_view name, bool samples
         return integers(prim.guide);
     if (name == "primvars:groom_group_id")
         return integers(prim.group);
+    if (name == "primvars:groom_id")
+        return integers(prim.id);
+    if (name == "primvars:groom_closest_guides")
+        return integers(prim.guide_ids);
+    if (name == "primvars:groom_guide_weights")
+        return floats(1, prim.guide_weights);
     if (name == "type" || name == "basis" || name == "wrap")
         return read_value(prim, samples, [&] {
             return take_token(prim, name == "type"    ? prim.curve_type
@@ -183,6 +189,9 @@ Status UsdReader::add_curves(UsdPrim& prim, const Matrix& to_world) {
     curves.counts = integers_of(prim.counts);
     curves.guide = integers_of(prim.guide);
     curves.group = integers_of(prim.group);
+    curves.id = integers_of(prim.id);
+    curves.guide_ids = integers_of(prim.guide_ids);
+    curves.guide_weights = floats_of(prim.guide_weights);
     curves.unit = metres_per_unit_;
     curves.to_world = to_world;
     if (z_up_) {

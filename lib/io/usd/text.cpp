@@ -160,33 +160,43 @@ size_t UsdText::list_bytes(char end) const {
                     2 * list.size() + 4);
 }
 
-Status UsdText::floats(size_t width, ByteWriter& out) {
-    PLAIT_TRY(need('['));
-    out.reserve(list_bytes(']'));
+template <typename Parse> Status UsdText::tuple(size_t width, const Parse& parse_one) {
+    PLAIT_TRY(need('('));
+    for (size_t i = 0; i < width; ++i) {
+        PLAIT_TRY(parse_one());
+        if (i + 1 < width)
+            PLAIT_TRY(need(','));
+    }
+    take(',');
+    return need(')');
+}
+
+// Where `width` is 1 there may be threes all the same, as int3[] and float3[] have them.
+template <typename Parse> Status UsdText::elements(size_t width, const Parse& parse_one) {
     while (!take(']')) {
-        if (width > 1)
-            PLAIT_TRY(need('('));
-        for (size_t i = 0; i < width; ++i) {
-            float value = 0;
-            PLAIT_TRY(parse(value));
-            out.f32(value);
-            if (i + 1 < width)
-                PLAIT_TRY(need(','));
-        }
-        if (width > 1) {
-            take(',');
-            PLAIT_TRY(need(')'));
-        }
+        if (width > 1 || next_is('('))
+            PLAIT_TRY(tuple(width > 1 ? width : 3, parse_one));
+        else
+            PLAIT_TRY(parse_one());
         if (!take(',') && !next_is(']'))
             return need(']');
     }
     return {};
 }
 
+Status UsdText::floats(size_t width, ByteWriter& out) {
+    PLAIT_TRY(need('['));
+    out.reserve(list_bytes(']'));
+    return elements(width, [&]() -> Status {
+        float value = 0;
+        PLAIT_TRY(parse(value));
+        out.f32(value);
+        return {};
+    });
+}
+
 Status UsdText::integers(ByteWriter& out) {
-    const bool list = take('[');
-    out.reserve(list ? list_bytes(']') : 4);
-    while (!list || !take(']')) {
+    const auto parse_one = [&]() -> Status {
         int32_t value = 0;
         if (next_is('t') || next_is('f')) {
             auto truth = word();
@@ -199,12 +209,11 @@ Status UsdText::integers(ByteWriter& out) {
             PLAIT_TRY(parse(value));
         }
         out.u32(static_cast<uint32_t>(value));
-        if (!list)
-            return {};
-        if (!take(',') && !next_is(']'))
-            return need(']');
-    }
-    return {};
+        return {};
+    };
+    const bool list = take('[');
+    out.reserve(list ? list_bytes(']') : 4);
+    return list ? elements(1, parse_one) : parse_one();
 }
 
 Status UsdText::number(double& value) {

@@ -32,9 +32,9 @@ class UsdText {
     // A parenthesis behind a property or prim, if there is one.
     Status skip_metadata() { return next_is('(') ? skip_value() : Status(); }
 
-    // [(x, y, z), ...] or [x, ...], each element with `width` numbers.
+    // [(x, y, z), ...] or [x, ...], each element with `width` numbers; of width 1 threes, too.
     Status floats(size_t width, ByteWriter& out);
-    // Whole numbers and truth values, as 32-bit numbers.
+    // Whole numbers and truth values, or threes of them, as 32-bit numbers.
     Status integers(ByteWriter& out);
     Status number(double& value);
     // Numbers of a value in whatever parentheses, at most `most`.
@@ -45,6 +45,8 @@ class UsdText {
     bool take_quotes(std::string_view& mark);
     Status skip_brackets();
     template <typename T> Status parse(T& value);
+    template <typename Parse> Status tuple(size_t width, const Parse& parse_one);
+    template <typename Parse> Status elements(size_t width, const Parse& parse_one);
     size_t list_bytes(char end) const;
 
     std::string_view text_;
