@@ -72,8 +72,16 @@ Status check_characters(std::span<const plait_character> characters) {
     return {};
 }
 
-// Adds a character to those who are directed, where its sim has levels.
-bool add_hair(const plait_character& character, double dt, std::pmr::vector<DirectedHair>& to) {
+// m/s at which hair is taken to be still: in the picture 3 px/s.
+float rest_of(const plait_character& character) {
+    constexpr float pixels = 3, most = 0.05f;
+    return character.pixels_per_metre * most > pixels ? pixels / character.pixels_per_metre : most;
+}
+
+// Adds a character to those who are directed, where its sim has levels; false: it has none. Hair that sleeps
+// costs nothing and is not wrong, as long as what is shown of it is enough.
+bool add_hair(const plait_character& character, const DirectorGoal& goal, double dt,
+              std::pmr::vector<DirectedHair>& to) {
     plait_sim& sim = *character.sim;
     DirectedHair hair;
     if (!sim.sim.describe_levels(hair))
@@ -86,24 +94,30 @@ bool add_hair(const plait_character& character, double dt, std::pmr::vector<Dire
     hair.width = double(character.width);
     hair.since = sim.chosen_since;
     hair.unseen = sim.unseen;
+    sim.sim.set_rest(rest_of(character));
     if (!seen) // it may take any choice the moment it is seen
         sim.chosen_since = std::numeric_limits<double>::infinity();
-    to.push_back(hair);
+    if (!sim.sim.is_asleep() || !covers(hair, goal))
+        to.push_back(hair);
     return true;
 }
 
 Status direct(plait_context& context, std::span<const plait_character> characters,
               const plait_director_desc& desc, double dt, plait_director_info& info) {
     std::pmr::vector<DirectedHair> hair(&context.memory());
-    std::pmr::vector<plait_sim*> sims(&context.memory());
-    for (const plait_character& character : characters)
-        if (add_hair(character, dt, hair))
-            sims.push_back(character.sim);
+    std::pmr::vector<const plait_character*> directed(&context.memory());
+    const DirectorGoal goal{double(desc.budget_ms), double(desc.tolerance_px), double(desc.hair_px),
+                            double(desc.hold_s)};
+    info.passed_over = 0;
+    for (const plait_character& character : characters) {
+        const size_t before = hair.size();
+        info.passed_over += !add_hair(character, goal, dt, hair);
+        if (hair.size() > before)
+            directed.push_back(&character);
+    }
     std::pmr::vector<LevelChoice> choices(hair.size(), &context.memory());
     Director& director = context.context.director;
     director.took(double(desc.last_ms), dt);
-    const DirectorGoal goal{double(desc.budget_ms), double(desc.tolerance_px), double(desc.hair_px),
-                            double(desc.hold_s)};
     const DirectorReport report = director.choose(hair, goal, choices);
     for (size_t i = 0; i < hair.size(); ++i) {
         if (choices[i] == hair[i].now)
@@ -111,10 +125,10 @@ Status direct(plait_context& context, std::span<const plait_character> character
         plait_level_choice choice = default_level_choice();
         choice.level = choices[i].level;
         choice.shown = choices[i].shown;
-        PLAIT_TRY(sims[i]->sim.set_level(choice));
-        sims[i]->chosen_since = 0;
+        choice.rest = rest_of(*directed[i]);
+        PLAIT_TRY(directed[i]->sim->sim.set_level(choice));
+        directed[i]->sim->chosen_since = 0;
     }
-    info.passed_over = static_cast<uint32_t>(characters.size() - hair.size());
     info.changed = report.changed;
     info.predicted_ms = static_cast<float>(report.predicted);
     info.worst_px = static_cast<float>(report.worst);

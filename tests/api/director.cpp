@@ -87,6 +87,33 @@ TEST_P(DirectorOfSims, KnowsHowFarHairSwingsWhetherStepsOverlapOrNot) {
         EXPECT_NEAR(sim.level().swing, swing, 1e-6f);
 }
 
+// Of those the budget is for the others, until they wake, or are seen from so near that more hair is to be shown.
+TEST_P(DirectorOfSims, LetsHairSleepThatIsStill) {
+    Heads heads(context, 2);
+    const auto desc = plait_director_desc_defaults();
+    int moved = 0;
+    const auto stand = [&] {
+        const auto info = context.direct(heads.characters, desc, frame);
+        heads.sims[0].set_roots(head_at({}));
+        heads.sims[1].set_roots(shaken(moved++));
+        context.step(heads.handles(), slightly_more);
+        heads.sims[0].wait();
+        return info;
+    };
+    const float both = stand().predicted_ms;
+    for (int i = 0; i < 2000 && !heads.sims[0].level().asleep; ++i)
+        stand();
+    EXPECT_TRUE(heads.sims[0].level().asleep);
+    EXPECT_FALSE(heads.sims[1].level().asleep);
+    EXPECT_LT(stand().predicted_ms, 0.6f * both);
+    EXPECT_TRUE(heads.sims[0].level().asleep);
+    heads.characters[0].width = 1; // of what is shown each hair stands for more
+    heads.characters[0].pixels_per_metre = 2000;
+    heads.sims[0].set_level(choice_of(0, 0, 32));
+    stand();
+    EXPECT_FALSE(heads.sims[0].level().asleep);
+}
+
 TEST_P(DirectorOfSims, PassesOverSimsWithoutLevels) {
     Heads heads(context, 2);
     plait::Sim plain(context, heads.groom, plait::SimDesc());

@@ -632,6 +632,9 @@ TEST_P(LevelsInASim, SayWhatIsWrongWithAChoice) {
     says(sim, choice_of(1, NAN), PLAIT_INVALID_ARGUMENT, "choice->blend is nan");
     says(sim, choice_of(1, 0, 257), PLAIT_INVALID_ARGUMENT,
          "choice->shown is 257, range is [0, 256]");
+    auto restless = choice_of(1);
+    restless.rest = 1.5f;
+    says(sim, restless, PLAIT_INVALID_ARGUMENT, "choice->rest is 1.5, range is [0, 1]");
     says(none, choice_of(1), PLAIT_INVALID_STATE, "the sim has no levels");
     auto state = plait_level_state_defaults();
     EXPECT_EQ(plait_sim_get_level(none.get(), &state), PLAIT_INVALID_STATE);

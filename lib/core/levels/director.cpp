@@ -66,6 +66,10 @@ LevelChoice choice_unseen(const DirectedHair& hair) {
 
 } // namespace
 
+bool covers(const DirectedHair& hair, const DirectorGoal& goal) {
+    return width_error(hair, goal, hair.now.shown) <= goal.tolerance;
+}
+
 void Director::Ladder::add(Rung rung) {
     if (count > 0 && rung.error >= rungs[count - 1].error)
         return;

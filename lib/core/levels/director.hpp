@@ -55,6 +55,9 @@ struct DirectorReport {
     double worst = 0;     // px, the greatest error of what is seen, without importance
 };
 
+// Whether enough of it is shown to cover the head.
+bool covers(const DirectedHair& hair, const DirectorGoal& goal);
+
 class Director {
   public:
     explicit Director(std::pmr::memory_resource* memory)

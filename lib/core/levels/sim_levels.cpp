@@ -8,7 +8,7 @@
 namespace plait {
 
 plait_level_choice default_level_choice() {
-    return {sizeof(plait_level_choice), 0, 0, 0.3f};
+    return {sizeof(plait_level_choice), 0, 0, 0.3f, 0};
 }
 
 // Follows of the finest level go with the root of the guide that each follows most.
@@ -53,7 +53,7 @@ Result<std::unique_ptr<SimLevels>> SimLevels::create(Device& device, const Level
     made->all_ = layout;
     made->top_ = made->level_ = top;
     made->shown_ = made->placed = layout.strands();
-    made->next_ = {sizeof(plait_level_choice), top, layout.strands(), 0};
+    made->next_ = {sizeof(plait_level_choice), top, layout.strands(), 0, 0};
     made->turns_.resize(levels.guides().size());
     for (uint32_t level = top + 1; level < levels.guides().size() && levels.guides()[level] > 0;
          ++level) {
@@ -103,7 +103,8 @@ Status SimLevels::check_choice(const plait_level_choice& choice) const {
         return Error{
             PLAIT_INVALID_ARGUMENT,
             format("choice->shown is %u, range is [0, %u], strands", choice.shown, all_.strands())};
-    return check_range("choice->blend", double(choice.blend), 0, 5);
+    PLAIT_TRY(check_range("choice->blend", double(choice.blend), 0, 5));
+    return check_range("choice->rest", double(choice.rest), 0, 1);
 }
 
 Status SimLevels::choose(const plait_level_choice& choice) {
@@ -111,6 +112,9 @@ Status SimLevels::choose(const plait_level_choice& choice) {
     next_ = choice;
     next_.shown = shown_of(choice.shown);
     due_ = next_.level != level_ || next_.shown != shown_;
+    swing.set_still(choice.rest);
+    if (due_)
+        swing.stir();
     return {};
 }
 

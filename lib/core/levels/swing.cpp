@@ -21,6 +21,7 @@ Status Swing::open(Device& device, std::span<const uint32_t> counts, uint32_t ro
     counts_.assign(some.begin(), some.end());
     row_ = row;
     read_.resize(size_t{4} * row * some.size());
+    last_.assign(read_.size(), 0.0f);
     mean_.assign(read_.size(), 0.0);
     return device.create(probes_, PLAIT_ELEMENT_FLOAT4, read_.size() / 4, "held");
 }
@@ -52,7 +53,7 @@ Status Swing::take(Device& device, float scale) {
 // Vertices past a tip are copies of it, and do not count.
 void Swing::add(float scale) {
     const double to_mean = weight_of(asked_, mean_over, known_);
-    double sum = 0, count = 0;
+    double sum = 0, moved = 0, count = 0;
     for (size_t strand = 0; strand < counts_.size(); ++strand)
         for (size_t i = 0; i < counts_[strand]; ++i) {
             ++count;
@@ -61,9 +62,13 @@ void Swing::add(float scale) {
                 const double x = double(scale) * double(read_[at]);
                 mean_[at] += to_mean * (x - mean_[at]);
                 sum += (x - mean_[at]) * (x - mean_[at]);
+                moved += (x - double(last_[at])) * (x - double(last_[at]));
+                last_[at] = static_cast<float>(x);
             }
         }
     square_ += weight_of(asked_, square_over, known_) * (sum / count - square_);
+    const bool still = known_ > 0 && std::sqrt(moved / count) < double(still_below_) * asked_;
+    still_ = still ? still_ + asked_ : 0;
     known_ += asked_;
     rms_ = static_cast<float>(std::sqrt(square_));
 }

@@ -1,5 +1,5 @@
-// How far hair swings in the frame of its head: rms of some strands about their means, from positions
-// that are read while the device goes on.
+// How far hair swings in the frame of its head, rms of some strands about their means, and for how long it has
+// stood still; from positions that are read while the device goes on.
 #pragma once
 
 #include "core/base/layout.hpp"
@@ -14,7 +14,7 @@ namespace plait {
 class Swing {
   public:
     explicit Swing(std::pmr::memory_resource* memory)
-        : counts_(memory), read_(memory), mean_(memory) {}
+        : counts_(memory), read_(memory), last_(memory), mean_(memory) {}
     // Of the first strands; `counts`: vertices of each.
     Status open(Device& device, std::span<const uint32_t> counts, uint32_t row);
 
@@ -29,23 +29,32 @@ class Swing {
     // Takes what was asked for, if it has come. `scale`: m, one unit of the positions.
     Status take(Device& device, float scale);
 
+    // m/s: hair is still that is slower, rms. 0: none is.
+    void set_still(float speed) { still_below_ = speed; }
+    void stir() { still_ = 0; }
+    void stand(double s) { still_ += s; } // hair that is not stepped
+    bool is_still() const { return still_below_ > 0 && still_ >= falls_asleep; }
+
     float rms() const { return known_ >= settled ? rms_ : -1; } // m; < 0: not known yet
     uint64_t device_bytes() const { return probes_.bytes(); }
 
   private:
-    static constexpr double interval = 0.05; // s, between samples
-    static constexpr double settled = 1;     // s, of samples
+    static constexpr double interval = 0.05;    // s, between samples
+    static constexpr double settled = 1;        // s, of samples
+    static constexpr double falls_asleep = 0.5; // s
     void add(float scale);
 
     Buffer probes_;
     uint32_t row_ = 0;
     std::pmr::vector<uint32_t> counts_;
-    std::pmr::vector<float> read_;
+    std::pmr::vector<float> read_, last_; // what was asked for; the sample before, m
     std::pmr::vector<double> mean_;
     uint64_t fence_ = 0;            // of what was asked for; 0: nothing was
     double waited_ = 0, asked_ = 0; // s: since the last sample was asked for; between it and before
     double known_ = 0, square_ = 0; // s; m^2
     float rms_ = 0;
+    float still_below_ = 0; // m/s
+    double still_ = 0;      // s
 };
 
 } // namespace plait

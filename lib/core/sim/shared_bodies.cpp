@@ -23,6 +23,7 @@ void Sim::leave() {
 }
 
 Status Sim::share_colliders(Sim* with) {
+    stir();
     if (!with) {
         leave();
         return {};

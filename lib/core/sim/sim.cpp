@@ -104,6 +104,7 @@ Status Sim::show_at_once() {
 }
 
 Status Sim::reset() {
+    stir();
     schedule_.clear();
     clock_.reset();
     wind_.reset();

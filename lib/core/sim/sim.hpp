@@ -81,7 +81,11 @@ class Sim {
     Status set_level(const plait_level_choice& choice);
     Result<plait_level_state> level_state() const;
     bool describe_levels(DirectedHair& out) const; // for the director; false: there are none
-    Status step(double dt);                        // then, once no steps overlap:
+    // The next step has nothing to do. stir(): it has, as something may have changed.
+    bool is_asleep() const;
+    void stir();
+    void set_rest(float speed); // m/s, of a sim with levels, as plait_level_choice has it
+    Status step(double dt);     // then, once no steps overlap:
     Status ask_for_probes();
     Status wait() { return device().wait(); }
 
@@ -213,6 +217,7 @@ class Sim {
     Status append_coming(double dt);
     Status keep_level_before();
     Status pass_levels(double s);
+    Status doze(double dt);
     Status switch_level();
     void append_level_stages();
     void append_dry_step_of_finest();
@@ -376,6 +381,7 @@ class Sim {
     std::pmr::vector<Buffer> pose_before_; // [substeps_]
     Buffer strand_stats_;                  // float4 [guides], from the first measurement on
     Buffer boxes_, box_;  // float4 [2*runs], [2], from the first time on that bounds are asked for
+    bool dozes_ = false;  // as in the step before
     bool probed_ = false; // probes were taken that have not been asked for
     uint64_t read_fence_ = 0; // before which the last read lies that did not wait; 0: none
     std::array<plait_stage_cost, PLAIT_STAGE_COUNT> costs_{};

@@ -58,6 +58,7 @@ struct Sim::Changes {
 template <typename Make> Result<plait_collider_id> Sim::create_in_all(const Make& make) {
     Changes changes(&context_.memory);
     const Status status = for_each_sharer([&](Sim& sim) -> Status {
+        sim.stir();
         Status made = make(sim, changes.list.emplace_back(Change{&sim}));
         if (made || &sim == this)
             return made;
@@ -210,6 +211,7 @@ Status Sim::destroy_collider(plait_collider_id id) {
     }));
     auto next = left.begin();
     return for_each_sharer([&](Sim& sim) {
+        sim.stir();
         sim.swap(*next++);
         Status status = sim.colliders_.destroy(id);
         if (mesh)
@@ -221,11 +223,19 @@ Status Sim::destroy_collider(plait_collider_id id) {
 // ---- moving -------------------------------------------------------------------------------------
 
 Status Sim::set_collider_pose(plait_collider_id id, const plait_pose& pose) {
-    return for_each_sharer([&](Sim& sim) { return sim.colliders_.set_pose(id, pose); });
+    return for_each_sharer([&](Sim& sim) {
+        const auto slot = sim.colliders_.find(id);
+        if (slot && !same_pose(sim.colliders_.slots()[*slot].target, pose))
+            sim.stir();
+        return sim.colliders_.set_pose(id, pose);
+    });
 }
 
 Status Sim::set_collider_shape(plait_collider_id id, const plait_collider_desc& desc) {
-    return for_each_sharer([&](Sim& sim) { return sim.colliders_.set_shape(id, desc); });
+    return for_each_sharer([&](Sim& sim) {
+        sim.stir();
+        return sim.colliders_.set_shape(id, desc);
+    });
 }
 
 Status Sim::set_collider_positions(plait_collider_id id, std::span<const float> positions) {
@@ -235,8 +245,10 @@ Status Sim::set_collider_positions(plait_collider_id id, std::span<const float> 
     const auto rows = bending_.rows_of(*slot, positions);
     if (!rows)
         return rows.error();
-    return for_each_sharer(
-        [&](Sim& sim) { return sim.bending_.set_positions(sim.device(), *slot, *rows); });
+    return for_each_sharer([&](Sim& sim) {
+        sim.stir();
+        return sim.bending_.set_positions(sim.device(), *slot, *rows);
+    });
 }
 
 Status Sim::take_positions(plait_collider_id id, uint32_t words) {
@@ -244,6 +256,7 @@ Status Sim::take_positions(plait_collider_id id, uint32_t words) {
     if (!slot)
         return slot.error();
     return for_each_sharer([&](Sim& sim) {
+        sim.stir();
         sim.schedule_.clear();
         sim.bending_.take_positions(sim.schedule_, *slot, taken_, words);
         return sim.submit();
@@ -256,6 +269,7 @@ Status Sim::place_collider(plait_collider_id id, const plait_pose& pose) {
         return slot.error();
     const bool bends = Colliders::bends(colliders_.slots()[*slot]);
     return for_each_sharer([&](Sim& sim) -> Status {
+        sim.stir();
         if (bends) {
             PLAIT_TRY(sim.bending_.forget_sides(sim.device(), *slot));
             sim.schedule_.clear();

@@ -21,6 +21,7 @@ bool same_place(const Params& a, const Params& b) {
 
 // All or nothing: what is new is made aside, taken, and given back if its stages cannot run.
 Status Sim::set_params(const Params& params) {
+    stir();
     const Discard discard{*model_};
     PLAIT_TRY(check_model_takes(params, desc_.model));
     if (reduce_)
@@ -92,6 +93,7 @@ PartNeeds Sim::part_needs() const {
 }
 
 Status Sim::set_materials(StrandMaterialsPtr materials) {
+    stir();
     if (desc_.model == PLAIT_MODEL_TRESSFX)
         return Error{PLAIT_INVALID_STATE,
                      "the sim is of model 0 (tressfx), whose strands have no material; those of "
@@ -110,6 +112,7 @@ Status Sim::set_materials(StrandMaterialsPtr materials) {
 }
 
 Status Sim::find_balance() {
+    stir();
     if (desc_.sag_free == PLAIT_SAG_FREE_OFF)
         return Error{PLAIT_INVALID_STATE,
                      "sag_free is 0 (off): the sim's groom is not in balance with any gravity"};
@@ -124,6 +127,7 @@ Status Sim::find_balance() {
 }
 
 Status Sim::set_wind(const plait_wind_desc* desc) {
+    stir();
     if (!desc) {
         wind_ = {};
         return model_->open(device(), part_needs());
@@ -171,6 +175,7 @@ void Sim::close_wetness() {
 }
 
 Status Sim::set_detail(const plait_detail_desc* desc, std::span<const uint32_t> centres) {
+    stir();
     Detail next;
     if (desc) {
         auto made =
@@ -209,6 +214,7 @@ Status Sim::take_substeps(const std::pmr::vector<uint32_t>& substeps) {
 }
 
 Status Sim::set_settings(std::span<const Settings> settings) {
+    stir();
     PLAIT_TRY(check_settings(settings));
     if (std::ranges::equal(settings, this->settings()))
         return {};

@@ -23,8 +23,35 @@ Status Sim::set_level(const plait_level_choice& choice) {
 Result<plait_level_state> Sim::level_state() const {
     if (!levels_)
         return has_none();
-    return plait_level_state{sizeof(plait_level_state), levels_->level(), levels_->shown(),
-                             static_cast<float>(levels_->blending()), levels_->swing.rms()};
+    return plait_level_state{sizeof(plait_level_state), levels_->level(),
+                             levels_->shown(),          static_cast<float>(levels_->blending()),
+                             levels_->swing.rms(),      is_asleep()};
+}
+
+// Eddies, drying, moving frames and kernels of the caller's go on whatever the host is told; and sums of
+// several parts are added up in every step of each.
+bool Sim::is_asleep() const {
+    return levels_ && levels_->may_sleep() && !wind_.blows() && !state_.wetness &&
+           !frame_.is_on() && !reduce_ && *no_accelerate() != '\0';
+}
+
+void Sim::stir() {
+    if (levels_)
+        levels_->swing.stir();
+}
+
+void Sim::set_rest(float speed) {
+    if (levels_)
+        levels_->swing.set_still(speed);
+}
+
+// Time passes. What is shown is from the first such call on what it was in the frame before.
+Status Sim::doze(double dt) {
+    clock_.steps += clock_.advance(dt).steps;
+    if (std::exchange(dozes_, true))
+        return {};
+    append_phases({Moment::call_begins, present()});
+    return submit();
 }
 
 bool Sim::describe_levels(DirectedHair& out) const {
@@ -59,6 +86,8 @@ Status Sim::keep_level_before() {
 Status Sim::pass_levels(double s) {
     levels_->pass(s);
     levels_->swing.pass(s);
+    if (levels_->is_rigid())
+        levels_->swing.stand(s);
     if (levels_->changes_level())
         return switch_level();
     if (levels_->is_due())

@@ -103,6 +103,7 @@ Result<const Buffer*> Sim::room_for_root_positions(size_t count, size_t words) {
 }
 
 Status Sim::take_root_positions(const plait_pose& head, uint32_t words) {
+    stir();
     const auto poses = roots_.target_poses(device());
     if (!poses)
         return poses.error();

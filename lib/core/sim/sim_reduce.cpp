@@ -66,6 +66,7 @@ Result<float> Sim::mean_length_with(plait_reduce_fn add, void* user) const {
 }
 
 Status Sim::set_reduce(plait_reduce_fn add, void* user) {
+    stir();
     Result<float> length = lengths_.mean;
     if (add) {
         if (levels_)

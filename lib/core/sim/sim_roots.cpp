@@ -10,6 +10,7 @@
 namespace plait {
 
 Status Sim::bind_roots(const Mesh* mesh, std::span<plait_root_place> places) {
+    stir();
     RootBinding next;
     if (mesh) {
         std::pmr::vector<float> rest(4 * size_t{layout_.guide_vertices()}, &context_.memory);
@@ -74,11 +75,15 @@ Status Sim::aimed() {
 }
 
 Status Sim::set_roots(const RootsInput& input) {
+    const float scale = scale_;
     PLAIT_TRY(aim(input));
+    if (roots_.moves() || scale_ != scale)
+        stir();
     return aimed();
 }
 
 Status Sim::set_frame(const plait_frame_desc* desc) {
+    stir();
     if (desc && !frame_.is_on()) {
         schedule_.clear();
         model_->carry(schedule_, present(), identity_pose);
@@ -197,6 +202,7 @@ Status Sim::place() {
 }
 
 Status Sim::teleport(const RootsInput& input) {
+    stir();
     PLAIT_TRY(aim(input));
     schedule_.clear();
     motion_.begin(HeadMotion::Begun::roots);

@@ -37,6 +37,9 @@ double way_between(const plait_pose& from, const plait_pose& to, const float mid
 // A head that moves in no time has been put elsewhere.
 Status Sim::step(double dt) {
     schedule_.clear(); // what a failed call may have left
+    if (is_asleep())
+        return doze(dt);
+    dozes_ = false;
     PLAIT_TRY(append_coming(dt));
     if (ends_between_steps(dt))
         PLAIT_TRY(display_.interpolate(device(), schedule_, layout_, state_));

@@ -188,6 +188,7 @@ Status Sim::write_wetness(std::span<const float> src) {
 }
 
 Status Sim::set_pins(std::span<const plait_pin> pins) {
+    stir();
     PLAIT_TRY(check_takes_pins());
     if (pins.empty()) {
         close_pins(state_);
@@ -202,6 +203,7 @@ Status Sim::set_pins(std::span<const plait_pin> pins) {
 }
 
 Status Sim::write(plait_field field, const void* src) {
+    stir();
     const auto* values = static_cast<const float*>(src);
     const size_t vertices = layout_.guide_vertices();
     if (field == PLAIT_FIELD_ACCELERATION)

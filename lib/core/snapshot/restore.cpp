@@ -218,6 +218,7 @@ Status Sim::restore_runs(std::span<const Run> list, BlockBytes from) {
 }
 
 Status Sim::restore(std::span<const unsigned char> src) {
+    stir();
     auto blocks = split(src);
     if (!blocks)
         return blocks.error();
