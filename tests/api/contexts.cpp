@@ -1,8 +1,8 @@
 // Choosing devices, logs, registering backends; contexts side by side, on one thread and on two.
+#include "barrier.hpp"
 #include "faulty.hpp"
 #include "support.hpp"
 
-#include <barrier>
 #include <cstring>
 #include <exception>
 #include <thread>
@@ -180,7 +180,7 @@ TEST_P(SideBySide, TwoThreadsWithAContextEachDoNotMeet) {
     std::vector<Worker> alone = {{0, backend, groom}, {1, backend, groom}}, together = alone;
     for (Worker& worker : alone)
         worker.work([] {});
-    std::barrier meeting(2);
+    Barrier meeting(2);
     std::vector<std::thread> threads;
     for (Worker& worker : together)
         threads.emplace_back([&] {

@@ -43,8 +43,9 @@ struct Loaded {
 
 class GuidesOfAFile : public testing::Test {
   protected:
-    GuidesOfAFile() : folder_(fs::temp_directory_path() /
-                              ("plait-guides-" + std::to_string(std::random_device{}()))) {
+    GuidesOfAFile()
+        : folder_(fs::temp_directory_path() /
+                  ("plait-guides-" + std::to_string(std::random_device{}()))) {
         fs::create_directory(folder_);
     }
     ~GuidesOfAFile() override { fs::remove_all(folder_); }
@@ -80,9 +81,9 @@ class GuidesOfAFile : public testing::Test {
                         const char* text) const {
         plait_groom* guides = nullptr;
         plait_follow_map* map = nullptr;
-        expect_failure(plait_groom_load_guides(usd(of_guides, of_follows).c_str(), nullptr, &guides,
-                                               &map),
-                       PLAIT_BAD_DATA, text);
+        expect_failure(
+            plait_groom_load_guides(usd(of_guides, of_follows).c_str(), nullptr, &guides, &map),
+            PLAIT_BAD_DATA, text);
         EXPECT_EQ(guides, nullptr);
         EXPECT_EQ(map, nullptr);
     }

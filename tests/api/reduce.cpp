@@ -1,8 +1,8 @@
 // One groom over several sims that meet in the grid alone, as over several processes.
+#include "barrier.hpp"
 #include "support.hpp"
 
 #include <algorithm>
-#include <barrier>
 #include <cstring>
 #include <thread>
 
@@ -11,7 +11,7 @@ namespace {
 // Parts that step in threads of their own and add up their sums.
 class Meeting {
   public:
-    explicit Meeting(size_t parts) : sums_(parts), all_(static_cast<std::ptrdiff_t>(parts)) {}
+    explicit Meeting(size_t parts) : sums_(parts), all_(parts) {}
 
     struct Seat {
         Meeting* meeting;
@@ -32,7 +32,7 @@ class Meeting {
 
   private:
     std::vector<std::vector<int64_t>> sums_;
-    std::barrier<> all_;
+    Barrier all_;
 };
 
 int add_nothing(int64_t*, size_t, void*) {

@@ -195,7 +195,10 @@ TEST_P(Sleep, EndsWithEveryCallThatMayChangeTheHair) {
     const auto velocities = sim.read(PLAIT_FIELD_VELOCITY);
     const auto grid = plait_grid_desc_defaults();
     const Call calls[] = {
-        {"set_roots", [](auto& s) { s.set_roots(head_at({1e-3f, 0, 0})); }},
+        {"set_roots",
+         [](auto& s) {
+             s.set_roots(head_at({1e-3f, 0, 0}));
+         }},
         {"teleport", [](auto& s) { s.teleport(head_at({})); }},
         {"reset", [](auto& s) { s.reset(); }},
         {"restore", [&](auto& s) { s.restore(saved); }},
@@ -209,8 +212,7 @@ TEST_P(Sleep, EndsWithEveryCallThatMayChangeTheHair) {
          [](auto& s) {
              s.set_pins({{.strand = 0, .vertex = 2, .frame = {}, .target = {}, .stiffness = 1}});
          }},
-        {"collider_set_pose",
-         [&](auto& s) { s.set_collider_pose(body, ball(-2.001f).pose); }},
+        {"collider_set_pose", [&](auto& s) { s.set_collider_pose(body, ball(-2.001f).pose); }},
         {"collider_place", [&](auto& s) { s.place_collider(body, ball(-2).pose); }},
         {"collider_set_shape", [&](auto& s) { s.set_collider_shape(body, ball(-2)); }},
         {"collider_set_positions", [&](auto& s) { s.set_collider_positions(soft, vertices); }},

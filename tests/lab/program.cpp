@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <sstream>
 #include <sys/wait.h>
@@ -203,6 +204,34 @@ TEST_F(LabProgram, measures_levels_of_detail) {
     EXPECT_TRUE(std::filesystem::exists(path("levels/levels.csv")));
     for (const char* bad : {"--styles bald", "--strands 3", "--seconds 0"})
         EXPECT_EQ(lab(std::string("levels ") + bad, true).code, 1) << bad;
+}
+
+// Errors told from a swing, in thirteen motions of which shares know nothing: each within a factor that says that
+// they belong to the same hair.
+TEST_F(LabProgram, measures_how_errors_of_levels_transfer) {
+    const Outcome outcome =
+        lab("levels --styles long --strands 200 --seconds 0.5 --transfer --out " + path("levels"),
+            false);
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_NE(outcome.text.find("within 2x"), std::string::npos);
+    std::ifstream csv(path("levels/transfer.csv"));
+    std::string line;
+    std::getline(csv, line);
+    EXPECT_EQ(line, "style,guides,motion,error,swing,own,listed,lesson");
+    size_t rows = 0, moved = 0;
+    while (std::getline(csv, line)) {
+        std::istringstream row(line.substr(line.rfind('"') + 2)); // names of motions have commas
+        std::vector<double> numbers;
+        for (std::string cell; std::getline(row, cell, ',');)
+            numbers.push_back(std::stod(cell));
+        ASSERT_EQ(numbers.size(), 5u) << line;
+        ++rows;
+        moved += numbers[1] > 1e-3;
+        EXPECT_GT(numbers[4] * numbers[2] / numbers[0], 0.05) << line;
+        EXPECT_LT(numbers[4] * numbers[2] / numbers[0], 20) << line;
+    }
+    EXPECT_EQ(rows % 16, 0u);
+    EXPECT_GT(moved, rows / 2);
 }
 
 // By name, what each of the methods that keep hair's volume is known by.

@@ -222,7 +222,11 @@ void add_levels(CLI::App& app, Chosen& chosen) {
         ->capture_default_str();
     add_strands(command, run.strands, 64, 1000000);
     add_seconds(command, run.seconds, "of each motion");
-    add_out(command, run.out, "folder for levels.csv and the figure");
+    command->add_flag(
+        "--transfer", run.transfer,
+        "run sixteen motions, and say how well a level's error is told in those that it was "
+        "not measured in");
+    add_out(command, run.out, "folder for levels.csv, transfer.csv and the figure");
     add_csv(command, options->print);
     add_device(command, options->device);
 }

@@ -37,13 +37,13 @@ Result<float> sum_of(const float* weights, size_t strand) {
     for (size_t k = 0; k < named; ++k) {
         if (!(weights[k] >= 0 && std::isfinite(weights[k])))
             return Error{PLAIT_BAD_DATA,
-                         format("strand %zu: guide_weights[%zu] is %g, allowed is 0 and more", strand,
-                                k, double(weights[k]))};
+                         format("strand %zu: guide_weights[%zu] is %g, allowed is 0 and more",
+                                strand, k, double(weights[k]))};
         sum += weights[k];
     }
     if (!(sum > 0 && std::isfinite(sum)))
-        return Error{PLAIT_BAD_DATA, format("strand %zu: its guide_weights add up to %g", strand,
-                                            double(sum))};
+        return Error{PLAIT_BAD_DATA,
+                     format("strand %zu: its guide_weights add up to %g", strand, double(sum))};
     return sum;
 }
 

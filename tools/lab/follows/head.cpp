@@ -18,7 +18,8 @@ namespace {
 constexpr uint64_t seed = 1;    // of the guides
 constexpr uint32_t skipped = 2; // frames that are not timed
 
-// Turned to the side, forwards and to a shoulder, in this order; rad.
+} // namespace
+
 plait_roots turned(double turn, double nod, double tilt) {
     const Quat q = Quat(Eigen::AngleAxisd(turn, Vec3::UnitY())) *
                    Quat(Eigen::AngleAxisd(nod, Vec3::UnitX())) *
@@ -32,8 +33,6 @@ plait_roots turned(double turn, double nod, double tilt) {
 double wave(double seconds, double hertz) {
     return std::sin(2 * pi * hertz * seconds);
 }
-
-} // namespace
 
 uint64_t frames_of(double seconds) {
     return static_cast<uint64_t>(std::max(4.0, seconds * rate));
@@ -106,17 +105,20 @@ void Run::add_colliders() {
         desc.capsule.radius_b = capsule.radius_b;
         plait_collider_id id{};
         check(plait_collider_create(sim_.get(), &desc, &id));
-        if (capsule.moves_with_head)
-            on_head_.push_back(id);
+        (capsule.moves_with_head ? on_head_ : below_).push_back(id);
     }
 }
 
-void Run::step(uint64_t number, Motion motion) {
+void Run::step(uint64_t number, const Motion& motion) {
     const plait_roots roots = motion(static_cast<double>(number) / rate);
+    plait_pose body = plait_roots_defaults().head;
+    std::copy_n(roots.head.t, 3, body.t);
     const auto start = std::chrono::steady_clock::now();
     check(plait_sim_set_roots(sim_.get(), &roots));
     for (const plait_collider_id id : on_head_)
         check(plait_collider_set_pose(sim_.get(), id, &roots.head));
+    for (const plait_collider_id id : below_)
+        check(plait_collider_set_pose(sim_.get(), id, &body));
     check(plait_sim_step(sim_.get(), 1 / rate + 1e-9));
     check(plait_sim_wait(sim_.get()));
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
@@ -126,9 +128,11 @@ void Run::step(uint64_t number, Motion motion) {
 
 void Run::stand() {
     const plait_roots roots = plait_roots_defaults();
-    for (const plait_collider_id id : on_head_)
-        check(plait_collider_set_pose(sim_.get(), id, &roots.head));
+    for (const auto* ids : {&on_head_, &below_})
+        for (const plait_collider_id id : *ids)
+            check(plait_collider_set_pose(sim_.get(), id, &roots.head));
     check(plait_sim_teleport(sim_.get(), &roots));
+    check(plait_sim_reset(sim_.get()));
 }
 
 void Run::blow(float speed) {

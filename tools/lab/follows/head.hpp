@@ -3,6 +3,7 @@
 
 #include "measures.hpp"
 
+#include <functional>
 #include <optional>
 
 namespace lab::follows {
@@ -25,7 +26,10 @@ Choice choose_all(GroomHandle groom, uint32_t strands);
 
 uint64_t frames_of(double seconds); // at least 4
 
-using Motion = plait_roots (*)(double seconds);
+using Motion = std::function<plait_roots(double seconds)>;
+// Turned to the side, forwards and to a shoulder, in this order; rad.
+plait_roots turned(double turn, double nod, double tilt);
+double wave(double seconds, double hertz);
 plait_roots shaking(double seconds); // with a little of all other ways to turn, all at once
 plait_roots nodding(double seconds); // and turning, slower and farther
 
@@ -40,10 +44,11 @@ class Run {
     Run(plait_context* context, const Choice& choice, const plait_follow_map* map,
         RunOptions how = {});
 
-    void step(uint64_t number, Motion motion);
-    void stand();           // at once, as hair is
-    void blow(float speed); // m/s, from the side; 0: no wind
-    Hair read() const;      // strands in the groom's order
+    void step(uint64_t number,
+              const Motion& motion); // bodies go where the head goes, and those on it turn
+    void stand();                    // at once, and hair is as groomed
+    void blow(float speed);          // m/s, from the side; 0: no wind
+    Hair read() const;               // strands in the groom's order
     std::vector<bool> simulated() const;
     double wall() const; // s of a step, the least, which a busy machine disturbs least
 
@@ -52,7 +57,7 @@ class Run {
 
     const Choice& choice_;
     SimHandle sim_;
-    std::vector<plait_collider_id> on_head_;
+    std::vector<plait_collider_id> on_head_, below_;
     std::vector<double> times_;
 };
 

@@ -18,6 +18,12 @@ Exit run(const Command<LevelsOptions>& command) {
     make_folder(options.out);
     write_text(levels_csv(rows), options.out + "/levels.csv");
     draw_levels(rows, options);
+    if (options.transfer) {
+        const auto transfers = transfer_of(rows);
+        if (!command.print.csv)
+            std::printf("\n%s", transfer_text(transfers).c_str());
+        write_text(transfer_csv(rows), options.out + "/transfer.csv");
+    }
     return Exit::ok;
 }
 
