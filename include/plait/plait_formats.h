@@ -29,7 +29,8 @@ PLAIT_API plait_result plait_groom_load_part(const char* path, plait_strand_part
  * plait_sim_desc.follow_map: by groom_closest_guides and groom_guide_weights where the file has them, as
  * Unreal's schema does, and otherwise each the four guides nearest to it, as of plait_groom_guides. Caller
  * owns both. @errors as plait_groom_load_part; BAD_DATA (also weights below 0 or without a sum, a guide
- * that is none of the file's, two guides of one groom_id, by strand and value) */
+ * that is none of the file's or was not kept, two guides of one groom_id, by the follow's number and value).
+ * What was repaired of either, and not read, is in the notes of `guides`. */
 PLAIT_API plait_result plait_groom_load_guides(const char* path,
                                                const plait_import_options* options,
                                                plait_groom** guides, plait_follow_map** map);

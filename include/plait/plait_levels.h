@@ -71,7 +71,7 @@ typedef struct plait_level_choice {
        Default 0: all */
     uint32_t shown;
     float blend; /* s, [0, 5], default 0.3: in which what is shown goes over to the new level */
-    float rest;  /* m/s, [0, 1]: hair slower than that, rms, may sleep; default 0: it never does */
+    float rest;  /* m/s, [0, 1]: hair with no vertex faster may sleep; default 0: it never does */
 } plait_level_choice;
 PLAIT_STRUCT(plait_level_choice)
 
@@ -84,11 +84,12 @@ PLAIT_STRUCT(plait_level_choice)
  * Until then lengths are off by as much as that varies along a strand. A level of no guides steps
  * nothing: all strands go with their roots as they were shown last.
  *
- * Sleep: when hair has been slower than `rest` for half a second, roots, bodies and pins have not moved and no
- * wind blows, plait_sim_step lets time pass and enqueues nothing. What moves, or any call that may change the sim,
- * wakes it in the same step, with the bits that it fell asleep with. A call says no more than it did before
- * where it gives the head or a body the pose that it has, roots their poses, or the level as it is. When
- * hair falls asleep depends on when its speed has come from the device: not the same in each run.
+ * Sleep: when some strands have been slower than `rest` for half a second, and then every vertex, and no call has
+ * changed anything meanwhile, plait_sim_step lets time pass and enqueues nothing. Any call that may change the sim
+ * wakes it in the same step, with the bits that it fell asleep with; so does a lower `rest` than it has. Not so
+ * one that gives the roots or a body's pose as they were given last, or the level as it is. Hair with
+ * a wind, a frame, wetness, a reduction, or an `accelerate` of the caller's does not sleep. When
+ * it falls asleep depends on when its speed has come from the device: not the same in each run.
  *
  * Of strands that are not stepped VELOCITY is 0, what is written is ignored, and pins wait: they
  * hold again once the strand is stepped. Detail is of strands that follow at level_top, and where
@@ -147,6 +148,9 @@ typedef struct plait_director_desc {
        not known. Without it prices are those of two cores. Two long frames in a row change nothing. */
     float last_ms;
     float hold_s; /* [0, 60]; a choice stands so long, unless all is over the budget. Default 0.5 */
+    /* px/s, [0, 100]: hair slower than that may sleep, as by plait_level_choice.rest, of at most 0.05 m/s.
+       Default 3; 0: none does */
+    float rest_px;
 } plait_director_desc;
 PLAIT_STRUCT(plait_director_desc)
 
@@ -168,8 +172,7 @@ PLAIT_STRUCT(plait_director_info)
  * gains most by it. So that nobody sees it at work, a choice stands for hold_s, what is taken is preferred
  * by a quarter, and an eighth of the characters changes in a frame, two of them to a finer level; but who is
  * new or was unseen gets a choice at once, and what is over the budget is saved at once. A
- * choice depends on nothing but the arguments of the calls so far and the swing of each sim. Hair may sleep
- * (plait_level_choice.rest) once it is slower than 3 pixels a second, at most 0.05 m/s.
+ * choice depends on nothing but the arguments of the calls so far and the swing of each sim, and whether it sleeps.
  * @errors INVALID_ARGUMENT (a sim is NULL, of another context or in the list twice) */
 PLAIT_API plait_result plait_context_direct(plait_context* context,
                                             const plait_character* characters, size_t count,

@@ -120,6 +120,18 @@ Result<GroomPtr> load_part(const char* path, plait_strand_part part,
     return GroomPtr(groom);
 }
 
+// What became of the strands that follow.
+void add_notes(const Groom& follows, const std::string& notes, std::string& to) {
+    const auto add = [&](const std::string& sentence) {
+        if (!sentence.empty() && to.find(sentence) == std::string::npos)
+            to += (to.empty() ? "" : "; ") + ("of strands that follow: " + sentence);
+    };
+    add(notes);
+    if (const uint64_t repairs = follows.repairs.total(); repairs > 0)
+        add(format("%llu repairs, the first: %s", static_cast<unsigned long long>(repairs),
+                   follows.repairs.first.c_str()));
+}
+
 plait_groom_info empty_info() {
     plait_groom_info info{};
     info.likely_scale = 1;
@@ -233,6 +245,7 @@ plait_result plait_groom_load_guides(const char* path, const plait_import_option
         const Status named = follow_named((*kept)->groom, (*follows)->groom, made->map);
         if (!named)
             return Error{named.error().code, format("%s: %s", path, named.error().message.c_str())};
+        api::add_notes((*follows)->groom, (*follows)->notes, (*kept)->notes);
         *guides = kept->release();
         *map = made.release();
         return {};

@@ -47,6 +47,7 @@ plait_director_desc default_director() {
     desc.tolerance_px = 2;
     desc.hair_px = 1;
     desc.hold_s = 0.5f;
+    desc.rest_px = 3;
     return desc;
 }
 
@@ -56,6 +57,7 @@ Status check_director(const plait_director_desc& s) {
     PLAIT_RANGE(hair_px, 0.25, 8);
     PLAIT_RANGE(last_ms, 0, 1e4);
     PLAIT_RANGE(hold_s, 0, 60);
+    PLAIT_RANGE(rest_px, 0, 100);
     return {};
 }
 
@@ -72,15 +74,18 @@ Status check_characters(std::span<const plait_character> characters) {
     return {};
 }
 
-// m/s at which hair is taken to be still: in the picture 3 px/s.
-float rest_of(const plait_character& character) {
-    constexpr float pixels = 3, most = 0.05f;
-    return character.pixels_per_metre * most > pixels ? pixels / character.pixels_per_metre : most;
+// m/s at which hair is taken to be still.
+float rest_of(const plait_character& character, const plait_director_desc& desc) {
+    constexpr float most = 0.05f;
+    if (desc.rest_px == 0)
+        return 0;
+    return std::min(most,
+                    desc.rest_px / character.pixels_per_metre); // infinite where it is not seen
 }
 
 // Adds a character to those who are directed, where its sim has levels; false: it has none. Hair that sleeps
 // costs nothing and is not wrong, as long as what is shown of it is enough.
-bool add_hair(const plait_character& character, const DirectorGoal& goal, double dt,
+bool add_hair(const plait_character& character, const DirectorGoal& goal, float rest, double dt,
               std::pmr::vector<DirectedHair>& to) {
     plait_sim& sim = *character.sim;
     DirectedHair hair;
@@ -94,7 +99,7 @@ bool add_hair(const plait_character& character, const DirectorGoal& goal, double
     hair.width = double(character.width);
     hair.since = sim.chosen_since;
     hair.unseen = sim.unseen;
-    sim.sim.set_rest(rest_of(character));
+    sim.sim.set_rest(rest);
     if (!seen) // it may take any choice the moment it is seen
         sim.chosen_since = std::numeric_limits<double>::infinity();
     if (!sim.sim.is_asleep() || !covers(hair, goal))
@@ -111,7 +116,7 @@ Status direct(plait_context& context, std::span<const plait_character> character
     info.passed_over = 0;
     for (const plait_character& character : characters) {
         const size_t before = hair.size();
-        info.passed_over += !add_hair(character, goal, dt, hair);
+        info.passed_over += !add_hair(character, goal, rest_of(character, desc), dt, hair);
         if (hair.size() > before)
             directed.push_back(&character);
     }
@@ -125,7 +130,7 @@ Status direct(plait_context& context, std::span<const plait_character> character
         plait_level_choice choice = default_level_choice();
         choice.level = choices[i].level;
         choice.shown = choices[i].shown;
-        choice.rest = rest_of(*directed[i]);
+        choice.rest = rest_of(*directed[i], desc);
         PLAIT_TRY(directed[i]->sim->sim.set_level(choice));
         directed[i]->sim->chosen_since = 0;
     }

@@ -121,6 +121,30 @@ TEST_F(GuidesOfAFile, AreFollowedAsAUsdFileSays) {
     }
 }
 
+TEST_F(GuidesOfAFile, MayHaveIndices) {
+    const Loaded loaded(
+        usd("int[] primvars:groom_id = [11, 3, 7]\nint[] primvars:groom_id:indices = "
+            "[2, 1, 0]",
+            closest("[(0, 0, 11), (7, 3, -1)]", "[0, 0, 2, 3, 1, 0]") +
+                "\nint[] primvars:groom_closest_guides:indices = [1, 0]\nint[] "
+                "primvars:groom_guide_weights:indices = [1, 0]"));
+    expect_map(loaded);
+    expect_refused(
+        "int[] primvars:groom_id = [11, 3, 7]\nint[] primvars:groom_id:indices = [2, 1, 3]", "",
+        "index 2 of primvars:groom_id is 3; there are 3 values");
+}
+
+TEST_F(GuidesOfAFile, SayWhatBecameOfBoth) {
+    const Loaded loaded(usd(ids, closest("[7, 3, 3, 7, 3, 11]", "[1, 0, 0, 0, 0, 1]") +
+                                     "\ncolor3f[] primvars:colour = [(1, 0, 0)]"));
+    size_t size = 0;
+    plait::check(plait_groom_read_notes(loaded.guides, nullptr, &size));
+    std::string notes(size, '\0');
+    plait::check(plait_groom_read_notes(loaded.guides, notes.data(), &size));
+    EXPECT_NE(notes.find("3 of its 5 curves are guides"), std::string::npos) << notes;
+    EXPECT_NE(notes.find("1 properties are not read: primvars:colour"), std::string::npos) << notes;
+}
+
 TEST_F(GuidesOfAFile, AreFollowedByTheNearestWhereNothingIsSaid) {
     const Loaded loaded(usd("", ""));
     const auto guides = loaded.of_map<uint32_t>(PLAIT_FOLLOW_MAP_FIELD_GUIDES);
@@ -151,16 +175,16 @@ TEST_F(GuidesOfAFile, AreSimulated) {
 
 TEST_F(GuidesOfAFile, AreRefusedWithPlaceAndValue) {
     expect_refused(ids, closest("[7, 3, 3, 0, 4, 11]", "[1, 0, 0, 0, 1, 1]"),
-                   "strand 1: closest_guides[1] is 4, the id of none of the 3 guides");
+                   "follow 1: closest_guides[1] is 4, the id of none of the 3 guides");
     expect_refused(ids, closest("[7, 3, 3, 7, 3, 11]", "[1, -1, 0, 0, 1, 1]"),
-                   "strand 0: guide_weights[1] is -1, allowed is 0 and more");
+                   "follow 0: guide_weights[1] is -1, allowed is 0 and more");
     expect_refused(ids, closest("[7, 3, 3, 7, 3, 11]", "[1, 0, 0, 0, 0, 0]"),
-                   "strand 1: its guide_weights add up to 0");
+                   "follow 1: its guide_weights add up to 0, allowed is more than 0 and finite");
     expect_refused("int[] primvars:groom_id = [7, 3, 7]",
                    closest("[7, 3, 3, 7, 3, 11]", "[1, 0, 0, 0, 0, 1]"),
                    "id 7 is that of guide 0 and of guide 2");
     expect_refused("", closest("[7, 3, 3, 7, 3, 11]", "[1, 0, 0, 0, 0, 1]"),
-                   "strands have closest_guides, and guides have no id");
+                   "strands have closest_guides, and not all guides have an id");
     expect_refused(ids, closest("[7, 3, 3]", "[1, 0, 0]"),
                    "closest_guides has 3 values; allowed are 6, 3 for each curve");
     expect_refused(ids, "int[] primvars:groom_closest_guides = [7, 3, 3, 7, 3, 11]",

@@ -150,6 +150,68 @@ plait_collider_desc ball(float y) {
     return desc;
 }
 
+// Of 256 strands one that is not among those looked at first: a hand lifts it and lets go.
+TEST_P(Sleep, IsOfAllStrandsOrNone) {
+    const Scene scene = hair();
+    plait::Sim sim = scene.sim(context);
+    sim.set_level(sleeps(0, 0.02f));
+    fall_asleep(sim);
+    constexpr size_t strand = 200;
+    const uint32_t last = sim.read<uint32_t>(PLAIT_FIELD_VERTEX_COUNT)[strand] - 1;
+    plait_pin hand{.strand = strand,
+                   .vertex = last,
+                   .frame = PLAIT_PIN_FRAME_WORLD,
+                   .target = {},
+                   .stiffness = 1};
+    const size_t tip = 4 * (strand * scene.row + last);
+    const auto at = shown(sim);
+    std::copy_n(&at[tip], 3, hand.target);
+    for (int i = 0; i < 40; ++i) {
+        hand.target[1] += 2e-3f;
+        sim.set_pins({hand});
+        stand(sim);
+    }
+    sim.set_pins({});
+    fall_asleep(sim);
+    const auto x = shown(sim);
+    for (size_t k = 0; k < 3; ++k)
+        EXPECT_NEAR(x[tip + k], at[tip + k], 0.01f) << "it hangs in the air";
+}
+
+// What a device that is behind says of before must not count.
+TEST_P(Sleep, DoesNotComeOverHairThatWasStirredMeanwhile) {
+    const Scene scene = hair();
+    plait::Sim sim = scene.sim(context);
+    sim.set_level(sleeps(0, 0.02f));
+    fall_asleep(sim);
+    const auto tremble = [&](int i) {
+        sim.set_roots(head_at({1e-6f * static_cast<float>(i % 2), 0, 0}));
+    };
+    for (int i = 0; i < 90; ++i) { // nobody waits
+        tremble(i);
+        sim.step(slightly_more);
+    }
+    sim.set_roots(head_at({0.05f, 0, 0}));
+    for (int i = 0; i < 20; ++i) {
+        sim.step(slightly_more);
+        sim.wait();
+        ASSERT_FALSE(sim.level().asleep) << i;
+    }
+}
+
+TEST_P(Sleep, EndsWhereHairIsFasterThanIsAskedForNow) {
+    const Scene scene = hair();
+    plait::Sim sim = scene.sim(context);
+    for (int step = 0; step < 30; ++step)
+        move(sim, step);
+    sim.set_level(sleeps(0, 0.05f));
+    fall_asleep(sim);
+    sim.set_level(sleeps(0, 0.1f));
+    EXPECT_TRUE(sim.level().asleep);
+    sim.set_level(sleeps(0, 1e-4f));
+    EXPECT_FALSE(sim.level().asleep);
+}
+
 struct Call {
     const char* name;
     std::function<void(plait::Sim&)> make;

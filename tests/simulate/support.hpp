@@ -18,7 +18,9 @@ class TemporaryFolder : public testing::Test {
     }
     void TearDown() override { std::filesystem::remove_all(folder_); }
 
-    std::string path(const std::string& name) const { return folder_ + "/" + name; }
+    std::string path(const std::string& name) const {
+        return (std::filesystem::path(folder_) / name).string();
+    }
 
     std::string write(const std::string& name, const std::string& text) const {
         std::ofstream(path(name)) << text;

@@ -36,7 +36,7 @@ Status set_guides(FollowMap& map, std::span<const uint32_t> guides, std::span<co
 Status choose_guides(const Groom& groom, size_t guides, uint64_t seed, Groom& out, FollowMap& map);
 
 // The strands of `follows` follow the guides that they name, or where none of them names any the nearest.
-// `map` is empty before. BAD_DATA names the strand, the value and what is allowed.
+// `map` is empty before. BAD_DATA names the follow, by its number, the value and what is allowed.
 Status follow_named(const Groom& guides, const Groom& follows, FollowMap& map);
 
 } // namespace plait

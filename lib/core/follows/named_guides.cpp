@@ -23,7 +23,7 @@ Result<std::pmr::vector<NamedGuide>> list_names(const Groom& guides,
     for (const uint32_t id : guides.strands.id)
         list.push_back({id, static_cast<uint32_t>(list.size())});
     if (list.empty())
-        return Error{PLAIT_BAD_DATA, "strands have closest_guides, and guides have no id"};
+        return Error{PLAIT_BAD_DATA, "strands have closest_guides, and not all guides have an id"};
     std::ranges::sort(list);
     const auto twice = std::ranges::adjacent_find(list, {}, &NamedGuide::id);
     if (twice != list.end())
@@ -32,18 +32,27 @@ Result<std::pmr::vector<NamedGuide>> list_names(const Groom& guides,
     return list;
 }
 
+// What may have had an id.
+std::string left_out(const Groom& guides) {
+    if (guides.repairs.total() == 0)
+        return "";
+    return "; import has mended or left out others, the first: " + guides.repairs.first;
+}
+
 Result<float> sum_of(const float* weights, size_t strand) {
     float sum = 0;
     for (size_t k = 0; k < named; ++k) {
         if (!(weights[k] >= 0 && std::isfinite(weights[k])))
             return Error{PLAIT_BAD_DATA,
-                         format("strand %zu: guide_weights[%zu] is %g, allowed is 0 and more",
+                         format("follow %zu: guide_weights[%zu] is %g, allowed is 0 and more",
                                 strand, k, double(weights[k]))};
         sum += weights[k];
     }
     if (!(sum > 0 && std::isfinite(sum)))
-        return Error{PLAIT_BAD_DATA,
-                     format("strand %zu: its guide_weights add up to %g", strand, double(sum))};
+        return Error{
+            PLAIT_BAD_DATA,
+            format("follow %zu: its guide_weights add up to %g, allowed is more than 0 and finite",
+                   strand, double(sum))};
     return sum;
 }
 
@@ -75,9 +84,9 @@ Status follow_named(const Groom& guides, const Groom& follows, FollowMap& map) {
             const auto found = std::ranges::lower_bound(*names, id, {}, &NamedGuide::id);
             if (found == names->end() || found->id != id)
                 return Error{PLAIT_BAD_DATA,
-                             format("strand %zu: closest_guides[%zu] is %u, the id of none of the "
-                                    "%u guides",
-                                    strand, k, id, map.guide_count)};
+                             format("follow %zu: closest_guides[%zu] is %u, the id of none of the "
+                                    "%u guides%s",
+                                    strand, k, id, map.guide_count, left_out(guides).c_str())};
             of[FollowMap::per_strand * strand + k] = found->index;
             weights[FollowMap::per_strand * strand + k] = given[k] / *sum;
         }

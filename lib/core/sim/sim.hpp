@@ -380,9 +380,10 @@ class Sim {
     Buffer pose_was_;
     std::pmr::vector<Buffer> pose_before_; // [substeps_]
     Buffer strand_stats_;                  // float4 [guides], from the first measurement on
-    Buffer boxes_, box_;  // float4 [2*runs], [2], from the first time on that bounds are asked for
-    bool dozes_ = false;  // as in the step before
-    bool probed_ = false; // probes were taken that have not been asked for
+    Buffer boxes_, box_; // float4 [2*runs], [2], from the first time on that bounds are asked for
+    bool dozes_ = false; // as in the step before
+    uint64_t told_ = 0;  // hash of where the roots were sent, since something else may have changed
+    bool probed_ = false;     // probes were taken that have not been asked for
     uint64_t read_fence_ = 0; // before which the last read lies that did not wait; 0: none
     std::array<plait_stage_cost, PLAIT_STAGE_COUNT> costs_{};
     Launches launches_;

@@ -38,6 +38,7 @@ bool Sim::is_asleep() const {
 void Sim::stir() {
     if (levels_)
         levels_->swing.stir();
+    told_ = 0;
 }
 
 void Sim::set_rest(float speed) {
@@ -187,7 +188,7 @@ Status Sim::submit_with_probes() {
 Status Sim::ask_for_probes() {
     if (!std::exchange(probed_, false))
         return {};
-    const auto fence = levels_->swing.ask(device());
+    const auto fence = levels_->swing.ask(device(), state_.position);
     if (fence)
         read_fence_ = *fence;
     return fence ? Status{} : fence.error();

@@ -75,10 +75,18 @@ Status Sim::aimed() {
 }
 
 Status Sim::set_roots(const RootsInput& input) {
-    const float scale = scale_;
     PLAIT_TRY(aim(input));
-    if (roots_.moves() || scale_ != scale)
-        stir();
+    if (levels_) {
+        Hash told;
+        told.add(input.head);
+        told.add(input.scale);
+        told.add(input.own.data(), input.own.size_bytes());
+        told.add(input.bones.data(), input.bones.size_bytes());
+        told.add(input.mesh.data(), input.mesh.size_bytes());
+        if (told.value() != told_)
+            stir();
+        told_ = told.value();
+    }
     return aimed();
 }
 

@@ -10,11 +10,17 @@
 
 namespace plait {
 
+// Values of curves or points; of their indices, where there are any, as many as there are of these.
+struct UsdPrimvar {
+    explicit UsdPrimvar(std::pmr::memory_resource* memory) : values(memory), indices(memory) {}
+    ByteWriter values, indices;
+};
+
 // What the properties of one prim say.
 struct UsdPrim {
     explicit UsdPrim(std::pmr::memory_resource* memory)
-        : points(memory), counts(memory), widths(memory), uv(memory), uv_indices(memory),
-          guide(memory), group(memory), id(memory), guide_ids(memory), guide_weights(memory) {}
+        : points(memory), counts(memory), widths(memory), uv(memory), guide(memory), group(memory),
+          id(memory), guide_ids(memory), guide_weights(memory) {}
 
     std::string type, path;
     Matrix to_world; // of its parents
@@ -27,7 +33,8 @@ struct UsdPrim {
     std::map<std::string, Operand> operands; // by the operation's name
     // of curves
     std::string curve_type = "cubic", basis = "bezier", wrap = "nonperiodic"; // USD's defaults
-    ByteWriter points, counts, widths, uv, uv_indices, guide, group, id, guide_ids, guide_weights;
+    ByteWriter points, counts;
+    UsdPrimvar widths, uv, guide, group, id, guide_ids, guide_weights;
 };
 
 class UsdReader {
@@ -56,7 +63,7 @@ class UsdReader {
     Status take_token(const UsdPrim& prim, std::string& to);
     Status take_order(UsdPrim& prim);
     Status add_curves(UsdPrim& prim, const Matrix& to_world);
-    Status expand_uv(UsdPrim& prim);
+    Status expand(const UsdPrim& prim, std::string_view name, UsdPrimvar& of, size_t width);
     // reader_xform.cpp
     Result<Matrix> transform_of(const UsdPrim& prim) const;
 

@@ -3,14 +3,38 @@
 
 #include "io/words.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 namespace plait {
 namespace {
 
-// Names that programs give them: USD's, Unreal's and Blender's.
-constexpr std::string_view UV[] = {"primvars:st", "primvars:uv", "primvars:groom_root_uv",
-                                   "primvars:surface_uv_coordinate"};
-constexpr std::string_view UV_INDICES[] = {"primvars:st:indices", "primvars:uv:indices"};
-constexpr std::string_view WIDTHS[] = {"widths", "primvars:widths", "primvars:groom_width"};
+// Names that programs give to values of curves: USD's, Unreal's and Blender's.
+struct Primvar {
+    std::string_view name;
+    UsdPrimvar UsdPrim::*of;
+    size_t width;
+    bool whole; // numbers
+};
+constexpr Primvar PRIMVARS[] = {
+    {"primvars:st", &UsdPrim::uv, 2, false},
+    {"primvars:uv", &UsdPrim::uv, 2, false},
+    {"primvars:groom_root_uv", &UsdPrim::uv, 2, false},
+    {"primvars:surface_uv_coordinate", &UsdPrim::uv, 2, false},
+    {"widths", &UsdPrim::widths, 1, false},
+    {"primvars:widths", &UsdPrim::widths, 1, false},
+    {"primvars:groom_width", &UsdPrim::widths, 1, false},
+    {"primvars:groom_guide", &UsdPrim::guide, 1, true},
+    {"primvars:groom_group_id", &UsdPrim::group, 1, true},
+    {"primvars:groom_id", &UsdPrim::id, 1, true},
+    {"primvars:groom_closest_guides", &UsdPrim::guide_ids, 3, true},
+    {"primvars:groom_guide_weights", &UsdPrim::guide_weights, 3, false}};
+constexpr std::string_view INDICES = ":indices";
+
+const Primvar* find_primvar(std::string_view name) {
+    const auto found = std::ranges::find(PRIMVARS, name, &Primvar::name);
+    return found == std::end(PRIMVARS) ? nullptr : found;
+}
 
 PackedFloats floats_of(const ByteWriter& bytes) {
     return {bytes.bytes().data(), bytes.size() / sizeof(float)};
@@ -115,22 +139,13 @@ Status UsdReader::take_curves(UsdPrim& prim, std::string_view name, bool samples
         return floats(3, prim.points);
     if (name == "curveVertexCounts")
         return integers(prim.counts);
-    if (is_one_of(name, WIDTHS))
-        return floats(1, prim.widths);
-    if (is_one_of(name, UV))
-        return floats(2, prim.uv);
-    if (is_one_of(name, UV_INDICES))
-        return integers(prim.uv_indices);
-    if (name == "primvars:groom_guide")
-        return integers(prim.guide);
-    if (name == "primvars:groom_group_id")
-        return integers(prim.group);
-    if (name == "primvars:groom_id")
-        return integers(prim.id);
-    if (name == "primvars:groom_closest_guides")
-        return integers(prim.guide_ids);
-    if (name == "primvars:groom_guide_weights")
-        return floats(1, prim.guide_weights);
+    if (name.ends_with(INDICES))
+        if (const Primvar* of = find_primvar(name.substr(0, name.size() - INDICES.size())))
+            return integers((prim.*of->of).indices);
+    if (const Primvar* of = find_primvar(name)) {
+        ByteWriter& values = (prim.*of->of).values;
+        return of->whole ? integers(values) : floats(of->width == 2 ? 2 : 1, values);
+    }
     if (name == "type" || name == "basis" || name == "wrap")
         return read_value(prim, samples, [&] {
             return take_token(prim, name == "type"    ? prim.curve_type
@@ -141,20 +156,21 @@ Status UsdReader::take_curves(UsdPrim& prim, std::string_view name, bool samples
     return taken ? text_.skip_value() : Status();
 }
 
-Status UsdReader::expand_uv(UsdPrim& prim) {
-    const PackedIntegers indices = integers_of(prim.uv_indices);
-    const PackedFloats values = floats_of(prim.uv);
+Status UsdReader::expand(const UsdPrim& prim, std::string_view name, UsdPrimvar& of, size_t width) {
+    const PackedIntegers indices = integers_of(of.indices);
+    const std::span<const std::byte> values = of.values.bytes();
+    const size_t bytes = width * sizeof(float), count = values.size() / bytes;
     ByteWriter expanded(memory_);
-    expanded.reserve(2 * sizeof(float) * indices.size());
+    expanded.reserve(bytes * indices.size());
     for (size_t i = 0; i < indices.size(); ++i) {
         const int64_t index = indices[i];
-        if (index < 0 || static_cast<uint64_t>(index) >= values.size() / 2)
-            return text_.bad(format("%s: index %zu of uv is %" PRId64 "; there are %zu values",
-                                    prim.path.c_str(), i, index, values.size() / 2));
-        for (size_t k = 0; k < 2; ++k)
-            expanded.f32(values[2 * static_cast<size_t>(index) + k]);
+        if (index < 0 || static_cast<uint64_t>(index) >= count)
+            return text_.bad(format("%s: index %zu of %s is %" PRId64 "; there are %zu values",
+                                    prim.path.c_str(), i, std::string(name).c_str(), index, count));
+        expanded.add(values.subspan(bytes * static_cast<size_t>(index), bytes));
     }
-    prim.uv = std::move(expanded);
+    of.values = std::move(expanded);
+    of.indices = ByteWriter(memory_);
     return {};
 }
 
@@ -181,17 +197,18 @@ Status UsdReader::add_curves(UsdPrim& prim, const Matrix& to_world) {
                    shown(prim.basis).c_str())};
     curves.ends = prim.wrap == "pinned" ? CurveEnds::OUTER : CurveEnds::INNER;
     curves.place = text_.file() + ": " + prim.path;
-    if (prim.uv_indices.size() > 0)
-        PLAIT_TRY(expand_uv(prim));
+    for (const Primvar& of : PRIMVARS)
+        if ((prim.*of.of).indices.size() > 0)
+            PLAIT_TRY(expand(prim, of.name, prim.*of.of, of.width));
     curves.points = floats_of(prim.points);
-    curves.widths = floats_of(prim.widths);
-    curves.uv = floats_of(prim.uv);
+    curves.widths = floats_of(prim.widths.values);
+    curves.uv = floats_of(prim.uv.values);
     curves.counts = integers_of(prim.counts);
-    curves.guide = integers_of(prim.guide);
-    curves.group = integers_of(prim.group);
-    curves.id = integers_of(prim.id);
-    curves.guide_ids = integers_of(prim.guide_ids);
-    curves.guide_weights = floats_of(prim.guide_weights);
+    curves.guide = integers_of(prim.guide.values);
+    curves.group = integers_of(prim.group.values);
+    curves.id = integers_of(prim.id.values);
+    curves.guide_ids = integers_of(prim.guide_ids.values);
+    curves.guide_weights = floats_of(prim.guide_weights.values);
     curves.unit = metres_per_unit_;
     curves.to_world = to_world;
     if (z_up_) {

@@ -112,6 +112,7 @@ Results::Results(std::string file, bool fresh) : file_(std::move(file)) {
         kept += line + "\n";
     }
     taken_up_ = all_.size();
+    stream.close(); // what is open cannot be replaced on Windows
     write_text(kept, file_);
 }
 
