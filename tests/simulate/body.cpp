@@ -1,5 +1,6 @@
 // A body that its animation moves: keys, bones, and what is said about a file that does not fit.
 #include "scene/body.hpp"
+#include "assimp.hpp"
 #include "support.hpp"
 
 #include <gmock/gmock.h>
@@ -48,15 +49,6 @@ class BodyOfCharacter : public TemporaryFolder {
         return choice;
     }
 };
-
-bool built_with_assimp() {
-    plait_mesh* mesh = nullptr;
-    (void)plait_mesh_load("nowhere.obj", nullptr, &mesh);
-    return std::string(plait_last_error()).find("assimp") == std::string::npos;
-}
-#define SKIP_WITHOUT_ASSIMP()                                                                      \
-    if (!built_with_assimp())                                                                      \
-    GTEST_SKIP() << "built without assimp"
 
 float angle_of(const plait_pose& pose) {
     return 2 * std::acos(std::min(1.0f, std::abs(pose.q[3]))) * 180 / std::numbers::pi_v<float>;

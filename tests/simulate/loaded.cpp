@@ -1,5 +1,6 @@
 // What is said about a groom's size, and what follows from it.
 #include "scene/loaded.hpp"
+#include "assimp.hpp"
 #include "common/json_reader.hpp"
 #include "support.hpp"
 
@@ -57,6 +58,7 @@ TEST_F(Loaded, says_what_is_there) {
 }
 
 TEST_F(Loaded, draws_the_meshes_that_it_is_to_draw) {
+    SKIP_WITHOUT_ASSIMP();
     for (const bool drawn : {true, false}) {
         Scene scene =
             scene_of({{"groom", ball_of_hair(1.0f, "metres.tfx")},
@@ -70,6 +72,7 @@ TEST_F(Loaded, draws_the_meshes_that_it_is_to_draw) {
 
 // A head in metres under hair in metres, read as if it were in centimetres.
 TEST_F(Loaded, warns_of_a_mesh_that_no_hair_reaches) {
+    SKIP_WITHOUT_ASSIMP();
     const auto warnings_at = [&](float scale) {
         Scene scene =
             scene_of({{"groom", ball_of_hair(1.0f, "metres.tfx")},
