@@ -25,9 +25,9 @@ PLAIT_API plait_result plait_groom_load_part(const char* path, plait_strand_part
                                              const plait_import_options* options,
                                              plait_groom** out);
 
-/* Both at once: `guides` for plait_sim_create, and the others as `map`, which follows them, for
- * plait_sim_desc.follow_map: by groom_closest_guides and groom_guide_weights where the file has them, as
- * Unreal's schema does, and otherwise each the four guides nearest to it, as of plait_groom_guides. Caller
+/* Loads the guides of a file, for plait_sim_create, and its other strands as a map, for plait_sim_desc.follow_map.
+ * A strand follows the guides that groom_closest_guides and groom_guide_weights of Unreal's schema name. In a
+ * file without these it follows the four nearest guides, as in plait_groom_guides. The caller
  * owns both. @errors as plait_groom_load_part; BAD_DATA (also weights below 0 or without a sum, a guide
  * that is none of the file's or was not kept, two guides of one groom_id, by the follow's number and value).
  * What was repaired of either, and not read, is in the notes of `guides`. */

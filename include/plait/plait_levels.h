@@ -86,10 +86,10 @@ PLAIT_STRUCT(plait_level_choice)
  *
  * Sleep: when some strands have been slower than `rest` for half a second, and then every vertex, and no call has
  * changed anything meanwhile, plait_sim_step lets time pass and enqueues nothing. Any call that may change the sim
- * wakes it in the same step, with the bits that it fell asleep with; so does a lower `rest` than it has. Not so
- * one that gives the roots or a body's pose as they were given last, or the level as it is. Hair with
- * a wind, a frame, wetness, a reduction, or an `accelerate` of the caller's does not sleep. When
- * it falls asleep depends on when its speed has come from the device: not the same in each run.
+ * wakes it, and the next step goes on from the bits that it fell asleep with. A `rest` below the speed of the
+ * hair wakes it, too. The roots, a body's pose or a level that were given last do not. Hair with
+ * a wind, a frame, wetness, a reduction, or an `accelerate` of the caller's does not sleep. The device
+ * says how fast hair is, and says it late: one run falls asleep earlier than another.
  *
  * Of strands that are not stepped VELOCITY is 0, what is written is ignored, and pins wait: they
  * hold again once the strand is stepped. Detail is of strands that follow at level_top, and where

@@ -2,6 +2,7 @@
 #include "metrics/metrics.hpp"
 #include "common/collider_reader.hpp"
 #include "common/json_reader.hpp"
+#include "levels/levels.hpp"
 #include "references/elastic.hpp"
 #include "references/modes.hpp"
 #include "references/statics.hpp"
@@ -274,6 +275,27 @@ TEST(LabVerdict, is_by_model_or_for_all) {
     measure.at_least = 3;
     EXPECT_EQ(judge(measure, {lab::find_model("chain"), {}}, {2.9, ""}), lab::Verdict::fail);
     EXPECT_EQ(judge(measure, {lab::find_model("chain"), {}}, {3.1, ""}), lab::Verdict::pass);
+}
+
+// Errors of two levels in sixteen motions, by hand: a share of 0.5 tells that of the lesson; twice and four times
+// as much as is told in two others, and one that hardly moves counts for nothing.
+TEST(LabTransfer, is_the_ratio_of_what_is_told_to_what_was_found) {
+    lab::levels::LevelRow row;
+    row.listed = 0.25f;
+    row.found.assign(16, {0.05, 0.1, 0.1}); // m
+    row.found[5].error = 0.1005;
+    row.found[6].error = 0.2;
+    row.found[7] = {0.01, 1e-3, 1e-3};
+    const auto found = lab::levels::transfer_of({row});
+    const auto& listed = found[0];
+    const auto& lesson = found[1];
+    EXPECT_EQ(lesson.cases, 12u); // without those of the lesson, and the still one
+    EXPECT_NEAR(lesson.within_2, 100.0 * 10 / 12, 1e-9);
+    EXPECT_NEAR(lesson.under_2, 100.0 * 2 / 12, 1e-9);
+    EXPECT_NEAR(lesson.under_3, 100.0 / 12, 1e-9);
+    EXPECT_NEAR(lesson.mean, std::pow(0.5 / 1.005 * 0.25, 1.0 / 12), 1e-6);
+    EXPECT_NEAR(listed.mean / lesson.mean, 0.5, 1e-6);
+    EXPECT_NEAR(found[3].mean / lesson.mean, 1.5, 1e-6);
 }
 
 } // namespace

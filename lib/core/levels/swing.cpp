@@ -94,9 +94,9 @@ void Swing::add(float scale) {
             }
         }
     square_ += weight_of(asked_, square_over, known_) * (sum / count - square_);
-    const bool undisturbed =
-        std::exchange(last_stirs_, asked_stirs_) == stirs_ && asked_stirs_ == stirs_;
-    const bool slow = known_ > 0 && asked_ <= farthest && undisturbed &&
+    const bool undisturbed = last_stirs_ == stirs_ && asked_stirs_ == stirs_;
+    last_stirs_ = asked_stirs_;
+    const bool slow = known_ > 0 && asked_ <= longest_gap && undisturbed &&
                       std::sqrt(moved / count) < double(still_below_) * asked_;
     calm_ = slow ? calm_ + asked_ : 0;
     look(scale, slow);

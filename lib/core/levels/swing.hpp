@@ -45,7 +45,7 @@ class Swing {
     static constexpr double interval = 0.05;    // s, between samples
     static constexpr double settled = 1;        // s, of samples
     static constexpr double falls_asleep = 0.5; // s
-    static constexpr double farthest = 0.25;    // s, between samples that tell a speed
+    static constexpr double longest_gap = 0.25; // s, between samples that tell a speed
     void add(float scale);
     void look(float scale, bool slow);
     bool looks() const { return still_below_ > 0 && calm_ >= falls_asleep; }

@@ -169,9 +169,9 @@ Status Sim::read_velocity(std::span<float> dst) {
     std::pmr::vector<uint32_t> counts(layout_.guides, &context_.memory);
     PLAIT_TRY(device().read(state_.vertex_count, 0, counts.size(), counts.data()));
     for (size_t strand = 0; strand < counts.size(); ++strand) {
-        float* const end = &dst[4 * (strand * layout_.row + counts[strand])];
-        for (size_t i = 0; i < size_t{4} * (layout_.row - counts[strand]); ++i)
-            end[i] = end[static_cast<std::ptrdiff_t>(i % 4) - 4];
+        const size_t first = strand * layout_.row, tip = first + counts[strand] - 1;
+        for (size_t i = tip + 1; i < first + layout_.row; ++i)
+            std::copy_n(&dst[4 * tip], 4, &dst[4 * i]);
     }
     return {};
 }
