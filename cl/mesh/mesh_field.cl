@@ -72,6 +72,13 @@ static inline mesh_touch mesh_meet(const mesh_body* body, mesh_vertex* vertex) {
     touch.some &= !(gap >= vertex->gap);
     touch.normal = add3(plane.normal, mesh_turn(body->motion.orientation, plane.normal));
     touch.height = mesh_plane_height(plane, from);
+    touch.tip = touch.some & vertex->tip;
+    if (any_lane(touch.tip)) {
+        touch.crease =
+            mesh_crease(&body->field, plane, vertex->offset, from, to, touch.tip, &cells);
+        const vec3 normal = touch.crease.normal;
+        touch.crease.normal = add3(normal, mesh_turn(body->motion.orientation, normal));
+    }
     return touch;
 }
 
@@ -117,6 +124,7 @@ plait_mesh_field(const uint item_count, const plait_lane_params params,
     mesh_ways ways;
     mesh_ways_of(&ways, &step, &params, state);
     mesh_list list;
+    mesh_clear_creases(lane_plane, step.place);
     for (uint mesh = 0; mesh < params.collider_count; ++mesh) {
         const mesh_body body = {mesh_field_at(mesh_grid, mesh_nodes, mesh_values, mesh),
                                 mesh_motion_at(collider, params.collider_first + mesh)};

@@ -308,7 +308,7 @@ static inline mesh_touch near_meet(const near_body* body, const near_way* at,
             pick(known, pick(side == own, side, PLAIT_MESH_SIDE_ASTRAY * side), (real)(0.0f));
     }
     mesh_plane plane = near_plane(body, &first, from, offset, &side);
-    wall->side = side;
+    wall->side = body->mesh.two_sided ? side : (real)(1.0f);
     touch.start = plane.height;
     touch.some = first.some & (touch.start <= room);
     /* from neither end of the way the sheet is nearer */
@@ -335,6 +335,17 @@ static inline mesh_touch near_meet(const near_body* body, const near_way* at,
     wall->plane = plane;
     wall->offset = offset;
     return touch;
+}
+
+/* Of the tips of a row, in the lanes that touch. A sheet has none: what is hollow of it is in lane_hollow. */
+static inline void near_meet_creases(const near_body* body, const near_wall* wall, mask tip,
+                                     mesh_touch* touch) {
+    touch->tip = touch->some & tip;
+    touch->crease.some = tip & !tip;
+    if (body->mesh.two_sided || !any_lane(touch->tip))
+        return;
+    touch->crease = near_crease(&body->mesh, body->end, wall, touch->tip);
+    touch->crease.normal = near_turned(&body->motion, touch->crease.normal);
 }
 
 /* m, of the roots of strands that have a vertex near; negative inside. */
@@ -396,6 +407,7 @@ static inline void near_find(const near_body* body, const mesh_ways* ways, mesh_
         mesh_touch touch =
             near_meet(body, &at, &there, vertex.offset, vertex.gap, near, &now, &wall);
         touch.some &= near;
+        near_meet_creases(body, &wall, vertex.tip, &touch);
         if (body->mesh.two_sided) {
             now.side = pick(near, now.side, (real)(0.0f));
             near_side_store(planes, sides, i, &was, &now);
@@ -433,6 +445,8 @@ __kernel PLAIT_WIDE void plait_mesh_nearest(
     const size_t head =
         lane_index(step.place, PLAIT_LANE_PLANE_COMPONENTS, 0, PLAIT_LANE_PLANE_LAST);
     mask last = params.planes ? LANE_INT(lane_plane[head]) : (mask)(0);
+    if (!params.planes)
+        mesh_clear_creases(lane_plane, step.place);
     mesh_planes planes;
     planes.params = &params;
     planes.clearance = mesh_clearance;

@@ -646,6 +646,13 @@ Setup on_planes(Setup setup, const LaneHair& lanes, float friction, bool bends, 
         const auto row = planes.begin() +
                          static_cast<std::ptrdiff_t>(PLAIT_LANE_PLANE_COMPONENTS * s * setup.width);
         row[PLAIT_LANE_PLANE_LAST] = static_cast<float>(last);
+        if (last + 1 == lanes.hair.vertex_count[s]) { // a tip, with a wall across a crease
+            const Point normal = direction_of(sum({30, 20, -30}, random_step(random, 20)));
+            for (size_t k = 0; k < 3; ++k)
+                row[static_cast<std::ptrdiff_t>(PLAIT_LANE_PLANE_CREASE + k)] =
+                    static_cast<float>(normal[k]);
+            row[PLAIT_LANE_PLANE_CREASE + 3] = static_cast<float>(random.uniform(0.0, 0.004));
+        }
         // what is left in rows that nobody reads: a plane far above
         std::fill(row + static_cast<std::ptrdiff_t>(PLAIT_LANE_PLANE_COMPONENTS * (last + 1)),
                   row + static_cast<std::ptrdiff_t>(PLAIT_LANE_PLANE_COMPONENTS * setup.width),

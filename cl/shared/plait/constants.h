@@ -96,6 +96,8 @@
 #define PLAIT_MESH_FLAT PLAIT_NUMBER(1e-4)
 /* m: what goes less far along a plane has no direction there in float32. Ours. */
 #define PLAIT_MESH_SLIDE PLAIT_NUMBER(1e-3)
+/* m: a tip that begins no deeper than this under its second plane has that. Ours. */
+#define PLAIT_MESH_CREASE PLAIT_NUMBER(1e-3)
 /* Of the way of a vertex in a substep: how far around it the planes of a hollow are found. Ours. */
 #define PLAIT_MESH_HOLLOW PLAIT_NUMBER(0.5)
 

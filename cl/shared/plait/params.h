@@ -715,16 +715,16 @@ typedef struct plait_lane_move_params {
 #define PLAIT_LANE_WETNESS 4
 #define PLAIT_LANE_WEIGHED 5
 
-/* lane_plane: of each vertex the plane of a mesh or a strand that it may meet in the substep. Row 0, for the
- * root has none, holds the last vertex of the strand that has one, and rows after that anything. */
-#define PLAIT_LANE_PLANE_LAST 0     /* of row 0; 0: no vertex has a plane */
+/* lane_plane: of each vertex the plane of a mesh or a strand that it may meet in the substep. Rows after the last one
+ * with a plane hold anything. Row 0, for the root has none, holds LAST, and a second plane of a tip: CREASE. */
+#define PLAIT_LANE_PLANE_LAST 0     /* of row 0: the last vertex with a plane; 0: none has one */
+#define PLAIT_LANE_PLANE_CREASE 3   /* of row 0: xyz, as NORMAL; m, of the tip's ANCHOR above it */
 #define PLAIT_LANE_PLANE_NORMAL 0   /* xyz, in the world, out of the mesh; 0: none */
 #define PLAIT_LANE_PLANE_ANCHOR 3   /* xyz, m, relative to the root: the vertex, if it stuck */
 #define PLAIT_LANE_PLANE_HEIGHT 6   /* m, of the anchor above the plane */
 #define PLAIT_LANE_PLANE_START 7    /* m, of the anchor above the mesh */
 #define PLAIT_LANE_PLANE_FRICTION 8 /* Coulomb coefficient */
 #define PLAIT_LANE_PLANE_COMPONENTS 9
-
 /* lane_hollow: of each vertex near a sheet what keeps it on its side: of one that has the sheet's plane and is
  * fast, the planes around that one, for in a hollow the wall rises from a plane; of one that has none, how far it may
  * go off its way. */

@@ -18,7 +18,7 @@ class PlaitSettings(bpy.types.PropertyGroup):
                            description="Wind and turbulence fields of the scene: a strength of 1 is 1 m/s")
     keep_volume: BoolProperty(name="Keep Volume", default=False,
                               description="Hair keeps the room that it has in the groom, by a pressure")
-    substeps: IntProperty(name="Substeps", default=8, min=1, max=1000, soft_max=16,
+    substeps: IntProperty(name="Substeps", default=4, min=1, max=1000, soft_max=16,
                           description="Of each frame. More: more exact, less hair inside of bodies, slower")
     preroll: IntProperty(name="Frames to Settle", default=24, min=0, max=10000, soft_max=100,
                          description="Hair hangs still for so many frames before the first one, which it then begins at rest")

@@ -67,11 +67,18 @@ std::vector<std::optional<MeshPlane>> mesh_planes_of(const Lane& lane,
             return {at(first), at(first + 1), at(first + 2)};
         };
         const MeshPlane plane{vector(PLAIT_LANE_PLANE_NORMAL), vector(PLAIT_LANE_PLANE_ANCHOR),
-                              at(PLAIT_LANE_PLANE_HEIGHT), at(PLAIT_LANE_PLANE_START),
-                              at(PLAIT_LANE_PLANE_FRICTION)};
+                              at(PLAIT_LANE_PLANE_HEIGHT),     at(PLAIT_LANE_PLANE_START),
+                              at(PLAIT_LANE_PLANE_FRICTION),   {}};
         if (!plane.normal.isZero(0))
             list[i] = plane;
     }
+    const auto tip = [&](size_t component) {
+        return planes[lane.index(0, PLAIT_LANE_PLANE_CREASE + component,
+                                 PLAIT_LANE_PLANE_COMPONENTS)];
+    };
+    const Vec3 normal(tip(0), tip(1), tip(2));
+    if (!normal.isZero(0) && last > 0 && list[size_t(last)])
+        list[size_t(last)]->crease = Hollow::Wall{normal, tip(3)};
     return list;
 }
 

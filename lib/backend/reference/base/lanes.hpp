@@ -102,16 +102,6 @@ struct Motion {
 };
 
 // The plane of a mesh that a vertex may meet in the substep.
-struct MeshPlane {
-    Vec3 normal, anchor; // anchor: relative to the root
-    double height;       // of the anchor above the plane
-    double start;        // of the anchor above the mesh
-    double friction;
-};
-// One per vertex, or none at all.
-std::vector<std::optional<MeshPlane>>
-mesh_planes_of(const Lane& lane, const plait_lane_params& params, const View<const double>& planes);
-
 // What else keeps a vertex on its side of a sheet.
 struct Hollow {
     struct Wall {
@@ -122,7 +112,17 @@ struct Hollow {
     std::optional<double> room; // m, that one that has none may go off its way,
     Vec3 begin = Vec3::Zero();  // which begins here, relative to the root
 };
+struct MeshPlane {
+    Vec3 normal, anchor; // anchor: relative to the root
+    double height;       // of the anchor above the plane
+    double start;        // of the anchor above the mesh
+    double friction;
+    std::optional<Hollow::Wall> crease; // of a tip
+};
 // One per vertex, or none at all.
+std::vector<std::optional<MeshPlane>>
+mesh_planes_of(const Lane& lane, const plait_lane_params& params, const View<const double>& planes);
+// The same.
 std::vector<Hollow> hollows_of(const Lane& lane, const plait_lane_params& params,
                                const View<const double>& hollows);
 

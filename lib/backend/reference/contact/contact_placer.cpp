@@ -41,11 +41,16 @@ const MeshPlane* ContactPlacer::mesh(size_t vertex) const {
 Hollow::Wall ContactPlacer::deepest(size_t vertex, const MeshPlane& plane, const Vec3& p) const {
     const Vec3 way = p - plane.anchor;
     Hollow::Wall least{plane.normal, plane.height + plane.normal.dot(way)};
-    if (contacts_.hollows_.empty() || contacts_.of_strands())
+    if (contacts_.of_strands())
         return least;
-    for (const Hollow::Wall& wall : contacts_.hollows_[vertex].walls)
+    const auto take = [&](const Hollow::Wall& wall) {
         if (const double height = wall.height + wall.normal.dot(way); height < least.height)
             least = {wall.normal, height};
+    };
+    if (plane.crease)
+        take(*plane.crease);
+    if (!contacts_.hollows_.empty())
+        std::ranges::for_each(contacts_.hollows_[vertex].walls, take);
     return least;
 }
 

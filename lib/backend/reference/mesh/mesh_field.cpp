@@ -72,11 +72,22 @@ std::optional<MeshTouch> touch_of(const FieldBody& body, const MeshWays& ways, s
     const auto plane = met(body.field, from, to, offset);
     if (!plane)
         return {};
-    return MeshTouch{
+    MeshTouch touch{
         {body.motion.pose.q * plane->normal, anchor - ways.root, plane->height_of(from)},
         start,
         body.motion.friction,
         plane->height_of(to)};
+    if (ways.is_tip(vertex))
+        touch.crease = crease_of(
+            *plane, body.field.room(), from, to, [&](const Vec3& x) -> std::optional<Hollow::Wall> {
+                const auto other = plane_of(body.field.at(x), x, 0);
+                return other ? wall_beside(*plane, offset, from, x - other->height * other->normal,
+                                           other->normal, PLAIT_MESH_CREASE)
+                             : std::nullopt;
+            });
+    if (touch.crease)
+        touch.crease->normal = body.motion.pose.q * touch.crease->normal;
+    return touch;
 }
 
 } // namespace

@@ -137,26 +137,35 @@ struct Met {
     bool fast = false; // it goes along the plane of a sheet
 };
 
+// The plane that a vertex has, and its way.
+struct OwnWall {
+    const SurfaceBody& body;
+    const MeshPlaneAt& plane;
+    const Vec3 &from, &to;
+    double offset, side;
+
+    // That nearest to x.
+    std::optional<Hollow::Wall> beside(const Vec3& x, double bound, double sunk) const {
+        const auto sample = body.at(x, bound);
+        if (!sample || sample->rim)
+            return {};
+        return wall_beside(plane, offset, from, sample->point, side * sample->normal, sunk);
+    }
+};
+
 // The planes of a sheet around the one that a vertex has, each in front of the other.
-std::vector<Hollow::Wall> walls_around(const SurfaceBody& body, const MeshPlaneAt& plane,
-                                       const Vec3& from, const Vec3& to, double offset,
-                                       double side) {
+std::vector<Hollow::Wall> walls_around(const OwnWall& own) {
+    const auto& [body, plane, from, to, offset, side] = own;
     const Vec3 &n = plane.normal, way = to - from, along = way - n.dot(way) * n;
     const double far = std::max(PLAIT_MESH_HOLLOW * way.norm(), double{PLAIT_MESH_ROOM});
     const Vec3 ahead = far * along.normalized(), aside = n.cross(ahead),
-               below = to - plane.height_of(to) * n,
-               foot = plane.point - (plane.height + offset) * n;
+               below = to - plane.height_of(to) * n;
     std::vector<Hollow::Wall> walls;
     for (const Vec3& way_out :
          {ahead, Vec3(-ahead), aside, Vec3(-aside), Vec3(2 * ahead), Vec3(-2 * ahead)}) {
-        walls.push_back({Vec3::Zero(), 0});
-        const auto sample = body.at(below + way_out, way_out.norm() + 2 * PLAIT_MESH_ROOM);
-        if (!sample || sample->rim)
-            continue;
-        const Vec3 normal = side * sample->normal, rise = sample->point - foot;
-        const double height = normal.dot(from - sample->point) - offset;
-        if (height >= 0 && n.dot(rise) >= -PLAIT_MESH_FLAT && normal.dot(rise) <= PLAIT_MESH_FLAT)
-            walls.back() = {body.motion.pose.q * normal, height};
+        walls.push_back(
+            own.beside(below + way_out, way_out.norm() + 2 * PLAIT_MESH_ROOM, 0).value_or(no_wall));
+        walls.back().normal = body.motion.pose.q * walls.back().normal;
     }
     return walls;
 }
@@ -207,8 +216,15 @@ Met met_by(const SurfaceBody& body, const MeshWays& ways, size_t vertex, double 
                  plane->height_of(to)};
     const Vec3 along = to - from - plane->normal.dot(to - from) * plane->normal;
     met.fast = body.surface.two_sided && way > PLAIT_MESH_ROOM && along.norm() > PLAIT_MESH_SLIDE;
+    const OwnWall own{body, *plane, from, to, offset, body.surface.two_sided ? side : 1};
     if (met.fast)
-        met.walls = walls_around(body, *plane, from, to, offset, side);
+        met.walls = walls_around(own);
+    if (ways.is_tip(vertex) && !body.surface.two_sided) // whose hollows are in lane_hollow
+        met.touch->crease = crease_of(*plane, 2 * PLAIT_MESH_ROOM, from, to, [&](const Vec3& x) {
+            return own.beside(x, 3 * PLAIT_MESH_ROOM, PLAIT_MESH_CREASE);
+        });
+    if (met.touch->crease)
+        met.touch->crease->normal = pose.q * met.touch->crease->normal;
     return met;
 }
 
@@ -268,7 +284,8 @@ std::vector<std::optional<MeshTouch>> touches_left(const mesh_nearest_args& args
             list[i] = MeshTouch{{plane->normal, plane->anchor, plane->height},
                                 plane->start,
                                 plane->friction,
-                                plane->height + plane->normal.dot(ways.end[i] - plane->anchor)};
+                                plane->height + plane->normal.dot(ways.end[i] - plane->anchor),
+                                plane->crease};
     return list;
 }
 

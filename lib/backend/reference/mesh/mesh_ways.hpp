@@ -4,6 +4,8 @@
 
 #include "backend/reference/base/lanes.hpp"
 
+#include <plait/constants.h>
+
 #include <algorithm>
 #include <optional>
 #include <vector>
@@ -45,6 +47,7 @@ struct MeshWays {
     Vec3 root;
     std::vector<Vec3> begin, end;
     std::vector<double> length; // of the segment before a vertex; 0 past the tip
+    bool is_tip(size_t i) const { return i + 1 == length.size() || length[i + 1] == 0; }
 
     template <typename Args>
     MeshWays(const Lane& lane, const plait_lane_params& params, const Args& args,
@@ -84,9 +87,39 @@ struct MeshWays {
     }
 };
 
+// The plane of `found`, a place of a mesh of that normal, beside `plane`, the plane of a vertex whose way begins at `from`:
+// if the vertex begins no deeper than `sunk` under it, and each place lies on the free side of the other plane. The mesh
+// begins `offset` outside its surface.
+inline std::optional<Hollow::Wall> wall_beside(const MeshPlaneAt& plane, double offset,
+                                               const Vec3& from, const Vec3& found,
+                                               const Vec3& normal, double sunk) {
+    const Vec3 rise = found - (plane.point - (plane.height + offset) * plane.normal);
+    const double height = normal.dot(from - found) - offset;
+    if (height < -sunk || plane.normal.dot(rise) < -PLAIT_MESH_FLAT ||
+        normal.dot(rise) > PLAIT_MESH_FLAT)
+        return {};
+    return Hollow::Wall{normal, height};
+}
+
+// The second plane of a tip, which may be thrown farther than its way goes, and across a crease: of two walls that are found
+// by `beside`(x) from places x, `above` the plane over both ends of the way, the deeper one at the way's end.
+template <typename Beside>
+std::optional<Hollow::Wall> crease_of(const MeshPlaneAt& plane, double above, const Vec3& from,
+                                      const Vec3& to, const Beside& beside) {
+    const auto wall_over = [&](const Vec3& x) -> std::optional<Hollow::Wall> {
+        return beside(Vec3(x + (above - plane.height_of(x)) * plane.normal));
+    };
+    const auto depth = [&](const Hollow::Wall& wall) {
+        return -(wall.height + wall.normal.dot(to - from));
+    };
+    const auto one = wall_over(from), other = wall_over(to);
+    return one && other ? depth(*other) > depth(*one) ? other : one : one ? one : other;
+}
+
 struct MeshTouch {
     MeshPlaneAt plane; // in the world, its point the anchor, relative to the root
     double start, friction, gap;
+    std::optional<Hollow::Wall> crease = {}; // of a tip; in the world
 };
 
 // Of every mesh of a strand and every vertex, by `touch_of`(mesh, vertex, clearance, arc), the deepest;
@@ -108,6 +141,8 @@ void find_touches(const plait_lane_params& params, size_t strand, const MeshWays
     }
 }
 
+inline const Hollow::Wall no_wall{Vec3::Zero(), 0};
+
 // Rows up to the last that has one.
 inline void store_planes(const View<double>& planes, const Lane& lane,
                          const std::vector<std::optional<MeshTouch>>& list) {
@@ -118,6 +153,11 @@ inline void store_planes(const View<double>& planes, const Lane& lane,
     while (last > 0 && !list[last])
         --last;
     at(0, PLAIT_LANE_PLANE_LAST) = double(last);
+    const Hollow::Wall crease =
+        last > 0 ? list[last]->crease.value_or(no_wall) : no_wall; // no other vertex has one
+    for (int c = 0; c < 3; ++c)
+        at(0, PLAIT_LANE_PLANE_CREASE + size_t(c)) = crease.normal[c];
+    at(0, PLAIT_LANE_PLANE_CREASE + 3) = crease.height;
     for (size_t i = 1; i <= last; ++i) {
         std::vector<double> values(3); // no normal
         if (const auto& touch = list[i])
