@@ -99,7 +99,8 @@ TEST_P(Creases, NoTipIsInTheNeckWhileTheShouldersHoldIt) {
             int deep = 0; // tips of frames
             for (int i = 1; i <= (is_reference() ? 40 : 120); ++i) {
                 const double turn = 0.7 * std::sin(full_turn * i / 120);
-                const double walks = std::max(0.0, i / 60.0 - 0.3), way = walks < 0.4 ? 1.5 * walks * walks : 1.2 * (walks - 0.2);
+                const double walks = std::max(0.0, i / 60.0 - 0.3),
+                             way = walks < 0.4 ? 1.5 * walks * walks : 1.2 * (walks - 0.2);
                 auto roots = plait_roots_defaults();
                 roots.head.q[1] = static_cast<float>(std::sin(turn / 2));
                 roots.head.q[3] = static_cast<float>(std::cos(turn / 2));
@@ -115,8 +116,8 @@ TEST_P(Creases, NoTipIsInTheNeckWhileTheShouldersHoldIt) {
                         deep += depth > 1e-3;
                     }
             }
-            const std::string name = (form == PLAIT_MESH_FORM_FIELD ? "field_" : "nearest_") +
-                                     std::to_string(substeps);
+            const std::string name =
+                (form == PLAIT_MESH_FORM_FIELD ? "field_" : "nearest_") + std::to_string(substeps);
             EXPECT_LE(deep, 5) << name;
             RecordProperty("deeper_than_1_mm_" + name, std::to_string(deep));
             RecordProperty("deepest_mm_" + name, std::to_string(deepest * 1e3));

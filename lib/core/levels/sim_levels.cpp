@@ -112,9 +112,9 @@ Status SimLevels::choose(const plait_level_choice& choice) {
     next_ = choice;
     next_.shown = shown_of(choice.shown);
     due_ = next_.level != level_ || next_.shown != shown_;
-    swing.set_still(choice.rest);
+    swing.stillness.set_speed(choice.rest);
     if (due_)
-        swing.stir();
+        swing.stillness.stir();
     return {};
 }
 

@@ -53,7 +53,7 @@ class SimLevels {
     bool changes_level() const { return due_ && next_.level != level_; }
     uint32_t next_stepped() const { return guides_[next_.level]; }
     // Nothing is left to be done but to step hair that is still.
-    bool may_sleep() const { return swing.is_still() && !due_ && blending() == 0; }
+    bool may_sleep() const { return swing.stillness.is_still() && !due_ && blending() == 0; }
     bool wakes() const { return due_ && next_stepped() > stepped(); }
     // Strands that are in view, and once what is due holds.
     uint32_t in_view() const { return std::max(shown_, stepped()); }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace plait {
 namespace {
@@ -27,34 +26,9 @@ Status Swing::open(Device& device, std::span<const uint32_t> counts, uint32_t ro
     return device.create(probes_, PLAIT_ELEMENT_FLOAT4, read_.size() / 4, "held");
 }
 
-void Swing::set_still(float speed) {
-    still_below_ = speed;
-    if (still_ && fastest_ >= speed)
-        stir();
-}
-
-void Swing::stir() {
-    still_ = has_last_look_ = false;
-    calm_ = 0;
-    ++stirs_;
-}
-
-void Swing::stand(double s) {
-    calm_ += s;
-    if (!looks())
-        return;
-    still_ = true;
-    fastest_ = 0;
-}
-
 Result<uint64_t> Swing::ask(Device& device, const Buffer& position) {
     PLAIT_TRY(device.read_later(probes_, read_.data()));
-    looked_ = looks();
-    if (looked_) {
-        all_.resize(position.bytes() / sizeof(float));
-        PLAIT_TRY(device.read_later(position, all_.data()));
-    }
-    asked_stirs_ = stirs_;
+    PLAIT_TRY(stillness.ask(device, position));
     auto fence = device.fence();
     if (fence) {
         fence_ = *fence;
@@ -94,34 +68,9 @@ void Swing::add(float scale) {
             }
         }
     square_ += weight_of(asked_, square_over, known_) * (sum / count - square_);
-    const bool undisturbed = last_stirs_ == stirs_ && asked_stirs_ == stirs_;
-    last_stirs_ = asked_stirs_;
-    const bool slow = known_ > 0 && asked_ <= longest_gap && undisturbed &&
-                      std::sqrt(moved / count) < double(still_below_) * asked_;
-    calm_ = slow ? calm_ + asked_ : 0;
-    look(scale, slow);
+    stillness.take(known_ > 0 ? std::sqrt(moved / count) : INFINITY, asked_, scale);
     known_ += asked_;
     rms_ = static_cast<float>(std::sqrt(square_));
-}
-
-// A few strands may move while all that are probed are still.
-void Swing::look(float scale, bool slow) {
-    still_ = false;
-    if (looked_ && slow && has_last_look_) {
-        double greatest = 0;
-        for (size_t i = 0; i + 3 < all_.size(); i += 4) {
-            double square = 0;
-            for (size_t axis = 0; axis < 3; ++axis)
-                square += std::pow(double(all_[i + axis]) - double(all_last_[i + axis]), 2);
-            greatest = std::max(greatest, square);
-        }
-        fastest_ = static_cast<float>(double(scale) * std::sqrt(greatest) / asked_);
-        still_ = fastest_ < still_below_;
-        calm_ = still_ ? calm_ : 0;
-    }
-    has_last_look_ = looked_ && slow && calm_ > 0;
-    if (has_last_look_)
-        std::swap(all_, all_last_);
 }
 
 } // namespace plait

@@ -37,13 +37,13 @@ bool Sim::is_asleep() const {
 
 void Sim::stir() {
     if (levels_)
-        levels_->swing.stir();
+        levels_->swing.stillness.stir();
     told_ = 0;
 }
 
 void Sim::set_rest(float speed) {
     if (levels_)
-        levels_->swing.set_still(speed);
+        levels_->swing.stillness.set_speed(speed);
 }
 
 // Time passes. What is shown is from the first such call on what it was in the frame before.
@@ -88,7 +88,7 @@ Status Sim::pass_levels(double s) {
     levels_->pass(s);
     levels_->swing.pass(s);
     if (levels_->is_rigid())
-        levels_->swing.stand(s);
+        levels_->swing.stillness.stand(s);
     if (levels_->changes_level())
         return switch_level();
     if (levels_->is_due())

@@ -22,12 +22,13 @@ stability::SweepOptions stability_options(const AllOptions& o) {
     return sweep;
 }
 
-// Of each kind the cheapest, a minute or two. None where models are named.
+// Those that were models once, and of the others of each kind the cheapest, some minutes. None where models are named.
 AccuracyRun run_baselines(const AllOptions& o) {
     if (!o.choice.models.empty())
         return {};
     AccuracyOptions options = o.accuracy;
-    options.models = {"pbd", "xpbd", "xpbd_heavy", "verlet_limp", "verlet"};
+    options.models = {"chain", "cosserat",   "rod",         "pbd",
+                      "xpbd",  "xpbd_heavy", "verlet_limp", "verlet"};
     return run_accuracy(options);
 }
 
