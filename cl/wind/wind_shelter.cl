@@ -1,7 +1,7 @@
-/* wind_shelter: what is left of the wind at the nodes of one plane of a grid around the groom, behind
- * the plane before it; and the air there, which otherwise goes along with the hair.
+/* wind_shelter: what is left of the wind at the nodes of a grid around the groom, plane by plane, behind
+ * the plane before; and the air there, which otherwise goes along with the hair.
  *
- * Items   nodes of a plane; a work-item takes as many as it has lanes, and those past the last have none.
+ * Items   one, the grid; a work-item of its group takes as many nodes of each plane at a time as it has lanes.
  * Reads   wind_extinction, grid_density, grid_velocity.
  * Moves   wind_depth: tau, of the plane before to this one's. wind_velocity: turbulence to the air's
  *         velocity in the world, and in w the share of the wind, T = e^(-tau).
@@ -75,17 +75,15 @@ static inline real node_number(__global const float* data, mask node) {
     return number;
 }
 
-__kernel PLAIT_WIDE void
-plait_wind_shelter(const uint item_count, const plait_wind_shelter_params params,
-                   __global const float* wind_extinction, __global const float* grid_density,
-                   __global const float4* grid_velocity, __global float* wind_depth,
-                   __global float4* wind_velocity) {
-    const uint n = params.edge_count, nodes = min(item_count, n * n);
-    const uint item = get_global_id(0) * PLAIT_LANES;
-    if (item >= nodes)
-        return;
-    const node_steps steps = node_steps_of(n, params.axis);
-    const uint plane = params.reversed ? n - 1u - params.plane : params.plane;
+/* Of nodes `item` and after it, of plane `number` as the wind meets them. */
+static inline void shelter_nodes(const plait_wind_shelter_params* params, uint number, uint item,
+                                 __global const float* wind_extinction,
+                                 __global const float* grid_density,
+                                 __global const float4* grid_velocity, __global float* wind_depth,
+                                 __global float4* wind_velocity) {
+    const uint n = params->edge_count, nodes = n * n;
+    const node_steps steps = node_steps_of(n, params->axis);
+    const uint plane = params->reversed ? n - 1u - number : number;
     mask a, b;
     for (uint k = 0; k < PLAIT_LANES; ++k) {
         const uint of = min(item + k, nodes - 1u);
@@ -94,27 +92,45 @@ plait_wind_shelter(const uint item_count, const plait_wind_shelter_params params
     }
     const mask node = (int)plane * steps.plane + a * steps.a + b * steps.b;
     real tau = (real)(0.0f);
-    if (params.plane > 0u) {
-        const uint before = params.reversed ? plane + 1u : plane - 1u;
+    if (number > 0u) {
+        const uint before = params->reversed ? plane + 1u : plane - 1u;
         const shelter_foot foot =
-            foot_at(n, steps, before, LANE_REAL(a) - params.foot[0], LANE_REAL(b) - params.foot[1],
-                    wind_depth, wind_extinction);
-        tau =
-            foot.depth + 0.5f * (node_number(wind_extinction, node) + foot.extinction) * params.way;
+            foot_at(n, steps, before, LANE_REAL(a) - params->foot[0],
+                    LANE_REAL(b) - params->foot[1], wind_depth, wind_extinction);
+        tau = foot.depth +
+              0.5f * (node_number(wind_extinction, node) + foot.extinction) * params->way;
     }
     const real open = exp(-tau);
-    vec3 wind = spread3(vload3(0, params.air));
-    if (params.turbulent)
+    vec3 wind = vec3_of((real)(params->air[0]), (real)(params->air[1]), (real)(params->air[2]));
+    if (params->turbulent)
         wind = add3(wind, vector_part(lane_gather(wind_velocity, node)));
-    const quat turn =
-        quat_of((real)(params.q[0]), (real)(params.q[1]), (real)(params.q[2]), (real)(params.q[3]));
+    const quat turn = quat_of((real)(params->q[0]), (real)(params->q[1]), (real)(params->q[2]),
+                              (real)(params->q[3]));
+    const vec3 still =
+        vec3_of((real)(params->still[0]), (real)(params->still[1]), (real)(params->still[2]));
     const vec3 hair = pick3(node_number(grid_density, node) > (real)(0.0f),
-                            rotate3(turn, vector_part(lane_gather(grid_velocity, node))),
-                            spread3(vload3(0, params.still)));
+                            rotate3(turn, vector_part(lane_gather(grid_velocity, node))), still);
     const vec3 air = axpy3(open, wind, scale3(hair, (real)(1.0f) - open));
     for (uint k = 0; k < min((uint)PLAIT_LANES, nodes - item); ++k) {
         const int at = LANE_OF_MASK(node, k);
         wind_depth[at] = LANE(tau, k);
         wind_velocity[at] = (float4)(LANE(air.x, k), LANE(air.y, k), LANE(air.z, k), LANE(open, k));
+    }
+}
+
+/* The planes wait for each other in one work-group: a launch for each took longer to begin than to run. */
+__kernel PLAIT_WIDE void
+plait_wind_shelter(const uint item_count, const plait_wind_shelter_params params,
+                   __global const float* wind_extinction, __global const float* grid_density,
+                   __global const float4* grid_velocity, __global float* wind_depth,
+                   __global float4* wind_velocity) {
+    const uint n = params.edge_count;
+    const uint nodes = get_group_id(0) < item_count ? n * n : 0u;
+    const uint first = get_local_id(0) * PLAIT_LANES, step = get_local_size(0) * PLAIT_LANES;
+    for (uint number = params.plane; number < n; ++number) {
+        for (uint item = first; item < nodes; item += step)
+            shelter_nodes(&params, number, item, wind_extinction, grid_density, grid_velocity,
+                          wind_depth, wind_velocity);
+        barrier(CLK_GLOBAL_MEM_FENCE);
     }
 }

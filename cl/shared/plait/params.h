@@ -508,7 +508,7 @@ typedef struct plait_wind_shelter_params {
     float voxel_edge;   /* m */
     float q[4];         /* grid orientation */
     plait_u32 axis;     /* of the grid, 0 to 2: across which its planes lie */
-    plait_u32 plane;    /* 0: the first that the wind meets */
+    plait_u32 plane;    /* where the sweep begins; 0: the first that the wind meets */
     plait_u32 reversed; /* 1: the wind goes against the axis */
     float foot[2]; /* voxels along the others: the wind's way from the plane before to a node */
     float way;     /* m, its length */

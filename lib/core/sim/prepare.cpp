@@ -188,8 +188,9 @@ std::vector<plait_dispatch> dispatches(const Context& context, const plait_stage
         add(1, 1);
         break;
     case PLAIT_SPACE_VOXEL_GROUP:
-        add(1, stage.stage == PLAIT_STAGE_contact_pair_scan
-                   ? Pairs::group_width(context.info)
+        add(1, stage.stage == PLAIT_STAGE_contact_pair_scan ? Pairs::group_width(context.info)
+               : stage.stage == PLAIT_STAGE_wind_shelter
+                   ? WindGrid::group_width(context.info)
                    : StrandGrid::group_width(context.info, default_grid_desc().slot_capacity));
         break;
     case PLAIT_SPACE_WORD: // of meshes and bounds there are few, of grids' cells there may be many

@@ -20,6 +20,11 @@ std::array<float, 3> components(const plait_pose& grid, const std::array<float, 
 
 } // namespace
 
+uint32_t WindGrid::group_width(const plait_device_info& device) {
+    const uint32_t lanes = std::max(device.lanes, 1u);
+    return std::min(device.max_group_size, (nodes * nodes + lanes - 1) / lanes);
+}
+
 Result<WindGrid> WindGrid::create(Device& device, bool eddies, bool sheltered) {
     WindGrid grid;
     grid.eddies_ = eddies;
@@ -28,6 +33,10 @@ Result<WindGrid> WindGrid::create(Device& device, bool eddies, bool sheltered) {
         PLAIT_TRY(device.create(grid.velocity_, PLAIT_ELEMENT_FLOAT4, count, "wind_velocity"));
     if (!sheltered)
         return grid;
+    const auto info = device.describe();
+    if (!info)
+        return info.error();
+    grid.width_ = group_width(*info);
     PLAIT_TRY(device.create(grid.extinction_, PLAIT_ELEMENT_FLOAT, count, "wind_extinction"));
     PLAIT_TRY(device.create(grid.depth_, PLAIT_ELEMENT_FLOAT, count, "wind_depth"));
     auto hair = StrandGrid::create_density(device, nodes);
@@ -102,9 +111,8 @@ void WindGrid::append_shelter(Schedule& schedule, const HairNow& hair, const Str
     params.turbulent = eddies_;
     std::ranges::copy(stream.velocity, params.air);
     std::ranges::copy(stream.still, params.still);
-    for (params.plane = 0; params.plane < nodes; ++params.plane)
-        schedule.add(PLAIT_STAGE_wind_shelter, nodes * nodes, params,
-                     {&extinction_, &hair_.density(), &hair_.velocity(), &depth_, &velocity_});
+    schedule.add(PLAIT_STAGE_wind_shelter, 1, params,
+                 {&extinction_, &hair_.density(), &hair_.velocity(), &depth_, &velocity_}, width_);
 }
 
 } // namespace plait

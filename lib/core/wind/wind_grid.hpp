@@ -22,6 +22,8 @@ class WindGrid {
   public:
     static constexpr uint32_t nodes = 16; // per edge
 
+    // Work-items that shelter the grid: one for each node of a plane, or as many as there may be.
+    static uint32_t group_width(const plait_device_info& device);
     // Buffers for what is asked for; for nothing, none.
     static Result<WindGrid> create(Device& device, bool eddies, bool sheltered);
 
@@ -51,6 +53,7 @@ class WindGrid {
     void append_obstacle(Schedule& schedule, const StepInput& at, float extinction) const;
 
     bool eddies_ = false, sheltered_ = false;
+    uint32_t width_ = 1; // of the group that shelters it
     plait_pose corner_ = identity_pose;
     float voxel_edge_ = 1;
     StrandGrid hair_;   // its density and velocity here; brakes nothing

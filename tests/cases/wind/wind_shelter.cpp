@@ -50,7 +50,8 @@ Case wind_shelter_case() {
                 Setup setup;
                 setup.name = std::to_string(edge_count) + " voxels, plane " +
                              std::to_string(plane) + " along " + std::to_string(axis);
-                setup.items = edge_count * edge_count;
+                setup.items = 1;
+                setup.width = axis == 1 ? 1 : 3;
                 setup.buffers = {floats(values(nodes, 0, 9, 4)), floats(values(nodes, 1, 90, 3)),
                                  float4s(values(4 * nodes, -2, 2, 0)),
                                  floats(values(nodes, 0, 1.5, 0)),

@@ -35,21 +35,16 @@ struct NodePlane {
     }
 };
 
-} // namespace
-
-void wind_shelter(uint32_t item_count, const plait_wind_shelter_params& params,
-                  const wind_shelter_args& args) {
-    const size_t n = params.edge_count;
-    if (params.axis > 2 || params.plane >= n)
-        throw BadDispatch(format("axis is %u, plane %u of %zu", params.axis, params.plane, n));
-    item_count = static_cast<uint32_t>(std::min(size_t{item_count}, n * n));
-    const size_t plane = params.reversed ? n - 1 - params.plane : params.plane;
+// The plane of that number as the wind meets them.
+void shelter_plane(const plait_wind_shelter_params& params, const wind_shelter_args& args,
+                   size_t number) {
+    const size_t n = params.edge_count, plane = params.reversed ? n - 1 - number : number;
     const NodePlane here{n, params.axis, plane};
     const NodePlane before{n, params.axis, params.reversed ? plane + 1 : plane - 1};
-    for (size_t item = 0; item < item_count; ++item) {
+    for (size_t item = 0; item < n * n; ++item) {
         const size_t node = here.voxel(item % n, item / n);
         double depth = 0;
-        if (params.plane > 0) {
+        if (number > 0) {
             const double a = double(item % n) - params.foot[0],
                          b = double(item / n) - params.foot[1];
             const double last = double(n - 1);
@@ -68,6 +63,17 @@ void wind_shelter(uint32_t item_count, const plait_wind_shelter_params& params,
         const double open = std::exp(-depth);
         args.wind_velocity[node] = with_w(open * wind + (1 - open) * hair, open);
     }
+}
+
+} // namespace
+
+void wind_shelter(uint32_t item_count, const plait_wind_shelter_params& params,
+                  const wind_shelter_args& args) {
+    const size_t n = params.edge_count;
+    if (params.axis > 2 || params.plane >= n)
+        throw BadDispatch(format("axis is %u, plane %u of %zu", params.axis, params.plane, n));
+    for (size_t number = params.plane; item_count > 0 && number < n; ++number)
+        shelter_plane(params, args, number);
 }
 
 } // namespace plait::reference
