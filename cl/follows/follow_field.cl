@@ -35,7 +35,7 @@ LANES_INLINE follow_distance follow_gap(const follow_body* body, vec3 x, real bo
     /* of a distance above 0 nothing is said of what is around */
     gap.distance = pick(near, pick(some, fmin(sample.distance, none), none), gap.distance);
     const vec3 normal = scale3(sample.gradient, 1.0f / pick(some, slope, (real)(1.0f)));
-    gap.normal = pick3(some, add3(normal, mesh_turn(body->motion.orientation, normal)), zero3());
+    gap.normal = pick3(some, mesh_turned(&body->motion, normal), zero3());
     return gap;
 }
 

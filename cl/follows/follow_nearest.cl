@@ -30,7 +30,7 @@ static inline follow_distance follow_gap(const follow_body* body, vec3 x, real b
         return gap;
     const near_sample sample = near_sample_of(&body->mesh, found, body->share, own);
     gap.distance = pick(some, sample.distance, bound);
-    gap.normal = add3(sample.normal, mesh_turn(body->motion.orientation, sample.normal));
+    gap.normal = mesh_turned(&body->motion, sample.normal);
     return gap;
 }
 

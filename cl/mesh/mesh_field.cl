@@ -70,14 +70,13 @@ static inline mesh_touch mesh_meet(const mesh_body* body, mesh_vertex* vertex) {
     plane = mesh_plane_at_foot(&body->field, mesh_plane_unit(plane), to, vertex->offset, &cells);
     const real gap = mesh_plane_height(plane, to);
     touch.some &= !(gap >= vertex->gap);
-    touch.normal = add3(plane.normal, mesh_turn(body->motion.orientation, plane.normal));
+    touch.normal = mesh_turned(&body->motion, plane.normal);
     touch.height = mesh_plane_height(plane, from);
     touch.tip = touch.some & vertex->tip;
     if (any_lane(touch.tip)) {
         touch.crease =
             mesh_crease(&body->field, plane, vertex->offset, from, to, touch.tip, &cells);
-        const vec3 normal = touch.crease.normal;
-        touch.crease.normal = add3(normal, mesh_turn(body->motion.orientation, normal));
+        touch.crease.normal = mesh_turned(&body->motion, touch.crease.normal);
     }
     return touch;
 }

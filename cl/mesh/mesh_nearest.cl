@@ -290,7 +290,7 @@ static inline mesh_touch near_meet(const near_body* body, const near_way* at,
                         fmin(most, nearest + drift + (real)(body->bends)), near);
         from = near_carried(body, &under, at->rigid);
     }
-    touch.anchor = add3(at->anchor, near_turned(&body->motion, sub3(from, at->rigid)));
+    touch.anchor = add3(at->anchor, mesh_turned(&body->motion, sub3(from, at->rigid)));
     const real way = mesh_length(sub3(at->to, from)), room = way + (real)(PLAIT_MESH_ROOM);
     const near_sample first =
         near_sample_of(&body->mesh,
@@ -328,7 +328,7 @@ static inline mesh_touch near_meet(const near_body* body, const near_way* at,
     touch.some &= mesh_plane_is(plane);
     wall->some = touch.some;
     touch.some &= !(mesh_plane_height(plane, at->to) >= gap);
-    touch.normal = near_turned(&body->motion, plane.normal);
+    touch.normal = mesh_turned(&body->motion, plane.normal);
     touch.height = mesh_plane_height(plane, from);
     wall->from = from;
     wall->to = at->to;
@@ -345,7 +345,7 @@ static inline void near_meet_creases(const near_body* body, const near_wall* wal
     if (body->mesh.two_sided || !any_lane(touch->tip))
         return;
     touch->crease = near_crease(&body->mesh, body->end, wall, touch->tip);
-    touch->crease.normal = near_turned(&body->motion, touch->crease.normal);
+    touch->crease.normal = mesh_turned(&body->motion, touch->crease.normal);
 }
 
 /* m, of the roots of strands that have a vertex near; negative inside. */

@@ -118,7 +118,7 @@ static inline void shelter_nodes(const plait_wind_shelter_params* params, uint n
     }
 }
 
-/* The planes wait for each other in one work-group: a launch for each took longer to begin than to run. */
+/* The planes wait for each other in one work-group, and not in a launch each. */
 __kernel PLAIT_WIDE void
 plait_wind_shelter(const uint item_count, const plait_wind_shelter_params params,
                    __global const float* wind_extinction, __global const float* grid_density,
